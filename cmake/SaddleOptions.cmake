@@ -1,0 +1,12 @@
+# Compiler settings shared by everything that is ours.
+add_library(saddle_options INTERFACE)
+target_compile_options(saddle_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps where a string gets a literal
+  -ffp-contract=off)  # no fused multiply-add behind our back: the same picture on every machine
+
+if(SADDLE_SANITIZE)
+  target_compile_options(saddle_options INTERFACE
+    -fsanitize=${SADDLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(saddle_options INTERFACE -fsanitize=${SADDLE_SANITIZE})
+endif()

@@ -1,0 +1,10 @@
+# Run by EmbedShaders.cmake: writes OUTPUT with one case per file of the list SHADERS.
+set(text "// Generated from shaders/*.glsl.\n#include \"render/shaders.h\"\n\nnamespace saddle {\n\n")
+string(APPEND text "std::string_view shader_source(std::string_view name) {\n")
+foreach(shader IN LISTS SHADERS)
+  get_filename_component(name ${shader} NAME)
+  file(READ ${shader} source)
+  string(APPEND text "  if (name == \"${name}\") {\n    return R\"glsl(${source})glsl\";\n  }\n")
+endforeach()
+string(APPEND text "  return {};\n}\n\n}  // namespace saddle\n")
+file(WRITE ${OUTPUT} "${text}")

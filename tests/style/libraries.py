@@ -1,0 +1,27 @@
+#!/usr/bin/python3 -B
+"""Each library stays where it can be replaced: in one file, or one folder, of src/."""
+import re
+
+import tree
+
+# What is included -> where it may be.
+HOMES = {
+    r"muParser\w*\.h": r"src/formula/parser\.cpp|tests/.*",
+    r"CLI/.*": r"src/app/cli\.cpp",
+    r"GL/osmesa\.h": r"src/render/context_osmesa\.cpp",
+    r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",
+    r"png\.h": r"src/base/image_png\.cpp|tests/.*",
+}
+INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def complaints(name):
+    for number, line in tree.lines(name):
+        match = INCLUDE.match(line)
+        home = match and next((h for lib, h in HOMES.items() if re.fullmatch(lib, match[1])), None)
+        if home and not re.fullmatch(home, name.as_posix()):
+            yield f"{name}:{number}: <{match[1]}> belongs in {home}"
+
+
+sources = [name for name in tree.files("src", "tests") if name.suffix in {".h", ".cpp", ".def"}]
+tree.finish((c for name in sources for c in complaints(name)), len(sources), "sources")
