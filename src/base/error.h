@@ -1,0 +1,58 @@
+// Errors that a user can cause or must be told about: a message, the place in the text they
+// wrote, a way out, and the exit status of the program. Programmers' errors are asserts.
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <string>
+#include <string_view>
+
+namespace saddle {
+
+/// Exit status of the program; every Error carries one of the failing three.
+enum class Status { Done = 0, Machine = 1, Input = 2, Nothing = 3 };
+
+/// Half-open range of bytes [begin, end) in a text.
+struct Span {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Where an error is: the name of the thing that was written ("y", "--size", "u"), its text as the
+/// user wrote it, and the bytes of the text that are meant. `text` empty: only the name is known.
+struct Place {
+  std::string name;
+  std::string text;
+  Span span;
+};
+
+/// The one exception type for everything that is not a programmer's mistake.
+class Error : public std::exception {
+ public:
+  /// `hint` says how to get out of it; it may be empty or hold several lines.
+  Error(Status status, std::string message, Place place = {}, std::string hint = {});
+
+  /// The message alone, without place and hint.
+  const char* what() const noexcept override { return message_.c_str(); }
+  Status status() const { return status_; }
+  const Place& place() const { return place_; }
+  const std::string& hint() const { return hint_; }
+
+ private:
+  Status status_;
+  std::string message_;
+  Place place_;
+  std::string hint_;
+};
+
+/// The text for standard error, ending in a newline:
+///
+///     saddle: y: unknown name 'foo'
+///       y = cos(u)*foo(v)
+///                  ^~~
+///     did you mean 'floor'?
+///
+/// Columns count characters, not bytes. A line longer than a terminal is cut around the place.
+std::string format_error(const Error& error);
+
+}  // namespace saddle

@@ -1,0 +1,29 @@
+// Files that appear whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace saddle {
+
+/// Writes a file through `write`: into a temporary beside `path`, flushed to disk, then renamed
+/// over it. If anything fails, or `write` throws, the temporary is removed and `path` is as it was.
+/// A file that exists keeps its permissions. "/dev/stdout" and other things that are no regular
+/// files are written straight. Throws Error (Machine) that names the path and the system's reason.
+void write_file_whole(const std::filesystem::path& path,
+                      const std::function<void(std::ostream&)>& write);
+
+/// Throws Error (Machine) if a file could not be written there: a missing folder, no permission, a
+/// path that is a folder. Called before the computing starts, so that nobody waits in vain.
+void check_writable(const std::filesystem::path& path);
+
+/// Removes temporaries that are still open when SIGINT, SIGTERM or SIGHUP ends the program, then
+/// lets the signal do its default work. Call once, at the start of main.
+void remove_temporaries_on_signals();
+
+/// The whole content of a file, at most 1 GiB. Throws Error (Machine) with the system's reason.
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace saddle

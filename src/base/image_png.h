@@ -1,0 +1,29 @@
+// PNG files, through libpng.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <map>
+#include <string>
+
+#include "base/image.h"
+
+namespace saddle {
+
+/// Text chunks: keyword (1 to 79 Latin-1 characters) to UTF-8 text.
+using PngText = std::map<std::string, std::string>;
+
+/// Writes `image` as PNG: RGB where every pixel is opaque, RGBA otherwise. `text` goes into iTXt
+/// chunks before the pixels. The same bytes for the same input: no time stamp.
+void write_png(std::ostream& out, const Image& image, const PngText& text = {});
+
+struct PngFile {
+  Image image;
+  PngText text;
+};
+
+/// Reads any PNG as 8-bit RGBA, with its text chunks. Throws Error: Machine if the file cannot be
+/// opened, Input if it is no PNG or is damaged.
+PngFile read_png(const std::filesystem::path& path);
+
+}  // namespace saddle

@@ -1,0 +1,68 @@
+#include "base/nearest.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/utf8.h"
+
+namespace saddle {
+namespace {
+
+/// The characters of a name, ASCII letters in lower case.
+std::u32string folded(std::string_view text) {
+  std::u32string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const Character c = decode_utf8(text, at);
+    result += c.code >= U'A' && c.code <= U'Z' ? c.code - U'A' + U'a' : c.code;
+    at += c.bytes;
+  }
+  return result;
+}
+
+/// Insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`, no part of
+/// the text edited twice.
+std::size_t alignment_distance(const std::u32string& a, const std::u32string& b) {
+  std::vector<std::size_t> two_above(b.size() + 1);
+  std::vector<std::size_t> above(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(two_above, above);
+    std::swap(above, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({substituted, above[j] + 1, row[j - 1] + 1});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], two_above[j - 2] + 1);
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> nearest_name(std::string_view word,
+                                        std::span<const std::string> candidates) {
+  const std::u32string wanted = folded(word);
+  const std::size_t limit = std::max<std::size_t>(wanted.size() / 3, 1);
+  const std::string* best = nullptr;
+  std::size_t least = limit + 1;
+  for (const std::string& candidate : candidates) {
+    const std::u32string name = folded(candidate);
+    const std::size_t longer = std::max(wanted.size(), name.size());
+    const std::size_t shorter = std::min(wanted.size(), name.size());
+    if (longer - shorter >= least) continue;  // as many insertions at least
+    const std::size_t distance = alignment_distance(wanted, name);
+    // A distance of all letters leaves nothing in common: 'q' is not a misspelt 'e'.
+    if (distance < least && distance < longer) {
+      least = distance;
+      best = &candidate;
+    }
+  }
+  return best == nullptr ? std::nullopt : std::optional(*best);
+}
+
+}  // namespace saddle

@@ -1,0 +1,80 @@
+#include "base/parallel.h"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace saddle {
+namespace {
+
+/// What the threads of one loop share.
+struct Loop {
+  std::size_t count;
+  std::size_t chunk;
+  const std::function<void(std::size_t, std::size_t)>& body;
+  std::atomic<std::size_t> next{0};  ///< number of the chunk that nobody has taken yet
+  std::mutex mutex{};
+  std::exception_ptr first_exception{};
+
+  std::size_t chunks() const { return count / chunk + (count % chunk == 0 ? 0 : 1); }
+};
+
+void run_chunk(Loop& loop, std::size_t index) {
+  const std::size_t begin = index * loop.chunk;
+  loop.body(begin, begin + std::min(loop.chunk, loop.count - begin));
+}
+
+/// Takes chunk after chunk until there is none left or a body has thrown.
+void run_chunks(Loop& loop) noexcept {
+  const std::size_t chunks = loop.chunks();
+  try {
+    for (std::size_t i = loop.next++; i < chunks; i = loop.next++) run_chunk(loop, i);
+  } catch (...) {
+    loop.next = chunks;
+    const std::lock_guard lock(loop.mutex);
+    if (!loop.first_exception) loop.first_exception = std::current_exception();
+  }
+}
+
+}  // namespace
+
+unsigned available_threads() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  // Fails on machines with more than 1024 processors, whose mask is larger.
+  if (sched_getaffinity(0, sizeof set, &set) == 0) {
+    return static_cast<unsigned>(std::max(CPU_COUNT(&set), 1));
+  }
+  return std::max(std::thread::hardware_concurrency(), 1u);
+}
+
+void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body) {
+  assert(chunk > 0);
+  Loop loop{.count = count, .chunk = chunk, .body = body};
+  const std::size_t chunks = loop.chunks();
+  const unsigned wanted = chunks <= 1 ? 1 : threads == 0 ? available_threads() : threads;
+  {
+    // This thread works too, so one fewer is started.
+    std::vector<std::jthread> others;
+    const std::size_t other_count =
+        std::min<std::size_t>(wanted, std::max<std::size_t>(chunks, 1)) - 1;
+    others.reserve(other_count);
+    try {
+      while (others.size() < other_count) others.emplace_back(run_chunks, std::ref(loop));
+    } catch (const std::system_error&) {
+      // The system allows no more threads: those that are there do the work.
+    }
+    run_chunks(loop);
+  }
+  if (loop.first_exception) std::rethrow_exception(loop.first_exception);
+}
+
+}  // namespace saddle

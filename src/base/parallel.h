@@ -1,0 +1,19 @@
+// A loop over fixed chunks on several threads. The chunks do not depend on the number of threads,
+// so neither does any result that is computed chunk by chunk.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace saddle {
+
+/// Calls body(begin, end) for consecutive chunks of [0, count), each `chunk` long but the last;
+/// every index exactly once, chunks in any order, on up to `threads` threads (0: all of the
+/// machine's). The first exception thrown by a body is rethrown here once all threads have ended.
+void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Threads that `0` stands for: what the process may run on, at least 1.
+unsigned available_threads();
+
+}  // namespace saddle

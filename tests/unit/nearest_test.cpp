@@ -1,0 +1,61 @@
+#include "base/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace saddle {
+namespace {
+
+using Names = std::vector<std::string>;
+constexpr auto kNone = std::nullopt;
+
+TEST(NearestName, FindsAMistypedLetterALeftOutOneAndOneTooMany) {
+  const Names names = {"cos", "floor", "sin"};
+  EXPECT_EQ(nearest_name("sim", names), "sin");
+  EXPECT_EQ(nearest_name("flor", names), "floor");
+  EXPECT_EQ(nearest_name("floorr", names), "floor");
+}
+
+TEST(NearestName, CountsASwapOfNeighboursAsOneEdit) {
+  // Two substitutions would be past the limit for three letters.
+  EXPECT_EQ(nearest_name("sni", Names{"sin"}), "sin");
+}
+
+TEST(NearestName, EditsNoPartOfTheTextTwice) {
+  // "ca" to "abc": 3 by optimal string alignment, 2 without its restriction.
+  EXPECT_EQ(nearest_name("cawxyz", Names{"abcwxyz"}), kNone);
+  EXPECT_EQ(nearest_name("cawxyz123", Names{"abcwxyz123"}), "abcwxyz123");
+}
+
+TEST(NearestName, IgnoresCase) {
+  EXPECT_EQ(nearest_name("SIN", Names{"cos", "sin"}), "sin");
+  EXPECT_EQ(nearest_name("catmul", Names{"Catmull"}), "Catmull");
+}
+
+TEST(NearestName, AllowsAThirdOfTheWord) {
+  EXPECT_EQ(nearest_name("abcdef", Names{"abcdXY"}), "abcdXY");
+  EXPECT_EQ(nearest_name("abcdef", Names{"abcXYZ"}), kNone);
+  EXPECT_EQ(nearest_name("abcde", Names{"abcXY"}), kNone);
+  EXPECT_EQ(nearest_name("ab", Names{"aX"}), "aX");
+}
+
+TEST(NearestName, PrefersTheLeastDistanceThenTheFirst) {
+  EXPECT_EQ(nearest_name("abcdef", Names{"abcdXX", "abcdeX", "abcdeY"}), "abcdeX");
+}
+
+TEST(NearestName, CountsCharactersAndNotBytes) {
+  EXPECT_EQ(nearest_name("\u03B1\u03B2\u03B3", Names{"\u03B1\u03B2\u03B4"}), "\u03B1\u03B2\u03B4");
+  // Six bytes would allow two edits, three characters allow one.
+  EXPECT_EQ(nearest_name("\u03B1\u03B2\u03B3", Names{"\u03B1\u03B4\u03B5"}), kNone);
+}
+
+TEST(NearestName, SuggestsNothingThatHasNoLetterInCommon) {
+  EXPECT_EQ(nearest_name("q", Names{"e", "u"}), kNone);
+  EXPECT_EQ(nearest_name("", Names{"e"}), kNone);
+  EXPECT_EQ(nearest_name("q", Names{}), kNone);
+}
+
+}  // namespace
+}  // namespace saddle
