@@ -1,0 +1,66 @@
+// Building graph nodes as one writes mathematics. The rules of ops.def are written in it.
+#pragma once
+
+#include <cmath>
+
+#include "formula/graph.h"
+
+namespace saddle {
+
+/// A node together with the graph it lives in.
+struct Expression {
+  Graph* graph;
+  NodeId id;
+
+  Expression of(double value) const { return {graph, graph->constant(value)}; }
+};
+
+inline Expression make(Op op, Expression a) { return {a.graph, a.graph->make(op, a.id)}; }
+inline Expression make(Op op, Expression a, Expression b) {
+  return {a.graph, a.graph->make(op, a.id, b.id)};
+}
+inline Expression make(Op op, Expression a, Expression b, Expression c) {
+  return {a.graph, a.graph->make(op, a.id, b.id, c.id)};
+}
+
+#define SADDLE_BINARY(name, op)                                                         \
+  inline Expression name(Expression a, Expression b) { return make(Op::op, a, b); }     \
+  inline Expression name(Expression a, double b) { return make(Op::op, a, a.of(b)); }   \
+  inline Expression name(double a, Expression b) { return make(Op::op, b.of(a), b); }
+SADDLE_BINARY(operator+, Add)
+SADDLE_BINARY(operator-, Sub)
+SADDLE_BINARY(operator*, Mul)
+SADDLE_BINARY(operator/, Div)
+SADDLE_BINARY(operator<, Less)
+SADDLE_BINARY(operator>=, GreaterEqual)
+SADDLE_BINARY(operator==, Equal)
+SADDLE_BINARY(min, Min)
+SADDLE_BINARY(max, Max)
+SADDLE_BINARY(pow, Pow)
+SADDLE_BINARY(hypot, Hypot)
+SADDLE_BINARY(polygamma, Polygamma)
+SADDLE_BINARY(bessel_j, BesselJ)
+SADDLE_BINARY(sinc_derivative, SincN)
+#undef SADDLE_BINARY
+
+#define SADDLE_UNARY(name, op) \
+  inline Expression name(Expression a) { return make(Op::op, a); }
+SADDLE_UNARY(operator-, Neg)
+SADDLE_UNARY(sqrt, Sqrt)
+SADDLE_UNARY(exp, Exp)
+SADDLE_UNARY(log, Log)
+SADDLE_UNARY(sin, Sin)
+SADDLE_UNARY(cos, Cos)
+SADDLE_UNARY(sinh, Sinh)
+SADDLE_UNARY(cosh, Cosh)
+SADDLE_UNARY(floor, Floor)
+#undef SADDLE_UNARY
+
+inline Expression select(Expression condition, double yes, Expression no) {
+  return make(Op::Select, condition, condition.of(yes), no);
+}
+
+/// 3t^2 - 2t^3, for smoothstep.
+inline Expression smooth(Expression t) { return t * t * (3 - 2 * t); }
+
+}  // namespace saddle

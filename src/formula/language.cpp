@@ -1,0 +1,154 @@
+#include "formula/language.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace saddle {
+namespace {
+
+/// A built-in function and how its call becomes nodes.
+struct Row {
+  BuiltIn function;
+  Expression (*call)(std::span<const Expression>);
+};
+
+Expression argument(std::span<const Expression> arguments, std::size_t index) {
+  return arguments[std::min(index, arguments.size() - 1)];
+}
+
+template <Op op>
+Expression call_operation(std::span<const Expression> arguments) {
+  return make(op, argument(arguments, 0), argument(arguments, 1), argument(arguments, 2));
+}
+
+template <Op op>
+Expression fold(std::span<const Expression> arguments) {
+  Expression result = arguments[0];
+  for (const Expression& next : arguments.subspan(1)) result = make(op, result, next);
+  return result;
+}
+
+Expression no_call(std::span<const Expression> arguments) { return arguments[0]; }
+
+/// All rows of the table; operators and internal operations are among them, under names that no
+/// formula can call.
+std::span<const Row> rows() {
+  static constexpr std::array kRows = {
+#define SADDLE_OP(id, name, arity, value, derivative, help) \
+  Row{{name, arity, arity, help}, &call_operation<Op::id>},
+#define SADDLE_COMPOSITE(name, arity, expression, help)                                     \
+  Row{{#name, arity, arity, help}, [](std::span<const Expression> arguments) -> Expression { \
+        [[maybe_unused]] const Expression a = argument(arguments, 0);                        \
+        [[maybe_unused]] const Expression b = argument(arguments, 1);                        \
+        [[maybe_unused]] const Expression c = argument(arguments, 2);                        \
+        return expression;                                                                   \
+      }},
+#define SADDLE_FOLD(name, op, finish, help)                                                     \
+  Row{{#name, 1, kAnyNumber, help}, [](std::span<const Expression> arguments) -> Expression {   \
+        const Expression r = fold<Op::op>(arguments);                                           \
+        [[maybe_unused]] const Expression n = r.of(static_cast<double>(arguments.size()));      \
+        return finish;                                                                          \
+      }},
+#include "formula/ops.def"
+      // The parser differentiates; the row is for its name, its arity and its help.
+      Row{{"diff", 2, 2, "diff(a,u)  exact partial derivative of a by u, v, t or a parameter"},
+          &no_call},
+  };
+  return kRows;
+}
+
+struct Constant {
+  std::string_view name;
+  double value;
+  std::string_view help;
+};
+
+constexpr std::array kConstants = {
+#define SADDLE_CONSTANT(name, value, help) Constant{#name, value, help},
+#include "formula/ops.def"
+};
+
+bool is_word(std::string_view name) {
+  return !name.empty() && ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z'));
+}
+
+struct Alias {
+  std::string_view elsewhere;
+  std::string_view here;
+};
+
+constexpr std::array kAliases = {
+    Alias{"arcsin", "asin"},     Alias{"arccos", "acos"},   Alias{"arctan", "atan"},
+    Alias{"arctg", "atan"},      Alias{"arctan2", "atan2"}, Alias{"arsinh", "asinh"},
+    Alias{"arcsinh", "asinh"},   Alias{"arcosh", "acosh"},  Alias{"arccosh", "acosh"},
+    Alias{"artanh", "atanh"},    Alias{"arctanh", "atanh"}, Alias{"tg", "tan"},
+    Alias{"ctg", "cot"},         Alias{"cotan", "cot"},     Alias{"cosec", "csc"},
+    Alias{"sh", "sinh"},         Alias{"ch", "cosh"},       Alias{"th", "tanh"},
+    Alias{"lg", "log10"},        Alias{"ld", "log2"},       Alias{"fabs", "abs"},
+    Alias{"sgn", "sign"},        Alias{"signum", "sign"},   Alias{"ceiling", "ceil"},
+    Alias{"fmod", "mod"},        Alias{"power", "pow"},     Alias{"root", "sqrt"},
+    Alias{"lerp", "mix"},        Alias{"tgamma", "gamma"},  Alias{"mean", "avg"},
+    Alias{"average", "avg"},     Alias{"derivative", "diff"}, Alias{"D", "diff"},
+    Alias{"int", "trunc"},       Alias{"j0", "besselj0"},   Alias{"j1", "besselj1"},
+};
+
+}  // namespace
+
+const BuiltIn* find_built_in(std::string_view name) {
+  if (!is_word(name)) return nullptr;
+  for (const Row& row : rows()) {
+    if (row.function.name == name) return &row.function;
+  }
+  return nullptr;
+}
+
+Expression call_built_in(const BuiltIn& function, std::span<const Expression> arguments) {
+  for (const Row& row : rows()) {
+    if (&row.function == &function) return row.call(arguments);
+  }
+  return arguments[0];
+}
+
+std::optional<double> find_constant(std::string_view name) {
+  for (const Constant& constant : kConstants) {
+    if (constant.name == name) return constant.value;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> function_names() {
+  std::vector<std::string> names;
+  for (const Row& row : rows()) {
+    if (is_word(row.function.name)) names.emplace_back(row.function.name);
+  }
+  return names;
+}
+
+std::vector<std::string> constant_names() {
+  std::vector<std::string> names;
+  for (const Constant& constant : kConstants) names.emplace_back(constant.name);
+  return names;
+}
+
+std::optional<std::string> known_elsewhere_as(std::string_view name) {
+  for (const Alias& alias : kAliases) {
+    if (alias.elsewhere == name) return std::string(alias.here);
+  }
+  return std::nullopt;
+}
+
+std::string language_help() {
+  std::string text;
+  for (const Row& row : rows()) {
+    if (!row.function.help.empty()) text.append("  ").append(row.function.help).append("\n");
+  }
+  for (const Constant& constant : kConstants) {
+    std::string name(constant.name);
+    name.resize(11, ' ');
+    text.append("  ").append(name).append(constant.help).append("\n");
+  }
+  return text;
+}
+
+}  // namespace saddle

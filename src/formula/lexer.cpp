@@ -1,0 +1,219 @@
+#include "formula/lexer.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+namespace saddle {
+namespace {
+
+/// A way of writing that stands for another.
+struct Spelling {
+  std::string_view written;
+  TokenKind kind;
+  std::string_view meant;
+};
+
+// Longer spellings before their own beginnings.
+constexpr std::array kSpellings = {
+    Spelling{"**", TokenKind::Operator, "^"},  Spelling{"<=", TokenKind::Operator, "<="},
+    Spelling{">=", TokenKind::Operator, ">="}, Spelling{"==", TokenKind::Operator, "=="},
+    Spelling{"!=", TokenKind::Operator, "!="}, Spelling{"&&", TokenKind::Operator, "&&"},
+    Spelling{"||", TokenKind::Operator, "||"}, Spelling{"+", TokenKind::Operator, "+"},
+    Spelling{"-", TokenKind::Operator, "-"},   Spelling{"*", TokenKind::Operator, "*"},
+    Spelling{"/", TokenKind::Operator, "/"},   Spelling{"^", TokenKind::Operator, "^"},
+    Spelling{"<", TokenKind::Operator, "<"},   Spelling{">", TokenKind::Operator, ">"},
+    Spelling{"?", TokenKind::Operator, "?"},   Spelling{":", TokenKind::Operator, ":"},
+    Spelling{"(", TokenKind::Open, "("},       Spelling{")", TokenKind::Close, ")"},
+    Spelling{",", TokenKind::Comma, ","},      Spelling{"·", TokenKind::Operator, "*"},
+    Spelling{"⋅", TokenKind::Operator, "*"},   Spelling{"×", TokenKind::Operator, "*"},
+    Spelling{"÷", TokenKind::Operator, "/"},   Spelling{"−", TokenKind::Operator, "-"},
+    Spelling{"≤", TokenKind::Operator, "<="},  Spelling{"≥", TokenKind::Operator, ">="},
+    Spelling{"≠", TokenKind::Operator, "!="},  Spelling{"π", TokenKind::Name, "pi"},
+    Spelling{"τ", TokenKind::Name, "tau"},     Spelling{"φ", TokenKind::Name, "phi"},
+    Spelling{"∞", TokenKind::Name, "inf"},
+};
+
+constexpr std::array<std::string_view, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴",
+                                                            "⁵", "⁶", "⁷", "⁸", "⁹"};
+
+/// Characters that mean something elsewhere, and what to write here.
+struct Misplaced {
+  std::string_view written;
+  std::string_view message;
+  std::string_view hint;
+};
+
+constexpr std::array kMisplaced = {
+    Misplaced{"=", "an assignment inside a formula", "to compare, write =="},
+    Misplaced{"!", "'!' is not part of the language",
+              "a factorial n! is gamma(n+1); 'not a' is a==0"},
+    Misplaced{"%", "'%' is not part of the language", "the remainder of a/b is mod(a,b)"},
+    Misplaced{"&", "a single '&'", "'and' is &&"},
+    Misplaced{"|", "a single '|'", "'or' is ||; the absolute value of a is abs(a)"},
+    Misplaced{"[", "square brackets are not part of the language", "use ( )"},
+    Misplaced{"]", "square brackets are not part of the language", "use ( )"},
+    Misplaced{"{", "braces are not part of the language", "use ( )"},
+    Misplaced{"}", "braces are not part of the language", "use ( )"},
+    Misplaced{";", "';' is not part of a formula", "one argument holds one formula"},
+    Misplaced{"√", "'√' is not part of the language", "write sqrt(...)"},
+    Misplaced{"'", "a quote inside a formula", "for a derivative write diff(..., u)"},
+    Misplaced{"\"", "a quote inside a formula", "leave it out"},
+};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// Length in bytes of the UTF-8 character that begins with `c`, at least 1.
+std::size_t character_length(unsigned char c) {
+  if (c >= 0xF0) return 4;
+  if (c >= 0xE0) return 3;
+  return c >= 0xC0 ? 2 : 1;
+}
+
+class Lexer {
+ public:
+  explicit Lexer(const FormulaText& formula) : formula_(formula), at_(formula.part.begin) {}
+
+  std::vector<Token> run() {
+    if (formula_.part.end - formula_.part.begin > kMaxFormulaLength) {
+      throw formula_.error("the formula is longer than 64 KiB", {at_, at_ + 1},
+                           "give its parts names: w=..., then use w");
+    }
+    while (at_ < formula_.part.end) read_token();
+    if (tokens_.empty()) {
+      throw formula_.error("the formula is empty", formula_.part, "write an expression, e.g. u*v");
+    }
+    if (!open_.empty()) {
+      throw formula_.error("this bracket is not closed", open_.back(), "add a ')'");
+    }
+    return std::move(tokens_);
+  }
+
+ private:
+  std::string_view rest() const {
+    return std::string_view(formula_.text).substr(at_, formula_.part.end - at_);
+  }
+
+  void read_token() {
+    const char c = formula_.text[at_];
+    if (c == ' ' || c == '\t' || c == '\n' || c == '\r') {
+      ++at_;
+    } else if (rest().starts_with("\u00a0")) {  // a no-break space, from a web page
+      at_ += 2;
+    } else if (is_digit(c) || (c == '.' && rest().size() > 1 && is_digit(rest()[1]))) {
+      read_number();
+    } else if (is_letter(c)) {
+      std::size_t length = 1;
+      while (length < rest().size() && (is_letter(rest()[length]) || is_digit(rest()[length]))) {
+        ++length;
+      }
+      push(TokenKind::Name, rest().substr(0, length), length);
+    } else if (!read_spelling() && !read_superscript()) {
+      refuse_character();
+    }
+  }
+
+  void read_number() {
+    const char* const begin = rest().data();
+    double value = 0;
+    const auto [end, error] = std::from_chars(begin, begin + rest().size(), value);
+    const auto length = static_cast<std::size_t>(end - begin);
+    if (error == std::errc::result_out_of_range) {
+      throw formula_.error("a number that is out of range", {at_, at_ + length},
+                           "numbers go from 5e-324 to 1.8e308");
+    }
+    push(TokenKind::Number, rest().substr(0, length), length);
+    tokens_.back().value = value;
+  }
+
+  bool read_spelling() {
+    for (const Spelling& spelling : kSpellings) {
+      if (!rest().starts_with(spelling.written)) continue;
+      const std::size_t begin = at_;
+      push(spelling.kind, spelling.meant, spelling.written.size());
+      if (spelling.kind == TokenKind::Open) open_bracket(begin);
+      if (spelling.kind == TokenKind::Close) close_bracket(begin);
+      return true;
+    }
+    return false;
+  }
+
+  /// u² is u^2; several superscript digits are one number.
+  bool read_superscript() {
+    const std::size_t begin = at_;
+    double exponent = 0;
+    for (bool found = true; found;) {
+      found = false;
+      for (std::size_t digit = 0; digit < kSuperscripts.size(); ++digit) {
+        if (!rest().starts_with(kSuperscripts[digit])) continue;
+        exponent = 10 * exponent + static_cast<double>(digit);
+        at_ += kSuperscripts[digit].size();
+        found = true;
+      }
+    }
+    if (at_ == begin) return false;
+    tokens_.push_back({TokenKind::Operator, "^", 0, {begin, at_}});
+    tokens_.push_back({TokenKind::Number, "", exponent, {begin, at_}});
+    return true;
+  }
+
+  void push(TokenKind kind, std::string_view text, std::size_t length) {
+    insert_product(kind);
+    tokens_.push_back({kind, std::string(text), 0, {at_, at_ + length}});
+    at_ += length;
+  }
+
+  /// A number right before a name or a bracket is its factor.
+  void insert_product(TokenKind next) {
+    if (next != TokenKind::Name && next != TokenKind::Open) return;
+    // A superscript's number has no text: u² v is not a product that we understand.
+    if (tokens_.empty() || tokens_.back().kind != TokenKind::Number || tokens_.back().text.empty())
+      return;
+    tokens_.push_back({TokenKind::Operator, "*", 0, {at_, at_}});
+  }
+
+  void open_bracket(std::size_t begin) {
+    open_.push_back({begin, begin + 1});
+    if (open_.size() > static_cast<std::size_t>(kMaxNesting)) {
+      throw formula_.error("brackets are nested more than 256 deep", open_.back(),
+                           "give the inner parts names: w=..., then use w");
+    }
+  }
+
+  void close_bracket(std::size_t begin) {
+    if (open_.empty()) {
+      throw formula_.error("this bracket was never opened", {begin, begin + 1},
+                           "remove it, or add a '('");
+    }
+    open_.pop_back();
+  }
+
+  [[noreturn]] void refuse_character() {
+    for (const Misplaced& misplaced : kMisplaced) {
+      if (!rest().starts_with(misplaced.written)) continue;
+      throw formula_.error(std::string(misplaced.message),
+                           {at_, at_ + misplaced.written.size()}, std::string(misplaced.hint));
+    }
+    const std::size_t length =
+        std::min(character_length(static_cast<unsigned char>(formula_.text[at_])), rest().size());
+    throw formula_.error("a character that no formula has", {at_, at_ + length},
+                         "formulas are made of numbers, names, + - * / ^ ( ) , < > = & | ? :");
+  }
+
+  const FormulaText& formula_;
+  std::size_t at_;
+  std::vector<Token> tokens_;
+  std::vector<Span> open_;
+};
+
+}  // namespace
+
+Error FormulaText::error(std::string message, Span span, std::string hint) const {
+  return {Status::Input, std::move(message), Place{name, text, span}, std::move(hint)};
+}
+
+std::vector<Token> tokenize(const FormulaText& formula) { return Lexer(formula).run(); }
+
+}  // namespace saddle

@@ -1,0 +1,40 @@
+// A formula's text as tokens that know their place. What people write for * and ^ on paper or in
+// other programs is understood here: 2u, 3(u+1), u**2, π, ², ·, ×, −, ≤.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace saddle {
+
+/// The formula `text[part]`, called `name` in messages.
+struct FormulaText {
+  std::string name;
+  std::string text;
+  Span part;
+
+  /// An Error (Input) whose caret points at `span` of the text.
+  Error error(std::string message, Span span, std::string hint = {}) const;
+};
+
+enum class TokenKind { Number, Name, Operator, Open, Close, Comma };
+
+struct Token {
+  TokenKind kind;
+  std::string text;   ///< a name, or an operator as muparser spells it
+  double value = 0;   ///< of a number
+  Span span;          ///< bytes of FormulaText::text; empty for a * that is only understood
+};
+
+/// Longest formula in bytes, and deepest nesting of brackets: enough for anything written by hand
+/// or by a program in good faith, and little enough that no later step can be made to run away.
+inline constexpr std::size_t kMaxFormulaLength = 64 * 1024;
+inline constexpr int kMaxNesting = 256;
+
+/// Throws Error (Input): a character that no formula has, brackets that do not match, a formula
+/// that is empty, too long or too deep.
+std::vector<Token> tokenize(const FormulaText& formula);
+
+}  // namespace saddle

@@ -1,0 +1,63 @@
+// Names and what they mean: the user's definitions, in any order, turned into graph nodes on
+// demand. This is the way from text to graph; formula/parser.h is its inner part.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "formula/graph.h"
+
+namespace saddle {
+
+/// `name = text`, or `name(arguments) = text` for a helper function, as the user wrote it.
+struct Definition {
+  std::string name;
+  std::string text;
+  std::vector<std::string> arguments = {};
+  bool is_function = false;
+};
+
+/// How a definition is shown in messages: "r", or "f(s, t)".
+std::string display_name(const Definition& definition);
+
+class Scope {
+ public:
+  /// `definitions`: parameters, shared sub-expressions, helper functions and the surface's own x,
+  /// y, z, in any order; they may use each other. All are parsed here, used or not. Throws Error
+  /// (Input) with the place: a malformed formula, an unknown name, a definition of a function's
+  /// name or of u or v, the same name twice, a circle (the circle is shown).
+  Scope(Graph& graph, std::vector<Definition> definitions);
+  ~Scope();
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+  /// The node of a definition that is no function. Parameters are variables in it: see bind().
+  NodeId node(const std::string& name) const;
+
+  /// Parses one more formula: the bytes `part` of `text` (all of it by default), called `name` in
+  /// messages. Throws Error (Input).
+  NodeId parse(const std::string& name, const std::string& text,
+               std::optional<Span> part = std::nullopt);
+
+  /// The same for a formula that must not depend on u, v or t: its value. It may be infinite or
+  /// NaN: what is allowed is for the caller to say.
+  double constant(const std::string& name, const std::string& text,
+                  std::optional<Span> part = std::nullopt);
+
+  /// The roots with every parameter replaced by its value and t by `t`.
+  std::vector<NodeId> bind(std::span<const NodeId> roots, double t);
+
+  /// Definitions that are constant and no function, with their values: sliders, animation.
+  std::map<std::string, double> parameters() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace saddle

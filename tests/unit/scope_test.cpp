@@ -1,0 +1,125 @@
+#include "formula/scope.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "graph_value.h"
+
+namespace saddle {
+namespace {
+
+double value_with(const std::string& text, std::vector<Definition> definitions, double u = 0,
+                  double v = 0) {
+  Graph graph;
+  const NodeId root = testing::parse(graph, text, std::move(definitions));
+  return testing::value(graph, root, u, v);
+}
+
+Error error_of(std::vector<Definition> definitions) {
+  Graph graph;
+  try {
+    const Scope scope(graph, std::move(definitions));
+  } catch (const Error& error) {
+    return error;
+  }
+  return {Status::Done, "no error"};
+}
+
+TEST(Scope, TakesDefinitionsInAnyOrder) {
+  EXPECT_EQ(value_with("w*u", {{"w", "b+1"}, {"b", "2*a"}, {"a", "3"}}, 2), 14);
+}
+
+TEST(Scope, LetsTheSurfaceUseItsOwnCoordinates) {
+  Graph graph;
+  Scope scope(graph, {{"x", "u"}, {"y", "v"}, {"z", "x^2-y^2"}});
+  EXPECT_EQ(testing::value(graph, scope.node("z"), 3, 2), 5);
+}
+
+TEST(Scope, CallsHelperFunctionsOfSeveralArguments) {
+  EXPECT_EQ(value_with("f(u,2)+f(1,v)", {{"f", "10*a+b", {"a", "b"}, true}}, 3, 4), 46);
+}
+
+TEST(Scope, LetsArgumentsShadowEveryOtherName) {
+  EXPECT_EQ(value_with("f(5,6)", {{"f", "u-v", {"u", "v"}, true}}, 100, 100), -1);
+  EXPECT_EQ(value_with("f(5)", {{"f", "pi", {"pi"}, true}}), 5);
+  EXPECT_EQ(value_with("f(5)", {{"f", "2*a", {"a"}, true}, {"a", "7"}}), 10);
+}
+
+TEST(Scope, LetsDefinitionsShadowConstants) {
+  EXPECT_EQ(value_with("e+1", {{"e", "5"}}), 6);
+}
+
+TEST(Scope, LetsFunctionsUseDefinitionsAndOtherFunctions) {
+  EXPECT_EQ(value_with("g(2)", {{"g", "f(s)+a", {"s"}, true}, {"f", "s^2", {"s"}, true}, {"a", "1"}}),
+            5);
+}
+
+TEST(Scope, ShowsTheCircle) {
+  const Error error = error_of({{"a", "b+1"}, {"b", "2*c"}, {"c", "a"}});
+  EXPECT_STREQ(error.what(), "a definition that needs itself: a -> b -> c -> a");
+  EXPECT_STREQ(error_of({{"f", "f(s-1)", {"s"}, true}}).what(),
+               "a definition that needs itself: f -> f");
+}
+
+TEST(Scope, RefusesNamesThatAreTaken) {
+  EXPECT_STREQ(error_of({{"sin", "3"}}).what(), "'sin' is a function of the language");
+  EXPECT_STREQ(error_of({{"u", "3"}}).what(), "'u' cannot be defined");
+  EXPECT_STREQ(error_of({{"a", "3"}, {"a", "4"}}).what(), "'a' is defined twice");
+  EXPECT_STREQ(error_of({{"f", "s", {"s", "s"}, true}}).what(), "two arguments are called 's'");
+}
+
+TEST(Scope, ParsesDefinitionsThatNobodyUses) {
+  const Error error = error_of({{"f", "1+foo", {"s"}, true}});
+  EXPECT_EQ(error.place().name, "f(s)");
+  EXPECT_EQ(error.place().span.begin, 2U);
+}
+
+TEST(Scope, SaysWhatIsNotConstant) {
+  Graph graph;
+  Scope scope(graph, {{"a", "2"}});
+  EXPECT_EQ(scope.constant("u", "0:2*a", Span{2, 5}), 4);
+  try {
+    scope.constant("u", "0:2*v", Span{2, 5});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().text, "0:2*v");
+    EXPECT_EQ(error.place().span.begin, 2U);
+  }
+}
+
+TEST(Scope, ListsItsParametersWithTheirValues) {
+  Graph graph;
+  const Scope scope(graph, {{"a", "2"}, {"b", "a^2"}, {"w", "u*a"}, {"x", "1"}});
+  const std::map<std::string, double> expected = {{"a", 2}, {"b", 4}};
+  EXPECT_EQ(scope.parameters(), expected);
+}
+
+TEST(Scope, BindsTheTime) {
+  Graph graph;
+  Scope scope(graph, {{"z", "u+t"}});
+  const NodeId bound = scope.bind(std::array{scope.node("z")}, 10)[0];
+  EXPECT_EQ(testing::value(graph, bound, 1, 0), 11);
+}
+
+TEST(Scope, StopsFunctionsThatMultiply) {
+  std::vector<Definition> definitions = {{"f0", "sin(s)", {"s"}, true}};
+  for (int i = 1; i <= 60; ++i) {
+    const std::string inner = "f" + std::to_string(i - 1);
+    definitions.push_back(
+        {"f" + std::to_string(i), inner + "(s)*" + inner + "(s+" + std::to_string(i) + ")", {"s"}, true});
+  }
+  EXPECT_STREQ(error_of(definitions).what(), "the formulas grow past a million operations");
+}
+
+TEST(Scope, StopsChainsThatAreTooDeep) {
+  std::vector<Definition> definitions;
+  for (int i = 0; i < 2000; ++i) {
+    definitions.push_back({"a" + std::to_string(i), "a" + std::to_string(i + 1)});
+  }
+  definitions.push_back({"a2000", "1"});
+  EXPECT_STREQ(error_of(definitions).what(), "definitions use each other more than 1000 deep");
+}
+
+}  // namespace
+}  // namespace saddle
