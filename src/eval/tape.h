@@ -1,0 +1,46 @@
+// A graph as a straight-line program: one instruction per operation, values in slots.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "formula/graph.h"
+
+namespace saddle {
+
+/// What a value depends on, and so how often a grid has to compute it.
+enum class Rate : std::uint8_t { Constant, U, V, Both };
+
+/// Where an operand or a result lives: the rate names the bank of slots, the index the slot.
+struct Slot {
+  Rate rate = Rate::Constant;
+  std::uint32_t index = 0;
+};
+
+struct Instruction {
+  Op op = Op::Constant;
+  Slot out;
+  std::array<Slot, 3> in;
+};
+
+/// A program that computes several outputs from u and v. Slot 0 of bank U holds u, slot 0 of bank
+/// V holds v; the constants stand ready in theirs. Slots of bank Both are reused once their value
+/// is no longer needed.
+struct Tape {
+  std::vector<double> constants;
+  std::vector<Instruction> of_u;     ///< run once per column of a grid
+  std::vector<Instruction> of_v;     ///< run once per row
+  std::vector<Instruction> of_both;  ///< run for every point
+  std::uint32_t slots_u = 1;         ///< sizes of the banks
+  std::uint32_t slots_v = 1;
+  std::uint32_t slots_both = 0;
+  std::vector<Slot> outputs;
+};
+
+/// Compiles the outputs, sharing what they have in common. Whole-number powers become products,
+/// x^0.5 a square root. The outputs depend on u and v alone (Scope::bind has replaced the rest).
+Tape compile(const Graph& graph, std::span<const NodeId> outputs);
+
+}  // namespace saddle

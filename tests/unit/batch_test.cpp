@@ -1,0 +1,114 @@
+// Tapes give what the graph says, on grids and lists of points, for any number of threads.
+#include "eval/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "formula/derive.h"
+#include "graph_value.h"
+#include "random_formula.h"
+
+namespace saddle {
+namespace {
+
+std::vector<double> steps(double from, double by, std::size_t count) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = from + by * static_cast<double>(i);
+  return values;
+}
+
+struct Grid {
+  std::vector<double> u, v;
+};
+
+std::vector<double> on_grid(const Tape& tape, const Grid& grid, unsigned threads) {
+  std::vector<double> out(grid.u.size() * grid.v.size());
+  evaluate_grid(tape, grid.u, grid.v, std::vector<double*>{out.data()}, threads);
+  return out;
+}
+
+std::vector<double> on_points(const Tape& tape, const Grid& grid, unsigned threads) {
+  std::vector<double> u;
+  std::vector<double> v;
+  for (const double row : grid.v) {
+    u.insert(u.end(), grid.u.begin(), grid.u.end());
+    v.insert(v.end(), grid.u.size(), row);
+  }
+  std::vector<double> out(u.size());
+  evaluate_points(tape, u, v, std::vector<double*>{out.data()}, threads);
+  return out;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// Powers are products in a tape and pow() in the graph: some ULP, more after cancellation.
+constexpr double kPowerRounding = 1e-9;
+
+bool close(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) == std::isnan(b);
+  return a == b || std::fabs(a - b) <= kPowerRounding * (1 + std::fabs(a));
+}
+
+TEST(Batch, ComputesWhatTheGraphSays) {
+  testing::RandomFormula random(3);
+  const Grid grid = {steps(-2.9, 0.61, 9), steps(-1.7, 0.43, 8)};
+  for (int i = 0; i < 300; ++i) {
+    Graph graph;
+    const std::string text = random(1 + i % 5);
+    const NodeId root = testing::parse(graph, text);
+    // A power inside a step or a comparison may fall on the other side of it.
+    if (text.find('^') != std::string::npos && text.find_first_of("<>=!r&|?") != std::string::npos) continue;
+    const std::vector<double> values = on_grid(compile(graph, std::vector{root}), grid, 1);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const double u = grid.u[k % grid.u.size()];
+      const double v = grid.v[k / grid.u.size()];
+      ASSERT_TRUE(close(testing::value(graph, root, u, v), values[k]))
+          << text << " at " << u << ", " << v << ": " << values[k];
+    }
+  }
+}
+
+TEST(Batch, GivesTheSameBitsOnGridsAndPointsForAnyNumberOfThreads) {
+  // Larger than a block each way, and more than one chunk.
+  const Grid grid = {steps(-3, 0.011, 700), steps(-2, 0.013, 300)};
+  for (const char* text : {"u", "v", "2", "sin(u)+1", "cos(v)", "sin(u)*cos(v)/(2+u*v)", "u^3*v^-2",
+                           "sqrt(u)+ln(v)", "if(u>v,atan2(u,v),2)"}) {
+    Graph graph;
+    const Tape tape = compile(graph, std::vector{testing::parse(graph, text)});
+    const std::vector<double> reference = on_grid(tape, grid, 1);
+    EXPECT_TRUE(same_bits(reference, on_grid(tape, grid, 2))) << text;
+    EXPECT_TRUE(same_bits(reference, on_grid(tape, grid, 5))) << text;
+    EXPECT_TRUE(same_bits(reference, on_points(tape, grid, 1))) << text;
+    EXPECT_TRUE(same_bits(reference, on_points(tape, grid, 3))) << text;
+  }
+}
+
+TEST(Tape, RunsWhatDependsOnOneParameterOncePerColumnOrRow) {
+  Graph graph;
+  const Tape tape = compile(graph, std::vector{testing::parse(graph, "(2+cos(v))*cos(u)")});
+  EXPECT_EQ(tape.of_u.size(), 1U);
+  EXPECT_EQ(tape.of_v.size(), 2U);
+  EXPECT_EQ(tape.of_both.size(), 1U);
+}
+
+TEST(Tape, ReusesSlots) {
+  Graph graph;
+  std::string text = "u*v";
+  for (int i = 0; i < 50; ++i) text = "sin(" + text + ")";
+  EXPECT_EQ(compile(graph, std::vector{testing::parse(graph, text)}).slots_both, 1U);
+}
+
+TEST(Tape, TurnsWholePowersIntoProducts) {
+  Graph graph;
+  const Tape tape = compile(graph, std::vector{testing::parse(graph, "u^7+u^-2+u^0.5")});
+  for (const Instruction& instruction : tape.of_u) EXPECT_NE(instruction.op, Op::Pow);
+  EXPECT_EQ(on_grid(tape, {{4}, {0}}, 1)[0], 16384 + 1.0 / 16 + 2);
+}
+
+}  // namespace
+}  // namespace saddle
