@@ -1,0 +1,69 @@
+#include "mesh/lines.h"
+
+#include <cmath>
+
+namespace saddle {
+
+namespace {
+
+using Chain = std::vector<std::uint32_t>;
+
+/// Indices of the mesh lines nearest to `lines` evenly spaced ones, without repetition.
+std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
+  std::vector<std::size_t> indices;
+  for (int k = 0; k < lines; ++k) {
+    const double part = lines > 1 ? static_cast<double>(k) / (lines - 1) : 0;
+    const auto index = static_cast<std::size_t>(std::lround(part * static_cast<double>(cells)));
+    if (indices.empty() || indices.back() != index) indices.push_back(index);
+  }
+  return indices;
+}
+
+/// Follows `line` edge by edge and appends its chains. `exists(k)`: edge k, k + 1 is in the mesh.
+template <class Exists>
+void append_chains(const GridLine& line, const LineVertices& vertices, Exists exists,
+                   std::vector<Chain>& chains) {
+  Chain chain;
+  const auto finish = [&] {
+    if (chain.size() > 1) chains.push_back(chain);
+    chain.clear();
+  };
+  for (std::size_t k = 0; k + 1 < line.count; ++k) {
+    const std::size_t a = line[k];
+    const std::size_t b = line[k + 1];
+    if (!exists(k) || vertices.corner[a] == kNoCorner || vertices.corner[b] == kNoCorner) {
+      finish();
+    } else if (vertices.point[a] != vertices.point[b]) {
+      if (chain.empty()) chain.push_back(vertices.corner[a]);
+      chain.push_back(vertices.corner[b]);
+    }
+  }
+  finish();
+}
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid, const CellTriangles& triangles,
+                                                   const LineVertices& vertices,
+                                                   const GridOptions& options) {
+  const auto has_triangles = [&](std::size_t i, std::size_t j) {
+    return i < grid.cells_u && j < grid.cells_v && !triangles.of(grid.cell(i, j)).empty();
+  };
+  std::vector<Chain> chains;
+  for (const std::size_t i : nearest_mesh_lines(options.lines_u, grid.cells_u)) {
+    // Left of column 0 is column -1, which wraps around to a huge number and is no cell.
+    const auto exists = [&](std::size_t j) {
+      return has_triangles(i, j) || has_triangles(i - 1, j);
+    };
+    append_chains(grid.column(i), vertices, exists, chains);
+  }
+  for (const std::size_t j : nearest_mesh_lines(options.lines_v, grid.cells_v)) {
+    const auto exists = [&](std::size_t i) {
+      return has_triangles(i, j) || has_triangles(i, j - 1);
+    };
+    append_chains(grid.row(j), vertices, exists, chains);
+  }
+  return chains;
+}
+
+}  // namespace saddle

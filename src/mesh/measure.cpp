@@ -1,0 +1,202 @@
+#include "mesh/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// Cells that are measured at most, three points each: a sixth of the points of a default grid.
+constexpr std::size_t kMaxCells = 2048;
+/// Places in a cell where an error is largest: its middle and the middles of two edges (the other
+/// two belong to the neighbours).
+constexpr std::array<dvec2, 3> kPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(0, 0.5)};
+/// Random offset from the middle, in cells. An error that is a parabola over the cell is seen to
+/// 1 - (2 * 0.1)^2 = 96 % at least.
+constexpr double kJitter = 0.1;
+constexpr std::size_t kCellChunk = 256;
+
+/// A number in [0, 1) that depends on `key` alone.
+/// Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014.
+double random_unit(std::uint64_t key) {
+  key += 0x9e3779b97f4a7c15ULL;
+  key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  key = (key ^ (key >> 27U)) * 0x94d049bb133111ebULL;
+  return static_cast<double>((key ^ (key >> 31U)) >> 11U) * 0x1p-53;
+}
+
+/// The point of a triangle nearest to `p`, as weights of its corners.
+struct Nearest {
+  double distance = std::numeric_limits<double>::infinity();
+  dvec3 weights{0};
+};
+
+Nearest nearest_on_edge(const std::array<dvec3, 3>& t, int a, int b, const dvec3& p) {
+  const dvec3 edge = t[b] - t[a];
+  const double square = glm::dot(edge, edge);
+  const double s = square > 0 ? std::clamp(glm::dot(p - t[a], edge) / square, 0.0, 1.0) : 0;
+  Nearest nearest{glm::distance(p, t[a] + s * edge), dvec3(0)};
+  nearest.weights[a] = 1 - s;
+  nearest.weights[b] = s;
+  return nearest;
+}
+
+Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
+  const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double square = glm::dot(normal, normal);
+  if (square > 0) {
+    const auto weight = [&](int a, int b) {
+      return glm::dot(glm::cross(t[a] - p, t[b] - p), normal) / square;
+    };
+    const dvec3 weights(weight(1, 2), weight(2, 0), weight(0, 1));
+    if (weights.x >= 0 && weights.y >= 0 && weights.z >= 0) {
+      return {std::abs(glm::dot(p - t[0], normal)) / std::sqrt(square), weights};
+    }
+  }
+  Nearest best = nearest_on_edge(t, 0, 1, p);
+  for (const Nearest& other : {nearest_on_edge(t, 1, 2, p), nearest_on_edge(t, 2, 0, p)}) {
+    if (other.distance < best.distance) best = other;
+  }
+  return best;
+}
+
+double degrees_between(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
+}
+
+class Measurer {
+ public:
+  Measurer(const Surface& surface, const Grid& grid, const Corners& corners,
+           const CellTriangles& triangles, unsigned threads)
+      : surface_(surface),
+        grid_(grid),
+        corners_(corners),
+        triangles_(triangles),
+        threads_(threads) {}
+
+  MeasuredError measure() const {
+    const std::vector<std::size_t> cells = choose_cells();
+    std::vector<dvec2> uv;
+    uv.reserve(cells.size() * kPlaces.size());
+    for (const std::size_t cell : cells) append_places(cell, uv);
+    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+
+    std::vector<dvec2> errors(points.size());
+    parallel_chunks(points.size(), kCellChunk, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        errors[k] = error(cells[k / kPlaces.size()], points[k]);
+      }
+    });
+    dvec2 largest(0);
+    for (const dvec2& e : errors) largest = glm::max(largest, e);
+    return {largest.x / grid_.local_scale, largest.y, points.size()};
+  }
+
+ private:
+  /// The largest sagitta of the first triangle's edges: one diagonal and two sides of the cell, the
+  /// other two being its neighbours'.
+  double estimate(std::size_t cell) const {
+    const Triangle& triangle = triangles_.of(cell).front();
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangle[k];
+      const std::uint32_t b = triangle[(k + 1) % 3];
+      const double edge = sagitta(position(a), corners_.normal[a], position(b), corners_.normal[b]);
+      largest = std::max(largest, edge);
+    }
+    return largest;
+  }
+
+  std::vector<std::size_t> choose_cells() const {
+    std::vector<std::size_t> cells;
+    cells.reserve(grid_.kept_count);
+    for (std::size_t cell = 0; cell < grid_.cell_count(); ++cell) {
+      if (!triangles_.of(cell).empty()) cells.push_back(cell);
+    }
+    if (cells.size() <= kMaxCells) return cells;
+
+    std::vector<double> estimates(grid_.cell_count());
+    parallel_chunks(cells.size(), kCellChunk, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) estimates[cells[k]] = estimate(cells[k]);
+    });
+    const std::size_t half = kMaxCells / 2;
+    const std::vector<std::size_t> spread = spread_cells(cells, half);
+    const auto worst = cells.begin() + static_cast<std::ptrdiff_t>(half);
+    std::nth_element(cells.begin(), worst, cells.end(), [&](std::size_t a, std::size_t b) {
+      return estimates[a] != estimates[b] ? estimates[a] > estimates[b] : a < b;
+    });
+    cells.resize(half);
+    cells.insert(cells.end(), spread.begin(), spread.end());
+    return cells;
+  }
+
+  /// One cell at random out of each of `count` stretches of equal length.
+  static std::vector<std::size_t> spread_cells(std::span<const std::size_t> cells,
+                                               std::size_t count) {
+    std::vector<std::size_t> chosen;
+    const double stretch = static_cast<double>(cells.size()) / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double place = (static_cast<double>(k) + random_unit(k)) * stretch;
+      chosen.push_back(cells[std::min(static_cast<std::size_t>(place), cells.size() - 1)]);
+    }
+    return chosen;
+  }
+
+  void append_places(std::size_t cell, std::vector<dvec2>& uv) const {
+    const auto vertices = grid_.vertices(cell);
+    const dvec2 low = grid_.uv(vertices[0]);
+    const dvec2 high = grid_.uv(vertices[2]);
+    for (std::size_t k = 0; k < kPlaces.size(); ++k) {
+      const std::uint64_t key = 2 * (cell * kPlaces.size() + k);
+      const dvec2 random(random_unit(key), random_unit(key + 1));
+      const dvec2 off = glm::sign(kPlaces[k]) * (2.0 * random - 1.0) * kJitter;
+      const dvec2 part = kPlaces[k] + off;
+      uv.push_back(low * (1.0 - part) + high * part);
+    }
+  }
+
+  /// Distance in local units, and degrees.
+  dvec2 error(std::size_t cell, const SurfacePoint& point) const {
+    const dvec3 p = grid_.local_scale * point.position;
+    Nearest nearest;
+    dvec3 interpolated(0);
+    for (const Triangle& triangle : triangles_.of(cell)) {
+      const std::array<dvec3, 3> corners = {position(triangle[0]), position(triangle[1]),
+                                            position(triangle[2])};
+      const Nearest candidate = nearest_on_triangle(corners, p);
+      if (!(candidate.distance < nearest.distance)) continue;
+      nearest = candidate;
+      interpolated = dvec3(0);
+      for (int k = 0; k < 3; ++k) {
+        interpolated += nearest.weights[k] * corners_.normal[triangle[static_cast<std::size_t>(k)]];
+      }
+    }
+    if (!std::isfinite(nearest.distance)) return dvec2(0);  // undefined there
+    const dvec2 scale = grid_.tangent_scale(grid_.vertices(cell)[0]);
+    const auto exact = unit_normal(point, scale.x, scale.y, surface_.flip);
+    return {nearest.distance, exact ? degrees_between(*exact, interpolated) : 0};
+  }
+
+  dvec3 position(std::uint32_t corner) const { return grid_.local(corners_.vertex[corner]); }
+
+  const Surface& surface_;
+  const Grid& grid_;
+  const Corners& corners_;
+  const CellTriangles& triangles_;
+  unsigned threads_;
+};
+
+}  // namespace
+
+MeasuredError measure_error(const Surface& surface, const Grid& grid, const Corners& corners,
+                            const CellTriangles& triangles, unsigned threads) {
+  return Measurer(surface, grid, corners, triangles, threads).measure();
+}
+
+}  // namespace saddle

@@ -1,0 +1,21 @@
+// How far a mesh is from the surface it stands for, measured on fresh points.
+#pragma once
+
+#include "mesh/triangulate.h"
+
+namespace saddle {
+
+struct MeasuredError {
+  double distance = 0;        ///< largest, from a point of the surface to the triangles of its cell
+  double normal_degrees = 0;  ///< largest angle of exact and interpolated normal at such a point
+  std::size_t evaluations = 0;
+};
+
+/// Evaluates the surface inside and on two edges of cells: of all cells if they are few, else of
+/// those whose triangles look worst and of as many spread over the domain. The points are off the
+/// cells' middles by up to a tenth of a cell, at random: a surface that oscillates in step with the
+/// grid is found out.
+MeasuredError measure_error(const Surface& surface, const Grid& grid, const Corners& corners,
+                            const CellTriangles& triangles, unsigned threads);
+
+}  // namespace saddle

@@ -1,0 +1,70 @@
+// A triangle mesh as plain arrays. Topology and attributes are apart: a corner has its own u, v
+// and normal; corners that are the same point of the surface share a point number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace saddle {
+
+/// An axis-aligned box; empty until it holds a point.
+struct Bounds {
+  dvec3 low{std::numeric_limits<double>::infinity()};
+  dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  bool empty() const { return low.x > high.x; }
+  void add(const dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  void add(const Bounds& b) {
+    low = glm::min(low, b.low);
+    high = glm::max(high, b.high);
+  }
+  dvec3 centre() const { return 0.5 * (low + high); }
+  dvec3 size() const { return high - low; }
+  double diagonal() const { return empty() ? 0 : glm::length(size()); }
+};
+
+struct Mesh {
+  // One entry per corner.
+  std::vector<dvec3> position;
+  std::vector<dvec3> normal;         ///< unit; front is where it points
+  std::vector<dvec2> uv;             ///< the parameters of this side of the surface
+  std::vector<std::uint32_t> point;  ///< which point of the surface the corner is; see point_count
+  std::uint32_t point_count = 0;     ///< corners of one point have bitwise equal positions
+
+  /// Corner indices, counter-clockwise seen from the front.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  /// The scene's grid lines, each a chain of corners along edges of the mesh.
+  std::vector<std::vector<std::uint32_t>> lines;
+
+  Bounds bounds;
+};
+
+/// A place of the surface that the report names.
+struct SingularPoint {
+  dvec2 uv;
+  bool has_limit = true;  ///< false: the normal there has no limit; the face's is used
+};
+
+/// What meshing found out and what it cost.
+struct MeshReport {
+  std::size_t cells = 0;        ///< cells of the grid that are covered
+  std::size_t evaluations = 0;  ///< points of the surface that were computed
+  double undefined_fraction = 0;  ///< share of the domain's cells that were left out
+  double max_error = 0;           ///< largest measured distance of mesh and surface
+  double max_normal_error = 0;    ///< degrees: interpolated against exact normal
+  std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000
+  std::size_t singular_point_count = 0;
+  std::string closed_u;  ///< how the edges u0 and u1 meet: "", "join" or "reversed"
+  std::string closed_v;
+};
+
+}  // namespace saddle

@@ -1,0 +1,168 @@
+#include "surface/normal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace saddle {
+
+namespace {
+
+/// The path to a corner: tau_0 and the number of points, each at half the tau of the one before.
+/// The last is 1e-8 of the way from the corner, where positions have about 8 digits left.
+constexpr double kFirstTau = 0.2;
+constexpr int kSteps = 12;
+/// Highest power of tau that is eliminated; more only amplify rounding.
+constexpr std::size_t kHighestPower = 6;
+/// An extrapolation that changes by no more than this has used up a double's digits.
+constexpr double kConverged = 1e-12;
+/// An extrapolation whose best entry still changes by more (radians) has found no limit. Normals
+/// analytic in tau settle below 1e-9; powers u^p, p >= 1/4, are then off by at most three times
+/// their change; logarithms, off by a hundred times theirs, stay above 5e-4 for u*log(u).
+constexpr double kSettled = 1e-4;
+/// A normal that comes nearer to its limit does not then move away by more than twice its distance
+/// and by this much (radians); one that oscillates, as of u*sin(1/u), does.
+constexpr double kRelapse = 0.1;
+/// Corners whose paths are evaluated together: 4.3 MB of points.
+constexpr std::size_t kBlock = 4096;
+
+bool is_finite(const dvec3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+double largest_component(const dvec3& a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+
+/// Whether products of four such numbers, as in |r_u x r_v|^2, neither overflow nor vanish.
+bool is_moderate(double x) {
+  return x > 1e-70 && x < 1e70;
+}
+
+/// r_u x r_v with the tangents divided by numbers that keep it from overflow and underflow; zero
+/// for a zero tangent, nothing where one is not finite.
+struct ScaledCross {
+  dvec3 vector{0};
+  double size_u = 1;  ///< what r_u was divided by
+  double size_v = 1;
+};
+
+std::optional<ScaledCross> scaled_cross(const SurfacePoint& point) {
+  if (!is_finite(point.r_u) || !is_finite(point.r_v)) return std::nullopt;
+  const double size_u = largest_component(point.r_u);
+  const double size_v = largest_component(point.r_v);
+  if (is_moderate(size_u) && is_moderate(size_v))
+    return ScaledCross{glm::cross(point.r_u, point.r_v)};
+  if (size_u == 0 || size_v == 0) return ScaledCross{};
+  return ScaledCross{glm::cross(point.r_u / size_u, point.r_v / size_v), size_u, size_v};
+}
+
+/// The direction of r_u x r_v, however short; nothing where it has none.
+std::optional<dvec3> direction(const SurfacePoint& point) {
+  const std::optional<ScaledCross> cross = scaled_cross(point);
+  if (!cross) return std::nullopt;
+  const double length = glm::length(cross->vector);
+  if (!(length > 0)) return std::nullopt;
+  return cross->vector / length;
+}
+
+/// The entry of Richardson's tableau that agrees best with the two it was made from.
+struct Extrapolation {
+  dvec3 value{0};
+  double change = std::numeric_limits<double>::infinity();
+  std::size_t last = 0;  ///< the path's last normal that it was made from
+};
+
+/// Whether the normals approach the limit that was found from them.
+bool is_approached(std::span<const dvec3> normals, const dvec3& limit) {
+  double before = std::numeric_limits<double>::infinity();
+  for (const dvec3& normal : normals) {
+    const double off = glm::distance(normal, limit);
+    if (off > std::max(2 * before, kRelapse)) return false;
+    before = off;
+  }
+  return true;
+}
+
+/// The limit of the normals along a path, or nothing.
+std::optional<dvec3> extrapolate(std::span<const SurfacePoint> path) {
+  Extrapolation best;
+  std::vector<dvec3> normals;
+  std::array<dvec3, kHighestPower + 1> previous{};
+  std::array<dvec3, kHighestPower + 1> row{};
+  for (std::size_t i = 0; i < path.size() && best.change > kConverged; ++i) {
+    const std::optional<dvec3> normal = direction(path[i]);
+    if (!normal) break;
+    normals.push_back(*normal);
+    row[0] = *normal;
+    for (std::size_t k = 1; k <= std::min(i, kHighestPower); ++k) {
+      const double power = static_cast<double>(1U << k);
+      row[k] = row[k - 1] + (row[k - 1] - previous[k - 1]) / (power - 1);
+      const double change =
+          std::max(glm::distance(row[k], row[k - 1]), glm::distance(row[k], previous[k - 1]));
+      if (change < best.change) best = {row[k], change, i};
+    }
+    previous = row;
+  }
+  if (!(best.change <= kSettled)) return std::nullopt;
+  if (!is_approached(std::span(normals).first(best.last + 1), best.value)) return std::nullopt;
+  return glm::normalize(best.value);
+}
+
+/// The points on the way to each corner, kSteps for each.
+std::vector<dvec2> paths(std::span<const Approach> approaches) {
+  std::vector<dvec2> uv;
+  uv.reserve(approaches.size() * kSteps);
+  for (const Approach& approach : approaches) {
+    double tau = kFirstTau;
+    for (std::size_t i = 0; i < kSteps; ++i, tau /= 2) {
+      uv.push_back(approach.corner + (approach.inside - approach.corner) * (tau * tau));
+    }
+  }
+  return uv;
+}
+
+}  // namespace
+
+double safe_length(const dvec3& a) {
+  const double plain = glm::length(a);
+  if (is_moderate(plain)) return plain;
+  if (!is_finite(a)) return std::numeric_limits<double>::infinity();
+  const double size = largest_component(a);
+  return size > 0 ? size * glm::length(a / size) : 0;
+}
+
+std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, double scale_v,
+                                 bool flip) {
+  const std::optional<ScaledCross> cross = scaled_cross(point);
+  if (!cross) return std::nullopt;
+  const double length = glm::length(cross->vector);
+  const double relative = length * (cross->size_u / scale_u) * (cross->size_v / scale_v);
+  if (!(relative > kDegenerateCross)) return std::nullopt;  // also 0/0, a scale of zero
+  return (flip ? -cross->vector : cross->vector) / length;
+}
+
+std::vector<NormalLimit> limit_normals(const Surface& surface, std::span<const Approach> approaches,
+                                       unsigned threads) {
+  std::vector<NormalLimit> limits;
+  limits.reserve(approaches.size());
+  for (std::size_t begin = 0; begin < approaches.size(); begin += kBlock) {
+    const auto block = approaches.subspan(begin, std::min(kBlock, approaches.size() - begin));
+    const std::vector<SurfacePoint> points = evaluate(surface, paths(block), threads);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const auto normal = extrapolate(std::span(points).subspan(i * kSteps, kSteps));
+      NormalLimit& limit = limits.emplace_back(NormalLimit{normal, kSteps});
+      if (normal && surface.flip) limit.normal = -*normal;
+    }
+  }
+  return limits;
+}
+
+NormalLimit limit_normal(const Surface& surface, dvec2 corner, dvec2 inside) {
+  const Approach approach{corner, inside};
+  return limit_normals(surface, std::span(&approach, 1), 1).front();
+}
+
+}  // namespace saddle

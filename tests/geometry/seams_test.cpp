@@ -1,0 +1,200 @@
+// Edges of the domain that meet, and grid lines.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/grid_mesh.h"
+#include "mesh_checks.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+constexpr double kTwoPi = 2 * kPi;
+
+GridMesh mesh(const Surface& surface, int cells_u, int cells_v, int lines_u = 0, int lines_v = 0) {
+  return mesh_on_grid(surface, {cells_u, cells_v, lines_u, lines_v, 2});
+}
+
+Surface torus() {
+  return surface_from_text("(2+cos(v))*cos(u)", "(2+cos(v))*sin(u)", "sin(v)",
+                           {0, kTwoPi, 0, kTwoPi});
+}
+
+Surface mobius() {
+  return surface_from_text("(1+v*cos(u/2))*cos(u)", "(1+v*cos(u/2))*sin(u)", "v*sin(u/2)",
+                           {0, kTwoPi, -0.5, 0.5});
+}
+
+Surface klein() {
+  return surface_from_text("(2+w)*cos(u)", "(2+w)*sin(u)", "sin(u/2)*sin(v)+cos(u/2)*sin(2*v)",
+                           {0, kTwoPi, 0, kTwoPi}, {{"w", "cos(u/2)*sin(v)-sin(u/2)*sin(2*v)"}});
+}
+
+TEST(Seams, OfATorusJoinBothWays) {
+  const GridMesh result = mesh(torus(), 12, 9);
+  EXPECT_EQ(result.report.closed_u, "join");
+  EXPECT_EQ(result.report.closed_v, "join");
+  EXPECT_EQ(result.mesh.position.size(), 13U * 10);
+  EXPECT_EQ(result.mesh.point_count, 12U * 9);
+  EXPECT_EQ(euler_number(result.mesh), 0);
+}
+
+TEST(Seams, KeepBothSidesParametersAndTakeThePositionOfTheFirst) {
+  const Mesh m = mesh(torus(), 12, 9).mesh;
+  // Corners are in the order of the grid: 12 is the last of the first row.
+  EXPECT_EQ(m.uv[0].x, 0);
+  EXPECT_EQ(m.uv[12].x, kTwoPi);
+  EXPECT_EQ(m.point[0], m.point[12]);
+  EXPECT_EQ(m.position[12], dvec3(3, 0, 0));  // at u = 2 pi the formula has y = -7e-16
+}
+
+TEST(Seams, OfAMobiusBandMeetReversed) {
+  const GridMesh result = mesh(mobius(), 12, 4);
+  EXPECT_EQ(result.report.closed_u, "reversed");
+  EXPECT_EQ(result.report.closed_v, "");
+  EXPECT_EQ(euler_number(result.mesh), 0);
+  EXPECT_EQ(result.mesh.point_count, 12U * 5);
+}
+
+TEST(Seams, OfAKleinBottleMeetReversedAndJoin) {
+  const GridMesh result = mesh(klein(), 16, 12);
+  EXPECT_EQ(result.report.closed_u, "reversed");
+  EXPECT_EQ(result.report.closed_v, "join");
+  EXPECT_EQ(euler_number(result.mesh), 0);
+  EXPECT_EQ(result.mesh.point_count, 16U * 12);
+  for (const auto& [a, b] : point_edges(result.mesh)) EXPECT_NE(a, b);
+}
+
+TEST(Seams, HavePositionsEqualToTheBitEverywhere) {
+  for (const Surface& surface : {torus(), mobius(), klein()}) {
+    const Mesh m = mesh(surface, 16, 12).mesh;
+    std::vector<std::size_t> first(m.point_count, m.point.size());
+    for (std::size_t k = 0; k < m.point.size(); ++k) {
+      if (first[m.point[k]] == m.point.size()) first[m.point[k]] = k;
+      EXPECT_EQ(m.position[k], m.position[first[m.point[k]]]);
+    }
+  }
+}
+
+TEST(Seams, ThatAreReversedTakeThePositionsOfTheFirstEdgeToo) {
+  const Mesh m = mesh(mobius(), 12, 4).mesh;
+  for (std::size_t k = 0; k < m.uv.size(); ++k) {
+    if (m.uv[k].x != 0) continue;
+    EXPECT_EQ(m.position[k], evaluate(mobius(), std::span(&m.uv[k], 1)).front().position);
+  }
+}
+
+TEST(Seams, OfADiscAreNone) {
+  const GridMesh result = mesh(surface_from_text("u", "v", "u*v", {}), 6, 5);
+  EXPECT_EQ(result.report.closed_u, "");
+  EXPECT_EQ(result.report.closed_v, "");
+  EXPECT_EQ(euler_number(result.mesh), 1);
+  EXPECT_EQ(result.mesh.point_count, result.mesh.position.size());
+}
+
+TEST(Seams, AreNotMadeAcrossASmallGap) {
+  // The gap is 1e-6 of the circumference: a thousand times the tolerance.
+  const Surface open = surface_from_text("cos(u)", "sin(u)", "v", {0, kTwoPi * (1 - 1e-6), -1, 1});
+  EXPECT_EQ(mesh(open, 12, 4).report.closed_u, "");
+}
+
+TEST(Seams, AreMadeAlongTheDefinedPartOfAnEdge) {
+  const Surface holed =
+      surface_from_text("cos(u)", "sin(u)", "v+0*sqrt(0.3-v)", {0, kTwoPi, -1, 1});
+  const GridMesh result = mesh(holed, 12, 10);
+  EXPECT_EQ(result.report.closed_u, "join");
+  EXPECT_EQ(euler_number(result.mesh), 0);
+}
+
+TEST(Seams, AtAPoleAreOnePoint) {
+  const Surface sphere =
+      surface_from_text("cos(u)*sin(v)", "sin(u)*sin(v)", "cos(v)", {0, kTwoPi, 0, kPi});
+  const Mesh m = mesh(sphere, 10, 6).mesh;
+  std::set<std::uint32_t> north;
+  for (std::size_t k = 0; k < m.uv.size(); ++k) {
+    if (m.uv[k].y == 0) north.insert(m.point[k]);
+  }
+  EXPECT_EQ(north.size(), 1U);
+}
+
+TEST(Seams, OfASpikeAreNotDecidedByItsHeight) {
+  // The diagonal is 1e12, and every gap is far below 1e-9 of that.
+  const Surface spike = surface_from_text("u", "v", "1/(u^2+v^2+1e-12)", {});
+  const GridMesh result = mesh(spike, 10, 10);
+  EXPECT_EQ(result.report.closed_u, "");
+  EXPECT_EQ(result.mesh.point_count, 121U);
+}
+
+TEST(GridLines, AreEvenlySpacedChainsOfMeshEdges) {
+  const Mesh m = mesh(torus(), 30, 20, 16, 11).mesh;
+  ASSERT_EQ(m.lines.size(), 16U + 11);
+  const std::set<PointEdge> edges = point_edges(m);
+  for (std::size_t k = 0; k < m.lines.size(); ++k) {
+    const std::vector<std::uint32_t>& line = m.lines[k];
+    ASSERT_EQ(line.size(), k < 16 ? 21U : 31U);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      EXPECT_TRUE(edges.contains(point_edge(m, line[i], line[i + 1])));
+    }
+    for (const std::uint32_t corner : line) {
+      const double along = k < 16 ? m.uv[corner].x : m.uv[corner].y;
+      const double part = k < 16 ? static_cast<double>(k) / 15 : static_cast<double>(k - 16) / 10;
+      EXPECT_NEAR(along, kTwoPi * part, 1e-14);
+    }
+  }
+}
+
+TEST(GridLines, FollowTheNearestMeshLine) {
+  const Mesh m = mesh(surface_from_text("u", "v", "u*v", {0, 1, 0, 1}), 10, 4, 4, 0).mesh;
+  ASSERT_EQ(m.lines.size(), 4U);
+  EXPECT_DOUBLE_EQ(m.uv[m.lines[0][0]].x, 0);
+  EXPECT_DOUBLE_EQ(m.uv[m.lines[1][0]].x, 0.3);
+  EXPECT_DOUBLE_EQ(m.uv[m.lines[2][0]].x, 0.7);
+  EXPECT_DOUBLE_EQ(m.uv[m.lines[3][0]].x, 1);
+}
+
+TEST(GridLines, AreNoMoreThanMeshLines) {
+  EXPECT_EQ(mesh(torus(), 3, 4, 100, 100).mesh.lines.size(), 4U + 5);
+}
+
+TEST(GridLines, BreakWhereTheSurfaceIsUndefined) {
+  const Surface ring = surface_from_text("u", "v", "sqrt(u^2+v^2-0.25)", {});
+  const Mesh m = mesh(ring, 20, 20, 3, 0).mesh;  // u = -1, 0, 1; the middle one crosses the hole
+  ASSERT_EQ(m.lines.size(), 4U);
+  const std::set<PointEdge> edges = point_edges(m);
+  for (const auto& line : m.lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      EXPECT_TRUE(edges.contains(point_edge(m, line[i], line[i + 1])));
+    }
+  }
+  EXPECT_NEAR(m.uv[m.lines[1].back()].y, -0.5, 1e-15);
+  EXPECT_NEAR(m.uv[m.lines[2].front()].y, 0.5, 1e-15);
+}
+
+TEST(GridLines, SkipAnEdgeBetweenTwoCellsThatAreLeftOut) {
+  const Surface pricked =
+      surface_from_text("u", "v", "0/((u+1)^2+v^2)+0/((u-1)^2+(v-1)^2)", {-2, 2, -2, 2});
+  const Mesh m = mesh(pricked, 4, 4, 3, 0).mesh;  // undefined at (-1, 0) and at (1, 1)
+  ASSERT_EQ(m.lines.size(), 4U);                  // u = 0 is broken between v = 0 and v = 1
+  EXPECT_EQ(m.uv[m.lines[1].back()], dvec2(0, 0));
+  EXPECT_EQ(m.uv[m.lines[2].front()], dvec2(0, 1));
+}
+
+TEST(GridLines, ReachThePolesAndAreNoneAtThem) {
+  const Surface sphere =
+      surface_from_text("cos(u)*sin(v)", "sin(u)*sin(v)", "cos(v)", {0, kTwoPi, 0, kPi});
+  const Mesh m = mesh(sphere, 12, 8, 5, 3).mesh;
+  ASSERT_EQ(m.lines.size(), 5U + 1);  // of the three parallels two are poles
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(m.lines[k].size(), 9U);
+    EXPECT_EQ(m.position[m.lines[k].front()].z, 1);
+    EXPECT_EQ(m.position[m.lines[k].back()].z, -1);
+  }
+}
+
+TEST(GridLines, CanBeSwitchedOff) {
+  EXPECT_TRUE(mesh(torus(), 4, 4).mesh.lines.empty());
+}
+
+}  // namespace
+}  // namespace saddle
