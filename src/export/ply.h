@@ -1,0 +1,22 @@
+// Meshes as PLY, binary little endian.
+#pragma once
+
+#include <iosfwd>
+#include <span>
+
+#include "mesh/mesh.h"
+
+namespace saddle {
+
+/// Writes the meshes as one PLY: vertex `x y z nx ny nz` as float (all six as double where a float
+/// would round a position by more than kFloatRounding of the diagonal), `u v` as double; faces
+/// `list uchar int vertex_indices`, triangles. A vertex is a corner of a mesh. Streamed: the file
+/// is never in memory.
+/// Source: G. Turk, "The PLY polygon file format", 1994.
+void write_ply(std::ostream& out, std::span<const Mesh> meshes);
+
+/// Rounding of positions to float beyond this share of the bounding box's diagonal makes them
+/// doubles: a tenth of the finest tolerance that meshes are asked for.
+inline constexpr double kFloatRounding = 1e-7;
+
+}  // namespace saddle
