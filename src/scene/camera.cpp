@@ -1,0 +1,168 @@
+// Look-at and projection matrices in double. Lengths are the surface's own, angles radians inside;
+// everything is measured from the target, so that a far-away surface keeps its digits.
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/error.h"
+
+namespace saddle {
+namespace {
+
+/// Room around the fitted sphere, as a factor: a silhouette that touches the picture's border would
+/// lose its antialiased edge and half of a grid line on it (a pixel of 100 is 2 %).
+constexpr double kFitMargin = 1.02;
+
+/// Sine of the angle between two directions below which their cross product, of relative error
+/// 1e-16, no longer gives a direction to half of a double's digits.
+constexpr double kParallel = 1e-8;
+
+/// Added in front of and behind the box, in radii: a flat box that faces the eye has no depth of
+/// its own, and float positions and polygon offset need room at both ends.
+constexpr double kDepthPadding = 0.01;
+
+/// The same in distances, for an eye so far away that the padding above would be rounded off.
+constexpr double kDistancePadding = 1e-12;
+
+/// Least near / far: 24 bits of depth resolve far^2 / (near 2^24), here 6e-5 of far, at the far
+/// end.
+constexpr double kLeastNearOverFar = 1e-3;
+
+/// std::hypot neither overflows nor underflows where the squares would.
+double length(const dvec3& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+/// Unit vector along `v` of any magnitude; `name` is the option that gave it.
+dvec3 direction(const dvec3& v, const char* name) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
+    throw Error(Status::Input, "the direction is not finite", {name, {}, {}});
+  }
+  if (!(largest > 0)) {
+    throw Error(Status::Input, "the direction has length 0", {name, {}, {}},
+                "give a vector with at least one component that is not 0");
+  }
+  return glm::normalize(v / largest);
+}
+
+/// Rows: the eye's right, up and backward axes in world coordinates.
+struct Axes {
+  dvec3 x, y, z;
+};
+
+Axes camera_axes(const Camera& camera) {
+  const dvec3 z = direction(camera.view, "--view");
+  for (const dvec3& up : {direction(camera.up, "--up"), dvec3(0, 1, 0), dvec3(0, 0, 1)}) {
+    const dvec3 x = glm::cross(up, z);
+    if (glm::length(x) > kParallel) {
+      const dvec3 unit_x = glm::normalize(x);
+      return {unit_x, glm::cross(z, unit_x), z};
+    }
+  }
+  return {{1, 0, 0}, {0, 1, 0}, z};  // not reached: z is not parallel to both y and z
+}
+
+std::array<dvec3, 8> corners(const Bounds& bounds) {
+  std::array<dvec3, 8> result;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = {(i & 1) != 0 ? bounds.high.x : bounds.low.x,
+                 (i & 2) != 0 ? bounds.high.y : bounds.low.y,
+                 (i & 4) != 0 ? bounds.high.z : bounds.low.z};
+  }
+  return result;
+}
+
+/// Radius of the sphere around `target` that holds the box. A box that is a point at the target
+/// gets one that is visible among numbers of its magnitude.
+double sphere_radius(const Bounds& bounds, const dvec3& target) {
+  double radius = 0;
+  for (const dvec3& corner : corners(bounds)) radius = std::max(radius, length(corner - target));
+  return radius > 0 ? radius : std::max(1.0, length(target));
+}
+
+/// Distance at which a sphere of `radius` fills the narrower side of the picture.
+double fitting_distance(double radius, double half_fov, double aspect, bool ortho) {
+  const double slope = std::tan(half_fov) * std::min(1.0, aspect);  // half the narrower side at 1
+  const double ratio = ortho ? slope : slope / std::hypot(1.0, slope);  // sin(atan(slope))
+  return kFitMargin * radius / ratio;
+}
+
+void check(const Camera& camera) {
+  if (!(camera.fov > 0 && camera.fov < 180)) {
+    throw Error(Status::Input, "the field of view must be more than 0 and less than 180 degrees",
+                {"--fov", {}, {}});
+  }
+  if (camera.distance && !(*camera.distance > 0 && std::isfinite(*camera.distance))) {
+    throw Error(Status::Input, "the distance must be positive and finite", {"--distance", {}, {}});
+  }
+  if (camera.target && !std::isfinite(length(*camera.target))) {
+    throw Error(Status::Input, "the target is not finite", {"--target", {}, {}});
+  }
+}
+
+void fit_depth(FittedCamera& fitted, const Bounds& bounds, const dvec3& backward, bool ortho) {
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -nearest;
+  for (const dvec3& corner : corners(bounds)) {
+    const double depth = fitted.distance - glm::dot(backward, corner - fitted.target);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  const double padding = kDepthPadding * sphere_radius(bounds, bounds.centre()) +
+                         kDistancePadding * std::max(fitted.distance, std::abs(farthest));
+  fitted.near_plane = nearest - padding;
+  fitted.far_plane = farthest + padding;
+  if (ortho) return;
+  if (!(fitted.far_plane > 0)) fitted.far_plane = fitted.distance;  // all of it is behind the eye
+  fitted.near_plane = std::max(fitted.near_plane, kLeastNearOverFar * fitted.far_plane);
+}
+
+glm::dmat4 view_matrix(const Axes& axes, const dvec3& eye) {
+  glm::dmat4 m(1);
+  for (int i = 0; i < 3; ++i) {
+    m[i][0] = axes.x[i];
+    m[i][1] = axes.y[i];
+    m[i][2] = axes.z[i];
+  }
+  m[3] = {-glm::dot(axes.x, eye), -glm::dot(axes.y, eye), -glm::dot(axes.z, eye), 1};
+  return m;
+}
+
+/// `half_height`: half the visible height, at distance 1 in perspective.
+glm::dmat4 projection(const FittedCamera& fitted, double half_height, double aspect, bool ortho) {
+  const double n = fitted.near_plane;
+  const double f = fitted.far_plane;
+  glm::dmat4 m(0);
+  m[0][0] = 1 / (half_height * aspect);
+  m[1][1] = 1 / half_height;
+  m[2][2] = (ortho ? -2 : -(f + n)) / (f - n);
+  m[2][3] = ortho ? 0 : -1;
+  m[3][2] = ortho ? -(f + n) / (f - n) : -2 * f * (n / (f - n));
+  m[3][3] = ortho ? 1 : 0;
+  return m;
+}
+
+}  // namespace
+
+FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect) {
+  check(camera);
+  const Axes axes = camera_axes(camera);
+  const double half_fov = camera.fov * std::numbers::pi / 360;
+  FittedCamera fitted;
+  fitted.target = camera.target.value_or(bounds.centre());
+  fitted.distance = camera.distance.value_or(
+      fitting_distance(sphere_radius(bounds, fitted.target), half_fov, aspect, camera.ortho));
+  fitted.eye = fitted.target + fitted.distance * axes.z;
+  fitted.world_to_eye = view_matrix(axes, fitted.eye);
+  fit_depth(fitted, bounds, axes.z, camera.ortho);
+  const double half_height = std::tan(half_fov) * (camera.ortho ? fitted.distance : 1);
+  fitted.eye_to_clip = projection(fitted, half_height, aspect, camera.ortho);
+  return fitted;
+}
+
+}  // namespace saddle

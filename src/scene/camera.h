@@ -1,0 +1,28 @@
+// From the camera's few numbers to the transforms that the renderer needs.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "mesh/mesh.h"
+#include "scene/scene.h"
+
+namespace saddle {
+
+/// A camera fitted to what it looks at.
+struct FittedCamera {
+  dvec3 eye;
+  dvec3 target;
+  double distance = 1;       ///< of eye and target
+  glm::dmat4 world_to_eye;   ///< rigid: the eye at the origin, looking down -z, y up
+  glm::dmat4 eye_to_clip;    ///< perspective or orthographic, depth -1 to 1
+  double near_plane = 0;     ///< distances along the view, both > 0 in perspective
+  double far_plane = 1;
+};
+
+/// Fits `camera` to `bounds` (not empty) in a picture of width/height `aspect`. Without a distance
+/// the sphere around the box fills the narrower side; near and far enclose the box, whatever the
+/// distance. An up vector along the view is replaced by one that is not. Throws Error (Input) for
+/// a view or up vector of length 0, a distance that is not positive, a fov outside (0, 180).
+FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect);
+
+}  // namespace saddle

@@ -1,0 +1,105 @@
+// Text to graph (Scope), graph to surface (derivatives and tapes), with both timed apart.
+#include "scene/prepare.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+#include "formula/graph.h"
+#include "formula/scope.h"
+
+namespace saddle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+/// One end of a range: `part` of `text`, which is the whole range, so that carets point into it.
+double range_end(Graph& graph, Scope& scope, const std::string& name, const std::string& text,
+                 Span part) {
+  const Place place{name, text, part};
+  const NodeId node = scope.parse(name, text, part);
+  if ((graph[node].depends & (kDependsU | kDependsV)) != 0) {
+    throw Error(Status::Input, "a range that depends on u or v cannot be drawn yet", place,
+                "both ends are constant expressions, for example " + name + "=0:2*pi");
+  }
+  const double value = scope.constant(name, text, part);
+  if (!std::isfinite(value)) {
+    throw Error(Status::Input, "this end of the range is not a finite number", place);
+  }
+  return value;
+}
+
+struct Interval {
+  double min = 0;
+  double max = 0;
+};
+
+Interval range_values(Graph& graph, Scope& scope, const std::string& name, const Range& range) {
+  const std::string text = range.min + ":" + range.max;
+  const std::size_t colon = range.min.size();
+  const Interval result{range_end(graph, scope, name, text, {0, colon}),
+                        range_end(graph, scope, name, text, {colon + 1, text.size()})};
+  const Place place{name, text, {0, text.size()}};
+  if (result.min == result.max) {
+    throw Error(Status::Input, "the range of " + name + " is empty", place,
+                "its ends must differ, for example " + name + "=0:2*pi");
+  }
+  if (!std::isfinite(result.max - result.min)) {
+    throw Error(Status::Input,
+                "the range of " + name + " is too wide for its length to be a number", place);
+  }
+  return result;
+}
+
+/// All that has a name in the formulas: the scene's definitions and the surface's own x, y and z.
+std::vector<Definition> names_of(const Scene& scene, const SurfaceSpec& spec) {
+  std::vector<Definition> names = scene.definitions;
+  names.push_back({"x", spec.x});
+  names.push_back({"y", spec.y});
+  names.push_back({"z", spec.z});
+  return names;
+}
+
+}  // namespace
+
+PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec) {
+  if (spec.z.empty()) {
+    throw Error(Status::Input, "z has no formula", {},
+                "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
+  }
+  const auto start = Clock::now();
+  Graph graph;
+  Scope scope(graph, names_of(scene, spec));
+  const Interval u = range_values(graph, scope, "u", spec.u);
+  const Interval v = range_values(graph, scope, "v", spec.v);
+  const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
+  const std::vector<NodeId> bound = scope.bind(coordinates, scene.t);
+  const auto parsed = Clock::now();
+
+  PreparedSurface result;
+  const Domain domain{u.min, u.max, v.min, v.max};
+  result.surface = make_surface(graph, bound[0], bound[1], bound[2], domain, spec.flip);
+  result.parse_ms = milliseconds(start, parsed);
+  result.compile_ms = milliseconds(parsed, Clock::now());
+  return result;
+}
+
+double finite_constant(const Scene& scene, const std::string& name, const std::string& text) {
+  Graph graph;
+  // A definition may use the surface's x, y and z.
+  const bool has_surface = !scene.surfaces.empty() && !scene.surfaces.back().z.empty();
+  Scope scope(graph, has_surface ? names_of(scene, scene.surfaces.back()) : scene.definitions);
+  const double value = scope.constant(name, text);
+  if (!std::isfinite(value)) {
+    throw Error(Status::Input, "not a finite number", {name, text, {0, text.size()}});
+  }
+  return value;
+}
+
+}  // namespace saddle

@@ -1,0 +1,26 @@
+// From the formulas of a scene to a surface that can be evaluated.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+struct PreparedSurface {
+  Surface surface;
+  double parse_ms = 0;    ///< text to graph
+  double compile_ms = 0;  ///< derivatives and tapes
+};
+
+/// Parses and compiles surface `spec` of `scene` at the scene's time. Throws Error (Input):
+/// anything wrong with a formula, a range that is empty, not finite or not constant, a surface
+/// without a z.
+PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec);
+
+/// The value of a constant expression that may use the scene's parameters; `name` stands for it in
+/// messages. Throws Error (Input): anything wrong with a formula, a value that is not finite.
+double finite_constant(const Scene& scene, const std::string& name, const std::string& text);
+
+}  // namespace saddle

@@ -1,0 +1,49 @@
+// Points of gallery surfaces, for the tests about them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "scene/assignments.h"
+#include "scene/gallery.h"
+#include "scene/prepare.h"
+
+namespace saddle {
+
+inline Scene scene_of(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  const GalleryEntry* const entry = find_gallery_entry(name);
+  if (entry == nullptr) {
+    ADD_FAILURE() << "no surface is called " << name;
+    return {};
+  }
+  Scene scene = gallery_scene(*entry);
+  for (const std::string& text : overrides) override_assignment(scene, text);
+  return scene;
+}
+
+inline std::vector<double> spread(double low, double high, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(low + (high - low) * i / (count - 1));
+  return values;
+}
+
+/// Points on a grid that includes the ends of both ranges; v outer.
+struct Samples {
+  std::vector<double> u;
+  std::vector<double> v;
+  std::vector<SurfacePoint> points;
+
+  const SurfacePoint& at(std::size_t i, std::size_t j) const { return points[j * u.size() + i]; }
+};
+
+inline Samples sample(const Scene& scene, int count) {
+  const Surface surface = prepare_surface(scene, scene.surfaces.at(0)).surface;
+  const Domain& d = surface.domain;
+  Samples samples{spread(d.u0, d.u1, count), spread(d.v0, d.v1, count), {}};
+  samples.points = evaluate_on_grid(surface, samples.u, samples.v);
+  return samples;
+}
+
+}  // namespace saddle

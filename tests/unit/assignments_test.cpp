@@ -1,0 +1,173 @@
+#include "scene/assignments.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace saddle {
+namespace {
+
+Scene scene_of(const std::vector<std::string>& assignments) {
+  Scene scene;
+  for (const std::string& assignment : assignments) assign(scene, assignment);
+  return scene;
+}
+
+template <typename Action>
+Error error_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return {Status::Done, ""};
+}
+
+Error assign_error(const std::string& assignment) {
+  return error_of([&] { scene_of({assignment}); });
+}
+
+/// The part of the place's text that the caret marks.
+std::string marked(const Error& error) {
+  const Place& place = error.place();
+  return place.text.substr(place.span.begin, place.span.end - place.span.begin);
+}
+
+TEST(Assignments, PutCoordinatesIntoTheSurface) {
+  const Scene scene = scene_of({"z=u*v", "x=2*u", "y = v + 1"});
+  ASSERT_EQ(scene.surfaces.size(), 1U);
+  EXPECT_EQ(scene.surfaces[0].x, "2*u");
+  EXPECT_EQ(scene.surfaces[0].y, "v + 1");
+  EXPECT_EQ(scene.surfaces[0].z, "u*v");
+  EXPECT_TRUE(scene.definitions.empty());
+}
+
+TEST(Assignments, SplitAtTheFirstEqualsSign) {
+  EXPECT_EQ(scene_of({"z=u==v"}).surfaces[0].z, "u==v");
+  EXPECT_EQ(scene_of({"a==b"}).definitions[0].text, "=b");
+}
+
+TEST(Assignments, ReadRangesOfConstantExpressions) {
+  const Scene scene = scene_of({"u=0:2*pi", " v = -1 : +1 "});
+  EXPECT_EQ(scene.surfaces[0].u.min, "0");
+  EXPECT_EQ(scene.surfaces[0].u.max, "2*pi");
+  EXPECT_EQ(scene.surfaces[0].v.min, "-1");
+  EXPECT_EQ(scene.surfaces[0].v.max, "+1");
+}
+
+TEST(Assignments, SplitRangesAtTheFirstColonThatNoQuestionMarkOwns) {
+  const Range first = scene_of({"u=a<0?1:2:3"}).surfaces[0].u;
+  EXPECT_EQ(first.min, "a<0?1:2");
+  EXPECT_EQ(first.max, "3");
+  const Range second = scene_of({"u=0:a<0?1:2"}).surfaces[0].u;
+  EXPECT_EQ(second.min, "0");
+  EXPECT_EQ(second.max, "a<0?1:2");
+  const Range bracketed = scene_of({"u=(a<0?1:2):(b?3:4)"}).surfaces[0].u;
+  EXPECT_EQ(bracketed.min, "(a<0?1:2)");
+  EXPECT_EQ(bracketed.max, "(b?3:4)");
+  const Range nested = scene_of({"u=a?b?1:2:3:4"}).surfaces[0].u;
+  EXPECT_EQ(nested.min, "a?b?1:2:3");
+  EXPECT_EQ(nested.max, "4");
+}
+
+TEST(Assignments, MakeOtherNamesDefinitionsInTheirOrder) {
+  const Scene scene = scene_of({"r=0.4", "w=cosh(v)^2", "e=3"});
+  ASSERT_EQ(scene.definitions.size(), 3U);
+  EXPECT_EQ(scene.definitions[0].name, "r");
+  EXPECT_EQ(scene.definitions[1].text, "cosh(v)^2");
+  EXPECT_EQ(scene.definitions[2].name, "e");
+  EXPECT_FALSE(scene.definitions[0].is_function);
+}
+
+TEST(Assignments, ReplaceANameThatIsThere) {
+  const Scene scene = scene_of({"r=1", "s=2", "r=3", "z=u", "z=v"});
+  ASSERT_EQ(scene.definitions.size(), 2U);
+  EXPECT_EQ(scene.definitions[0].text, "3");
+  EXPECT_EQ(scene.surfaces[0].z, "v");
+}
+
+TEST(Assignments, ReadHelperFunctions) {
+  const Scene scene = scene_of({"f ( s ,u) = s*u", "g(s)=s==1"});
+  ASSERT_EQ(scene.definitions.size(), 2U);
+  EXPECT_EQ(scene.definitions[0].name, "f");
+  EXPECT_EQ(scene.definitions[0].arguments, (std::vector<std::string>{"s", "u"}));
+  EXPECT_EQ(scene.definitions[0].text, "s*u");
+  EXPECT_TRUE(scene.definitions[0].is_function);
+  EXPECT_EQ(scene.definitions[1].text, "s==1");
+}
+
+TEST(Assignments, ReadTheMoment) {
+  EXPECT_EQ(scene_of({"t=3/4"}).t, 0.75);
+  EXPECT_EQ(scene_of({"a=2", "t=a+1"}).t, 3);
+  EXPECT_TRUE(assigns_time(" t = 1"));
+  EXPECT_FALSE(assigns_time("tt=1"));
+}
+
+TEST(Assignments, SayThatRangesOfTimeAreForAnimations) {
+  const Error error = assign_error("t=0:1");
+  EXPECT_EQ(error.status(), Status::Input);
+  EXPECT_EQ(marked(error), ":");
+  EXPECT_EQ(marked(assign_error("t=1/0")), "1/0");
+}
+
+TEST(Assignments, RefuseNamesThatAreNone) {
+  EXPECT_EQ(marked(assign_error("2x=3")), "2x");
+  EXPECT_EQ(marked(assign_error("a<=b")), "a<");
+  EXPECT_EQ(marked(assign_error("a!=b")), "a!");
+  EXPECT_EQ(marked(assign_error("a b=3")), "a b");
+  EXPECT_EQ(marked(assign_error("f(2)=3")), "2");
+  EXPECT_EQ(marked(assign_error("f(s,)=3")), "");
+  EXPECT_EQ(marked(assign_error("f()=3")), "");
+  EXPECT_EQ(assign_error("=3").status(), Status::Input);
+  EXPECT_EQ(assign_error("f(s=3").status(), Status::Input);
+  EXPECT_EQ(assign_error("no assignment").status(), Status::Input);
+}
+
+TEST(Assignments, KeepCoordinatesAndParametersFromBeingFunctions) {
+  for (const char* text : {"x(s)=s", "u(s)=s", "t(s)=s"}) {
+    EXPECT_EQ(assign_error(text).status(), Status::Input) << text;
+  }
+}
+
+TEST(Assignments, WantAWholeRange) {
+  EXPECT_EQ(assign_error("u=3").place().name, "u");
+  EXPECT_EQ(marked(assign_error("u=3")), "3");
+  EXPECT_EQ(marked(assign_error("u=:3")), ":");
+  EXPECT_EQ(marked(assign_error("u=3:")), ":");
+  const Error twice = assign_error("v=0:1:2");
+  EXPECT_EQ(twice.place().text, "0:1:2");
+  EXPECT_EQ(twice.place().span.begin, 3U);
+}
+
+TEST(Assignments, RefuseEmptyExpressions) {
+  EXPECT_EQ(assign_error("z=").status(), Status::Input);
+  EXPECT_EQ(assign_error("z= ").status(), Status::Input);
+}
+
+TEST(Overrides, ReplaceWhatTheSceneHas) {
+  Scene scene = scene_of({"z=r*u", "r=1", "f(s)=s"});
+  override_assignment(scene, "r=2");
+  override_assignment(scene, "f(q)=2*q");
+  override_assignment(scene, "u=0:1");
+  override_assignment(scene, "z=r");
+  override_assignment(scene, "t=r");
+  EXPECT_EQ(scene.definitions[0].text, "2");
+  EXPECT_EQ(scene.definitions[1].arguments[0], "q");
+  EXPECT_EQ(scene.surfaces[0].u.max, "1");
+  EXPECT_EQ(scene.surfaces[0].z, "r");
+  EXPECT_EQ(scene.t, 2);
+}
+
+TEST(Overrides, RefuseOtherNamesAndListTheRightOnes) {
+  Scene scene = scene_of({"z=radius*u", "radius=1"});
+  const Error error = error_of([&] { override_assignment(scene, "radios=2"); });
+  EXPECT_EQ(error.status(), Status::Input);
+  EXPECT_EQ(marked(error), "radios");
+  EXPECT_NE(error.hint().find("radius x y z u v t"), std::string::npos);
+  EXPECT_NE(error.hint().find("did you mean 'radius'?"), std::string::npos);
+  EXPECT_EQ(scene.definitions.size(), 1U);
+}
+
+}  // namespace
+}  // namespace saddle

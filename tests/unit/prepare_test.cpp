@@ -1,0 +1,97 @@
+#include "scene/prepare.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "base/error.h"
+#include "scene/assignments.h"
+
+namespace saddle {
+namespace {
+
+Surface surface_of(const std::vector<std::string>& assignments) {
+  Scene scene;
+  for (const std::string& assignment : assignments) assign(scene, assignment);
+  return prepare_surface(scene, scene.surfaces.at(0)).surface;
+}
+
+dvec3 point_of(const Surface& surface, dvec2 uv) {
+  return evaluate(surface, std::array{uv})[0].position;
+}
+
+Error error_of(const std::vector<std::string>& assignments) {
+  try {
+    surface_of(assignments);
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return {Status::Done, ""};
+}
+
+std::string marked(const Error& error) {
+  const Place& place = error.place();
+  return place.text.substr(place.span.begin, place.span.end - place.span.begin);
+}
+
+TEST(Prepare, MakesAHeightFieldWhenOnlyZIsGiven) {
+  EXPECT_EQ(point_of(surface_of({"z=u*v"}), {3, 5}), dvec3(3, 5, 15));
+}
+
+TEST(Prepare, KnowsParametersSharedExpressionsFunctionsAndTheSurfaceItself) {
+  const Surface surface = surface_of({"z=f(w)+x", "f(s)=a*s", "w=u+v", "a=10", "x=100*u"});
+  EXPECT_EQ(point_of(surface, {1, 2}), dvec3(100, 2, 130));
+}
+
+TEST(Prepare, DrawsTheScenesMoment) {
+  EXPECT_EQ(point_of(surface_of({"z=t*u", "t=7"}), {2, 0}).z, 14);
+}
+
+TEST(Prepare, ComputesRangesWithParameters) {
+  const Domain domain = surface_of({"z=u", "u=-a:2*a", "v=3:1", "a=4"}).domain;
+  EXPECT_EQ(domain.u0, -4);
+  EXPECT_EQ(domain.u1, 8);
+  EXPECT_EQ(domain.v0, 3);
+  EXPECT_EQ(domain.v1, 1);
+}
+
+TEST(Prepare, WantsAZ) {
+  const Error error = error_of({"x=u"});
+  EXPECT_EQ(error.status(), Status::Input);
+  EXPECT_NE(std::string(error.what()).find("z has no formula"), std::string::npos);
+}
+
+TEST(Prepare, PointsIntoTheWholeRange) {
+  const Error error = error_of({"z=u", "v=0:2*foo"});
+  EXPECT_EQ(error.place().name, "v");
+  EXPECT_EQ(error.place().text, "0:2*foo");
+  EXPECT_EQ(marked(error), "foo");
+}
+
+TEST(Prepare, RefusesRangesThatAreEmptyOrNotFinite) {
+  EXPECT_STREQ(error_of({"z=u", "u=1:2-1"}).what(), "the range of u is empty");
+  EXPECT_EQ(marked(error_of({"z=u", "u=0:1/0"})), "1/0");
+  EXPECT_EQ(marked(error_of({"z=u", "v=nan:1"})), "nan");
+  EXPECT_EQ(error_of({"z=u", "v=-1e308:1e308"}).status(), Status::Input);
+}
+
+TEST(Prepare, SaysThatRangesCannotDependOnTheOtherParameterYet) {
+  const Error error = error_of({"z=u", "v=0:sin(u)"});
+  EXPECT_EQ(error.status(), Status::Input);
+  EXPECT_EQ(marked(error), "sin(u)");
+}
+
+TEST(Prepare, RefusesRangesThatDependOnTime) {
+  EXPECT_EQ(error_of({"z=u", "v=0:1+t"}).status(), Status::Input);
+}
+
+TEST(Prepare, FlipsOnRequest) {
+  Scene scene;
+  assign(scene, "z=u");
+  scene.surfaces[0].flip = true;
+  EXPECT_TRUE(prepare_surface(scene, scene.surfaces[0]).surface.flip);
+}
+
+}  // namespace
+}  // namespace saddle
