@@ -1,0 +1,32 @@
+// An OpenGL context without a window. Back ends derive from Context; nothing else in the program
+// uses inheritance.
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace saddle {
+
+/// A current OpenGL 3.3 core context; GL functions are loaded once it exists. What is drawn goes
+/// into a Target, never into the context's own framebuffer. It belongs to the thread that made it.
+class Context {
+ public:
+  virtual ~Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// "osmesa" ..., for reports.
+  virtual std::string name() const = 0;
+
+ protected:
+  Context() = default;
+};
+
+/// Off-screen Mesa. Its library is loaded here and only here, when a picture is wanted. Throws
+/// Error (Machine) that names what is missing and the package that has it.
+std::unique_ptr<Context> make_osmesa_context();
+
+/// Loads Mesa's library ahead of time, from any thread; a failure is left for the call above.
+void preload_osmesa() noexcept;
+
+}  // namespace saddle

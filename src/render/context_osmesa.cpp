@@ -1,0 +1,101 @@
+// Off-screen Mesa. The only file that knows OSMesa; its library is loaded at run time, so that a
+// run without a picture does not pay for it.
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <type_traits>
+
+#include "base/error.h"
+#include "render/context.h"
+#include "render/gl.h"
+#include "render/library.h"
+
+// After glad's header: the two define the same functions, and the first one wins.
+#include <GL/osmesa.h>
+
+namespace saddle {
+namespace {
+
+constexpr std::array kLibraries{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+const char* const kPackage = "libosmesa6";
+
+struct Library {
+  decltype(&OSMesaCreateContextAttribs) create;
+  decltype(&OSMesaDestroyContext) destroy;
+  decltype(&OSMesaMakeCurrent) make_current;
+  decltype(&OSMesaGetProcAddress) get_proc_address;
+};
+
+void* open_osmesa() {
+  return open_library(kLibraries, "drawing without a window", kPackage);
+}
+
+Library load_library() {
+  void* library = open_osmesa();
+  const auto symbol = [&](auto& function, const char* name) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+        library_symbol(library, name, kPackage));
+  };
+  Library result{};
+  symbol(result.create, "OSMesaCreateContextAttribs");
+  symbol(result.destroy, "OSMesaDestroyContext");
+  symbol(result.make_current, "OSMesaMakeCurrent");
+  symbol(result.get_proc_address, "OSMesaGetProcAddress");
+  return result;
+}
+
+class OsmesaContext final : public Context {
+ public:
+  OsmesaContext() : library_(load_library()), context_(create(library_)) {
+    if (library_.make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE ||
+        gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) {
+      throw Error(Status::Machine, "OSMesa's OpenGL 3.3 cannot be used", {},
+                  std::string("update the package ") + kPackage);
+    }
+  }
+
+  std::string name() const override { return "osmesa"; }
+
+ private:
+  using Handle = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;
+
+  /// No depth: OSMesa's own framebuffer, which must exist, is a single pixel that nobody sees.
+  static Handle create(const Library& library) {
+    constexpr std::array attributes{OSMESA_FORMAT,
+                                    OSMESA_RGBA,
+                                    OSMESA_PROFILE,
+                                    OSMESA_CORE_PROFILE,
+                                    OSMESA_CONTEXT_MAJOR_VERSION,
+                                    3,
+                                    OSMESA_CONTEXT_MINOR_VERSION,
+                                    3,
+                                    0};
+    Handle context(library.create(attributes.data(), nullptr), library.destroy);
+    if (!context) {
+      throw Error(Status::Machine, "OSMesa cannot make an OpenGL 3.3 core context", {},
+                  "Mesa 12 or newer is needed; unset GALLIUM_DRIVER and MESA_* if they are set");
+    }
+    return context;
+  }
+
+  Library library_;
+  std::array<std::uint8_t, 4> pixel_{};  // before the context, which may still flush into it
+  Handle context_;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> make_osmesa_context() {
+  return std::make_unique<OsmesaContext>();
+}
+
+void preload_osmesa() noexcept {
+  try {
+    open_osmesa();
+  } catch (const std::exception&) {
+    // make_osmesa_context() meets it again, where somebody can be told.
+  }
+}
+
+}  // namespace saddle
