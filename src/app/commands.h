@@ -1,0 +1,22 @@
+// What the program can do: one function per command, each in a file of its own.
+#pragma once
+
+#include <chrono>
+
+#include "app/cli.h"
+
+namespace saddle {
+
+using Clock = std::chrono::steady_clock;
+
+/// Formulas to pictures, meshes and reports. `start` is when the program began. Throws Error;
+/// Machine if the picture differs from the reference by more than the threshold.
+void run_graph(const CommandLine& line, Clock::time_point start);
+
+/// Prints the names of the gallery, each with its description.
+void run_list(const CommandLine& line);
+
+/// Prints a surface of the gallery as a scene file, with the overrides in it.
+void run_show(const CommandLine& line);
+
+}  // namespace saddle

@@ -1,0 +1,129 @@
+// saddle FORMULAS or NAME: check the outputs, prepare, tessellate once, write everything, report.
+#include <algorithm>
+#include <iostream>
+#include <optional>
+
+#include "app/build_scene.h"
+#include "app/commands.h"
+#include "app/outputs.h"
+#include "app/reference.h"
+#include "app/report.h"
+#include "app/standard_output.h"
+#include "app/warnings.h"
+#include "base/file.h"
+#include "base/image_png.h"
+#include "mesh/grid_mesh.h"
+#include "render/renderer.h"
+#include "scene/prepare.h"
+#include "scene/scene_file.h"
+
+namespace saddle {
+namespace {
+
+/// Without --samples a cell is about this large in the picture: a surface that fills it is then
+/// smooth to the eye, since the distance of chord and arc shrinks with the square of the cell.
+constexpr int kPixelsPerCell = 4;
+/// At most this many cells each way: two million triangles.
+constexpr int kMaxDefaultCells = 1000;
+
+/// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
+/// mesh lines, unless there are more of them than cells.
+int default_cells(int larger_side, int lines) {
+  const int wanted =
+      std::min((larger_side + kPixelsPerCell - 1) / kPixelsPerCell, kMaxDefaultCells);
+  const int intervals = std::max(lines - 1, 1);
+  if (intervals > kMaxDefaultCells) return wanted;
+  return (wanted + intervals - 1) / intervals * intervals;
+}
+
+GridOptions grid_options(const CommandLine& line, const SurfaceSpec& spec) {
+  const int larger_side = std::max(line.width, line.height);
+  GridOptions options;
+  options.lines_u = spec.grid_u;
+  options.lines_v = spec.grid_v;
+  options.cells_u = line.samples ? line.samples->u : default_cells(larger_side, spec.grid_u);
+  options.cells_v = line.samples ? line.samples->v : default_cells(larger_side, spec.grid_v);
+  options.threads = line.threads;
+  return options;
+}
+
+double since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// Tessellates a surface and files what there is to say about it.
+Mesh mesh_surface(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
+                  RunReport& report) {
+  const PreparedSurface prepared = prepare_surface(scene, spec);
+  const auto begin = Clock::now();
+  GridMesh result = mesh_on_grid(prepared.surface, grid_options(line, spec));
+  report.times.parse += prepared.parse_ms;
+  report.times.compile += prepared.compile_ms;
+  report.times.tessellate += since(begin);
+  for (std::string& warning : mesh_warnings(spec.name, result, prepared.surface.domain)) {
+    report.warnings.push_back(std::move(warning));
+  }
+  report.surfaces.push_back({spec.name, result.mesh.triangles.size(), result.mesh.position.size(),
+                             result.mesh.bounds, std::move(result.report)});
+  return std::move(result.mesh);
+}
+
+Image draw(const CommandLine& line, const Scene& scene, std::span<const Mesh> meshes,
+           RunReport& report) {
+  Rendering rendering = render(scene, meshes, {line.width, line.height, line.antialias});
+  report.times.render = rendering.times;
+  report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer};
+  return std::move(rendering.image);
+}
+
+void print_warnings(const RunReport& report) {
+  for (const std::string& warning : report.warnings) {
+    std::cerr << "saddle: warning: " << warning << '\n';
+  }
+}
+
+void send_report(const std::string& path, const RunReport& report) {
+  const auto write = [&report](std::ostream& out) { write_report(out, report); };
+  if (path == "-") {
+    write_standard_output(write);
+  } else if (!path.empty()) {
+    write_file_whole(path, write);
+  }
+}
+
+bool wants_picture(const CommandLine& line, const std::vector<Output>& outputs) {
+  const auto is_picture = [](const Output& output) { return output.format == Format::Png; };
+  return !line.reference.empty() || std::ranges::any_of(outputs, is_picture);
+}
+
+}  // namespace
+
+void run_graph(const CommandLine& line, Clock::time_point start) {
+  const Scene scene = build_scene(line);
+  const std::vector<Output> outputs = checked_outputs(line);
+  std::optional<Image> reference;
+  if (!line.reference.empty()) reference = read_png(line.reference).image;
+
+  RunReport report;
+  std::vector<Mesh> meshes;
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    meshes.push_back(mesh_surface(line, scene, spec, report));
+  }
+  if (!line.quiet) print_warnings(report);
+  Image image;
+  if (wants_picture(line, outputs)) image = draw(line, scene, meshes, report);
+
+  const auto writing = Clock::now();
+  const std::string scene_text = write_scene(scene);
+  for (const Output& output : outputs) write_output(output, image, scene_text, meshes);
+  report.times.encode = since(writing);
+  report.times.total = since(start);
+  send_report(line.report, report);
+  if (line.verbose) std::cerr << summary(report);
+  if (!reference) return;
+  const std::string passed =
+      check_against_reference(image, *reference, line.reference, line.threshold);
+  if (line.verbose) std::cerr << passed << '\n';
+}
+
+}  // namespace saddle

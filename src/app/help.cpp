@@ -1,0 +1,61 @@
+// The text of --help. Every option of app/cli.cpp has its line here, with unit and default.
+#include "app/help.h"
+
+namespace saddle {
+
+std::string help_text() {
+  return R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
+
+  saddle NAME=EXPRESSION... [options]                  graph formulas
+  saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
+  saddle list                                          names of the built-in surfaces
+  saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
+
+Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
+(default -1:1); t=VALUE the moment; NAME= a parameter; NAME(ARGUMENTS)= a helper function.
+
+Examples:
+  saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png
+  saddle torus r=0.4 -o torus.ply -o torus.png
+  saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
+
+Output
+  -o, --output FILE     what to write, by extension: .png .ply; may be repeated; - is standard
+                        output, with --format
+      --format EXT      png or ply: for - and for names without an extension
+  -s, --size WxH        picture size in pixels, up to 16384 each way (default 800x600)
+      --reference FILE  compare the picture with a PNG; exit 1 and write FILE.diff.png if it differs
+      --threshold E     largest difference that passes, 0 to 1 (default 0.04)
+      --report FILE     the run's report as JSON; - is standard output
+Camera
+      --view X,Y,Z      direction from the target toward the eye (default 2,-3,1.5)
+      --up X,Y,Z        direction that points up (default 0,0,1)
+      --target X,Y,Z    point in the middle of the picture (default: centre of the bounding box)
+      --distance D      of eye and target (default: the bounding sphere just fits)
+      --fov DEG         vertical field of view, degrees, more than 0 and less than 180 (default 30)
+      --ortho           orthographic, with the height that is seen at the target (default: off)
+Look
+      --background COLOR, --front COLOR, --back COLOR   (default black, #ffff80, #8080ff)
+                        #rrggbb, #rrggbbaa, a CSS colour name or transparent
+      --flip            swap front and back (the front is where r_u x r_v points)
+      --grid MxN        lines of constant u and of constant v, or off (default 16x16)
+      --antialias N     samples per pixel and side, 1 to 16; 1 is off (default 2)
+Computing
+      --samples MxN     cells in u and v (default: a cell for about 4 pixels of the larger side)
+      --t T             time, the value of t in formulas (default 0)
+      --threads N       worker threads, 1 to 1024 (default: all)
+  -q, --quiet           no warnings        -v, --verbose   say what was done and how long it took
+  -h, --help            this text; --help functions lists the formula language
+      --version         the version
+)";
+}
+
+std::string version() {
+  return SADDLE_VERSION;
+}
+
+std::string version_text() {
+  return "saddle " + version() + "\n";
+}
+
+}  // namespace saddle

@@ -1,0 +1,25 @@
+// saddle list: the gallery, a line each.
+#include <algorithm>
+
+#include "app/commands.h"
+#include "app/standard_output.h"
+#include "base/error.h"
+#include "scene/gallery.h"
+
+namespace saddle {
+
+void run_list(const CommandLine& line) {
+  if (!line.arguments.empty()) {
+    throw Error(Status::Input, "saddle list takes no arguments, not '" + line.arguments[0] + "'");
+  }
+  std::size_t width = 0;
+  for (const GalleryEntry& entry : gallery()) width = std::max(width, entry.name.size());
+  std::string text;
+  for (const GalleryEntry& entry : gallery()) {
+    text += std::string(entry.name) + std::string(width + 2 - entry.name.size(), ' ') +
+            std::string(entry.description) + "\n";
+  }
+  print(text);
+}
+
+}  // namespace saddle

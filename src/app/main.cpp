@@ -1,0 +1,58 @@
+// The program: a command line becomes a command, an Error an exit status.
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "app/cli.h"
+#include "app/commands.h"
+#include "app/help.h"
+#include "app/standard_output.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "formula/language.h"
+
+namespace {
+
+void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
+  using Command = saddle::CommandLine::Command;
+  switch (line.command) {
+    case Command::Graph:
+      return saddle::run_graph(line, start);
+    case Command::List:
+      return saddle::run_list(line);
+    case Command::Show:
+      return saddle::run_show(line);
+    case Command::Help:
+      return saddle::print(saddle::help_text());
+    case Command::Functions:
+      return saddle::print(saddle::language_help());
+    case Command::Version:
+      return saddle::print(saddle::version_text());
+  }
+}
+
+int fail(const saddle::Error& error) {
+  std::cerr << saddle::format_error(error);
+  return static_cast<int>(error.status());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto start = saddle::Clock::now();
+  saddle::guard_standard_streams();
+  saddle::remove_temporaries_on_signals();
+  try {
+    run(saddle::parse_command_line(argc, argv), start);
+    return 0;
+  } catch (const saddle::Error& error) {
+    return fail(error);
+  } catch (const std::bad_alloc&) {
+    return fail({saddle::Status::Machine,
+                 "out of memory",
+                 {},
+                 "fewer cells (--samples) or a smaller picture (--size) need less"});
+  } catch (const std::exception& error) {
+    return fail({saddle::Status::Machine, error.what()});
+  }
+}

@@ -1,0 +1,123 @@
+// Formats by extension, standard output as `-`.
+#include "app/outputs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <optional>
+
+#include "app/standard_output.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image_png.h"
+#include "base/nearest.h"
+#include "export/ply.h"
+
+namespace saddle {
+namespace {
+
+/// The keyword of the PNG text chunk that holds the scene.
+constexpr const char* kSceneKeyword = "saddle-scene";
+
+std::optional<Format> format_named(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (name == "png") return Format::Png;
+  if (name == "ply") return Format::Ply;
+  return std::nullopt;
+}
+
+std::string known_formats(const std::string& word) {
+  const std::vector<std::string> known = {"png", "ply"};
+  const auto nearest = nearest_name(word, known);
+  return "known: .png .ply" + (nearest ? "; did you mean '." + *nearest + "'?" : "");
+}
+
+/// The extension without its point, empty if there is none.
+std::string extension(const std::string& path) {
+  const std::string with_point = std::filesystem::path(path).extension().string();
+  return with_point.empty() ? "" : with_point.substr(1);
+}
+
+/// What --format names, if it is there.
+std::optional<Format> checked_format(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  const auto format = format_named(name);
+  if (!format) {
+    throw Error(Status::Input, "unknown format '" + name + "'",
+                {"--format", name, {0, name.size()}}, known_formats(name));
+  }
+  return format;
+}
+
+Format format_of(const std::string& path, std::optional<Format> fallback) {
+  const std::string ending = path == "-" ? "" : extension(path);
+  if (const auto format = format_named(ending)) return *format;
+  if (fallback) return *fallback;
+  if (path == "-") {
+    throw Error(Status::Input, "the format for standard output is missing",
+                {"--output", path, {0, 1}}, "add --format png or --format ply");
+  }
+  throw Error(
+      Status::Input,
+      ending.empty() ? "no extension says what to write" : "unknown extension '." + ending + "'",
+      {"--output", path, {path.size() - std::min(path.size(), ending.size() + 1), path.size()}},
+      known_formats(ending));
+}
+
+void check_format_is_used(const CommandLine& line) {
+  const auto uses_format = [](const std::string& path) {
+    return path == "-" || !format_named(extension(path));
+  };
+  if (line.format.empty() || std::ranges::any_of(line.outputs, uses_format)) return;
+  throw Error(Status::Input, "no output needs a format", {"--format", line.format, {}},
+              "--format is for -o - and for names without an extension");
+}
+
+void check_standard_output(const CommandLine& line) {
+  const auto outputs = std::ranges::count(line.outputs, "-");
+  if (outputs + (line.report == "-" ? 1 : 0) > 1) {
+    throw Error(Status::Input, "only one thing can go to standard output", {},
+                "give the others a file");
+  }
+  if (outputs == 1 && standard_output_is_terminal()) {
+    throw Error(Status::Input, "pictures and meshes are not written to a terminal",
+                {"--output", "-", {0, 1}}, "redirect standard output, or name a file");
+  }
+}
+
+}  // namespace
+
+std::vector<Output> checked_outputs(const CommandLine& line) {
+  if (line.outputs.empty() && line.report.empty() && line.reference.empty()) {
+    throw Error(Status::Input, "nothing says what to make of it", {},
+                "name an output: -o FILE.png (there is no viewer yet)");
+  }
+  const auto fallback = checked_format(line.format);
+  check_format_is_used(line);
+  std::vector<Output> outputs;
+  for (const std::string& path : line.outputs) outputs.push_back({path, format_of(path, fallback)});
+  check_standard_output(line);
+  for (const Output& output : outputs) {
+    if (output.path != "-") check_writable(output.path);
+  }
+  if (!line.report.empty() && line.report != "-") check_writable(line.report);
+  return outputs;
+}
+
+void write_output(const Output& output, const Image& image, const std::string& scene_text,
+                  std::span<const Mesh> meshes) {
+  const auto write = [&](std::ostream& out) {
+    if (output.format == Format::Png) {
+      write_png(out, image, {{kSceneKeyword, scene_text}});
+    } else {
+      write_ply(out, meshes);
+    }
+  };
+  if (output.path == "-") {
+    write_standard_output(write);
+  } else {
+    write_file_whole(output.path, write);
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,44 @@
+#include "app/reference.h"
+
+#include <array>
+#include <cstdio>
+#include <ostream>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image_compare.h"
+#include "base/image_png.h"
+
+namespace saddle {
+namespace {
+
+std::string figures(const ImageDifference& difference, double threshold) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(),
+                "error %.4g (threshold %.4g), largest difference %.4g, mean %.4g, SSIM %.4g",
+                difference.error, threshold, difference.largest, difference.mean, difference.ssim);
+  return text.data();
+}
+
+std::string size_of(const Image& image) {
+  return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+}  // namespace
+
+std::string check_against_reference(const Image& image, const Image& reference,
+                                    const std::string& path, double threshold) {
+  const ImageDifference difference = compare_images(image, reference);
+  const std::string text = figures(difference, threshold);
+  if (difference.error <= threshold) return path + ": " + text;
+  const std::string diff_path = path + ".diff.png";
+  const Image picture = difference_image(image, reference);
+  write_file_whole(diff_path, [&picture](std::ostream& out) { write_png(out, picture); });
+  std::string message = "the picture differs from " + path + ": " + text;
+  if (image.width != reference.width || image.height != reference.height) {
+    message += ", sizes " + size_of(image) + " and " + size_of(reference);
+  }
+  throw Error(Status::Machine, message, {}, "see " + diff_path);
+}
+
+}  // namespace saddle

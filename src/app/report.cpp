@@ -1,0 +1,109 @@
+// The report, written with nlohmann's JSON, keys in a fixed order.
+#include "app/report.h"
+
+#include <sys/resource.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/help.h"
+
+namespace saddle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json vector(const dvec3& v) {
+  return {number(v.x), number(v.y), number(v.z)};
+}
+
+Json closing(const std::string& how) {
+  return how.empty() ? Json(nullptr) : Json(how);
+}
+
+Json surface(const SurfaceReport& s) {
+  Json points = Json::array();
+  for (const SingularPoint& point : s.mesh.singular_points) {
+    points.push_back({{"u", number(point.uv.x)}, {"v", number(point.uv.y)}});
+  }
+  return {{"name", s.name},
+          {"cells", s.mesh.cells},
+          {"triangles", s.triangles},
+          {"vertices", s.vertices},
+          {"evaluations", s.mesh.evaluations},
+          {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
+          {"max_error", number(s.mesh.max_error)},
+          {"max_normal_error", number(s.mesh.max_normal_error)},
+          {"undefined_fraction", number(s.mesh.undefined_fraction)},
+          {"singular_points", points},
+          {"singular_points_count", s.mesh.singular_point_count},
+          {"closed_u", closing(s.mesh.closed_u)},
+          {"closed_v", closing(s.mesh.closed_v)}};
+}
+
+Json times(const RunTimes& t) {
+  Json result = {{"parse", number(t.parse)},
+                 {"compile", number(t.compile)},
+                 {"tessellate", number(t.tessellate)}};
+  if (t.render) {
+    result["context"] = number(t.render->context);
+    result["upload"] = number(t.render->upload);
+    result["draw"] = number(t.render->draw);
+  }
+  result["encode"] = number(t.encode);
+  result["total"] = number(t.total);
+  return result;
+}
+
+/// The most memory that the process has had in use.
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts KiB
+}
+
+}  // namespace
+
+void write_report(std::ostream& out, const RunReport& report) {
+  Json json = {{"version", version()}, {"surfaces", Json::array()}};
+  for (const SurfaceReport& s : report.surfaces) json["surfaces"].push_back(surface(s));
+  if (report.image) {
+    json["image"] = {{"width", report.image->width},
+                     {"height", report.image->height},
+                     {"renderer", report.image->renderer}};
+  }
+  json["times"] = times(report.times);
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["warnings"] = report.warnings;
+  // Bytes that are not UTF-8 become replacement characters.
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+std::string summary(const RunReport& report) {
+  std::string text;
+  for (const SurfaceReport& s : report.surfaces) {
+    text += s.name + ": " + std::to_string(s.mesh.cells) + " cells, " +
+            std::to_string(s.triangles) + " triangles, " + std::to_string(s.vertices) +
+            " vertices, " + std::to_string(s.mesh.evaluations) + " evaluations\n";
+  }
+  if (report.image) {
+    text += "image: " + std::to_string(report.image->width) + "x" +
+            std::to_string(report.image->height) + " by " + report.image->renderer + "\n";
+  }
+  text += "milliseconds:";
+  const Json all = times(report.times);
+  for (const auto& [name, value] : all.items()) {
+    std::array<char, 64> line{};
+    std::snprintf(line.data(), line.size(), " %s %.1f", name.c_str(), value.get<double>());
+    text += line.data();
+  }
+  return text + "\n";
+}
+
+}  // namespace saddle

@@ -1,0 +1,21 @@
+// saddle show NAME: a surface of the gallery as a scene file.
+#include <algorithm>
+
+#include "app/build_scene.h"
+#include "app/commands.h"
+#include "app/standard_output.h"
+#include "base/error.h"
+#include "scene/scene_file.h"
+
+namespace saddle {
+
+void run_show(const CommandLine& line) {
+  const auto is_name = [](const std::string& s) { return s.find('=') == std::string::npos; };
+  if (std::ranges::none_of(line.arguments, is_name)) {
+    throw Error(Status::Input, "saddle show needs the name of a surface", {},
+                "saddle list prints the names; for example saddle show torus");
+  }
+  print(write_scene(build_scene(line)));
+}
+
+}  // namespace saddle

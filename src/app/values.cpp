@@ -1,0 +1,152 @@
+// Option values: whole numbers are digits, real ones constant expressions of the formula language.
+#include "app/values.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "base/error.h"
+#include "formula/graph.h"
+#include "formula/scope.h"
+
+namespace saddle {
+namespace {
+
+/// Corners of a mesh have 32-bit numbers and about 300 bytes each while it is made: more cells
+/// than this fit no machine's memory.
+constexpr std::int64_t kMaxSamples = std::int64_t{1} << 26;
+
+/// More grid lines than a picture of the largest size has pixels would paint it over.
+constexpr int kMaxGridLines = 16384;
+
+Span whole(const std::string& text) {
+  return {0, text.size()};
+}
+
+/// The number that `part` of `text` is.
+double number_in(const std::string& option, const std::string& text, Span part) {
+  double value = 0;
+  const char* const begin = text.data() + part.begin;
+  const char* const end = text.data() + part.end;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || rest != end) {  // no plain number: ask the formula language
+    Graph graph;
+    value = Scope(graph, {}).constant(option, text, part);
+  }
+  if (!std::isfinite(value))
+    throw Error(Status::Input, "not a finite number", {option, text, part});
+  return value;
+}
+
+int whole_in(const std::string& option, const std::string& text, Span part, int low, int high) {
+  int value = 0;
+  const char* const begin = text.data() + part.begin;
+  const char* const end = text.data() + part.end;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  const bool too_large = error == std::errc::result_out_of_range;
+  if ((error != std::errc{} && !too_large) || rest != end) {
+    throw Error(Status::Input, "not a whole number", {option, text, part});
+  }
+  if (too_large || value < low || value > high) {
+    throw Error(Status::Input,
+                "must be from " + std::to_string(low) + " to " + std::to_string(high),
+                {option, text, part});
+  }
+  return value;
+}
+
+/// The shortest decimal: without the zeros that to_string appends.
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+}  // namespace
+
+double parse_number(const std::string& option, const std::string& text) {
+  return number_in(option, text, whole(text));
+}
+
+double parse_number_between(const std::string& option, const std::string& text, double low,
+                            double high) {
+  const double value = parse_number(option, text);
+  if (value > low && value < high) return value;
+  std::string message = "must be more than " + short_number(low);
+  if (std::isfinite(high)) message += " and less than " + short_number(high);
+  throw Error(Status::Input, message, {option, text, whole(text)});
+}
+
+double parse_share(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (value >= 0 && value <= 1) return value;
+  throw Error(Status::Input, "must be from 0 to 1", {option, text, whole(text)});
+}
+
+int parse_whole(const std::string& option, const std::string& text, int low, int high) {
+  return whole_in(option, text, whole(text), low, high);
+}
+
+dvec3 parse_vector(const std::string& option, const std::string& text) {
+  std::array<Span, 3> parts{};
+  std::size_t count = 0;
+  std::size_t begin = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const char c = i < text.size() ? text[i] : ',';
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c != ',' || (depth > 0 && i < text.size())) continue;
+    if (count < parts.size()) parts[count] = {begin, i};
+    ++count;
+    begin = i + 1;
+  }
+  if (count != parts.size()) {
+    throw Error(Status::Input, "a vector has three numbers, this one has " + std::to_string(count),
+                {option, text, whole(text)}, "for example " + option + " 2,-3,1.5");
+  }
+  return {number_in(option, text, parts[0]), number_in(option, text, parts[1]),
+          number_in(option, text, parts[2])};
+}
+
+dvec3 parse_direction(const std::string& option, const std::string& text) {
+  const dvec3 direction = parse_vector(option, text);
+  if (direction == dvec3{0, 0, 0}) {
+    throw Error(Status::Input, "a direction needs a length", {option, text, whole(text)});
+  }
+  return direction;
+}
+
+GridSize parse_pair(const std::string& option, const std::string& text, int low, int high) {
+  const std::size_t x = text.find_first_of("xX");
+  if (x == std::string::npos) {
+    throw Error(Status::Input, "this is two whole numbers with an x between",
+                {option, text, whole(text)}, "for example " + option + " 80x60");
+  }
+  return {whole_in(option, text, {0, x}, low, high),
+          whole_in(option, text, {x + 1, text.size()}, low, high)};
+}
+
+GridSize parse_samples(const std::string& option, const std::string& text) {
+  const GridSize cells = parse_pair(option, text, 1, std::numeric_limits<int>::max());
+  if (std::int64_t{cells.u} * cells.v > kMaxSamples) {
+    throw Error(Status::Input, "more than " + std::to_string(kMaxSamples) + " cells",
+                {option, text, whole(text)});
+  }
+  return cells;
+}
+
+GridSize parse_grid_lines(const std::string& option, const std::string& text) {
+  if (text == "off") return {0, 0};
+  const GridSize lines = parse_pair(option, text, 0, kMaxGridLines);
+  if (lines.u == 1 || lines.v == 1) {
+    throw Error(Status::Input,
+                "the first and the last line are the ends of the range: one is not "
+                "enough",
+                {option, text, whole(text)}, "0 is none, or at least 2");
+  }
+  return lines;
+}
+
+}  // namespace saddle

@@ -1,0 +1,39 @@
+// Option values from their text. All throw Error (Input) with the place in the text.
+#pragma once
+
+#include <string>
+
+#include "app/cli.h"
+#include "base/vec.h"
+
+namespace saddle {
+
+/// A finite number; a constant expression such as 2*pi is one too.
+double parse_number(const std::string& option, const std::string& text);
+
+/// A number more than `low` and less than `high`.
+double parse_number_between(const std::string& option, const std::string& text, double low,
+                            double high);
+
+/// A number from 0 to 1.
+double parse_share(const std::string& option, const std::string& text);
+
+/// A whole number from `low` to `high`, in digits.
+int parse_whole(const std::string& option, const std::string& text, int low, int high);
+
+/// `X,Y,Z`, each a constant expression.
+dvec3 parse_vector(const std::string& option, const std::string& text);
+
+/// The same for a direction, which has a length.
+dvec3 parse_direction(const std::string& option, const std::string& text);
+
+/// `MxN`, both from `low` to `high`.
+GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);
+
+/// Cells of a uniform grid, `MxN`.
+GridSize parse_samples(const std::string& option, const std::string& text);
+
+/// Grid lines, `MxN` or `off`; each number is 0 or at least 2.
+GridSize parse_grid_lines(const std::string& option, const std::string& text);
+
+}  // namespace saddle

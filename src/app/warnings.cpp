@@ -1,0 +1,73 @@
+#include "app/warnings.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace saddle {
+namespace {
+
+/// Four digits: enough to find the place, short enough to read.
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value + 0.0);  // + 0: no "-0"
+  return text.data();
+}
+
+std::string range(const char* name, double low, double high) {
+  return std::string(name) + " = " + number(low) + ":" + number(high);
+}
+
+/// Where the surface is defined: the box around the mesh's parameters, if it is smaller than the
+/// domain, else only that it is in places.
+std::string where_defined(const Mesh& mesh, const Domain& domain) {
+  dvec2 low = mesh.uv.front();
+  dvec2 high = low;
+  for (const dvec2& uv : mesh.uv) {
+    low = glm::min(low, uv);
+    high = glm::max(high, uv);
+  }
+  const bool whole_u =
+      low.x == std::min(domain.u0, domain.u1) && high.x == std::max(domain.u0, domain.u1);
+  const bool whole_v =
+      low.y == std::min(domain.v0, domain.v1) && high.y == std::max(domain.v0, domain.v1);
+  if (whole_u && whole_v) return "in places across the ranges";
+  const std::string u = whole_u ? "" : range("u", low.x, high.x);
+  const std::string v = whole_v ? "" : range("v", low.y, high.y);
+  return "at least outside of " + u + (u.empty() || v.empty() ? "" : ", ") + v;
+}
+
+std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
+  return number(100 * grid_mesh.report.undefined_fraction) +
+         " % of the domain is undefined and left out, " + where_defined(grid_mesh.mesh, domain);
+}
+
+std::string plural(std::size_t count, const std::string& one, const std::string& many) {
+  return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
+}
+
+}  // namespace
+
+std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
+                                       const Domain& domain) {
+  std::vector<std::string> warnings;
+  const MeshReport& report = grid_mesh.report;
+  if (report.undefined_fraction > 0 && !grid_mesh.mesh.uv.empty()) {
+    warnings.push_back(name + ": " + undefined_warning(grid_mesh, domain));
+  }
+  const auto no_limit = [](const SingularPoint& p) { return !p.has_limit; };
+  const auto first = std::ranges::find_if(report.singular_points, no_limit);
+  if (first != report.singular_points.end()) {
+    const auto count =
+        static_cast<std::size_t>(std::ranges::count_if(report.singular_points, no_limit));
+    const bool all_listed = report.singular_points.size() == report.singular_point_count;
+    warnings.push_back(
+        name + ": " + (all_listed ? "" : "at least ") +
+        plural(count, "singular point has no normal", "singular points have no normal") +
+        " (the first at u = " + number(first->uv.x) + ", v = " + number(first->uv.y) +
+        "): the faces' are drawn there");
+  }
+  return warnings;
+}
+
+}  // namespace saddle

@@ -1,0 +1,16 @@
+// What a user would otherwise be misled about.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/grid_mesh.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// One sentence per kind of finding, with its count.
+std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
+                                       const Domain& domain);
+
+}  // namespace saddle

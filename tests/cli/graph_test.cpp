@@ -1,0 +1,230 @@
+// What runs write: pictures, meshes, reports, comparisons.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "base/image_png.h"
+#include "cli/program.h"
+
+namespace saddle {
+namespace {
+
+using Json = nlohmann::json;
+using Names = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class GraphCommand : public ProgramTest {
+ protected:
+  /// Runs and expects success without a word.
+  Outcome done(const std::vector<std::string>& arguments) {
+    Outcome run = small(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    return run;
+  }
+  Json report_of(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--report", "-"});
+    return Json::parse(small(arguments).out);
+  }
+  Image picture(const std::string& name) { return read_png(path(name)).image; }
+};
+
+TEST_F(GraphCommand, WritesAPictureThatCarriesItsScene) {
+  done({"torus", "r=0.5", "--background", "white", "-o", "a.png"});
+  const PngFile file = read_png(path("a.png"));
+  EXPECT_EQ(file.image.width, 64);
+  EXPECT_EQ(file.image.height, 48);
+  EXPECT_TRUE(contains(file.text.at("saddle-scene"), "\nr = 0.5\n"));
+  EXPECT_TRUE(contains(file.text.at("saddle-scene"), "background = \"#ffffff\"\n"));
+  EXPECT_EQ(files(), Names{"a.png"});
+}
+
+TEST_F(GraphCommand, WritesSeveralOutputsInOneRun) {
+  done({"z=u*v", "-o", "a.png", "-o", "b.PLY", "--output", "c.png"});
+  EXPECT_EQ(files(), (Names{"a.png", "b.PLY", "c.png"}));
+  EXPECT_EQ(contents(path("a.png")), contents(path("c.png")));
+  EXPECT_TRUE(contents(path("b.PLY")).starts_with("ply\nformat binary_little_endian 1.0\n"));
+}
+
+TEST_F(GraphCommand, WritesToStandardOutput) {
+  EXPECT_TRUE(done({"z=u*v", "-o", "-", "--format", "png"}).out.starts_with("\x89PNG\r\n"));
+  EXPECT_TRUE(done({"z=u*v", "-o", "-", "--format", "ply"}).out.starts_with("ply\n"));
+  EXPECT_TRUE(contains(error_of(saddle({"z=u", "-o", "-"}), 2), "--format"));
+  EXPECT_TRUE(contains(error_of(saddle({"z=u", "-o", "-", "--format", "png", "--report", "-"}), 2),
+                       "only one"));
+}
+
+TEST_F(GraphCommand, FormatNamesWhatTheExtensionDoesNot) {
+  done({"z=u*v", "-o", "mesh", "--format", "ply"});
+  EXPECT_TRUE(contents(path("mesh")).starts_with("ply\n"));
+}
+
+TEST_F(GraphCommand, NoticesThatStandardOutputIsFull) {
+  const Outcome run = run_saddle({"show", "torus"}, folder_, "/dev/full");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(contains(run.err, "standard output")) << run.err;
+}
+
+TEST_F(GraphCommand, LeavesNothingBehindWhereItCannotWrite) {
+  EXPECT_TRUE(contains(error_of(small({"torus", "-o", "none/a.png"}), 1), "none/a.png"));
+  EXPECT_TRUE(
+      contains(error_of(small({"torus", "-o", "a.png", "--report", "none/r"}), 1), "none/r"));
+  std::filesystem::create_directory(path("folder.png"));
+  error_of(small({"torus", "-o", "folder.png"}), 1);
+  EXPECT_EQ(files(), Names{"folder.png"});
+}
+
+TEST_F(GraphCommand, HasNothingToDrawWhereNothingIsDefined) {
+  EXPECT_TRUE(contains(error_of(small({"z=sqrt(-1-u^2)", "-o", "a.png"}), 3), "undefined"));
+  error_of(small({"x=1", "y=2", "z=3", "-o", "a.png"}), 3);
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
+  const Outcome run = done({"sphere", "-o", "a.png", "--report", "r.json"});
+  EXPECT_EQ(run.out, "");
+  const auto report = nlohmann::ordered_json::parse(contents(path("r.json")));
+  Names keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_EQ(keys,
+            (Names{"version", "surfaces", "image", "times", "peak_memory_bytes", "warnings"}));
+  keys.clear();
+  for (const auto& [key, value] : report["surfaces"][0].items()) keys.push_back(key);
+  EXPECT_EQ(keys, (Names{"name", "cells", "triangles", "vertices", "evaluations", "bounds",
+                         "max_error", "max_normal_error", "undefined_fraction", "singular_points",
+                         "singular_points_count", "closed_u", "closed_v"}));
+  keys.clear();
+  for (const auto& [key, value] : report["times"].items()) keys.push_back(key);
+  EXPECT_EQ(keys, (Names{"parse", "compile", "tessellate", "context", "upload", "draw", "encode",
+                         "total"}));
+}
+
+TEST_F(GraphCommand, ReportsWhatItFound) {
+  const Json report = report_of({"cylinder"});
+  const Json& surface = report["surfaces"][0];
+  EXPECT_EQ(surface["name"], "cylinder");
+  EXPECT_EQ(surface["cells"], 400);
+  EXPECT_EQ(surface["triangles"], 800);
+  EXPECT_EQ(surface["closed_u"], "join");
+  EXPECT_TRUE(surface["closed_v"].is_null());
+  EXPECT_EQ(surface["undefined_fraction"], 0);
+  EXPECT_EQ(surface["bounds"][0][2], -1);
+  EXPECT_EQ(surface["bounds"][1][2], 1);
+  EXPECT_TRUE(report["warnings"].empty());
+  EXPECT_GT(report["peak_memory_bytes"], 100000);  // even the program itself is larger
+}
+
+TEST_F(GraphCommand, ReportsNoPictureWhereThereIsNone) {
+  const Json report = report_of({"z=u*v"});
+  EXPECT_FALSE(report.contains("image"));
+  EXPECT_FALSE(report["times"].contains("draw"));
+  EXPECT_TRUE(report["times"].contains("tessellate"));
+  EXPECT_EQ(report_of({"z=u*v", "-o", "a.png"})["image"]["renderer"], "osmesa");
+}
+
+TEST_F(GraphCommand, WarnsOfWhatIsUndefined) {
+  // Half of the domain; the row of cells on its edge, where the logarithm is infinite, goes too.
+  const Outcome run = small({"z=ln(u)", "-o", "a.png", "--report", "-"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(run.err.starts_with("saddle: warning: surface: 55 % of the domain is undefined"))
+      << run.err;
+  EXPECT_TRUE(contains(run.err, "u = 0.1:1")) << run.err;
+  EXPECT_FALSE(contains(run.err, "v = ")) << run.err;
+  const Json report = Json::parse(run.out);
+  EXPECT_EQ(report["warnings"].size(), 1U);
+  EXPECT_EQ(report["surfaces"][0]["undefined_fraction"], 0.55);
+}
+
+TEST_F(GraphCommand, QuietSilencesWarningsButNotTheReport) {
+  const Outcome run = small({"z=ln(u)", "-q", "--report", "-"});
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(Json::parse(run.out)["warnings"].size(), 1U);
+  EXPECT_TRUE(contains(small({"z=u", "-v", "-o", "a.png"}).err, "800 triangles"));
+}
+
+TEST_F(GraphCommand, TakesVectorsThatBeginWithAMinus) {
+  done({"torus", "--view", "-1,2,3", "-o", "a.png"});
+  done({"torus", "--view=-1,2,3", "-o", "b.png"});
+  done({"torus", "--view", "-.5*2,sqrt(4),(1+2)", "-o", "c.png"});
+  done({"torus", "--view", "1,2,3", "-o", "d.png"});
+  EXPECT_EQ(contents(path("a.png")), contents(path("b.png")));
+  EXPECT_EQ(contents(path("a.png")), contents(path("c.png")));
+  EXPECT_NE(contents(path("a.png")), contents(path("d.png")));
+}
+
+TEST_F(GraphCommand, EveryOptionOfThePictureChangesIt) {
+  done({"z=u*v+t", "-o", "plain.png"});
+  const Image plain = picture("plain.png");
+  const std::vector<std::vector<std::string>> options = {
+      {"--view", "1,1,1"},  {"--up", "0,1,0"},   {"--target", "1,0,0"},   {"--distance", "5"},
+      {"--fov", "60"},      {"--ortho"},         {"--background", "red"}, {"--antialias", "1"},
+      {"--front", "red"},   {"--flip"},          {"--grid", "off"},       {"--grid", "3x16"},
+      {"--samples", "1x1"}, {"--size", "64x64"},
+  };
+  for (const auto& option : options) {
+    std::vector<std::string> arguments = {"z=u*v+t", "-s", "64x48",      "--samples",
+                                          "20x20",   "-o", "changed.png"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    ASSERT_EQ(saddle(arguments).status, 0) << option[0];
+    EXPECT_NE(picture("changed.png").rgba, plain.rgba) << option[0];
+  }
+}
+
+TEST_F(GraphCommand, BackAndTimeCount) {
+  const std::vector<std::string> below = {"z=u*v", "--view", "1,1,-2", "-o"};
+  auto blue = below;
+  blue.push_back("a.png");
+  done(blue);
+  auto red = below;
+  red.insert(red.end(), {"b.png", "--back", "red"});
+  done(red);
+  EXPECT_NE(contents(path("a.png")), contents(path("b.png")));
+  EXPECT_EQ(report_of({"z=t", "t=1+2"})["surfaces"][0]["bounds"][0][2], 3);
+  EXPECT_EQ(report_of({"z=t", "t=a", "a=5"})["surfaces"][0]["bounds"][0][2], 5);
+  EXPECT_EQ(report_of({"z=t", "a=5", "--t", "-2*a"})["surfaces"][0]["bounds"][0][2], -10);
+}
+
+TEST_F(GraphCommand, MakesGridLinesMeshLinesUnlessSamplesAreGiven) {
+  // 64 pixels: at least 16 cells, the next multiple of 15 intervals is 30; of 4, 16.
+  const std::vector<std::string> size = {"-s", "64x48", "--report", "-"};
+  auto arguments = size;
+  arguments.insert(arguments.end(), {"z=u", "--grid", "16x5"});
+  EXPECT_EQ(Json::parse(saddle(arguments).out)["surfaces"][0]["cells"], 30 * 16);
+  arguments = size;
+  arguments.insert(arguments.end(), {"z=u", "--grid", "off"});
+  EXPECT_EQ(Json::parse(saddle(arguments).out)["surfaces"][0]["cells"], 16 * 16);
+}
+
+TEST_F(GraphCommand, PassesAgainstItsOwnPicture) {
+  done({"torus", "-o", "ref.png"});
+  done({"torus", "--reference", "ref.png"});
+  EXPECT_EQ(files(), Names{"ref.png"});
+}
+
+TEST_F(GraphCommand, FailsAgainstAnotherPictureAndDrawsTheDifference) {
+  done({"torus", "-o", "ref.png"});
+  const std::string message = error_of(small({"sphere", "--reference", "ref.png"}), 1);
+  EXPECT_TRUE(contains(message, "threshold 0.04")) << message;
+  EXPECT_TRUE(contains(message, "ref.png.diff.png")) << message;
+  EXPECT_EQ(picture("ref.png.diff.png").width, 64);
+  done({"sphere", "--reference", "ref.png", "--threshold", "1"});
+  EXPECT_TRUE(contains(error_of(small({"torus", "--reference", "no.png"}), 1), "no.png"));
+}
+
+TEST_F(GraphCommand, ReadsTheReferenceBeforeItIsWrittenOver) {
+  done({"torus", "-o", "ref.png"});
+  error_of(small({"sphere", "--reference", "ref.png", "-o", "ref.png"}), 1);
+}
+
+}  // namespace
+}  // namespace saddle

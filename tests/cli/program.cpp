@@ -1,0 +1,88 @@
+#include "cli/program.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace saddle {
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// In the child: makes `stream` write to `path`.
+void redirect(int stream, const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (file < 0 || dup2(file, stream) < 0) _exit(126);
+  close(file);
+}
+
+}  // namespace
+
+Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                   const std::string& standard_output) {
+  std::string pattern = testing::TempDir() + "saddle-run-XXXXXX";
+  const std::filesystem::path captured = mkdtemp(pattern.data());
+  const std::string out = standard_output.empty() ? (captured / "out").string() : standard_output;
+  const std::string err = captured / "err";
+  std::vector<std::string> words = {SADDLE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(folder.c_str()) != 0) _exit(126);
+    redirect(STDOUT_FILENO, out);
+    redirect(STDERR_FILENO, err);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  Outcome run;
+  run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  run.out = standard_output.empty() ? contents(out) : "";
+  run.err = contents(err);
+  std::filesystem::remove_all(captured);
+  return run;
+}
+
+void ProgramTest::SetUp() {
+  std::string pattern = testing::TempDir() + "saddle-test-XXXXXX";
+  folder_ = mkdtemp(pattern.data());
+}
+
+void ProgramTest::TearDown() {
+  std::filesystem::remove_all(folder_);
+}
+
+Outcome ProgramTest::small(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"-s", "64x48", "--samples", "20x20"});
+  return saddle(arguments);
+}
+
+std::vector<std::string> ProgramTest::files() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    names.push_back(entry.path().filename());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string error_of(const Outcome& run, int status) {
+  EXPECT_EQ(run.status, status) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(run.err.starts_with("saddle: ")) << run.err;
+  return run.err;
+}
+
+}  // namespace saddle

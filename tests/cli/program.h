@@ -1,0 +1,45 @@
+// Runs the program the way a shell would, and keeps what it says.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace saddle {
+
+struct Outcome {
+  int status = -1;  ///< exit status, or 128 + the signal that ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs saddle in `folder`; standard output goes to `standard_output` where that is given.
+Outcome run_saddle(const std::vector<std::string>& arguments,
+                   const std::filesystem::path& folder = ".",
+                   const std::string& standard_output = "");
+
+/// A folder of its own for each test, removed at the end.
+class ProgramTest : public testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  Outcome saddle(const std::vector<std::string>& arguments) {
+    return run_saddle(arguments, folder_);
+  }
+  /// The same with options for a small, fast picture.
+  Outcome small(std::vector<std::string> arguments);
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
+  /// Names of all files in the folder, temporaries included, sorted.
+  std::vector<std::string> files() const;
+
+  std::filesystem::path folder_;
+};
+
+/// Standard error of a run that must end with `status` and leave standard output empty.
+std::string error_of(const Outcome& run, int status);
+
+}  // namespace saddle

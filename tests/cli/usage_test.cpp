@@ -1,0 +1,171 @@
+// What the program says about itself and about wrong command lines.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "cli/program.h"
+
+namespace saddle {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class Usage : public ProgramTest {
+ protected:
+  /// The message of a wrong command line, which leaves no file behind.
+  std::string refusal(const std::vector<std::string>& arguments) {
+    const std::string message = error_of(saddle(arguments), 2);
+    EXPECT_TRUE(files().empty()) << files().front();
+    return message;
+  }
+};
+
+TEST_F(Usage, HelpFitsOneScreenAndNamesEveryOption) {
+  const Outcome run = saddle({"--help"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  std::istringstream lines(run.out);
+  std::string line;
+  int count = 0;
+  for (; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100U) << line;
+  EXPECT_LE(count, 50);
+  for (const char* option :
+       {"-o, --output", "--format",    "-s, --size",    "--view",      "--up",
+        "--target",     "--distance",  "--fov",         "--ortho",     "--background",
+        "--samples",    "--grid",      "--antialias",   "--front",     "--back",
+        "--flip",       "--t ",        "--reference",   "--threshold", "--threads",
+        "--report",     "-q, --quiet", "-v, --verbose", "--version",   "-h, --help"}) {
+    EXPECT_TRUE(contains(run.out, option)) << option;
+  }
+  EXPECT_EQ(saddle({"-h"}).out, run.out);
+  EXPECT_EQ(saddle({"torus", "--help"}).out, run.out);
+}
+
+TEST_F(Usage, HelpListsTheFormulaLanguage) {
+  const Outcome run = saddle({"--help", "functions"});
+  EXPECT_EQ(run.status, 0);
+  for (const char* name : {"sin", "besselj0", "diff", "tau"}) {
+    EXPECT_TRUE(contains(run.out, name)) << name;
+  }
+}
+
+TEST_F(Usage, PrintsItsVersion) {
+  const Outcome run = saddle({"--version"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(run.out.starts_with("saddle ")) << run.out;
+  EXPECT_EQ(std::ranges::count(run.out, '.'), 2) << run.out;
+}
+
+TEST_F(Usage, ListsTheGalleryALineEach) {
+  const Outcome run = saddle({"list"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(contains(run.out, "\ntrefoil-tube "));
+  EXPECT_GE(std::ranges::count(run.out, '\n'), 24);
+  EXPECT_TRUE(contains(refusal({"list", "torus"}), "takes no arguments"));
+  EXPECT_TRUE(contains(refusal({"list", "--quiet"}), "--quiet"));
+}
+
+TEST_F(Usage, ShowsAGallerySurfaceAsASceneFile) {
+  const Outcome run = saddle({"show", "torus", "r=0.4"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(run.out.starts_with("title = \"torus\"\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\nr = 0.4\n")) << run.out;
+  EXPECT_TRUE(contains(refusal({"show"}), "needs the name"));
+  EXPECT_TRUE(contains(refusal({"show", "tours"}), "did you mean 'torus'?"));
+}
+
+TEST_F(Usage, TakesVerbsOnlyAsTheFirstArgument) {
+  EXPECT_TRUE(contains(refusal({"--quiet", "list"}), "no surface is called 'list'"));
+}
+
+TEST_F(Usage, WantsASurfaceAndAnOutput) {
+  EXPECT_TRUE(contains(refusal({}), "no surface given"));
+  EXPECT_TRUE(contains(refusal({"torus"}), "-o FILE.png"));
+  EXPECT_TRUE(contains(refusal({"torus", "sphere", "-o", "a.png"}), "two surfaces"));
+  EXPECT_TRUE(contains(refusal({"scene.toml", "-o", "a.png"}), "cannot be read yet"));
+}
+
+TEST_F(Usage, NamesTheNearestOption) {
+  EXPECT_TRUE(contains(refusal({"torus", "--smaples", "3x3", "-o", "a.png"}), "'--samples'?"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--tolerance", "0.1"}), "unknown option"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "-x"}), "unknown option '-x'"));
+}
+
+TEST_F(Usage, NamesTheNearestSurfaceParameterColourAndExtension) {
+  EXPECT_TRUE(contains(refusal({"helicod", "-o", "a.png"}), "did you mean 'helicoid'?"));
+  EXPECT_TRUE(contains(refusal({"torus", "q=1", "-o", "a.png"}), "known names: R r x y z u v t"));
+  EXPECT_TRUE(contains(refusal({"torus", "--front", "yelow", "-o", "a.png"}), "'yellow'?"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.pgn"}), "did you mean '.png'?"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.gif"}), "known: .png .ply"));
+}
+
+TEST_F(Usage, PutsTheCaretUnderThePlace) {
+  EXPECT_TRUE(refusal({"z=u", "y=cos(u)*foo(v)", "-o", "a.png"})
+                  .starts_with("saddle: y: unknown name 'foo'\n"
+                               "  y = cos(u)*foo(v)\n"
+                               "             ^~~\n"));
+  EXPECT_TRUE(refusal({"z=u", "v=0:2*bar", "-o", "a.png"})
+                  .starts_with("saddle: v: unknown name 'bar'\n"
+                               "  v = 0:2*bar\n"
+                               "          ^~~\n"));
+  EXPECT_TRUE(refusal({"torus", "--size", "80x0", "-o", "a.png"})
+                  .starts_with("saddle: --size: must be from 1 to 16384\n"
+                               "  --size 80x0\n"
+                               "            ^\n"));
+  EXPECT_TRUE(refusal({"torus", "--view", "1,2+foo,3", "-o", "a.png"})
+                  .starts_with("saddle: --view: unknown name 'foo'\n"
+                               "  --view 1,2+foo,3\n"
+                               "             ^~~\n"));
+}
+
+TEST_F(Usage, RefusesValuesOutOfRange) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--size", "800"},
+      {"--size", "16385x1"},
+      {"--size", "axb"},
+      {"--size", "1x99999999999999"},
+      {"--size", ""},
+      {"--samples", "0x5"},
+      {"--samples", "9999999x9999999"},
+      {"--grid", "1x4"},
+      {"--grid", "of"},
+      {"--antialias", "0"},
+      {"--antialias", "17"},
+      {"--antialias", "2.5"},
+      {"--threads", "0"},
+      {"--view", "0,0,0"},
+      {"--view", "1,2"},
+      {"--view", "1,2,3,4"},
+      {"--view", "1,2,1/0"},
+      {"--up", "0,0,0"},
+      {"--distance", "0"},
+      {"--fov", "180"},
+      {"--fov", "0"},
+      {"--background", "#12"},
+      {"--t", "u"},
+      {"--t", "1/0"},
+      {"--report", ""},
+      {"--format", "gif"},
+      {"--format", "png"},
+  };
+  for (const auto& option : wrong) {
+    const std::string message = refusal({"torus", "-o", "a.png", option[0], option[1]});
+    EXPECT_TRUE(contains(message, option[0])) << message;
+  }
+}
+
+TEST_F(Usage, SaysWhichOptionLacksItsValue) {
+  EXPECT_TRUE(contains(refusal({"torus", "--size"}), "--size: the value is missing"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o"}), "--output: the value is missing"));
+}
+
+TEST_F(Usage, RefusesOptionsThatWouldDoNothing) {
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--threshold", "0.1"}), "--reference"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "-q", "-v"}), "--verbose"));
+}
+
+}  // namespace
+}  // namespace saddle

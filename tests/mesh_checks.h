@@ -1,0 +1,68 @@
+// Invariants of triangle meshes, for tests.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace saddle {
+
+/// Twice the vector area of a triangle.
+inline dvec3 doubled_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  const dvec3& a = mesh.position[t[0]];
+  return glm::cross(mesh.position[t[1]] - a, mesh.position[t[2]] - a);
+}
+
+inline double area(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) sum += 0.5 * glm::length(doubled_area(mesh, t));
+  return sum;
+}
+
+/// Of a closed mesh; positive if its front is outside.
+inline double volume(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    sum += glm::dot(mesh.position[t[0]], doubled_area(mesh, t)) / 6;
+  }
+  return sum;
+}
+
+using PointEdge = std::pair<std::uint32_t, std::uint32_t>;
+
+inline PointEdge point_edge(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+  return std::minmax(mesh.point[a], mesh.point[b]);
+}
+
+/// Edges as sorted pairs of points.
+inline std::set<PointEdge> point_edges(const Mesh& mesh) {
+  std::set<PointEdge> edges;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) edges.insert(point_edge(mesh, t[k], t[(k + 1) % 3]));
+  }
+  return edges;
+}
+
+/// Points - edges + triangles.
+inline long euler_number(const Mesh& mesh) {
+  return static_cast<long>(mesh.point_count) - static_cast<long>(point_edges(mesh).size()) +
+         static_cast<long>(mesh.triangles.size());
+}
+
+/// Triangles that do not face as all three of their normals do.
+inline std::size_t triangles_against_normals(const Mesh& mesh) {
+  return static_cast<std::size_t>(
+      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+        return std::any_of(t.begin(), t.end(), [&](std::uint32_t corner) {
+          return !(glm::dot(doubled_area(mesh, t), mesh.normal[corner]) > 0);
+        });
+      }));
+}
+
+}  // namespace saddle

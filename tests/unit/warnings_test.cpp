@@ -1,0 +1,62 @@
+#include "app/warnings.h"
+
+#include <gtest/gtest.h>
+
+namespace saddle {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+/// A mesh whose corners span these parameters.
+GridMesh mesh_between(dvec2 low, dvec2 high) {
+  GridMesh result;
+  result.mesh.uv = {low, {high.x, low.y}, {low.x, high.y}, high};
+  return result;
+}
+
+const Domain kDomain{-1, 1, 0, 2};
+
+TEST(Warnings, AreNoneForACleanSurface) {
+  EXPECT_TRUE(mesh_warnings("s", mesh_between({-1, 0}, {1, 2}), kDomain).empty());
+}
+
+TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
+  GridMesh part = mesh_between({-0.5, 0}, {1, 2});
+  part.report.undefined_fraction = 0.25;
+  EXPECT_EQ(mesh_warnings("s", part, kDomain),
+            Warnings{"s: 25 % of the domain is undefined and left out, at least outside of "
+                     "u = -0.5:1"});
+  part = mesh_between({-0.5, 0.25}, {1, 2});
+  part.report.undefined_fraction = 0.123456;
+  EXPECT_EQ(mesh_warnings("s", part, kDomain),
+            Warnings{"s: 12.35 % of the domain is undefined and left out, at least outside of "
+                     "u = -0.5:1, v = 0.25:2"});
+}
+
+TEST(Warnings, SayThatHolesAreInPlaces) {
+  GridMesh holes = mesh_between({-1, 0}, {1, 2});
+  holes.report.undefined_fraction = 0.01;
+  const Domain backwards{1, -1, 2, 0};
+  for (const Domain& domain : {kDomain, backwards}) {
+    EXPECT_EQ(mesh_warnings("s", holes, domain),
+              Warnings{"s: 1 % of the domain is undefined and left out, in places across the "
+                       "ranges"});
+  }
+}
+
+TEST(Warnings, CountSingularPointsWithoutANormal) {
+  GridMesh singular = mesh_between({-1, 0}, {1, 2});
+  singular.report.singular_points = {{{0, 1}, true}, {{-0.0, 0.5}, false}};
+  singular.report.singular_point_count = 2;
+  EXPECT_EQ(mesh_warnings("s", singular, kDomain),
+            Warnings{"s: 1 singular point has no normal (the first at u = 0, v = 0.5): the faces' "
+                     "are drawn there"});
+  singular.report.singular_points.push_back({{1, 1}, false});
+  singular.report.singular_point_count = 5000;  // more than the list holds
+  EXPECT_EQ(mesh_warnings("s", singular, kDomain),
+            Warnings{"s: at least 2 singular points have no normal (the first at u = 0, v = 0.5): "
+                     "the faces' are drawn there"});
+}
+
+}  // namespace
+}  // namespace saddle
