@@ -21,25 +21,34 @@ std::u32string folded(std::string_view text) {
   return result;
 }
 
-/// Insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`, no part of
-/// the text edited twice.
-std::size_t alignment_distance(const std::u32string& a, const std::u32string& b) {
+/// A letter that was left out is the commonest slip, and a short word hides many: it costs half.
+constexpr std::size_t kLeftOut = 1;
+constexpr std::size_t kOtherEdit = 2;
+
+/// The least cost of insertions, deletions, substitutions and swaps of neighbours that turn `a` into
+/// `b`, no part of the text edited twice.
+std::size_t alignment_cost(const std::u32string& a, const std::u32string& b) {
   std::vector<std::size_t> two_above(b.size() + 1);
   std::vector<std::size_t> above(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j * kLeftOut;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     std::swap(two_above, above);
     std::swap(above, row);
-    row[0] = i;
+    row[0] = i * kOtherEdit;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({substituted, above[j] + 1, row[j - 1] + 1});
+      const std::size_t substituted = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : kOtherEdit);
+      row[j] = std::min({substituted, above[j] + kOtherEdit, row[j - 1] + kLeftOut});
       const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) row[j] = std::min(row[j], two_above[j - 2] + 1);
+      if (swapped) row[j] = std::min(row[j], two_above[j - 2] + kOtherEdit);
     }
   }
   return row[b.size()];
+}
+
+/// Whether any letter of `a` is in `b`.
+bool share_a_letter(const std::u32string& a, const std::u32string& b) {
+  return a.find_first_of(b) != std::u32string::npos;
 }
 
 }  // namespace
@@ -47,18 +56,16 @@ std::size_t alignment_distance(const std::u32string& a, const std::u32string& b)
 std::optional<std::string> nearest_name(std::string_view word,
                                         std::span<const std::string> candidates) {
   const std::u32string wanted = folded(word);
-  const std::size_t limit = std::max<std::size_t>(wanted.size() / 3, 1);
+  const std::size_t limit = kOtherEdit * std::max<std::size_t>(wanted.size() / 3, 1);
   const std::string* best = nullptr;
   std::size_t least = limit + 1;
   for (const std::string& candidate : candidates) {
     const std::u32string name = folded(candidate);
-    const std::size_t longer = std::max(wanted.size(), name.size());
-    const std::size_t shorter = std::min(wanted.size(), name.size());
-    if (longer - shorter >= least) continue;  // as many insertions at least
-    const std::size_t distance = alignment_distance(wanted, name);
-    // A distance of all letters leaves nothing in common: 'q' is not a misspelt 'e'.
-    if (distance < least && distance < longer) {
-      least = distance;
+    if (name.size() > wanted.size() + least) continue;  // as many letters left out at least
+    const std::size_t cost = alignment_cost(wanted, name);
+    // Nothing in common: 'q' is not a misspelt 'e'.
+    if (cost < least && share_a_letter(wanted, name)) {
+      least = cost;
       best = &candidate;
     }
   }

@@ -9,8 +9,8 @@
 namespace saddle {
 
 /// The candidate with the least Damerau-Levenshtein distance (optimal string alignment, case
-/// ignored) to `word`, if that is at most a third of the word's length (at least 1) and leaves a
-/// letter in common; the first of equals.
+/// ignored, a letter that `word` lacks counting half), if that is at most a third of the word's
+/// length (at least 1) and leaves a letter in common; the first of equals.
 /// Source: V. Levenshtein, "Binary codes capable of correcting deletions, insertions and
 /// reversals", 1966; F. Damerau, "A technique for computer detection and correction of spelling
 /// errors", 1964.

@@ -193,13 +193,25 @@ void draw_tile(Drawing& drawing, const View& view, const Target& target, const P
   check_gl();
 }
 
+/// The distance of the farthest corner; much less than the box's for a torus, say.
+double radius_around(const dvec3& target, std::span<const Mesh> meshes) {
+  double radius = 0;
+  for (const Mesh& mesh : meshes) {
+    for (const dvec3& p : mesh.position) {
+      radius = std::max(radius, std::hypot(p.x - target.x, p.y - target.y, p.z - target.z));
+    }
+  }
+  return radius;
+}
+
 Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
                        const RenderOptions& options, int tile_samples) {
   Bounds bounds;
   for (const Mesh& mesh : meshes) bounds.add(mesh.bounds);
   if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
   const double aspect = static_cast<double>(options.width) / options.height;
-  const FittedCamera camera = fit_camera(scene.camera, bounds, aspect);
+  const double radius = radius_around(camera_target(scene.camera, bounds), meshes);
+  const FittedCamera camera = fit_camera(scene.camera, bounds, aspect, radius);
 
   Stopwatch stopwatch;
   Rendering result;

@@ -149,14 +149,21 @@ glm::dmat4 projection(const FittedCamera& fitted, double half_height, double asp
 
 }  // namespace
 
-FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect) {
+dvec3 camera_target(const Camera& camera, const Bounds& bounds) {
+  return camera.target.value_or(bounds.centre());
+}
+
+FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
+                        std::optional<double> radius) {
   check(camera);
   const Axes axes = camera_axes(camera);
   const double half_fov = camera.fov * std::numbers::pi / 360;
   FittedCamera fitted;
-  fitted.target = camera.target.value_or(bounds.centre());
-  fitted.distance = camera.distance.value_or(
-      fitting_distance(sphere_radius(bounds, fitted.target), half_fov, aspect, camera.ortho));
+  fitted.target = camera_target(camera, bounds);
+  const bool known = radius && *radius > 0;
+  const double sphere = known ? *radius : sphere_radius(bounds, fitted.target);
+  fitted.distance =
+      camera.distance.value_or(fitting_distance(sphere, half_fov, aspect, camera.ortho));
   fitted.eye = fitted.target + fitted.distance * axes.z;
   fitted.world_to_eye = view_matrix(axes, fitted.eye);
   fit_depth(fitted, bounds, axes.z, camera.ortho);

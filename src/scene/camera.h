@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <optional>
 
 #include "mesh/mesh.h"
 #include "scene/scene.h"
@@ -19,10 +20,15 @@ struct FittedCamera {
   double far_plane = 1;
 };
 
-/// Fits `camera` to `bounds` (not empty) in a picture of width/height `aspect`. Without a distance
-/// the sphere around the box fills the narrower side; near and far enclose the box, whatever the
-/// distance. An up vector along the view is replaced by one that is not. Throws Error (Input) for
-/// a view or up vector of length 0, a distance that is not positive, a fov outside (0, 180).
-FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect);
+/// Fits `camera` to what is in `bounds` (not empty) in a picture of width/height `aspect`. Without a
+/// distance the sphere of `radius` around the target fills the narrower side (radius not given: that
+/// around the box); near and far enclose the box, whatever the distance. An up vector along the view
+/// is replaced by one that is not. Throws Error (Input) for a view or up vector of length 0, a
+/// distance that is not positive, a fov outside (0, 180).
+FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
+                        std::optional<double> radius = std::nullopt);
+
+/// Where `camera` looks: its target, or the centre of the box.
+dvec3 camera_target(const Camera& camera, const Bounds& bounds);
 
 }  // namespace saddle

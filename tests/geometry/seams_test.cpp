@@ -175,9 +175,9 @@ TEST(GridLines, SkipAnEdgeBetweenTwoCellsThatAreLeftOut) {
   const Surface pricked =
       surface_from_text("u", "v", "0/((u+1)^2+v^2)+0/((u-1)^2+(v-1)^2)", {-2, 2, -2, 2});
   const Mesh m = mesh(pricked, 4, 4, 3, 0).mesh;  // undefined at (-1, 0) and at (1, 1)
-  ASSERT_EQ(m.lines.size(), 4U);                  // u = 0 is broken between v = 0 and v = 1
-  EXPECT_EQ(m.uv[m.lines[1].back()], dvec2(0, 0));
-  EXPECT_EQ(m.uv[m.lines[2].front()], dvec2(0, 1));
+  ASSERT_EQ(m.lines.size(), 5U);  // u = -2 and u = 0 in two parts each, a part of u = 2
+  EXPECT_EQ(m.uv[m.lines[2].back()], dvec2(0, 0));
+  EXPECT_EQ(m.uv[m.lines[3].front()], dvec2(0, 1));
 }
 
 TEST(GridLines, ReachThePolesAndAreNoneAtThem) {

@@ -49,7 +49,7 @@ TEST(Average, IsTheRoundedMeanWithTheRowsTurnedOver) {
 TEST(Average, HoldsTheLargestSquareOfWhite) {
   const std::vector<std::uint8_t> samples(4UL * 16 * 16, 255);
   Image image(1, 1);
-  average_samples({samples.data(), 4 * 16, 16, true}, {0, 0, 1, 1}, image);
+  average_samples({samples.data(), 64, 16, true}, {0, 0, 1, 1}, image);
   EXPECT_EQ(image.rgba, (std::vector<std::uint8_t>{255, 255, 255, 255}));
 }
 

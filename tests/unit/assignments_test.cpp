@@ -133,6 +133,7 @@ TEST(Assignments, KeepCoordinatesAndParametersFromBeingFunctions) {
 TEST(Assignments, WantAWholeRange) {
   EXPECT_EQ(assign_error("u=3").place().name, "u");
   EXPECT_EQ(marked(assign_error("u=3")), "3");
+  EXPECT_EQ(marked(assign_error("u=(1:2)")), "(1:2)");
   EXPECT_EQ(marked(assign_error("u=:3")), ":");
   EXPECT_EQ(marked(assign_error("u=3:")), ":");
   const Error twice = assign_error("v=0:1:2");

@@ -1,0 +1,80 @@
+// Pictures of the gallery and of the default scene against golden ones that people have looked at.
+// Accept new ones with ./dev golden, never blindly: it shows old, new and difference.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/image_compare.h"
+#include "base/image_png.h"
+#include "scene/gallery.h"
+
+namespace saddle {
+namespace {
+
+/// What the same picture may differ by on another machine: a grey level or two on some edges.
+/// A grid line that is missing, a highlight that is gone or a swapped side costs ten times more.
+constexpr double kSamePicture = 0.005;
+
+struct Golden {
+  std::string name;
+  std::string arguments;
+};
+
+std::vector<Golden> golden_pictures() {
+  std::vector<Golden> pictures = {
+      {"default-scene",
+       "x=u y='2*sin(u)*cos(2*v)' z=v u=-6:6 v=-6:6 --flip --view 2,1,3 --up 0,1,0 "
+       "--target 0,0,0 --distance 24 --fov 45 -s 250x250"},
+      {"height-field", "z='sin(u)*cos(v)' u=-3:3 v=-3:3"},
+      {"saddle-from-below", "hyperbolic-paraboloid --view 1,-2,-1"},
+      {"sphere-from-inside", "sphere --target 0,0,0 --distance 0.5 --fov 80"},
+      {"torus-orthographic", "torus --ortho --view 0,0,1"},
+      {"torus-transparent", "torus --background transparent"},
+      {"mobius-coloured", "mobius --front tomato --back '#00ff00' --grid off"},
+      {"hole-where-undefined", "z='sqrt(u*v)' u=-1:1 v=-1:1"},
+      {"no-antialiasing", "enneper --antialias 1"},
+  };
+  for (const GalleryEntry& entry : gallery()) {
+    pictures.push_back({"gallery-" + std::string(entry.name), std::string(entry.name)});
+  }
+  return pictures;
+}
+
+/// Where `./dev golden` wants the fresh pictures; by default they are thrown away.
+std::string output_folder() {
+  const char* const wanted = std::getenv("SADDLE_GOLDEN_OUT");
+  return wanted != nullptr ? wanted : ::testing::TempDir();
+}
+
+class GoldenPicture : public ::testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenPicture, LooksAsItDid) {
+  const Golden& golden = GetParam();
+  const std::filesystem::path fresh = std::filesystem::path(output_folder()) / (golden.name + ".png");
+  const std::string size = golden.arguments.find("-s ") == std::string::npos ? " -s 240x180" : "";
+  const std::string command = std::string(SADDLE_PROGRAM) + " " + golden.arguments + size +
+                              " --quiet -o " + fresh.string();
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  const std::string known = SADDLE_SOURCE_DIR "/tests/golden/" + golden.name + ".png";
+  ASSERT_TRUE(std::filesystem::exists(known)) << "no golden picture; look at it: ./dev golden";
+  const ImageDifference difference =
+      compare_images(read_png(known).image, read_png(fresh.string()).image);
+  EXPECT_LE(difference.error, kSamePicture)
+      << "largest difference " << difference.largest << ", mean " << difference.mean << "\n"
+      << "compare " << known << "\nwith the picture of " << command;
+  if (std::getenv("SADDLE_GOLDEN_OUT") == nullptr) std::filesystem::remove(fresh);
+}
+
+std::string test_name(const ::testing::TestParamInfo<Golden>& info) {
+  std::string name = info.param.name;
+  for (char& c : name) c = c == '-' ? '_' : c;
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenPicture, ::testing::ValuesIn(golden_pictures()), test_name);
+
+}  // namespace
+}  // namespace saddle
