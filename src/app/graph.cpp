@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <optional>
+#include <thread>
 
 #include "app/build_scene.h"
 #include "app/commands.h"
@@ -104,6 +105,9 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   std::optional<Image> reference;
   if (!line.reference.empty()) reference = read_png(line.reference).image;
 
+  const bool picture = wants_picture(line, outputs);
+  std::jthread preloading;  // OpenGL takes as long to load as a surface to tessellate
+  if (picture) preloading = std::jthread(preload_renderer);
   RunReport report;
   std::vector<Mesh> meshes;
   for (const SurfaceSpec& spec : scene.surfaces) {
@@ -111,7 +115,7 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   }
   if (!line.quiet) print_warnings(report);
   Image image;
-  if (wants_picture(line, outputs)) image = draw(line, scene, meshes, report);
+  if (picture) image = draw(line, scene, meshes, report);
 
   const auto writing = Clock::now();
   const std::string scene_text = write_scene(scene);

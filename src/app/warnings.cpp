@@ -55,6 +55,9 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
   if (report.undefined_fraction > 0 && !grid_mesh.mesh.uv.empty()) {
     warnings.push_back(name + ": " + undefined_warning(grid_mesh, domain));
   }
+  if (runs_backwards(domain)) {
+    warnings.push_back(name + ": a range runs backwards, which swaps front and back");
+  }
   const auto no_limit = [](const SingularPoint& p) { return !p.has_limit; };
   const auto first = std::ranges::find_if(report.singular_points, no_limit);
   if (first != report.singular_points.end()) {

@@ -154,7 +154,7 @@ Grid sample_grid(const Surface& surface, const GridOptions& options) {
   grid.cells_v = static_cast<std::size_t>(options.cells_v);
   grid.u = grid_parameters(domain.u0, domain.u1, grid.cells_u);
   grid.v = grid_parameters(domain.v0, domain.v1, grid.cells_v);
-  grid.mirrored = ((domain.u0 > domain.u1) != (domain.v0 > domain.v1)) != surface.flip;
+  grid.mirrored = runs_backwards(domain) != surface.flip;
   grid.points = evaluate_on_grid(surface, grid.u, grid.v, options.threads);
   keep_defined_cells(grid);
   measure_extent(grid);

@@ -169,8 +169,8 @@ constexpr auto kGallery = std::to_array<GalleryEntry>({
     {"bourke-harmonic", "a harmonic of the sphere (Bourke)",
      "x=r*sin(v)*cos(u) y=r*cos(v) z=r*sin(v)*sin(u) u=0:2*pi v=0:pi "
      "r=sin(4*v)^3+cos(2*v)^3+sin(6*u)^2+cos(6*u)^4"},
-    {"function-grapher", "the classic scene of the parametric function grapher",
-     "x=u y=2*sin(u)*cos(2*v) z=v u=-6:6 v=-6:6", grapher_camera(), true},
+    {"eck-default", "egg-box waves, the first scene of Eck's function grapher",
+     "x=u y=2*sin(u)*cos(2*v) z=v u=-6:6 v=-6:6", grapher_camera()},
 });
 
 }  // namespace
@@ -190,7 +190,6 @@ Scene gallery_scene(const GalleryEntry& entry) {
   scene.title = entry.name;
   SurfaceSpec& spec = scene.surfaces.emplace_back();
   spec.name = entry.name;
-  spec.flip = entry.flip;
   scene.camera = entry.camera;
   for (std::size_t begin = 0; begin < entry.assignments.size();) {
     const std::size_t end = std::min(entry.assignments.find(' ', begin), entry.assignments.size());

@@ -17,7 +17,6 @@ struct GalleryEntry {
   std::string_view description;  ///< one line
   std::string_view assignments;  ///< NAME=EXPRESSION words, separated by spaces
   Camera camera = {};            ///< where it looks good from
-  bool flip = false;
 };
 
 /// All entries, in the order that `saddle list` prints.

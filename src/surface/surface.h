@@ -16,6 +16,11 @@ struct Domain {
   double v0 = -1, v1 = 1;
 };
 
+/// One of the two ranges runs backwards, which turns the rectangle over.
+inline bool runs_backwards(const Domain& domain) {
+  return (domain.u0 > domain.u1) != (domain.v0 > domain.v1);
+}
+
 struct Surface {
   Domain domain;
   bool flip = false;   ///< front and back are swapped: the normal is r_v x r_u

@@ -49,9 +49,8 @@ TEST(Gallery, HelpsWithUnknownNames) {
   EXPECT_NE(error.hint().find("trefoil-tube"), std::string::npos);
 }
 
-TEST(Gallery, DrawsTheFunctionGraphersSceneFromItsCamera) {
-  const Scene scene = scene_of("function-grapher");
-  EXPECT_TRUE(scene.surfaces[0].flip);
+TEST(Gallery, DrawsTheFunctionGraphersSceneFromItsOwnCamera) {
+  const Scene scene = scene_of("eck-default");
   EXPECT_EQ(scene.camera.view, dvec3(2, 1, 3));
   EXPECT_EQ(scene.camera.up, dvec3(0, 1, 0));
   EXPECT_EQ(scene.camera.target, dvec3(0, 0, 0));
@@ -142,7 +141,7 @@ const std::map<std::string, dvec3>& extents() {
       {"conic-spiral", {0.9012, 0.8024, 1.2}},
       {"horn", {5.01, 6.505, 2}},
       {"bourke-harmonic", {3.076, 4.273, 3.076}},
-      {"function-grapher", {12, 4, 12}},
+      {"eck-default", {12, 4, 12}},
   };
   return table;
 }

@@ -93,5 +93,17 @@ TEST(Prepare, FlipsOnRequest) {
   EXPECT_TRUE(prepare_surface(scene, scene.surfaces[0]).surface.flip);
 }
 
+TEST(Prepare, FlipsForARangeThatRunsBackwards) {
+  const auto flipped = [](const char* u, const char* v) {
+    Scene scene;
+    for (const char* assignment : {"z=u", u, v}) assign(scene, assignment);
+    return prepare_surface(scene, scene.surfaces[0]).surface.flip;
+  };
+  EXPECT_FALSE(flipped("u=0:1", "v=0:1"));
+  EXPECT_TRUE(flipped("u=1:0", "v=0:1"));
+  EXPECT_TRUE(flipped("u=0:1", "v=1:0"));
+  EXPECT_FALSE(flipped("u=1:0", "v=1:0"));
+}
+
 }  // namespace
 }  // namespace saddle

@@ -33,6 +33,11 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
                      "u = -0.5:1, v = 0.25:2"});
 }
 
+TEST(Warnings, SayThatARangeRunsBackwards) {
+  EXPECT_EQ(mesh_warnings("s", mesh_between({-1, 0}, {1, 2}), {1, -1, 0, 2}),
+            Warnings{"s: a range runs backwards, which swaps front and back"});
+}
+
 TEST(Warnings, SayThatHolesAreInPlaces) {
   GridMesh holes = mesh_between({-1, 0}, {1, 2});
   holes.report.undefined_fraction = 0.01;
