@@ -11,7 +11,8 @@
 namespace saddle::testing {
 
 /// The node of one formula of u and v (and t), with optional definitions.
-inline NodeId parse(Graph& graph, const std::string& text, std::vector<Definition> definitions = {}) {
+inline NodeId parse(Graph& graph, const std::string& text,
+                    std::vector<Definition> definitions = {}) {
   Scope scope(graph, std::move(definitions));
   const NodeId root = scope.parse("z", text);
   const std::vector<NodeId> roots = {root};

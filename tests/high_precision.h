@@ -15,7 +15,9 @@ namespace saddle::testing {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
 
-inline Real truth(bool condition) { return condition ? Real(1) : Real(0); }
+inline Real truth(bool condition) {
+  return condition ? Real(1) : Real(0);
+}
 
 /// The n-th derivative of sin(x)/x from its power series: good for |x| < 20 with 50 digits.
 inline Real sinc_series(int n, const Real& x) {
@@ -33,58 +35,110 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
   namespace mp = boost::multiprecision;
   switch (op) {
     case Op::Constant:
-    case Op::Variable: break;
-    case Op::Neg: return -a;
-    case Op::Add: return a + b;
-    case Op::Sub: return a - b;
-    case Op::Mul: return a * b;
-    case Op::Div: return a / b;
-    case Op::Less: return truth(a < b);
-    case Op::LessEqual: return truth(a <= b);
-    case Op::Greater: return truth(a > b);
-    case Op::GreaterEqual: return truth(a >= b);
-    case Op::Equal: return truth(a == b);
-    case Op::NotEqual: return truth(a != b);
-    case Op::And: return truth(a != 0 && b != 0);
-    case Op::Or: return truth(a != 0 || b != 0);
-    case Op::Select: return a != 0 ? b : c;
-    case Op::Pow: return mp::pow(a, b);
-    case Op::Sqrt: return mp::sqrt(a);
-    case Op::Cbrt: return a < 0 ? Real(-mp::pow(Real(-a), Real(1) / 3)) : mp::pow(a, Real(1) / 3);
-    case Op::Hypot: return mp::sqrt(a * a + b * b);
-    case Op::Exp: return mp::exp(a);
-    case Op::Log: return mp::log(a);
-    case Op::Log2: return mp::log(a) / mp::log(Real(2));
-    case Op::Log10: return mp::log(a) / mp::log(Real(10));
-    case Op::Sin: return mp::sin(a);
-    case Op::Cos: return mp::cos(a);
-    case Op::Tan: return mp::tan(a);
-    case Op::Asin: return mp::asin(a);
-    case Op::Acos: return mp::acos(a);
-    case Op::Atan: return mp::atan(a);
-    case Op::Atan2: return mp::atan2(a, b);
-    case Op::Sinh: return (mp::exp(a) - mp::exp(Real(-a))) / 2;
-    case Op::Cosh: return (mp::exp(a) + mp::exp(Real(-a))) / 2;
-    case Op::Tanh: return 1 - 2 / (mp::exp(Real(2 * a)) + 1);
-    case Op::Asinh: return mp::log(a + mp::sqrt(a * a + 1));
-    case Op::Acosh: return mp::log(a + mp::sqrt(a - 1) * mp::sqrt(a + 1));
-    case Op::Atanh: return mp::log((1 + a) / (1 - a)) / 2;
-    case Op::Abs: return mp::abs(a);
-    case Op::Sign: return Real(a.sign());
-    case Op::Floor: return mp::floor(a);
-    case Op::Ceil: return mp::ceil(a);
-    case Op::Round: return mp::round(a);
-    case Op::Rint: return mp::floor(a + Real(0.5));
-    case Op::Trunc: return mp::trunc(a);
-    case Op::Mod: return a - b * mp::floor(a / b);
-    case Op::Min: return b < a ? b : a;
-    case Op::Max: return a < b ? b : a;
-    case Op::Erf: return boost::math::erf(a);
-    case Op::Gamma: return boost::math::tgamma(a);
-    case Op::Lgamma: return boost::math::lgamma(a);
-    case Op::Polygamma: return boost::math::polygamma(static_cast<int>(a), b);
-    case Op::BesselJ: return boost::math::cyl_bessel_j(static_cast<int>(a), b);
-    case Op::SincN: return sinc_series(static_cast<int>(a), b);
+    case Op::Variable:
+      break;
+    case Op::Neg:
+      return -a;
+    case Op::Add:
+      return a + b;
+    case Op::Sub:
+      return a - b;
+    case Op::Mul:
+      return a * b;
+    case Op::Div:
+      return a / b;
+    case Op::Less:
+      return truth(a < b);
+    case Op::LessEqual:
+      return truth(a <= b);
+    case Op::Greater:
+      return truth(a > b);
+    case Op::GreaterEqual:
+      return truth(a >= b);
+    case Op::Equal:
+      return truth(a == b);
+    case Op::NotEqual:
+      return truth(a != b);
+    case Op::And:
+      return truth(a != 0 && b != 0);
+    case Op::Or:
+      return truth(a != 0 || b != 0);
+    case Op::Select:
+      return a != 0 ? b : c;
+    case Op::Pow:
+      return mp::pow(a, b);
+    case Op::Sqrt:
+      return mp::sqrt(a);
+    case Op::Cbrt:
+      return a < 0 ? Real(-mp::pow(Real(-a), Real(1) / 3)) : mp::pow(a, Real(1) / 3);
+    case Op::Hypot:
+      return mp::sqrt(a * a + b * b);
+    case Op::Exp:
+      return mp::exp(a);
+    case Op::Log:
+      return mp::log(a);
+    case Op::Log2:
+      return mp::log(a) / mp::log(Real(2));
+    case Op::Log10:
+      return mp::log(a) / mp::log(Real(10));
+    case Op::Sin:
+      return mp::sin(a);
+    case Op::Cos:
+      return mp::cos(a);
+    case Op::Tan:
+      return mp::tan(a);
+    case Op::Asin:
+      return mp::asin(a);
+    case Op::Acos:
+      return mp::acos(a);
+    case Op::Atan:
+      return mp::atan(a);
+    case Op::Atan2:
+      return mp::atan2(a, b);
+    case Op::Sinh:
+      return (mp::exp(a) - mp::exp(Real(-a))) / 2;
+    case Op::Cosh:
+      return (mp::exp(a) + mp::exp(Real(-a))) / 2;
+    case Op::Tanh:
+      return 1 - 2 / (mp::exp(Real(2 * a)) + 1);
+    case Op::Asinh:
+      return mp::log(a + mp::sqrt(a * a + 1));
+    case Op::Acosh:
+      return mp::log(a + mp::sqrt(a - 1) * mp::sqrt(a + 1));
+    case Op::Atanh:
+      return mp::log((1 + a) / (1 - a)) / 2;
+    case Op::Abs:
+      return mp::abs(a);
+    case Op::Sign:
+      return Real(a.sign());
+    case Op::Floor:
+      return mp::floor(a);
+    case Op::Ceil:
+      return mp::ceil(a);
+    case Op::Round:
+      return mp::round(a);
+    case Op::Rint:
+      return mp::floor(a + Real(0.5));
+    case Op::Trunc:
+      return mp::trunc(a);
+    case Op::Mod:
+      return a - b * mp::floor(a / b);
+    case Op::Min:
+      return b < a ? b : a;
+    case Op::Max:
+      return a < b ? b : a;
+    case Op::Erf:
+      return boost::math::erf(a);
+    case Op::Gamma:
+      return boost::math::tgamma(a);
+    case Op::Lgamma:
+      return boost::math::lgamma(a);
+    case Op::Polygamma:
+      return boost::math::polygamma(static_cast<int>(a), b);
+    case Op::BesselJ:
+      return boost::math::cyl_bessel_j(static_cast<int>(a), b);
+    case Op::SincN:
+      return sinc_series(static_cast<int>(a), b);
   }
   return std::numeric_limits<Real>::quiet_NaN();
 }

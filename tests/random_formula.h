@@ -30,9 +30,7 @@ class RandomFormula {
   }
 
   /// A number of the range [-3, 3], the same for every standard library.
-  double number() {
-    return 6 * (static_cast<double>(engine_() >> 11U) / 9007199254740992.0) - 3;
-  }
+  double number() { return 6 * (static_cast<double>(engine_() >> 11U) / 9007199254740992.0) - 3; }
 
  private:
   std::size_t pick(std::size_t count) { return engine_() % count; }
@@ -45,8 +43,9 @@ class RandomFormula {
   }
 
   std::string binary(int depth) {
-    static constexpr std::array<const char*, 18> kOperators = {
-        "+", "-", "*", "/", "+", "-", "*", "/", "*", "^", "^", "<", ">=", "==", "!=", "<=", "&&", "||"};
+    static constexpr std::array<const char*, 18> kOperators = {"+",  "-",  "*",  "/",  "+",  "-",
+                                                               "*",  "/",  "*",  "^",  "^",  "<",
+                                                               ">=", "==", "!=", "<=", "&&", "||"};
     const std::string left = (*this)(depth - 1);
     const std::string op = kOperators[pick(kOperators.size())];
     const std::string right = (*this)(depth - 1);
@@ -61,7 +60,8 @@ class RandomFormula {
         "sin", "cos", "tan", "asin",  "acos", "atan", "sinh", "cosh", "tanh",
         "exp", "ln",  "log", "log10", "sqrt", "abs",  "sign", "rint"};
     static constexpr std::array<const char*, 5> kMany = {"min", "max", "sum", "avg", "atan2"};
-    if (pick(4) != 0) return std::string(kUnary[pick(kUnary.size())]) + "(" + (*this)(depth - 1) + ")";
+    if (pick(4) != 0)
+      return std::string(kUnary[pick(kUnary.size())]) + "(" + (*this)(depth - 1) + ")";
     const std::string name = kMany[pick(kMany.size())];
     std::string arguments = (*this)(depth - 1) + "," + space() + (*this)(depth - 1);
     if (name != "atan2" && pick(2) == 0) arguments += "," + (*this)(depth - 1);

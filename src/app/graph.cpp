@@ -21,9 +21,16 @@
 namespace saddle {
 namespace {
 
-/// Without --samples a cell is about this large in the picture: a surface that fills it is then
-/// smooth to the eye, since the distance of chord and arc shrinks with the square of the cell.
-constexpr int kPixelsPerCell = 4;
+/// Without --samples a cell is about this large in the picture to begin with: for most surfaces of
+/// the gallery that is within kPictureTolerance, and the grid is halved until it is.
+constexpr int kPixelsPerCell = 8;
+/// Distance of mesh and surface that no eye sees in a picture, in pixels, and what a mesh for other
+/// programs may be off by, as a fraction of its bounding box's diagonal.
+constexpr double kPictureTolerance = 0.5;
+constexpr double kMeshTolerance = 1e-3;
+/// The error of a smooth surface falls to a quarter when cells are halved; where it does not fall
+/// to this share, at a kink or the edge of a hole, finer cells do not help.
+constexpr double kWorthHalving = 0.5;
 /// At most this many cells each way: two million triangles.
 constexpr int kMaxDefaultCells = 1000;
 
@@ -37,7 +44,7 @@ int default_cells(int larger_side, int lines) {
   return (wanted + intervals - 1) / intervals * intervals;
 }
 
-GridOptions grid_options(const CommandLine& line, const SurfaceSpec& spec) {
+GridOptions first_grid(const CommandLine& line, const SurfaceSpec& spec) {
   const int larger_side = std::max(line.width, line.height);
   GridOptions options;
   options.lines_u = spec.grid_u;
@@ -48,16 +55,42 @@ GridOptions grid_options(const CommandLine& line, const SurfaceSpec& spec) {
   return options;
 }
 
+/// The largest distance of mesh and surface that is asked for, in the surface's units. The
+/// picture's larger side shows about the box's diagonal.
+double tolerance(const CommandLine& line, const Mesh& mesh, bool picture) {
+  const double of_diagonal =
+      picture ? kPictureTolerance / std::max(line.width, line.height) : kMeshTolerance;
+  return of_diagonal * mesh.bounds.diagonal();
+}
+
+/// The grid that --samples asks for, or the coarsest of the defaults that keeps the tolerance.
+GridMesh mesh_as_asked(const CommandLine& line, const Surface& surface, const SurfaceSpec& spec,
+                       bool picture) {
+  GridOptions options = first_grid(line, spec);
+  GridMesh result = mesh_on_grid(surface, options);
+  while (!line.samples && result.report.max_error > tolerance(line, result.mesh, picture) &&
+         2 * std::max(options.cells_u, options.cells_v) <= kMaxDefaultCells) {
+    options.cells_u *= 2;
+    options.cells_v *= 2;
+    GridMesh finer = mesh_on_grid(surface, options);
+    finer.report.evaluations += result.report.evaluations;
+    const bool done = finer.report.max_error > kWorthHalving * result.report.max_error;
+    result = std::move(finer);
+    if (done) break;
+  }
+  return result;
+}
+
 double since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
 /// Tessellates a surface and files what there is to say about it.
 Mesh mesh_surface(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
-                  RunReport& report) {
+                  bool picture, RunReport& report) {
   const PreparedSurface prepared = prepare_surface(scene, spec);
   const auto begin = Clock::now();
-  GridMesh result = mesh_on_grid(prepared.surface, grid_options(line, spec));
+  GridMesh result = mesh_as_asked(line, prepared.surface, spec, picture);
   report.times.parse += prepared.parse_ms;
   report.times.compile += prepared.compile_ms;
   report.times.tessellate += since(begin);
@@ -111,7 +144,7 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   RunReport report;
   std::vector<Mesh> meshes;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    meshes.push_back(mesh_surface(line, scene, spec, report));
+    meshes.push_back(mesh_surface(line, scene, spec, picture, report));
   }
   if (!line.quiet) print_warnings(report);
   Image image;

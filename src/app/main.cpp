@@ -1,4 +1,5 @@
 // The program: a command line becomes a command, an Error an exit status.
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -36,9 +37,8 @@ int fail(const saddle::Error& error) {
   return static_cast<int>(error.status());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The whole program: its exit status.
+int run_program(int argc, char** argv) {
   const auto start = saddle::Clock::now();
   saddle::guard_standard_streams();
   saddle::remove_temporaries_on_signals();
@@ -55,4 +55,14 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return fail({saddle::Status::Machine, error.what()});
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int status = run_program(argc, argv);
+  std::cout.flush();
+  std::cerr.flush();
+  // Everything is written; taking the shader compiler's memory apart would cost some milliseconds.
+  std::quick_exit(status);
 }

@@ -25,8 +25,8 @@ std::u32string folded(std::string_view text) {
 constexpr std::size_t kLeftOut = 1;
 constexpr std::size_t kOtherEdit = 2;
 
-/// The least cost of insertions, deletions, substitutions and swaps of neighbours that turn `a` into
-/// `b`, no part of the text edited twice.
+/// The least cost of insertions, deletions, substitutions and swaps of neighbours that turn `a`
+/// into `b`, no part of the text edited twice.
 std::size_t alignment_cost(const std::u32string& a, const std::u32string& b) {
   std::vector<std::size_t> two_above(b.size() + 1);
   std::vector<std::size_t> above(b.size() + 1);

@@ -47,8 +47,7 @@ struct Banks {
   }
 
   /// Runs the instructions; all of them write to `target`.
-  void run(std::span<const Instruction> instructions, const Bank& target,
-           std::size_t count) const {
+  void run(std::span<const Instruction> instructions, const Bank& target, std::size_t count) const {
     for (const Instruction& instruction : instructions) {
       std::array<Operand, 3> in;
       for (int i = 0; i < arity(instruction.op); ++i) in[i] = operand(instruction.in[i]);
@@ -111,7 +110,8 @@ void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const 
   once.run(tape.of_u, once.u, u.size());
   once.run(tape.of_v, once.v, v.size());
 
-  const std::size_t rows_per_chunk = std::max<std::size_t>(1, kChunk / std::max<std::size_t>(1, u.size()));
+  const std::size_t rows_per_chunk =
+      std::max<std::size_t>(1, kChunk / std::max<std::size_t>(1, u.size()));
   parallel_chunks(v.size(), rows_per_chunk, threads, [&](std::size_t begin, std::size_t end) {
     std::vector<double> memory(tape.slots_both * kBlock);
     for (std::size_t row = begin; row < end; ++row) {

@@ -8,13 +8,12 @@ namespace saddle {
 namespace {
 
 // A functor for each row of the table, so that its loop is compiled with the operation inside.
-#define SADDLE_OP(id, name, arity, value, derivative, help)                           \
-  struct id##Value {                                                                  \
-    static constexpr int kArity = arity;                                              \
-    double operator()(double a, [[maybe_unused]] double b, [[maybe_unused]] double c) \
-        const {                                                                       \
-      return value;                                                                   \
-    }                                                                                 \
+#define SADDLE_OP(id, name, arity, value, derivative, help)                                   \
+  struct id##Value {                                                                          \
+    static constexpr int kArity = arity;                                                      \
+    double operator()(double a, [[maybe_unused]] double b, [[maybe_unused]] double c) const { \
+      return value;                                                                           \
+    }                                                                                         \
   };
 #include "formula/ops.def"
 

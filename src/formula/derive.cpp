@@ -45,7 +45,9 @@ std::vector<NodeId> derive(Graph& graph, std::span<const NodeId> roots, Symbol s
       continue;
     }
     const auto [a, b, c] = node.args;
-    const auto tangent = [&](int i) { return i < arity(node.op) ? tangents[node.args[i]] : Tangent{}; };
+    const auto tangent = [&](int i) {
+      return i < arity(node.op) ? tangents[node.args[i]] : Tangent{};
+    };
     const ChainRule rule = {expression(a), expression(b), expression(c), tangent(0),
                             tangent(1),    tangent(2),    expression(id)};
     tangents[id] = rule(node.op);

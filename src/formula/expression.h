@@ -15,7 +15,9 @@ struct Expression {
   Expression of(double value) const { return {graph, graph->constant(value)}; }
 };
 
-inline Expression make(Op op, Expression a) { return {a.graph, a.graph->make(op, a.id)}; }
+inline Expression make(Op op, Expression a) {
+  return {a.graph, a.graph->make(op, a.id)};
+}
 inline Expression make(Op op, Expression a, Expression b) {
   return {a.graph, a.graph->make(op, a.id, b.id)};
 }
@@ -23,10 +25,16 @@ inline Expression make(Op op, Expression a, Expression b, Expression c) {
   return {a.graph, a.graph->make(op, a.id, b.id, c.id)};
 }
 
-#define SADDLE_BINARY(name, op)                                                         \
-  inline Expression name(Expression a, Expression b) { return make(Op::op, a, b); }     \
-  inline Expression name(Expression a, double b) { return make(Op::op, a, a.of(b)); }   \
-  inline Expression name(double a, Expression b) { return make(Op::op, b.of(a), b); }
+#define SADDLE_BINARY(name, op)                        \
+  inline Expression name(Expression a, Expression b) { \
+    return make(Op::op, a, b);                         \
+  }                                                    \
+  inline Expression name(Expression a, double b) {     \
+    return make(Op::op, a, a.of(b));                   \
+  }                                                    \
+  inline Expression name(double a, Expression b) {     \
+    return make(Op::op, b.of(a), b);                   \
+  }
 SADDLE_BINARY(operator+, Add)
 SADDLE_BINARY(operator-, Sub)
 SADDLE_BINARY(operator*, Mul)
@@ -43,8 +51,10 @@ SADDLE_BINARY(bessel_j, BesselJ)
 SADDLE_BINARY(sinc_derivative, SincN)
 #undef SADDLE_BINARY
 
-#define SADDLE_UNARY(name, op) \
-  inline Expression name(Expression a) { return make(Op::op, a); }
+#define SADDLE_UNARY(name, op)           \
+  inline Expression name(Expression a) { \
+    return make(Op::op, a);              \
+  }
 SADDLE_UNARY(operator-, Neg)
 SADDLE_UNARY(sqrt, Sqrt)
 SADDLE_UNARY(exp, Exp)
@@ -61,6 +71,8 @@ inline Expression select(Expression condition, double yes, Expression no) {
 }
 
 /// 3t^2 - 2t^3, for smoothstep.
-inline Expression smooth(Expression t) { return t * t * (3 - 2 * t); }
+inline Expression smooth(Expression t) {
+  return t * t * (3 - 2 * t);
+}
 
 }  // namespace saddle

@@ -87,8 +87,7 @@ NodeId Graph::make(Op op, NodeId a, NodeId b, NodeId c) {
     depends |= nodes_[args[i]].depends;
   }
   if (all_constant) {
-    return constant(
-        apply(op, nodes_[args[0]].value, nodes_[args[1]].value, nodes_[args[2]].value));
+    return constant(apply(op, nodes_[args[0]].value, nodes_[args[1]].value, nodes_[args[2]].value));
   }
   if (op == Op::Select) {
     if (is_constant(a)) return nodes_[a].value != 0 ? b : c;
@@ -190,8 +189,8 @@ std::vector<NodeId> substitute(Graph& graph, std::span<const NodeId> roots,
       if (found != replacements.end()) image[id] = found->second;
     } else if (node.op != Op::Constant) {
       const auto& args = node.args;
-      const bool changed = image[args[0]] != args[0] || image[args[1]] != args[1] ||
-                           image[args[2]] != args[2];
+      const bool changed =
+          image[args[0]] != args[0] || image[args[1]] != args[1] || image[args[2]] != args[2];
       if (changed) image[id] = graph.make(node.op, image[args[0]], image[args[1]], image[args[2]]);
     }
   }

@@ -29,7 +29,9 @@ Expression fold(std::span<const Expression> arguments) {
   return result;
 }
 
-Expression no_call(std::span<const Expression> arguments) { return arguments[0]; }
+Expression no_call(std::span<const Expression> arguments) {
+  return arguments[0];
+}
 
 /// All rows of the table; operators and internal operations are among them, under names that no
 /// formula can call.
@@ -37,18 +39,18 @@ std::span<const Row> rows() {
   static constexpr std::array kRows = {
 #define SADDLE_OP(id, name, arity, value, derivative, help) \
   Row{{name, arity, arity, help}, &call_operation<Op::id>},
-#define SADDLE_COMPOSITE(name, arity, expression, help)                                     \
+#define SADDLE_COMPOSITE(name, arity, expression, help)                                      \
   Row{{#name, arity, arity, help}, [](std::span<const Expression> arguments) -> Expression { \
         [[maybe_unused]] const Expression a = argument(arguments, 0);                        \
         [[maybe_unused]] const Expression b = argument(arguments, 1);                        \
         [[maybe_unused]] const Expression c = argument(arguments, 2);                        \
         return expression;                                                                   \
       }},
-#define SADDLE_FOLD(name, op, finish, help)                                                     \
-  Row{{#name, 1, kAnyNumber, help}, [](std::span<const Expression> arguments) -> Expression {   \
-        const Expression r = fold<Op::op>(arguments);                                           \
-        [[maybe_unused]] const Expression n = r.of(static_cast<double>(arguments.size()));      \
-        return finish;                                                                          \
+#define SADDLE_FOLD(name, op, finish, help)                                                   \
+  Row{{#name, 1, kAnyNumber, help}, [](std::span<const Expression> arguments) -> Expression { \
+        const Expression r = fold<Op::op>(arguments);                                         \
+        [[maybe_unused]] const Expression n = r.of(static_cast<double>(arguments.size()));    \
+        return finish;                                                                        \
       }},
 #include "formula/ops.def"
       // The parser differentiates; the row is for its name, its arity and its help.
@@ -70,7 +72,8 @@ constexpr std::array kConstants = {
 };
 
 bool is_word(std::string_view name) {
-  return !name.empty() && ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z'));
+  return !name.empty() &&
+         ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z'));
 }
 
 struct Alias {
@@ -79,18 +82,18 @@ struct Alias {
 };
 
 constexpr std::array kAliases = {
-    Alias{"arcsin", "asin"},     Alias{"arccos", "acos"},   Alias{"arctan", "atan"},
-    Alias{"arctg", "atan"},      Alias{"arctan2", "atan2"}, Alias{"arsinh", "asinh"},
-    Alias{"arcsinh", "asinh"},   Alias{"arcosh", "acosh"},  Alias{"arccosh", "acosh"},
-    Alias{"artanh", "atanh"},    Alias{"arctanh", "atanh"}, Alias{"tg", "tan"},
-    Alias{"ctg", "cot"},         Alias{"cotan", "cot"},     Alias{"cosec", "csc"},
-    Alias{"sh", "sinh"},         Alias{"ch", "cosh"},       Alias{"th", "tanh"},
-    Alias{"lg", "log10"},        Alias{"ld", "log2"},       Alias{"fabs", "abs"},
-    Alias{"sgn", "sign"},        Alias{"signum", "sign"},   Alias{"ceiling", "ceil"},
-    Alias{"fmod", "mod"},        Alias{"power", "pow"},     Alias{"root", "sqrt"},
-    Alias{"lerp", "mix"},        Alias{"tgamma", "gamma"},  Alias{"mean", "avg"},
-    Alias{"average", "avg"},     Alias{"derivative", "diff"}, Alias{"D", "diff"},
-    Alias{"int", "trunc"},       Alias{"j0", "besselj0"},   Alias{"j1", "besselj1"},
+    Alias{"arcsin", "asin"},   Alias{"arccos", "acos"},     Alias{"arctan", "atan"},
+    Alias{"arctg", "atan"},    Alias{"arctan2", "atan2"},   Alias{"arsinh", "asinh"},
+    Alias{"arcsinh", "asinh"}, Alias{"arcosh", "acosh"},    Alias{"arccosh", "acosh"},
+    Alias{"artanh", "atanh"},  Alias{"arctanh", "atanh"},   Alias{"tg", "tan"},
+    Alias{"ctg", "cot"},       Alias{"cotan", "cot"},       Alias{"cosec", "csc"},
+    Alias{"sh", "sinh"},       Alias{"ch", "cosh"},         Alias{"th", "tanh"},
+    Alias{"lg", "log10"},      Alias{"ld", "log2"},         Alias{"fabs", "abs"},
+    Alias{"sgn", "sign"},      Alias{"signum", "sign"},     Alias{"ceiling", "ceil"},
+    Alias{"fmod", "mod"},      Alias{"power", "pow"},       Alias{"root", "sqrt"},
+    Alias{"lerp", "mix"},      Alias{"tgamma", "gamma"},    Alias{"mean", "avg"},
+    Alias{"average", "avg"},   Alias{"derivative", "diff"}, Alias{"D", "diff"},
+    Alias{"int", "trunc"},     Alias{"j0", "besselj0"},     Alias{"j1", "besselj1"},
 };
 
 }  // namespace

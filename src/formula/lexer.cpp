@@ -62,8 +62,12 @@ constexpr std::array kMisplaced = {
     Misplaced{"\"", "a quote inside a formula", "leave it out"},
 };
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
 
 /// Length in bytes of the UTF-8 character that begins with `c`, at least 1.
 std::size_t character_length(unsigned char c) {
@@ -193,8 +197,8 @@ class Lexer {
   [[noreturn]] void refuse_character() {
     for (const Misplaced& misplaced : kMisplaced) {
       if (!rest().starts_with(misplaced.written)) continue;
-      throw formula_.error(std::string(misplaced.message),
-                           {at_, at_ + misplaced.written.size()}, std::string(misplaced.hint));
+      throw formula_.error(std::string(misplaced.message), {at_, at_ + misplaced.written.size()},
+                           std::string(misplaced.hint));
     }
     const std::size_t length =
         std::min(character_length(static_cast<unsigned char>(formula_.text[at_])), rest().size());
@@ -214,6 +218,8 @@ Error FormulaText::error(std::string message, Span span, std::string hint) const
   return {Status::Input, std::move(message), Place{name, text, span}, std::move(hint)};
 }
 
-std::vector<Token> tokenize(const FormulaText& formula) { return Lexer(formula).run(); }
+std::vector<Token> tokenize(const FormulaText& formula) {
+  return Lexer(formula).run();
+}
 
 }  // namespace saddle

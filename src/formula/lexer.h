@@ -23,9 +23,9 @@ enum class TokenKind { Number, Name, Operator, Open, Close, Comma };
 
 struct Token {
   TokenKind kind;
-  std::string text;   ///< a name, or an operator as muparser spells it
-  double value = 0;   ///< of a number
-  Span span;          ///< bytes of FormulaText::text; empty for a * that is only understood
+  std::string text;  ///< a name, or an operator as muparser spells it
+  double value = 0;  ///< of a number
+  Span span;         ///< bytes of FormulaText::text; empty for a * that is only understood
 };
 
 /// Longest formula in bytes, and deepest nesting of brackets: enough for anything written by hand

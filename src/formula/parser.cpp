@@ -25,9 +25,15 @@ namespace {
 constexpr char kOperand = 'x';
 constexpr char kCall = 'f';
 
-double no_value(const double* /*arguments*/, int /*count*/) { return 0; }
-double minus(double a) { return -a; }
-double plus(double a) { return a; }
+double no_value(const double* /*arguments*/, int /*count*/) {
+  return 0;
+}
+double minus(double a) {
+  return -a;
+}
+double plus(double a) {
+  return a;
+}
 
 /// muparser's operators, with our own functions for the signs so that the byte code tells them.
 class Grammar final : public mu::ParserBase {
@@ -71,12 +77,11 @@ struct Skeleton {
 Skeleton make_skeleton(const std::vector<Token>& tokens, const Calls& calls) {
   Skeleton skeleton;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const bool operand =
-        tokens[i].kind == TokenKind::Number || tokens[i].kind == TokenKind::Name;
+    const bool operand = tokens[i].kind == TokenKind::Number || tokens[i].kind == TokenKind::Name;
     std::string text = tokens[i].text;
     if (operand) text = std::string(1, calls.is_call[i] ? kCall : kOperand);
-    const bool operators = i > 0 && tokens[i].kind == TokenKind::Operator &&
-                           tokens[i - 1].kind == TokenKind::Operator;
+    const bool operators =
+        i > 0 && tokens[i].kind == TokenKind::Operator && tokens[i - 1].kind == TokenKind::Operator;
     if (operators) text = " " + text;  // muparser would read a*-b's two as one
     skeleton.text += text;
     skeleton.token_at.insert(skeleton.token_at.end(), text.size(), i);
@@ -90,13 +95,13 @@ Error explain_grammar_error(const FormulaText& formula, const std::vector<Token>
   // muparser objects to a colon after it has passed it, to everything else before.
   const int passed = error.GetCode() == mu::ecMISPLACED_COLON ? 1 : 0;
   const auto position = static_cast<std::size_t>(std::max(0, error.GetPos() - passed));
-  const bool at_end = error.GetCode() == mu::ecUNEXPECTED_EOF ||
-                      position >= skeleton.token_at.size();
+  const bool at_end =
+      error.GetCode() == mu::ecUNEXPECTED_EOF || position >= skeleton.token_at.size();
   const std::size_t index = at_end ? tokens.size() - 1 : skeleton.token_at[position];
   const Token& token = tokens[index];
   if (error.GetCode() == mu::ecMISSING_ELSE_CLAUSE) {
-    const auto question = std::find_if(tokens.begin(), tokens.end(),
-                                       [](const Token& t) { return t.text == "?"; });
+    const auto question =
+        std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.text == "?"; });
     return formula.error("a '?' without its ':'", question->span, "write a ? b : c");
   }
   if (error.GetCode() == mu::ecMISPLACED_COLON) {
@@ -109,8 +114,7 @@ Error explain_grammar_error(const FormulaText& formula, const std::vector<Token>
                          kMissingOperandHint);
   }
   if (token.kind == TokenKind::Close || token.kind == TokenKind::Comma) {
-    return formula.error("an operand is missing here", token.span,
-                         kMissingOperandHint);
+    return formula.error("an operand is missing here", token.span, kMissingOperandHint);
   }
   return formula.error("an operand is missing before '" + token.text + "'", token.span,
                        "an operator stands between two operands");
@@ -159,9 +163,9 @@ class Lifter {
                              "for a product write " + tokens_[i].text + "*(...)");
       }
       if (function) {
-        const bool operand_follows = i + 1 < tokens_.size() &&
-                                     (tokens_[i + 1].kind == TokenKind::Name ||
-                                      tokens_[i + 1].kind == TokenKind::Number);
+        const bool operand_follows =
+            i + 1 < tokens_.size() &&
+            (tokens_[i + 1].kind == TokenKind::Name || tokens_[i + 1].kind == TokenKind::Number);
         const std::string argument = operand_follows ? tokens_[i + 1].text : "...";
         throw formula_.error("'" + tokens_[i].text + "' needs its argument in brackets",
                              tokens_[i].span, "write " + tokens_[i].text + "(" + argument + ")");

@@ -210,15 +210,16 @@ Scope::Scope(Graph& graph, std::vector<Definition> definitions)
 
 Scope::~Scope() = default;
 
-NodeId Scope::node(const std::string& name) const { return impl_->find(name)->node; }
+NodeId Scope::node(const std::string& name) const {
+  return impl_->find(name)->node;
+}
 
 NodeId Scope::parse(const std::string& name, const std::string& text, std::optional<Span> part) {
   const FormulaText formula = {name, text, part.value_or(Span{0, text.size()})};
   return parse_formula(impl_->graph, formula, impl_->names({}, {}));
 }
 
-double Scope::constant(const std::string& name, const std::string& text,
-                       std::optional<Span> part) {
+double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part) {
   const NodeId root = parse(name, text, part);
   const NodeId bound = substitute(impl_->graph, std::array{root}, impl_->parameter_values)[0];
   if (!impl_->graph.is_constant(bound)) {

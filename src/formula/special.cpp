@@ -11,14 +11,16 @@ namespace {
 
 constexpr double kPi = 3.141592653589793238462643;
 
-double factorial(int n) { return std::tgamma(n + 1.0); }
+double factorial(int n) {
+  return std::tgamma(n + 1.0);
+}
 
 /// The asymptotic series of polygamma, for x that is large compared with n.
 double polygamma_series(int n, double x) {
   // B_2k for k = 1 ... 10: at x >= 20 + n the first term left out is below half an ULP.
   static constexpr std::array<double, 10> kBernoulli = {
-      1.0 / 6,        -1.0 / 30, 1.0 / 42,      -1.0 / 30,          5.0 / 66,
-      -691.0 / 2730,  7.0 / 6,   -3617.0 / 510, 43867.0 / 798,      -174611.0 / 330};
+      1.0 / 6,       -1.0 / 30, 1.0 / 42,      -1.0 / 30,     5.0 / 66,
+      -691.0 / 2730, 7.0 / 6,   -3617.0 / 510, 43867.0 / 798, -174611.0 / 330};
   double sum = n == 0 ? -std::log(x) : factorial(n - 1) / std::pow(x, n);
   sum += factorial(n) / (2 * std::pow(x, n + 1));
   for (int k = 1; k <= static_cast<int>(kBernoulli.size()); ++k) {
@@ -72,7 +74,9 @@ double polygamma(double n, double x) {
   return polygamma_series(order, x) + (order % 2 == 0 ? -shifted : shifted);
 }
 
-double bessel_j(double n, double x) { return jn(static_cast<int>(n), x); }
+double bessel_j(double n, double x) {
+  return jn(static_cast<int>(n), x);
+}
 
 double sinc_derivative(double n, double x) {
   const int order = static_cast<int>(n);

@@ -10,8 +10,12 @@ inline double sign(double a) {
 }
 
 /// Minimum and maximum; NaN if either is NaN, so that what is undefined stays undefined.
-inline double smaller(double a, double b) { return b < a || std::isnan(b) ? b : a; }
-inline double larger(double a, double b) { return a < b || std::isnan(b) ? b : a; }
+inline double smaller(double a, double b) {
+  return b < a || std::isnan(b) ? b : a;
+}
+inline double larger(double a, double b) {
+  return a < b || std::isnan(b) ? b : a;
+}
 
 /// ln |gamma(x)|. Unlike std::lgamma it writes no global, so threads may share it.
 double log_gamma(double x);

@@ -24,11 +24,11 @@ std::string written(const FormulaText& formula, const Token& token) {
                                     const Token& right) {
   const Span span = {left.span.begin, right.span.end};
   // A superscript is a number without a text of its own.
-  const bool brackets = left.kind == TokenKind::Close || right.kind == TokenKind::Open ||
-                        left.text.empty();
-  const std::string hint =
-      brackets ? "write a * between them"
-               : "write " + written(formula, left) + "*" + written(formula, right);
+  const bool brackets =
+      left.kind == TokenKind::Close || right.kind == TokenKind::Open || left.text.empty();
+  const std::string hint = brackets
+                               ? "write a * between them"
+                               : "write " + written(formula, left) + "*" + written(formula, right);
   throw formula.error("an operator is missing", span, hint);
 }
 

@@ -22,7 +22,8 @@ struct GridMesh {
 };
 
 /// Tessellates `surface`. Cells with an undefined corner are left out and counted. Throws Error:
-/// Nothing if the surface is undefined everywhere, or is a point or a curve; the message says which.
+/// Nothing if the surface is undefined everywhere, or is a point or a curve; the message says
+/// which.
 GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options);
 
 }  // namespace saddle

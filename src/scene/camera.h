@@ -13,18 +13,18 @@ namespace saddle {
 struct FittedCamera {
   dvec3 eye;
   dvec3 target;
-  double distance = 1;       ///< of eye and target
-  glm::dmat4 world_to_eye;   ///< rigid: the eye at the origin, looking down -z, y up
-  glm::dmat4 eye_to_clip;    ///< perspective or orthographic, depth -1 to 1
-  double near_plane = 0;     ///< distances along the view, both > 0 in perspective
+  double distance = 1;      ///< of eye and target
+  glm::dmat4 world_to_eye;  ///< rigid: the eye at the origin, looking down -z, y up
+  glm::dmat4 eye_to_clip;   ///< perspective or orthographic, depth -1 to 1
+  double near_plane = 0;    ///< distances along the view, both > 0 in perspective
   double far_plane = 1;
 };
 
-/// Fits `camera` to what is in `bounds` (not empty) in a picture of width/height `aspect`. Without a
-/// distance the sphere of `radius` around the target fills the narrower side (radius not given: that
-/// around the box); near and far enclose the box, whatever the distance. An up vector along the view
-/// is replaced by one that is not. Throws Error (Input) for a view or up vector of length 0, a
-/// distance that is not positive, a fov outside (0, 180).
+/// Fits `camera` to what is in `bounds` (not empty) in a picture of width/height `aspect`. Without
+/// a distance the sphere of `radius` around the target fills the narrower side (radius not given:
+/// that around the box); near and far enclose the box, whatever the distance. An up vector along
+/// the view is replaced by one that is not. Throws Error (Input) for a view or up vector of length
+/// 0, a distance that is not positive, a fov outside (0, 180).
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
                         std::optional<double> radius = std::nullopt);
 

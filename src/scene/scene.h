@@ -48,7 +48,7 @@ struct SurfaceSpec {
 
 /// A light in eye coordinates: the eye at the origin looks down -z, y is up.
 struct Light {
-  dvec3 position{0, 0, 0};   ///< of a point light; toward a directional one, any length but 0
+  dvec3 position{0, 0, 0};  ///< of a point light; toward a directional one, any length but 0
   bool directional = false;
   Color color;
 };
@@ -57,12 +57,12 @@ struct Light {
 std::vector<Light> default_lights();
 
 struct Camera {
-  dvec3 view{2, -3, 1.5};         ///< from the target toward the eye, any length but 0
+  dvec3 view{2, -3, 1.5};  ///< from the target toward the eye, any length but 0
   dvec3 up{0, 0, 1};
-  std::optional<dvec3> target;    ///< default: centre of the bounding box
-  std::optional<double> distance; ///< from the target; default: the bounding sphere just fits
-  double fov = 30;                ///< vertical, degrees, more than 0 and less than 180
-  bool ortho = false;             ///< the visible height is the perspective one at the target
+  std::optional<dvec3> target;     ///< default: centre of the bounding box
+  std::optional<double> distance;  ///< from the target; default: the bounding sphere just fits
+  double fov = 30;                 ///< vertical, degrees, more than 0 and less than 180
+  bool ortho = false;              ///< the visible height is the perspective one at the target
 };
 
 struct Scene {

@@ -23,9 +23,9 @@ inline bool runs_backwards(const Domain& domain) {
 
 struct Surface {
   Domain domain;
-  bool flip = false;   ///< front and back are swapped: the normal is r_v x r_u
-  Tape position;       ///< outputs x, y, z
-  Tape first_order;    ///< outputs x, y, z, x_u, y_u, z_u, x_v, y_v, z_v
+  bool flip = false;  ///< front and back are swapped: the normal is r_v x r_u
+  Tape position;      ///< outputs x, y, z
+  Tape first_order;   ///< outputs x, y, z, x_u, y_u, z_u, x_v, y_v, z_v
 };
 
 /// x, y, z: nodes that depend on u and v alone. The derivatives come from the formulas.

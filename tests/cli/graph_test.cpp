@@ -1,6 +1,7 @@
 // What runs write: pictures, meshes, reports, comparisons.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -201,14 +202,26 @@ TEST_F(GraphCommand, BackAndTimeCount) {
 }
 
 TEST_F(GraphCommand, MakesGridLinesMeshLinesUnlessSamplesAreGiven) {
-  // 64 pixels: at least 16 cells, the next multiple of 15 intervals is 30; of 4, 16.
-  const std::vector<std::string> size = {"-s", "64x48", "--report", "-"};
+  // 128 pixels: at least 16 cells, the next multiple of 15 intervals is 30; of 4, 16.
+  const std::vector<std::string> size = {"-s", "128x96", "--report", "-"};
   auto arguments = size;
   arguments.insert(arguments.end(), {"z=u", "--grid", "16x5"});
   EXPECT_EQ(Json::parse(saddle(arguments).out)["surfaces"][0]["cells"], 30 * 16);
   arguments = size;
   arguments.insert(arguments.end(), {"z=u", "--grid", "off"});
   EXPECT_EQ(Json::parse(saddle(arguments).out)["surfaces"][0]["cells"], 16 * 16);
+}
+
+TEST_F(GraphCommand, HalvesTheGridUntilTheMeshIsWithinATolerance) {
+  const auto report = [this](const std::string& z) {
+    const Outcome run = saddle({"z=" + z, "-s", "128x96", "--report", "-"});
+    return Json::parse(run.out)["surfaces"][0];
+  };
+  // 30 cells of 1/15: a wave of height h and length L is off by h (pi/15/L)^2 / 2.
+  EXPECT_EQ(report("sin(pi*u)/10")["cells"], 30 * 30);
+  const Json wave = report("sin(8*pi*u)/10");
+  EXPECT_GE(wave["cells"], 60 * 60);
+  EXPECT_LE(wave["max_error"], 1e-3 * std::sqrt(8.04));
 }
 
 TEST_F(GraphCommand, PassesAgainstItsOwnPicture) {

@@ -53,10 +53,11 @@ class GoldenPicture : public ::testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenPicture, LooksAsItDid) {
   const Golden& golden = GetParam();
-  const std::filesystem::path fresh = std::filesystem::path(output_folder()) / (golden.name + ".png");
+  const std::filesystem::path fresh =
+      std::filesystem::path(output_folder()) / (golden.name + ".png");
   const std::string size = golden.arguments.find("-s ") == std::string::npos ? " -s 240x180" : "";
-  const std::string command = std::string(SADDLE_PROGRAM) + " " + golden.arguments + size +
-                              " --quiet -o " + fresh.string();
+  const std::string command =
+      std::string(SADDLE_PROGRAM) + " " + golden.arguments + size + " --quiet -o " + fresh.string();
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
   const std::string known = SADDLE_SOURCE_DIR "/tests/golden/" + golden.name + ".png";
   ASSERT_TRUE(std::filesystem::exists(known)) << "no golden picture; look at it: ./dev golden";

@@ -21,7 +21,9 @@ using testing::Real;
 const Real kStep("1e-18");
 const Real kTolerance("1e-14");
 
-bool is_finite(const Real& x) { return boost::multiprecision::isfinite(x); }
+bool is_finite(const Real& x) {
+  return boost::multiprecision::isfinite(x);
+}
 
 /// Compares d/du of `root` with a difference; false where either is undefined or near a jump.
 bool derivative_agrees(Graph& graph, NodeId root, double u, double v, const std::string& what) {

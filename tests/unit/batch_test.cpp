@@ -62,7 +62,8 @@ TEST(Batch, ComputesWhatTheGraphSays) {
     const std::string text = random(1 + i % 5);
     const NodeId root = testing::parse(graph, text);
     // A power inside a step or a comparison may fall on the other side of it.
-    if (text.find('^') != std::string::npos && text.find_first_of("<>=!r&|?") != std::string::npos) continue;
+    if (text.find('^') != std::string::npos && text.find_first_of("<>=!r&|?") != std::string::npos)
+      continue;
     const std::vector<double> values = on_grid(compile(graph, std::vector{root}), grid, 1);
     for (std::size_t k = 0; k < values.size(); ++k) {
       const double u = grid.u[k % grid.u.size()];

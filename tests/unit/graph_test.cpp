@@ -50,7 +50,8 @@ TEST(Graph, SubstitutesAllVariablesAtOnce) {
   const NodeId u = graph.variable(kSymbolU);
   const NodeId v = graph.variable(kSymbolV);
   const NodeId difference = graph.make(Op::Sub, u, v);
-  const NodeId swapped = substitute(graph, std::array{difference}, {{kSymbolU, v}, {kSymbolV, u}})[0];
+  const NodeId swapped =
+      substitute(graph, std::array{difference}, {{kSymbolU, v}, {kSymbolV, u}})[0];
   EXPECT_EQ(swapped, graph.make(Op::Sub, v, u));
 }
 

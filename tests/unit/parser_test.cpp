@@ -90,7 +90,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"  ", "  ", "the formula is empty", ""},
                       Mistake{"u#v", "#", "a character that no formula has", ""},
                       Mistake{"u+é", "é", "a character that no formula has", ""},
-                      Mistake{"√u", "√", "'√'", "sqrt"}, Mistake{"1e999", "1e999", "out of range", ""}));
+                      Mistake{"√u", "√", "'√'", "sqrt"},
+                      Mistake{"1e999", "1e999", "out of range", ""}));
 
 TEST(Parser, PointsBehindCharactersOfSeveralBytes) {
   try {

@@ -51,8 +51,8 @@ TEST(Scope, LetsDefinitionsShadowConstants) {
 }
 
 TEST(Scope, LetsFunctionsUseDefinitionsAndOtherFunctions) {
-  EXPECT_EQ(value_with("g(2)", {{"g", "f(s)+a", {"s"}, true}, {"f", "s^2", {"s"}, true}, {"a", "1"}}),
-            5);
+  EXPECT_EQ(
+      value_with("g(2)", {{"g", "f(s)+a", {"s"}, true}, {"f", "s^2", {"s"}, true}, {"a", "1"}}), 5);
 }
 
 TEST(Scope, ShowsTheCircle) {
@@ -106,8 +106,10 @@ TEST(Scope, StopsFunctionsThatMultiply) {
   std::vector<Definition> definitions = {{"f0", "sin(s)", {"s"}, true}};
   for (int i = 1; i <= 60; ++i) {
     const std::string inner = "f" + std::to_string(i - 1);
-    definitions.push_back(
-        {"f" + std::to_string(i), inner + "(s)*" + inner + "(s+" + std::to_string(i) + ")", {"s"}, true});
+    definitions.push_back({"f" + std::to_string(i),
+                           inner + "(s)*" + inner + "(s+" + std::to_string(i) + ")",
+                           {"s"},
+                           true});
   }
   EXPECT_STREQ(error_of(definitions).what(), "the formulas grow past a million operations");
 }

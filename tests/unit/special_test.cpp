@@ -16,7 +16,8 @@ constexpr double kRoundings = 64 * std::numeric_limits<double>::epsilon();
 
 TEST(Polygamma, AgreesWithFiftyDigits) {
   for (int n = 0; n <= 4; ++n) {
-    for (const double x : {0.01, 0.3, 1.0, 1.4616, 2.5, 7.0, 19.9, 20.5, 33.0, 1e5, -0.25, -3.7, -12.1}) {
+    for (const double x :
+         {0.01, 0.3, 1.0, 1.4616, 2.5, 7.0, 19.9, 20.5, 33.0, 1e5, -0.25, -3.7, -12.1}) {
       const Real exact = boost::math::polygamma(n, Real(x));
       // Near a zero (1.4616 for digamma) and in the reflection terms cancel: relative to 1 there.
       const double scale = 1 + std::fabs(static_cast<double>(exact));
