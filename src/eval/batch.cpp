@@ -29,6 +29,7 @@ struct Bank {
 
 /// The banks as one loop over a block sees them.
 struct Banks {
+  const Kernel* loops = nullptr;  // of the CPU level
   const double* constants = nullptr;
   Bank u, v, both;
 
@@ -51,7 +52,8 @@ struct Banks {
     for (const Instruction& instruction : instructions) {
       std::array<Operand, 3> in;
       for (int i = 0; i < arity(instruction.op); ++i) in[i] = operand(instruction.in[i]);
-      kernel(instruction.op)(target.data + instruction.out.index * target.pitch, in, count);
+      const Kernel kernel = loops[static_cast<std::size_t>(instruction.op)];
+      kernel(target.data + instruction.out.index * target.pitch, in.data(), count);
     }
   }
 
@@ -80,9 +82,11 @@ std::vector<double> fill_bank(std::span<const double> values, std::uint32_t slot
 void evaluate_points(const Tape& tape, std::span<const double> u, std::span<const double> v,
                      std::span<double* const> outputs, unsigned threads) {
   assert(u.size() == v.size());
+  const Kernel* const loops = kernels(cpu_level());
   parallel_chunks(u.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
     std::vector<double> memory((tape.slots_u + tape.slots_v + tape.slots_both) * kBlock);
     Banks banks;
+    banks.loops = loops;
     banks.constants = tape.constants.data();
     banks.u = {memory.data(), kBlock};
     banks.v = {banks.u.data + tape.slots_u * kBlock, kBlock};
@@ -104,6 +108,7 @@ void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const 
   std::vector<double> columns = fill_bank(u, tape.slots_u);
   std::vector<double> rows = fill_bank(v, tape.slots_v);
   Banks once;
+  once.loops = kernels(cpu_level());
   once.constants = tape.constants.data();
   once.u = {columns.data(), u.size()};
   once.v = {rows.data(), v.size()};
@@ -117,8 +122,7 @@ void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const 
     for (std::size_t row = begin; row < end; ++row) {
       for (std::size_t column = 0; column < u.size(); column += kBlock) {
         const std::size_t count = std::min(kBlock, u.size() - column);
-        Banks banks;
-        banks.constants = once.constants;
+        Banks banks = once;
         banks.u = {columns.data() + column, u.size()};
         banks.v = {rows.data() + row, v.size(), false};
         banks.both = {memory.data(), kBlock};

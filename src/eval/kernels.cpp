@@ -1,60 +1,72 @@
 #include "eval/kernels.h"
 
-#include <cmath>
+#include <array>
+#include <cstdlib>
+#include <string>
 
-#include "formula/special.h"
+#include "base/error.h"
 
 namespace saddle {
+
+// One copy of kernel_loops.cpp each.
+const Kernel* kernels_sse2();
+const Kernel* kernels_sse2_without_fma();
+const Kernel* kernels_avx2();
+const Kernel* kernels_avx512();
+
 namespace {
 
-// A functor for each row of the table, so that its loop is compiled with the operation inside.
-#define SADDLE_OP(id, name, arity, value, derivative, help)                                   \
-  struct id##Value {                                                                          \
-    static constexpr int kArity = arity;                                                      \
-    double operator()(double a, [[maybe_unused]] double b, [[maybe_unused]] double c) const { \
-      return value;                                                                           \
-    }                                                                                         \
-  };
-#include "formula/ops.def"
+constexpr std::array kNames = {"sse2", "avx2", "avx512"};
 
-/// The loop with each operand's kind known at compile time: broadcast costs no copy.
-template <class Value, bool kVariesA, bool kVariesB>
-void loop(double* out, const std::array<Operand, 3>& in, std::size_t count) {
-  const Value value;
-  const double* const a = in[0].data;
-  const double* const b = in[1].data;
-  const double* const c = in[2].data;
-  const std::size_t step_c = in[2].varies ? 1 : 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    out[i] = value(a[kVariesA ? i : 0], Value::kArity > 1 ? b[kVariesB ? i : 0] : 0,
-                   Value::kArity > 2 ? c[i * step_c] : 0);
-  }
+/// FMA came with AVX2; we use either only with the other.
+bool has_fma() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
-template <class Value>
-void run(double* out, const std::array<Operand, 3>& in, std::size_t count) {
-  if constexpr (Value::kArity == 1) {
-    loop<Value, true, false>(out, in, count);
-  } else if (in[0].varies) {
-    in[1].varies ? loop<Value, true, true>(out, in, count)
-                 : loop<Value, true, false>(out, in, count);
-  } else {
-    in[1].varies ? loop<Value, false, true>(out, in, count)
-                 : loop<Value, false, false>(out, in, count);
+CpuLevel forced_level(const std::string& wanted) {
+  const Place place = {"SADDLE_CPU", wanted, {0, wanted.size()}};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (wanted != kNames[i]) continue;
+    if (i < supported_level_count()) return static_cast<CpuLevel>(i);
+    throw Error(Status::Input, "this processor does not have " + wanted, place,
+                "leave SADDLE_CPU unset for the best that it has");
   }
+  throw Error(Status::Input, "unknown CPU level '" + wanted + "'", place,
+              "the levels are sse2, avx2 and avx512");
+}
+
+CpuLevel choose_level() {
+  const char* const wanted = std::getenv("SADDLE_CPU");
+  if (wanted != nullptr && *wanted != '\0') return forced_level(wanted);
+  return static_cast<CpuLevel>(supported_level_count() - 1);
 }
 
 }  // namespace
 
-Kernel kernel(Op op) {
-  switch (op) {
-    case Op::Constant:
-    case Op::Variable:
-      break;
-#define SADDLE_OP(id, name, arity, value, derivative, help) \
-  case Op::id:                                              \
-    return &run<id##Value>;
-#include "formula/ops.def"
+CpuLevel cpu_level() {
+  static const CpuLevel level = choose_level();
+  return level;
+}
+
+std::size_t supported_level_count() {
+  const bool avx2 = has_fma();
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  return avx512 ? 3 : avx2 ? 2 : 1;
+}
+
+const char* level_name(CpuLevel level) {
+  return kNames[static_cast<std::size_t>(level)];
+}
+
+const Kernel* kernels(CpuLevel level) {
+  switch (level) {
+    case CpuLevel::Sse2:
+      return has_fma() ? kernels_sse2() : kernels_sse2_without_fma();
+    case CpuLevel::Avx2:
+      return kernels_avx2();
+    case CpuLevel::Avx512:
+      return kernels_avx512();
   }
   return nullptr;
 }

@@ -1,12 +1,26 @@
-// One loop per operation over a block of numbers.
+// One loop per operation over a block of numbers, compiled for several instruction sets.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include "formula/graph.h"
 
 namespace saddle {
+
+/// Instruction sets that the loops exist for. All give the same bits on a processor that has fused
+/// multiply-add, as all since 2013 do; one that lacks it may differ in the last bit.
+enum class CpuLevel { Sse2, Avx2, Avx512 };
+
+/// The best level that this processor has; the environment variable SADDLE_CPU (sse2, avx2, avx512)
+/// forces another. Decided at the first call. Throws Error (Input) for a SADDLE_CPU that is no
+/// level, or one that the processor does not have.
+CpuLevel cpu_level();
+
+/// The levels that this processor has, from the lowest.
+std::size_t supported_level_count();
+
+/// "sse2", "avx2", "avx512".
+const char* level_name(CpuLevel level);
 
 /// A source of numbers for a loop: `varies`: data[0], data[1] ...; otherwise data[0] every time.
 struct Operand {
@@ -14,11 +28,11 @@ struct Operand {
   bool varies = false;
 };
 
-/// out[i] = op(in...) for i < count. `out` may be one of the operands' data, not overlap it
-/// otherwise. At least one operand varies.
-using Kernel = void (*)(double* out, const std::array<Operand, 3>& in, std::size_t count);
+/// out[i] = op(in[0], in[1], in[2]) for i < count. `out` may be the data of an operand, and does
+/// not overlap one otherwise.
+using Kernel = void (*)(double* out, const Operand* in, std::size_t count);
 
-/// The loop of an operation; leaves have none.
-Kernel kernel(Op op);
+/// The loops of a level, by operation; leaves have none.
+const Kernel* kernels(CpuLevel level);
 
 }  // namespace saddle

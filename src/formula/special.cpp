@@ -3,6 +3,7 @@
 #include <math.h>  // lgamma_r and jn are POSIX, not C++
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 

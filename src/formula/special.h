@@ -1,20 +1,22 @@
 // Functions of a real number that the table of operations needs and <cmath> lacks.
 #pragma once
 
-#include <cmath>
-
 namespace saddle {
 
-inline double sign(double a) {
-  return std::isnan(a) ? a : static_cast<double>((a > 0) - (a < 0));
+// Static, so that each file has its own copies: eval/kernel_loops.cpp compiles them for several
+// instruction sets, and the linker must not mix those up.
+
+/// -1, 0 or 1; NaN of NaN.
+static inline double sign(double a) {
+  return a > 0 ? 1.0 : a < 0 ? -1.0 : a;
 }
 
 /// Minimum and maximum; NaN if either is NaN, so that what is undefined stays undefined.
-inline double smaller(double a, double b) {
-  return b < a || std::isnan(b) ? b : a;
+static inline double smaller(double a, double b) {
+  return b < a || b != b ? b : a;
 }
-inline double larger(double a, double b) {
-  return a < b || std::isnan(b) ? b : a;
+static inline double larger(double a, double b) {
+  return a < b || b != b ? b : a;
 }
 
 /// ln |gamma(x)|. Unlike std::lgamma it writes no global, so threads may share it.
