@@ -41,7 +41,7 @@ Look
       --grid MxN        lines of constant u and of constant v, or off (default 16x16)
       --antialias N     samples per pixel and side, 1 to 16; 1 is off (default 2)
 Computing
-      --samples MxN     cells in u and v (default: a cell for about 4 pixels of the larger side)
+      --samples MxN     cells in u and v (default: as few as keep half a pixel)
       --t T             time, the value of t in formulas (default 0)
       --threads N       worker threads, 1 to 1024 (default: all)
   -q, --quiet           no warnings        -v, --verbose   say what was done and how long it took

@@ -93,9 +93,9 @@ NodeId Graph::make(Op op, NodeId a, NodeId b, NodeId c) {
     if (is_constant(a)) return nodes_[a].value != 0 ? b : c;
     if (b == c) return b;
   }
-  const NodeId none = std::numeric_limits<NodeId>::max();
-  const NodeId simpler = count <= 2 ? simplified(op, args[0], args[1]) : none;
-  if (simpler != none) return simpler;
+  if (count <= 2) {
+    if (const std::optional<NodeId> simpler = simplified(op, args[0], args[1])) return *simpler;
+  }
   // a+b and b+a, a*b and b*a are equal to the bit: one order serves both.
   if ((op == Op::Add || op == Op::Mul) && args[0] > args[1]) std::swap(args[0], args[1]);
   Node node;
@@ -117,50 +117,62 @@ double exact_reciprocal(double value) {
 
 }  // namespace
 
-/// An existing or simpler node equal to op(a, b), or NodeId's maximum if there is no rule for it.
-NodeId Graph::simplified(Op op, NodeId a, NodeId b) {
-  const NodeId none = std::numeric_limits<NodeId>::max();
-  const auto is_neg = [this](NodeId id) { return nodes_[id].op == Op::Neg; };
-  const auto inner = [this](NodeId id) { return nodes_[id].args[0]; };
+bool Graph::is_negated(NodeId id) const {
+  return nodes_[id].op == Op::Neg;
+}
+
+/// An existing or simpler node equal to op(a, b), or nothing if there is no rule for it.
+std::optional<NodeId> Graph::simplified(Op op, NodeId a, NodeId b) {
   switch (op) {
     case Op::Neg:
-      if (is_neg(a)) return inner(a);
-      return none;
+      if (is_negated(a)) return negated(a);
+      return std::nullopt;
     case Op::Add:
-      if (is_constant(a, 0)) return b;
-      if (is_constant(b, 0)) return a;
-      if (is_neg(b)) return make(Op::Sub, a, inner(b));
-      if (is_neg(a)) return make(Op::Sub, b, inner(a));
-      if (a == b) return make(Op::Mul, constant(2), a);
-      return none;
+      return simplified_sum(a, b);
     case Op::Sub:
       if (is_constant(b, 0)) return a;
       if (is_constant(a, 0)) return make(Op::Neg, b);
-      if (is_neg(b)) return make(Op::Add, a, inner(b));
-      return none;
+      if (is_negated(b)) return make(Op::Add, a, negated(b));
+      return std::nullopt;
     case Op::Mul:
-      if (is_constant(a, 1)) return b;
-      if (is_constant(b, 1)) return a;
-      if (is_constant(a, -1)) return make(Op::Neg, b);
-      if (is_constant(b, -1)) return make(Op::Neg, a);
-      if (is_neg(a)) return make(Op::Neg, make(Op::Mul, inner(a), b));
-      if (is_neg(b)) return make(Op::Neg, make(Op::Mul, a, inner(b)));
-      return none;
+      return simplified_product(a, b);
     case Op::Div:
-      if (is_constant(b)) {
-        const double reciprocal = exact_reciprocal(nodes_[b].value);
-        if (reciprocal != 0) return make(Op::Mul, constant(reciprocal), a);
-      }
-      if (is_neg(a)) return make(Op::Neg, make(Op::Div, inner(a), b));
-      return none;
+      return simplified_quotient(a, b);
     case Op::Pow:
       if (is_constant(b, 1)) return a;
       // pow(a, 0) and pow(1, b) are 1 whatever the other is, NaN included (IEEE 754-2019, 9.2).
       if (is_constant(b, 0) || is_constant(a, 1)) return constant(1);
-      return none;
+      return std::nullopt;
     default:
-      return none;
+      return std::nullopt;
   }
+}
+
+std::optional<NodeId> Graph::simplified_sum(NodeId a, NodeId b) {
+  if (is_constant(a, 0)) return b;
+  if (is_constant(b, 0)) return a;
+  if (is_negated(b)) return make(Op::Sub, a, negated(b));
+  if (is_negated(a)) return make(Op::Sub, b, negated(a));
+  if (a == b) return make(Op::Mul, constant(2), a);
+  return std::nullopt;
+}
+
+std::optional<NodeId> Graph::simplified_product(NodeId a, NodeId b) {
+  if (is_constant(a)) std::swap(a, b);
+  if (is_constant(b, 1)) return a;
+  if (is_constant(b, -1)) return make(Op::Neg, a);
+  if (is_negated(a)) return make(Op::Neg, make(Op::Mul, negated(a), b));
+  if (is_negated(b)) return make(Op::Neg, make(Op::Mul, a, negated(b)));
+  return std::nullopt;
+}
+
+std::optional<NodeId> Graph::simplified_quotient(NodeId a, NodeId b) {
+  if (is_constant(b)) {
+    const double reciprocal = exact_reciprocal(nodes_[b].value);
+    if (reciprocal != 0) return make(Op::Mul, constant(reciprocal), a);
+  }
+  if (is_negated(a)) return make(Op::Neg, make(Op::Div, negated(a), b));
+  return std::nullopt;
 }
 
 std::vector<bool> reachable(const Graph& graph, std::span<const NodeId> roots) {

@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -81,7 +81,12 @@ class Graph {
     bool operator()(const Node& a, const Node& b) const;
   };
   NodeId intern(const Node& node);
-  NodeId simplified(Op op, NodeId a, NodeId b);
+  bool is_negated(NodeId id) const;
+  NodeId negated(NodeId id) const { return nodes_[id].args[0]; }  // of a Neg: what it negates
+  std::optional<NodeId> simplified(Op op, NodeId a, NodeId b);
+  std::optional<NodeId> simplified_sum(NodeId a, NodeId b);
+  std::optional<NodeId> simplified_product(NodeId a, NodeId b);
+  std::optional<NodeId> simplified_quotient(NodeId a, NodeId b);
 
   std::vector<Node> nodes_;
   std::unordered_map<Node, NodeId, NodeHash, NodeEqual> ids_;

@@ -130,6 +130,7 @@ std::vector<std::string> function_names() {
 
 std::vector<std::string> constant_names() {
   std::vector<std::string> names;
+  names.reserve(kConstants.size());
   for (const Constant& constant : kConstants) names.emplace_back(constant.name);
   return names;
 }

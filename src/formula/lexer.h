@@ -30,7 +30,7 @@ struct Token {
 
 /// Longest formula in bytes, and deepest nesting of brackets: enough for anything written by hand
 /// or by a program in good faith, and little enough that no later step can be made to run away.
-inline constexpr std::size_t kMaxFormulaLength = 64 * 1024;
+inline constexpr std::size_t kMaxFormulaLength = 65536;
 inline constexpr int kMaxNesting = 256;
 
 /// Throws Error (Input): a character that no formula has, brackets that do not match, a formula

@@ -260,7 +260,7 @@ class Lifter {
                                                : call(built_in, arguments));
     }
     if (graph_.size() > kMaxOperations) {
-      throw formula_.error("the formulas grow past a million operations", token.span,
+      throw formula_.error("the formulas grow past 250000 operations", token.span,
                            "functions that call functions multiply; use fewer levels");
     }
   }
@@ -283,6 +283,7 @@ class Lifter {
 
   NodeId call(const BuiltIn& function, const std::vector<NodeId>& arguments) {
     std::vector<Expression> expressions;
+    expressions.reserve(arguments.size());
     for (const NodeId argument : arguments) expressions.push_back({&graph_, argument});
     return call_built_in(function, expressions).id;
   }

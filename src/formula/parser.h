@@ -34,7 +34,7 @@ struct Names {
 
 /// Most operations that a graph may hold. Helper functions that call each other can make a short
 /// text explode; every surface known to us stays below ten thousand.
-inline constexpr std::size_t kMaxOperations = 1'000'000;
+inline constexpr std::size_t kMaxOperations = 250'000;
 
 /// Parses `formula` into `graph`. Throws Error (Input) with the place and a way out.
 NodeId parse_formula(Graph& graph, const FormulaText& formula, const Names& names);

@@ -160,7 +160,7 @@ struct Scope::Impl {
   }
 
   /// What names mean inside a function with these arguments, which shadow everything else.
-  Names names(std::vector<std::string> arguments, std::vector<Symbol> symbols) {
+  Names names(const std::vector<std::string>& arguments, const std::vector<Symbol>& symbols) {
     const auto argument = [arguments, symbols](std::string_view name) -> std::optional<Symbol> {
       const auto found = std::find(arguments.begin(), arguments.end(), name);
       if (found == arguments.end()) return std::nullopt;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -222,6 +223,23 @@ TEST_F(GraphCommand, HalvesTheGridUntilTheMeshIsWithinATolerance) {
   const Json wave = report("sin(8*pi*u)/10");
   EXPECT_GE(wave["cells"], 60 * 60);
   EXPECT_LE(wave["max_error"], 1e-3 * std::sqrt(8.04));
+}
+
+TEST_F(GraphCommand, WritesTheSameBytesOnEveryCpuLevel) {
+  for (const std::string level : {"sse2", "avx2", "avx512"}) {
+    setenv("SADDLE_CPU", level.c_str(), 1);
+    const Outcome run = saddle({"seashell", "--samples", "40x40", "-o", level + ".ply"});
+    unsetenv("SADDLE_CPU");
+    if (contains(run.err, "this processor does not have " + level)) {
+      EXPECT_EQ(run.status, 2);
+    } else {
+      EXPECT_EQ(contents(path(level + ".ply")), contents(path("sse2.ply"))) << level;
+    }
+  }
+  setenv("SADDLE_CPU", "sse9", 1);
+  const Outcome unknown = saddle({"torus", "-o", "a.ply"});
+  unsetenv("SADDLE_CPU");
+  EXPECT_TRUE(contains(error_of(unknown, 2), "the levels are sse2, avx2 and avx512"));
 }
 
 TEST_F(GraphCommand, PassesAgainstItsOwnPicture) {

@@ -111,7 +111,7 @@ TEST(Scope, StopsFunctionsThatMultiply) {
                            {"s"},
                            true});
   }
-  EXPECT_STREQ(error_of(definitions).what(), "the formulas grow past a million operations");
+  EXPECT_STREQ(error_of(definitions).what(), "the formulas grow past 250000 operations");
 }
 
 TEST(Scope, StopsChainsThatAreTooDeep) {
