@@ -29,6 +29,25 @@ Scene named_scene(const std::string& name) {
   return gallery_scene(*entry);
 }
 
+/// The name before the `=`, without arguments and spaces.
+std::string assigned_name(const std::string& assignment) {
+  std::string name = assignment.substr(0, assignment.find_first_of("=("));
+  std::erase(name, ' ');
+  return name;
+}
+
+void check_given_once(const std::vector<std::string>& assignments) {
+  std::vector<std::string> names;
+  for (const std::string& assignment : assignments) {
+    const std::string name = assigned_name(assignment);
+    if (std::ranges::find(names, name) != names.end()) {
+      throw Error(Status::Input, "'" + name + "' is given twice",
+                  {"argument", assignment, {0, name.size()}}, "leave one of them out");
+    }
+    names.push_back(name);
+  }
+}
+
 void apply_options(const CommandLine& line, Scene& scene) {
   Camera& camera = scene.camera;
   if (line.view) camera.view = *line.view;
@@ -65,6 +84,7 @@ Scene build_scene(const CommandLine& line) {
                 "for example saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png\n"
                 "saddle --help says more");
   }
+  check_given_once(assignments);
   std::stable_partition(assignments.begin(), assignments.end(),
                         [](const std::string& text) { return !assigns_time(text); });
   Scene scene = names.empty() ? Scene{} : named_scene(names[0]);

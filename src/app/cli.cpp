@@ -63,9 +63,9 @@ void add_look_options(CLI::App& app, CommandLine& line) {
   app.add_option_function<std::string>(
       "--background", [&line](Text text) { line.background = parse_color("--background", text); });
   app.add_option_function<std::string>(
-      "--front", [&line](Text text) { line.front = parse_color("--front", text); });
+      "--front", [&line](Text text) { line.front = opaque_color("--front", text); });
   app.add_option_function<std::string>(
-      "--back", [&line](Text text) { line.back = parse_color("--back", text); });
+      "--back", [&line](Text text) { line.back = opaque_color("--back", text); });
   app.add_flag("--flip", line.flip);
   app.add_option_function<std::string>(
       "--grid", [&line](Text text) { line.grid = parse_grid_lines("--grid", text); });

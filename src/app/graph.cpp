@@ -1,6 +1,7 @@
 // saddle FORMULAS or NAME: check the outputs, prepare, tessellate once, write everything, report.
 #include <algorithm>
 #include <iostream>
+#include <numeric>
 #include <optional>
 #include <thread>
 
@@ -35,11 +36,12 @@ constexpr double kWorthHalving = 0.5;
 constexpr int kMaxDefaultCells = 1000;
 
 /// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
-/// mesh lines, unless there are more of them than cells.
+/// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
+/// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks.
 int default_cells(int larger_side, int lines) {
   const int wanted =
       std::min((larger_side + kPixelsPerCell - 1) / kPixelsPerCell, kMaxDefaultCells);
-  const int intervals = std::max(lines - 1, 1);
+  const int intervals = std::lcm(std::max(lines - 1, 1), 2);
   if (intervals > kMaxDefaultCells) return wanted;
   return (wanted + intervals - 1) / intervals * intervals;
 }
@@ -91,12 +93,15 @@ Mesh mesh_surface(const CommandLine& line, const Scene& scene, const SurfaceSpec
   const PreparedSurface prepared = prepare_surface(scene, spec);
   const auto begin = Clock::now();
   GridMesh result = mesh_as_asked(line, prepared.surface, spec, picture);
+  const double wanted = tolerance(line, result.mesh, picture);
+  const bool coarse = !line.samples && result.report.max_error > wanted;
   report.times.parse += prepared.parse_ms;
   report.times.compile += prepared.compile_ms;
   report.times.tessellate += since(begin);
   for (std::string& warning : mesh_warnings(spec.name, result, prepared.surface.domain)) {
     report.warnings.push_back(std::move(warning));
   }
+  if (coarse) report.warnings.push_back(coarse_warning(spec.name, result.report, wanted));
   report.surfaces.push_back({spec.name, result.mesh.triangles.size(), result.mesh.position.size(),
                              result.mesh.bounds, std::move(result.report)});
   return std::move(result.mesh);

@@ -25,7 +25,7 @@ Output
       --format EXT      png or ply: for - and for names without an extension
   -s, --size WxH        picture size in pixels, up to 16384 each way (default 800x600)
       --reference FILE  compare the picture with a PNG; exit 1 and write FILE.diff.png if it differs
-      --threshold E     largest difference that passes, 0 to 1 (default 0.04)
+      --threshold E     largest error that passes: 1 - SSIM, 0 to 1 (default 0.04)
       --report FILE     the run's report as JSON; - is standard output
 Camera
       --view X,Y,Z      direction from the target toward the eye (default 2,-3,1.5)

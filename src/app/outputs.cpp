@@ -85,6 +85,26 @@ void check_standard_output(const CommandLine& line) {
   }
 }
 
+/// Two results under one name: the later would replace the earlier.
+void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs) {
+  const auto full = [](const std::string& path) {
+    std::error_code ignored;  // a path that cannot be looked up is refused elsewhere
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  const auto clash = [full](const std::string& a, const std::string& b) {
+    return a != "-" && full(a) == full(b);
+  };
+  for (const Output& output : outputs) {
+    const auto other = [&](const Output& o) {
+      return o.format != output.format && clash(o.path, output.path);
+    };
+    const bool report = !line.report.empty() && clash(line.report, output.path);
+    if (!report && std::ranges::none_of(outputs, other)) continue;
+    throw Error(Status::Input, "two outputs of different kinds are called " + output.path, {},
+                "give each its own name");
+  }
+}
+
 }  // namespace
 
 std::vector<Output> checked_outputs(const CommandLine& line) {
@@ -97,6 +117,7 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   std::vector<Output> outputs;
   for (const std::string& path : line.outputs) outputs.push_back({path, format_of(path, fallback)});
   check_standard_output(line);
+  check_names_differ(line, outputs);
   for (const Output& output : outputs) {
     if (output.path != "-") check_writable(output.path);
   }

@@ -30,12 +30,13 @@ std::string check_against_reference(const Image& image, const Image& reference,
                                     const std::string& path, double threshold) {
   const ImageDifference difference = compare_images(image, reference);
   const std::string text = figures(difference, threshold);
-  if (difference.error <= threshold) return path + ": " + text;
+  const bool same_size = image.width == reference.width && image.height == reference.height;
+  if (same_size && difference.error <= threshold) return path + ": " + text;
   const std::string diff_path = path + ".diff.png";
   const Image picture = difference_image(image, reference);
   write_file_whole(diff_path, [&picture](std::ostream& out) { write_png(out, picture); });
   std::string message = "the picture differs from " + path + ": " + text;
-  if (image.width != reference.width || image.height != reference.height) {
+  if (!same_size) {
     message += ", sizes " + size_of(image) + " and " + size_of(reference);
   }
   throw Error(Status::Machine, message, {}, "see " + diff_path);

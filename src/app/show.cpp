@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/standard_output.h"
 #include "base/error.h"
+#include "scene/prepare.h"
 #include "scene/scene_file.h"
 
 namespace saddle {
@@ -15,7 +16,9 @@ void run_show(const CommandLine& line) {
     throw Error(Status::Input, "saddle show needs the name of a surface", {},
                 "saddle list prints the names; for example saddle show torus");
   }
-  print(write_scene(build_scene(line)));
+  const Scene scene = build_scene(line);
+  for (const SurfaceSpec& spec : scene.surfaces) prepare_surface(scene, spec);  // it must be right
+  print(write_scene(scene));
 }
 
 }  // namespace saddle

@@ -30,6 +30,7 @@ bool standard_output_is_terminal() {
 
 void guard_standard_streams() {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, not an end
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     // Open for reading alone, so that writing to it still fails. open() takes the lowest free
     // number, which is this one.

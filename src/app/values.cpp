@@ -149,4 +149,13 @@ GridSize parse_grid_lines(const std::string& option, const std::string& text) {
   return lines;
 }
 
+Color opaque_color(const std::string& option, const std::string& text) {
+  const Color color = parse_color(option, text);
+  if (color.a < 1) {
+    throw Error(Status::Input, "surfaces cannot be see-through yet",
+                {option, text, {0, text.size()}}, "give a colour without alpha: #rrggbb or a name");
+  }
+  return color;
+}
+
 }  // namespace saddle

@@ -5,6 +5,7 @@
 
 #include "app/cli.h"
 #include "base/vec.h"
+#include "scene/color.h"
 
 namespace saddle {
 
@@ -26,6 +27,9 @@ dvec3 parse_vector(const std::string& option, const std::string& text);
 
 /// The same for a direction, which has a length.
 dvec3 parse_direction(const std::string& option, const std::string& text);
+
+/// A colour of a surface, which hides what is behind it.
+Color opaque_color(const std::string& option, const std::string& text);
 
 /// `MxN`, both from `low` to `high`.
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);

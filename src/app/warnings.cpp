@@ -7,6 +7,10 @@
 namespace saddle {
 namespace {
 
+/// Triangles without area are usual at poles, a row or two of a grid; a larger share is a surface
+/// that doubles cannot hold.
+constexpr double kManyFlat = 0.1;
+
 /// Four digits: enough to find the place, short enough to read.
 std::string number(double value) {
   std::array<char, 32> text{};
@@ -55,6 +59,12 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
   if (report.undefined_fraction > 0 && !grid_mesh.mesh.uv.empty()) {
     warnings.push_back(name + ": " + undefined_warning(grid_mesh, domain));
   }
+  const std::size_t triangles = 2 * report.cells;
+  if (static_cast<double>(report.flat_triangles) > kManyFlat * static_cast<double>(triangles)) {
+    warnings.push_back(name + ": " + std::to_string(report.flat_triangles) + " of " +
+                       std::to_string(triangles) +
+                       " triangles have no area in double precision and are left out");
+  }
   if (runs_backwards(domain)) {
     warnings.push_back(name + ": a range runs backwards, which swaps front and back");
   }
@@ -71,6 +81,12 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
         "): the faces' are drawn there");
   }
   return warnings;
+}
+
+std::string coarse_warning(const std::string& name, const MeshReport& report, double tolerance) {
+  return name + ": the mesh is off by up to " + number(report.max_error) + " (the tolerance is " +
+         number(tolerance) +
+         "): a pole, a jump or detail that its cells miss; --samples takes more";
 }
 
 }  // namespace saddle

@@ -72,6 +72,12 @@ void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
     if (i > 0 && !after_call && ends_operand(tokens[i - 1]) && begins_operand(tokens[i])) {
       refuse_neighbours(formula, tokens[i - 1], tokens[i]);
     }
+    const bool power = tokens[i].text == "^" && tokens[i].kind == TokenKind::Operator;
+    if (power && i > 0 && tokens[i - 1].kind == TokenKind::Number && tokens[i - 1].text.empty()) {
+      throw formula.error("a power of a superscript",
+                          {tokens[i - 1].span.begin, tokens[i].span.end},
+                          "write (u^2)^3 or u^(2^3)");
+    }
     const bool close = tokens[i].kind == TokenKind::Close;
     if (close && tokens[i - 1].kind == TokenKind::Open) {
       throw formula.error("an operand is missing here", tokens[i].span, kMissingOperandHint);

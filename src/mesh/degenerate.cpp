@@ -21,11 +21,31 @@ bool has_finite_tangents(const SurfacePoint& point) {
   return std::isfinite(safe_length(point.r_u)) && std::isfinite(safe_length(point.r_v));
 }
 
-/// Whether every used vertex has tangents, and no normal.
-bool all_degenerate(const Grid& grid, std::span<const dvec3> normals) {
-  for (std::size_t vertex = 0; vertex < normals.size(); ++vertex) {
+/// Factors that give each coordinate an extent of 1, or leave it alone where it has none.
+dvec3 axis_scale(const Grid& grid) {
+  Bounds bounds;
+  for (std::size_t vertex = 0; vertex < grid.points.size(); ++vertex) {
+    if (grid.vertex_used[vertex]) bounds.add(grid.points[vertex].position);
+  }
+  dvec3 scale(1);
+  for (int k = 0; k < 3; ++k) {
+    if (std::isnormal(1 / bounds.size()[k])) scale[k] = 1 / bounds.size()[k];
+  }
+  return scale;
+}
+
+/// Whether the tangents of every used vertex are finite and parallel. That does not depend on the
+/// scale of the axes, but roundoff does: 1e9*u*v is no curve although its sheets are nearly
+/// upright.
+bool all_degenerate(const Grid& grid) {
+  const dvec3 scale = axis_scale(grid);
+  for (std::size_t vertex = 0; vertex < grid.points.size(); ++vertex) {
     if (!grid.vertex_used[vertex]) continue;
-    if (normals[vertex] != dvec3(0) || !has_finite_tangents(grid.points[vertex])) return false;
+    SurfacePoint point = grid.points[vertex];
+    if (!has_finite_tangents(point)) return false;
+    point.r_u *= scale;
+    point.r_v *= scale;
+    if (unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), false)) return false;
   }
   return true;
 }
@@ -68,17 +88,16 @@ bool is_straight(const Grid& grid) {
 std::string explain(const Grid& grid) {
   dvec2 largest(0);
   for (const dvec2& lengths : grid.tangent_lengths) largest = glm::max(largest, lengths);
-  if (largest.x == 0) return "x, y and z do not depend on u";
-  if (largest.y == 0) return "x, y and z do not depend on v";
+  if (largest.x == 0) return "the derivatives of x, y and z by u are 0 everywhere";
+  if (largest.y == 0) return "the derivatives of x, y and z by v are 0 everywhere";
   return "the derivatives by u and by v are parallel everywhere: u and v move a point along the "
          "same curve";
 }
 
 }  // namespace
 
-void require_two_dimensional(const Surface& surface, const Grid& grid,
-                             std::span<const dvec3> normals, unsigned threads) {
-  if (!all_degenerate(grid, normals) || any_centre_is_regular(surface, grid, threads)) return;
+void require_two_dimensional(const Surface& surface, const Grid& grid, unsigned threads) {
+  if (!all_degenerate(grid) || any_centre_is_regular(surface, grid, threads)) return;
   throw Error(Status::Nothing,
               is_straight(grid) ? "the surface is a straight line" : "the surface is a curve", {},
               explain(grid));

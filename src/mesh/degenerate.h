@@ -1,15 +1,12 @@
 // Parametrisations that are no surface, told apart so that the message can say which.
 #pragma once
 
-#include <span>
-
 #include "mesh/grid.h"
 
 namespace saddle {
 
 /// Throws Error (Nothing) if the tangents are parallel wherever they were looked at: a straight
-/// line or a curve. `normals`: see regular_normals().
-void require_two_dimensional(const Surface& surface, const Grid& grid,
-                             std::span<const dvec3> normals, unsigned threads);
+/// line or a curve.
+void require_two_dimensional(const Surface& surface, const Grid& grid, unsigned threads);
 
 }  // namespace saddle

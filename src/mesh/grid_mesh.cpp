@@ -95,13 +95,14 @@ GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options) {
                               static_cast<double>(grid.cell_count());
 
   const std::vector<dvec3> normals = regular_normals(surface, grid, options.threads);
-  require_two_dimensional(surface, grid, normals, options.threads);
+  require_two_dimensional(surface, grid, options.threads);
   const Joints joints = weld(grid);
   report.closed_u = joints.closed_u;
   report.closed_v = joints.closed_v;
   const Corners corners = make_corners(surface, grid, normals, options.threads, report);
   const CellTriangles triangles = triangulate(grid, corners, joints.point, options.threads);
   require_triangles(triangles, grid);
+  report.flat_triangles = 2 * grid.kept_count - triangles.all.size();
 
   const std::vector<std::uint32_t> numbers = number_used_corners(corners, triangles);
   result.mesh = collect(grid, corners, triangles, joints, numbers);

@@ -59,6 +59,7 @@ struct MeshReport {
   std::size_t cells = 0;                       ///< cells of the grid that are covered
   std::size_t evaluations = 0;                 ///< points of the surface that were computed
   double undefined_fraction = 0;               ///< share of the domain's cells that were left out
+  std::size_t flat_triangles = 0;              ///< without area in double precision: left out
   double max_error = 0;                        ///< largest measured distance of mesh and surface
   double max_normal_error = 0;                 ///< degrees: interpolated against exact normal
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000

@@ -2,8 +2,10 @@
 // run without a picture does not pay for it.
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <memory>
+#include <string_view>
 #include <type_traits>
 
 #include "base/error.h"
@@ -45,6 +47,17 @@ Library load_library() {
   return result;
 }
 
+/// Mesa crashes when this names a driver that is not in its library.
+void refuse_unknown_driver() {
+  const char* const driver = std::getenv("GALLIUM_DRIVER");
+  if (driver == nullptr) return;
+  const std::string_view name = driver;
+  if (name == "llvmpipe" || name == "softpipe" || name.empty()) return;
+  throw Error(Status::Machine,
+              "GALLIUM_DRIVER names a driver that OSMesa lacks: " + std::string(name), {},
+              "unset it, or set it to llvmpipe");
+}
+
 class OsmesaContext final : public Context {
  public:
   OsmesaContext() : library_(load_library()), context_(create(library_)) {
@@ -62,6 +75,7 @@ class OsmesaContext final : public Context {
 
   /// No depth: OSMesa's own framebuffer, which must exist, is a single pixel that nobody sees.
   static Handle create(const Library& library) {
+    refuse_unknown_driver();
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
                                     OSMESA_PROFILE,

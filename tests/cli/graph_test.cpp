@@ -203,7 +203,7 @@ TEST_F(GraphCommand, BackAndTimeCount) {
 }
 
 TEST_F(GraphCommand, MakesGridLinesMeshLinesUnlessSamplesAreGiven) {
-  // 128 pixels: at least 16 cells, the next multiple of 15 intervals is 30; of 4, 16.
+  // 128 pixels: at least 16 cells, the next even multiple of 15 intervals is 30; of 4, 16.
   const std::vector<std::string> size = {"-s", "128x96", "--report", "-"};
   auto arguments = size;
   arguments.insert(arguments.end(), {"z=u", "--grid", "16x5"});
@@ -223,6 +223,29 @@ TEST_F(GraphCommand, HalvesTheGridUntilTheMeshIsWithinATolerance) {
   const Json wave = report("sin(8*pi*u)/10");
   EXPECT_GE(wave["cells"], 60 * 60);
   EXPECT_LE(wave["max_error"], 1e-3 * std::sqrt(8.04));
+}
+
+TEST_F(GraphCommand, DrawsHeightFieldsThatAreNearlyUpright) {
+  const Json report = report_of({"z=1e9*u*v"})["surfaces"][0];
+  EXPECT_GT(report["triangles"], 700);  // of 800; some in the middle have no area beside 1e9
+}
+
+TEST_F(GraphCommand, WarnsOfAMeshThatMissesWhatIsBetweenItsSamples) {
+  const Outcome run = saddle({"z=tan(5*u)", "-s", "64x48", "--report", "-"});
+  EXPECT_TRUE(contains(run.err, "warning: surface: the mesh is off by up to")) << run.err;
+}
+
+TEST_F(GraphCommand, WarnsOfTrianglesThatDoublesCannotHold) {
+  const Outcome run = small({"x=u", "y=u+1e-14*v", "z=u", "--report", "-"});
+  EXPECT_TRUE(contains(run.err, "triangles have no area in double precision")) << run.err;
+}
+
+TEST_F(GraphCommand, RefusesADriverThatWouldCrash) {
+  setenv("GALLIUM_DRIVER", "nonsense", 1);
+  const Outcome run = small({"z=u", "-o", "a.png"});
+  unsetenv("GALLIUM_DRIVER");
+  EXPECT_TRUE(contains(error_of(run, 1), "GALLIUM_DRIVER"));
+  EXPECT_EQ(files(), Names{});
 }
 
 TEST_F(GraphCommand, WritesTheSameBytesOnEveryCpuLevel) {

@@ -52,6 +52,15 @@ TEST_F(Usage, HelpListsTheFormulaLanguage) {
   }
 }
 
+TEST_F(Usage, RefusesWhatWouldBeIgnored) {
+  EXPECT_TRUE(contains(refusal({"z=u", "z=v", "-o", "a.png"}), "'z' is given twice"));
+  EXPECT_TRUE(
+      contains(refusal({"f(s)=s", "f(s,q)=s", "z=u", "-o", "a.png"}), "'f' is given twice"));
+  EXPECT_TRUE(contains(refusal({"z=u", "-o", "a.png", "--report", "./a.png"}), "two outputs"));
+  EXPECT_TRUE(contains(refusal({"z=u", "-o", "a.png", "--front", "#ff000080"}), "see-through"));
+  EXPECT_TRUE(contains(refusal({"show", "torus", "r=foo"}), "unknown name 'foo'"));
+}
+
 TEST_F(Usage, PrintsItsVersion) {
   const Outcome run = saddle({"--version"});
   EXPECT_EQ(run.status, 0);

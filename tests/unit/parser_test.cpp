@@ -54,6 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"2 3", "2 3", "an operator is missing", "2*3"},
                       Mistake{"(u)(v)", ")(", "an operator is missing", "*"},
                       Mistake{"u²v", "²v", "an operator is missing", "*"},
+                      Mistake{"u²^3", "²^", "a power of a superscript", "(u^2)^3"},
                       Mistake{"1.2.3", "1.2.3", "an operator is missing", ""},
                       Mistake{"u+", "+", "ends where an operand is expected", ""},
                       Mistake{"u*/v", "/", "an operand is missing before '/'", ""},
