@@ -3,6 +3,7 @@ add_library(saddle_options INTERFACE)
 target_compile_options(saddle_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps where a string gets a literal
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>  # GCC's
   -ffp-contract=off)  # no fused multiply-add behind our back: the same picture on every machine
 
 if(SADDLE_SANITIZE)

@@ -32,6 +32,8 @@ constexpr double kMeshTolerance = 1e-3;
 /// The error of a smooth surface falls to a quarter when cells are halved; where it does not fall
 /// to this share, at a kink or the edge of a hole, finer cells do not help.
 constexpr double kWorthHalving = 0.5;
+/// A coarse grid may miss most of a wave, and so of its own error: one halving proves nothing.
+constexpr int kHalvingsInVain = 2;
 /// At most this many cells each way: two million triangles.
 constexpr int kMaxDefaultCells = 1000;
 
@@ -42,8 +44,8 @@ int default_cells(int larger_side, int lines) {
   const int wanted =
       std::min((larger_side + kPixelsPerCell - 1) / kPixelsPerCell, kMaxDefaultCells);
   const int intervals = std::lcm(std::max(lines - 1, 1), 2);
-  if (intervals > kMaxDefaultCells) return wanted;
-  return (wanted + intervals - 1) / intervals * intervals;
+  const int rounded = (wanted + intervals - 1) / intervals * intervals;
+  return rounded <= kMaxDefaultCells ? rounded : wanted;
 }
 
 GridOptions first_grid(const CommandLine& line, const SurfaceSpec& spec) {
@@ -57,28 +59,32 @@ GridOptions first_grid(const CommandLine& line, const SurfaceSpec& spec) {
   return options;
 }
 
-/// The largest distance of mesh and surface that is asked for, in the surface's units. The
-/// picture's larger side shows about the box's diagonal.
-double tolerance(const CommandLine& line, const Mesh& mesh, bool picture) {
-  const double of_diagonal =
-      picture ? kPictureTolerance / std::max(line.width, line.height) : kMeshTolerance;
-  return of_diagonal * mesh.bounds.diagonal();
+/// The largest distance of mesh and surface that the outputs ask for, the strictest of them, as a
+/// fraction of the bounding box's diagonal, which the picture's larger side shows about.
+double asked_tolerance(const CommandLine& line, const std::vector<Output>& outputs, bool picture) {
+  const auto is_mesh = [](const Output& output) { return output.format == Format::Ply; };
+  const bool mesh = !picture || std::ranges::any_of(outputs, is_mesh);
+  const double of_picture = kPictureTolerance / std::max(line.width, line.height);
+  if (picture && mesh) return std::min(of_picture, kMeshTolerance);
+  return picture ? of_picture : kMeshTolerance;
 }
 
 /// The grid that --samples asks for, or the coarsest of the defaults that keeps the tolerance.
 GridMesh mesh_as_asked(const CommandLine& line, const Surface& surface, const SurfaceSpec& spec,
-                       bool picture) {
+                       double tolerance) {
   GridOptions options = first_grid(line, spec);
   GridMesh result = mesh_on_grid(surface, options);
-  while (!line.samples && result.report.max_error > tolerance(line, result.mesh, picture) &&
+  int in_vain = 0;  // halvings in a row
+  while (!line.samples && in_vain < kHalvingsInVain &&
+         result.report.max_error > tolerance * result.mesh.bounds.diagonal() &&
          2 * std::max(options.cells_u, options.cells_v) <= kMaxDefaultCells) {
     options.cells_u *= 2;
     options.cells_v *= 2;
     GridMesh finer = mesh_on_grid(surface, options);
     finer.report.evaluations += result.report.evaluations;
-    const bool done = finer.report.max_error > kWorthHalving * result.report.max_error;
+    const bool helped = finer.report.max_error <= kWorthHalving * result.report.max_error;
     result = std::move(finer);
-    if (done) break;
+    in_vain = helped ? 0 : in_vain + 1;
   }
   return result;
 }
@@ -89,11 +95,11 @@ double since(Clock::time_point begin) {
 
 /// Tessellates a surface and files what there is to say about it.
 Mesh mesh_surface(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
-                  bool picture, RunReport& report) {
+                  double tolerance, RunReport& report) {
   const PreparedSurface prepared = prepare_surface(scene, spec);
   const auto begin = Clock::now();
-  GridMesh result = mesh_as_asked(line, prepared.surface, spec, picture);
-  const double wanted = tolerance(line, result.mesh, picture);
+  GridMesh result = mesh_as_asked(line, prepared.surface, spec, tolerance);
+  const double wanted = tolerance * result.mesh.bounds.diagonal();
   const bool coarse = !line.samples && result.report.max_error > wanted;
   report.times.parse += prepared.parse_ms;
   report.times.compile += prepared.compile_ms;
@@ -146,10 +152,11 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   const bool picture = wants_picture(line, outputs);
   std::jthread preloading;  // OpenGL takes as long to load as a surface to tessellate
   if (picture) preloading = std::jthread(preload_renderer);
+  const double tolerance = asked_tolerance(line, outputs, picture);
   RunReport report;
   std::vector<Mesh> meshes;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    meshes.push_back(mesh_surface(line, scene, spec, picture, report));
+    meshes.push_back(mesh_surface(line, scene, spec, tolerance, report));
   }
   if (!line.quiet) print_warnings(report);
   Image image;

@@ -52,7 +52,7 @@ std::optional<Format> checked_format(const std::string& name) {
 Format format_of(const std::string& path, std::optional<Format> fallback) {
   const std::string ending = path == "-" ? "" : extension(path);
   if (const auto format = format_named(ending)) return *format;
-  if (fallback) return *fallback;
+  if (fallback && ending.empty()) return *fallback;
   if (path == "-") {
     throw Error(Status::Input, "the format for standard output is missing",
                 {"--output", path, {0, 1}}, "add --format png or --format ply");
@@ -66,7 +66,7 @@ Format format_of(const std::string& path, std::optional<Format> fallback) {
 
 void check_format_is_used(const CommandLine& line) {
   const auto uses_format = [](const std::string& path) {
-    return path == "-" || !format_named(extension(path));
+    return path == "-" || extension(path).empty();
   };
   if (line.format.empty() || std::ranges::any_of(line.outputs, uses_format)) return;
   throw Error(Status::Input, "no output needs a format", {"--format", line.format, {}},

@@ -89,6 +89,20 @@ Skeleton make_skeleton(const std::vector<Token>& tokens, const Calls& calls) {
   return skeleton;
 }
 
+/// The innermost '?' whose bracket closes, or whose formula ends, before a ':'.
+const Token& unmatched_question(const std::vector<Token>& tokens) {
+  std::vector<std::vector<const Token*>> open(1);  // for each bracket level, the '?' that wait
+  for (const Token& token : tokens) {
+    if (token.kind == TokenKind::Open) open.emplace_back();
+    if (token.text == "?") open.back().push_back(&token);
+    if (token.text == ":" && !open.back().empty()) open.back().pop_back();
+    if (token.kind != TokenKind::Close) continue;
+    if (!open.back().empty()) return *open.back().back();
+    open.pop_back();
+  }
+  return open.back().empty() ? tokens.back() : *open.back().back();
+}
+
 /// What a muparser error means, in terms of the formula.
 Error explain_grammar_error(const FormulaText& formula, const std::vector<Token>& tokens,
                             const Skeleton& skeleton, const mu::ParserError& error) {
@@ -100,9 +114,8 @@ Error explain_grammar_error(const FormulaText& formula, const std::vector<Token>
   const std::size_t index = at_end ? tokens.size() - 1 : skeleton.token_at[position];
   const Token& token = tokens[index];
   if (error.GetCode() == mu::ecMISSING_ELSE_CLAUSE) {
-    const auto question =
-        std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.text == "?"; });
-    return formula.error("a '?' without its ':'", question->span, "write a ? b : c");
+    return formula.error("a '?' without its ':'", unmatched_question(tokens).span,
+                         "write a ? b : c");
   }
   if (error.GetCode() == mu::ecMISPLACED_COLON) {
     return formula.error("a ':' without its '?'", token.span, "write a ? b : c");

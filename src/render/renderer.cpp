@@ -249,7 +249,7 @@ Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
     throw Error(Status::Machine,
                 "not enough memory for a picture of " + std::to_string(options.width) + "x" +
                     std::to_string(options.height) + " pixels",
-                {}, "try a smaller --size, --antialias 1 or a coarser --tolerance");
+                {}, "try a smaller --size, --antialias 1 or coarser --samples");
   }
 }
 

@@ -94,6 +94,16 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"√u", "√", "'√'", "sqrt"},
                       Mistake{"1e999", "1e999", "out of range", ""}));
 
+TEST(Parser, PointsAtTheQuestionMarkThatLacksItsColon) {
+  const std::string text = "(u<0?1:2)+(v<0?3)";
+  try {
+    testing::value(text);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().span.begin, text.rfind('?'));
+  }
+}
+
 TEST(Parser, PointsBehindCharactersOfSeveralBytes) {
   try {
     testing::value("π·foo");
