@@ -21,8 +21,10 @@ std::string display_name(const Definition& definition) {
 
 namespace {
 
-/// Deepest chain of definitions that use each other: what a stack holds with room to spare.
-constexpr std::size_t kMaxChain = 1000;
+/// Deepest chain of definitions that use each other, the same as of brackets: some kilobytes of
+/// stack each, of the eight megabytes that there are, and a sanitizer's frames are several times as
+/// large.
+constexpr std::size_t kMaxChain = 256;
 
 FormulaText formula_of(const Definition& definition) {
   return {display_name(definition), definition.text, {0, definition.text.size()}};
@@ -94,7 +96,7 @@ struct Scope::Impl {
     const auto index = static_cast<std::size_t>(&entry - entries.data());
     if (entry.progress == Progress::Running) throw circle(index);
     if (running.size() >= kMaxChain) {
-      throw name_error(entry.definition, "definitions use each other more than 1000 deep",
+      throw name_error(entry.definition, "definitions use each other more than 256 deep",
                        "use fewer levels");
     }
     entry.progress = Progress::Running;

@@ -120,7 +120,7 @@ TEST(Scope, StopsChainsThatAreTooDeep) {
     definitions.push_back({"a" + std::to_string(i), "a" + std::to_string(i + 1)});
   }
   definitions.push_back({"a2000", "1"});
-  EXPECT_STREQ(error_of(definitions).what(), "definitions use each other more than 1000 deep");
+  EXPECT_STREQ(error_of(definitions).what(), "definitions use each other more than 256 deep");
 }
 
 }  // namespace
