@@ -79,7 +79,7 @@ struct NoVector {};
   NoVector {}
 #define SLEEF1(name, accuracy) SLEEF(name, accuracy)(a)
 #define SLEEF2(name, accuracy) SLEEF(name, accuracy)(a, b)
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help)                                \
+#define SADDLE_OP(id, name, arity, help, value, vector, ...)                                       \
   struct id##Row {                                                                                 \
     static constexpr int kArity = arity;                                                           \
     static double of([[maybe_unused]] double a, [[maybe_unused]] double b,                         \
@@ -158,7 +158,7 @@ void run(double* out, const Operand* in, size_t count) {
 constexpr Kernel kLoops[] = {
     nullptr,  // Op::Constant
     nullptr,  // Op::Variable
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help) &run<id##Row>,
+#define SADDLE_OP(id, ...) &run<id##Row>,
 #include "formula/ops.def"
 };
 

@@ -21,8 +21,8 @@ struct ChainRule {
       case Op::Constant:
       case Op::Variable:
         break;
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help) \
-  case Op::id:                                                      \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, glsl, derivative) \
+  case Op::id:                                                                            \
     return derivative;
 #include "formula/ops.def"
     }

@@ -13,8 +13,8 @@ int arity(Op op) {
     case Op::Constant:
     case Op::Variable:
       return 0;
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help) \
-  case Op::id:                                                      \
+#define SADDLE_OP(id, name, arity, ...) \
+  case Op::id:                          \
     return arity;
 #include "formula/ops.def"
   }
@@ -27,8 +27,8 @@ double apply(Op op, [[maybe_unused]] double a, [[maybe_unused]] double b,
     case Op::Constant:
     case Op::Variable:
       break;
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help) \
-  case Op::id:                                                      \
+#define SADDLE_OP(id, name, arity, help, value, ...) \
+  case Op::id:                                       \
     return value;
 #include "formula/ops.def"
   }

@@ -17,7 +17,7 @@ namespace saddle {
 enum class Op : std::uint8_t {
   Constant,
   Variable,
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help) id,
+#define SADDLE_OP(id, ...) id,
 #include "formula/ops.def"
 #undef SADDLE_OP
 };

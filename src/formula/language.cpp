@@ -37,7 +37,7 @@ Expression no_call(std::span<const Expression> arguments) {
 /// formula can call.
 std::span<const Row> rows() {
   static constexpr std::array kRows = {
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help) \
+#define SADDLE_OP(id, name, arity, help, ...) \
   Row{{name, arity, arity, help}, &call_operation<Op::id>},
 #define SADDLE_COMPOSITE(name, arity, expression, help)                                      \
   Row{{#name, arity, arity, help}, [](std::span<const Expression> arguments) -> Expression { \

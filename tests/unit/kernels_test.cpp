@@ -79,7 +79,7 @@ bool same(double x, double y) {
 }
 
 constexpr std::array kOps = {
-#define SADDLE_OP(id, name, arity, value, vector, derivative, help) Op::id,
+#define SADDLE_OP(id, ...) Op::id,
 #include "formula/ops.def"
 };
 
