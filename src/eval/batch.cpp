@@ -103,18 +103,36 @@ void evaluate_points(const Tape& tape, std::span<const double> u, std::span<cons
   });
 }
 
+/// What depends on u alone, on v alone, for a whole grid.
+struct GridBanks {
+  GridBanks(const Tape& tape, std::span<const double> u, std::span<const double> v)
+      : columns(fill_bank(u, tape.slots_u)), rows(fill_bank(v, tape.slots_v)) {
+    banks.loops = kernels(cpu_level());
+    banks.constants = tape.constants.data();
+    banks.u = {columns.data(), u.size()};
+    banks.v = {rows.data(), v.size()};
+    banks.run(tape.of_u, banks.u, u.size());
+    banks.run(tape.of_v, banks.v, v.size());
+  }
+
+  /// The banks for a stretch of one row; `memory` is bank Both.
+  Banks stretch(std::size_t column, std::size_t row, std::vector<double>& memory,
+                std::size_t pitch) const {
+    Banks result = banks;
+    result.u.data += column;
+    result.v.data += row;
+    result.v.varies = false;
+    result.both = {memory.data(), pitch};
+    return result;
+  }
+
+  std::vector<double> columns, rows;
+  Banks banks;
+};
+
 void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const double> v,
                    std::span<double* const> outputs, unsigned threads) {
-  std::vector<double> columns = fill_bank(u, tape.slots_u);
-  std::vector<double> rows = fill_bank(v, tape.slots_v);
-  Banks once;
-  once.loops = kernels(cpu_level());
-  once.constants = tape.constants.data();
-  once.u = {columns.data(), u.size()};
-  once.v = {rows.data(), v.size()};
-  once.run(tape.of_u, once.u, u.size());
-  once.run(tape.of_v, once.v, v.size());
-
+  const GridBanks grid(tape, u, v);
   const std::size_t rows_per_chunk =
       std::max<std::size_t>(1, kChunk / std::max<std::size_t>(1, u.size()));
   parallel_chunks(v.size(), rows_per_chunk, threads, [&](std::size_t begin, std::size_t end) {
@@ -122,14 +140,51 @@ void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const 
     for (std::size_t row = begin; row < end; ++row) {
       for (std::size_t column = 0; column < u.size(); column += kBlock) {
         const std::size_t count = std::min(kBlock, u.size() - column);
-        Banks banks = once;
-        banks.u = {columns.data() + column, u.size()};
-        banks.v = {rows.data() + row, v.size(), false};
-        banks.both = {memory.data(), kBlock};
+        const Banks banks = grid.stretch(column, row, memory, kBlock);
         banks.run(tape.of_both, banks.both, count);
         banks.store(tape, outputs, row * u.size() + column, count);
       }
     }
+  });
+}
+
+GridTiling::GridTiling(std::size_t cells_u, std::size_t cells_v, std::size_t cells)
+    : cells_u_(cells_u),
+      cells_v_(cells_v),
+      cells_(cells),
+      across_((cells_u + cells - 1) / cells),
+      down_((cells_v + cells - 1) / cells) {}
+
+GridTile GridTiling::tile(std::size_t index) const {
+  const std::size_t column = index % across_ * cells_;
+  const std::size_t row = index / across_ * cells_;
+  return {index, column, row, std::min(cells_, cells_u_ - column) + 1,
+          std::min(cells_, cells_v_ - row) + 1};
+}
+
+TileRows::TileRows(const Tape& tape, const GridBanks& grid, const GridTile& tile)
+    : tape_(tape),
+      grid_(grid),
+      tile_(tile),
+      next_row_(tile.row),
+      memory_(tape.slots_both * tile.columns),
+      outputs_(tape.outputs.size()) {}
+
+bool TileRows::next() {
+  if (next_row_ == tile_.row + tile_.rows) return false;
+  const Banks banks = grid_.stretch(tile_.column, next_row_++, memory_, tile_.columns);
+  banks.run(tape_.of_both, banks.both, tile_.columns);
+  for (std::size_t k = 0; k < outputs_.size(); ++k) outputs_[k] = banks.operand(tape_.outputs[k]);
+  return true;
+}
+
+void evaluate_tiles(const Tape& tape, std::span<const double> u, std::span<const double> v,
+                    const GridTiling& tiling, unsigned threads,
+                    const std::function<void(TileRows&)>& work) {
+  const GridBanks grid(tape, u, v);
+  parallel_chunks(tiling.count(), 1, threads, [&](std::size_t index, std::size_t) {
+    TileRows rows(tape, grid, tiling.tile(index));
+    work(rows);
   });
 }
 

@@ -1,28 +1,22 @@
 #include "mesh/corners.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/parallel.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
 
-constexpr std::size_t kVertexChunk = 2048;
 constexpr std::size_t kMaxListed = 1000;  // singular points named in a report
 
-bool is_zero(const dvec3& a) {
-  return a == dvec3(0);
-}
-
-/// The cells around all singular vertices, in order of vertex, then of cell.
-std::vector<Approach> singular_approaches(const Grid& grid, std::span<const dvec3> normals) {
+/// The kept cells around all singular vertices, in order of vertex, then of cell.
+std::vector<Approach> singular_approaches(const Grid& grid) {
   std::vector<Approach> approaches;
-  for (std::size_t vertex = 0; vertex < normals.size(); ++vertex) {
-    if (!grid.vertex_used[vertex] || !is_zero(normals[vertex])) continue;
-    grid.for_cells_around(vertex, [&](std::size_t cell, int) {
+  for (const std::size_t vertex : grid.singular) {
+    grid.for_cells_around(vertex, [&](std::size_t cell, std::size_t) {
       approaches.push_back({grid.uv(vertex), grid.cell_centre(cell)});
     });
   }
@@ -47,29 +41,25 @@ dvec3 face_normal(const Grid& grid, std::size_t cell) {
 
 class CornerBuilder {
  public:
-  CornerBuilder(const Grid& grid, MeshReport& report) : grid_(grid), report_(report) {
-    corners_.of_cell.resize(grid.cell_count());
-    corners_.normal.reserve(grid.points.size());
-    corners_.vertex.reserve(grid.points.size());
-  }
-
-  void add_regular(std::size_t vertex, const dvec3& normal) {
-    const std::uint32_t corner = add(vertex, normal);
-    grid_.for_cells_around(vertex, [&](std::size_t cell, int slot) {
-      corners_.of_cell[cell][static_cast<std::size_t>(slot)] = corner;
-    });
+  CornerBuilder(Grid& grid, MeshReport& report) : grid_(grid), report_(report) {
+    for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+      if (grid.cells[cell] != Cell::Open) continue;
+      OpenCell& open = cells_.emplace_back(OpenCell{cell, {}});
+      std::ranges::copy(grid.vertices(cell), open.corners.begin());
+    }
   }
 
   /// Takes the limits of the cells around the vertex from the front of `limits`.
   void add_singular(std::size_t vertex, std::span<const NormalLimit>& limits) {
-    const auto first = static_cast<std::uint32_t>(corners_.normal.size());
+    own_corner_is_free_ = true;
+    first_new_corner_ = grid_.mesh.normal.size();
     bool has_limit = true;
-    grid_.for_cells_around(vertex, [&](std::size_t cell, int slot) {
+    grid_.for_cells_around(vertex, [&](std::size_t cell, std::size_t slot) {
       const NormalLimit& limit = limits.front();
       has_limit = has_limit && limit.normal.has_value();
       report_.evaluations += static_cast<std::size_t>(limit.evaluations);
       const dvec3 normal = limit.normal ? *limit.normal : face_normal(grid_, cell);
-      corners_.of_cell[cell][static_cast<std::size_t>(slot)] = find_or_add(first, vertex, normal);
+      find(cell).corners[slot] = static_cast<std::uint32_t>(find_or_add(vertex, normal));
       limits = limits.subspan(1);
     });
     ++report_.singular_point_count;
@@ -78,59 +68,52 @@ class CornerBuilder {
     }
   }
 
-  Corners take() { return std::move(corners_); }
+  std::vector<OpenCell> take() { return std::move(cells_); }
 
  private:
-  std::uint32_t add(std::size_t vertex, const dvec3& normal) {
-    corners_.normal.push_back(normal);
-    corners_.vertex.push_back(static_cast<std::uint32_t>(vertex));
-    return static_cast<std::uint32_t>(corners_.normal.size() - 1);
+  OpenCell& find(std::size_t cell) {
+    return *std::ranges::lower_bound(cells_, cell, {}, &OpenCell::cell);
   }
 
-  /// A corner of the same vertex, from `first` on, with nearly this normal; else a new one.
-  std::uint32_t find_or_add(std::uint32_t first, std::size_t vertex, const dvec3& normal) {
-    for (std::uint32_t corner = first; corner < corners_.normal.size(); ++corner) {
-      if (glm::dot(corners_.normal[corner], normal) >= crease_cosine_) return corner;
+  /// A corner of the vertex with nearly this normal; its own if that is still free, else a new one.
+  std::size_t find_or_add(std::size_t vertex, const dvec3& normal) {
+    Mesh& mesh = grid_.mesh;
+    if (own_corner_is_free_) {
+      own_corner_is_free_ = false;
+      mesh.normal[vertex] = normal;
+      return vertex;
     }
-    return add(vertex, normal);
+    const auto agrees = [&](std::size_t corner) {
+      return glm::dot(mesh.normal[corner], normal) >= crease_cosine_;
+    };
+    if (agrees(vertex)) return vertex;
+    for (std::size_t corner = first_new_corner_; corner < mesh.normal.size(); ++corner) {
+      if (agrees(corner)) return corner;
+    }
+    mesh.position.push_back(dvec3(mesh.position[vertex]));
+    mesh.normal.push_back(normal);
+    mesh.uv.push_back(grid_.uv(vertex));
+    mesh.point.push_back(std::uint32_t{mesh.point[vertex]});
+    return mesh.normal.size() - 1;
   }
 
-  const Grid& grid_;
+  Grid& grid_;
   MeshReport& report_;
-  Corners corners_;
+  std::vector<OpenCell> cells_;
+  bool own_corner_is_free_ = true;    // of the vertex at hand
+  std::size_t first_new_corner_ = 0;  // of the vertex at hand
   const double crease_cosine_ = std::cos(kCreaseDegrees * std::numbers::pi / 180);
 };
 
 }  // namespace
 
-std::vector<dvec3> regular_normals(const Surface& surface, const Grid& grid, unsigned threads) {
-  std::vector<dvec3> normals(grid.points.size(), dvec3(0));
-  const auto compute = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t vertex = begin; vertex < end; ++vertex) {
-      if (!grid.vertex_used[vertex]) continue;
-      const dvec2 scale = grid.tangent_scale(vertex);
-      const auto normal = unit_normal(grid.points[vertex], scale.x, scale.y, surface.flip);
-      if (normal) normals[vertex] = *normal;
-    }
-  };
-  parallel_chunks(normals.size(), kVertexChunk, threads, compute);
-  return normals;
-}
-
-Corners make_corners(const Surface& surface, const Grid& grid, std::span<const dvec3> normals,
-                     unsigned threads, MeshReport& report) {
+std::vector<OpenCell> open_cells(const Surface& surface, unsigned threads, Grid& grid,
+                                 MeshReport& report) {
   const std::vector<NormalLimit> limits =
-      limit_normals(surface, singular_approaches(grid, normals), threads);
+      limit_normals(surface, singular_approaches(grid), threads);
   std::span<const NormalLimit> remaining = limits;
   CornerBuilder builder(grid, report);
-  for (std::size_t vertex = 0; vertex < normals.size(); ++vertex) {
-    if (!grid.vertex_used[vertex]) continue;
-    if (is_zero(normals[vertex])) {
-      builder.add_singular(vertex, remaining);
-    } else {
-      builder.add_regular(vertex, normals[vertex]);
-    }
-  }
+  for (const std::size_t vertex : grid.singular) builder.add_singular(vertex, remaining);
   return builder.take();
 }
 

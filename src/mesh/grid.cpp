@@ -7,7 +7,8 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/error.h"
-#include "base/parallel.h"
+#include "mesh/irregular.h"
+#include "mesh/tile.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -16,7 +17,6 @@ namespace {
 
 /// Corners are numbered in 32 bits, and a vertex has at most four.
 constexpr std::size_t kMaxCells = std::size_t{1} << 29;
-constexpr std::size_t kVertexChunk = 4096;
 
 bool is_finite(const dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -47,40 +47,28 @@ void require_countable(const GridOptions& options) {
               {}, "at most " + std::to_string(kMaxCells) + " cells");
 }
 
-void measure_tangents(Grid& grid, unsigned threads) {
-  grid.tangent_lengths.resize(grid.points.size());
-  const auto length = [](const dvec3& tangent) {
-    const double value = safe_length(tangent);
-    return std::isfinite(value) ? value : 0;
+/// The mesh's arrays at their sizes, with room for some more corners at singular vertices: memory
+/// that is not touched costs nothing, moving a million vertices does.
+void allocate(Grid& grid) {
+  const std::size_t vertices = grid.vertex_count();
+  const std::size_t room = vertices + vertices / 8;
+  const auto make = [&](auto& array) {
+    array.reserve(room);
+    array.resize(vertices);
   };
-  parallel_chunks(grid.points.size(), kVertexChunk, threads,
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t k = begin; k < end; ++k) {
-                      const SurfacePoint& point = grid.points[k];
-                      grid.tangent_lengths[k] = {length(point.r_u), length(point.r_v)};
-                    }
-                  });
+  make(grid.mesh.position);
+  make(grid.mesh.normal);
+  make(grid.mesh.uv);
+  make(grid.mesh.point);
+  grid.mesh.triangles.resize(2 * grid.cell_count());
+  grid.cells.resize(grid.cell_count());
 }
 
-void keep_defined_cells(Grid& grid) {
-  std::vector<std::uint8_t> defined(grid.points.size());
-  std::transform(grid.points.begin(), grid.points.end(), defined.begin(),
-                 [](const SurfacePoint& point) { return is_finite(point.position); });
-  grid.cell_kept.resize(grid.cell_count());
-  grid.vertex_used.resize(grid.points.size());
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto vertices = grid.vertices(cell);
-    if (!std::all_of(vertices.begin(), vertices.end(), [&](auto k) { return defined[k] != 0; })) {
-      continue;
-    }
-    grid.cell_kept[cell] = 1;
-    ++grid.kept_count;
-    for (const std::size_t vertex : vertices) grid.vertex_used[vertex] = 1;
-  }
-  if (grid.kept_count > 0) return;
-
-  const auto samples = static_cast<std::size_t>(std::count(defined.begin(), defined.end(), 1));
-  const std::string all = std::to_string(defined.size());
+void require_defined_cells(const Grid& grid) {
+  if (grid.left_out_count < grid.cell_count()) return;
+  const auto& positions = grid.mesh.position;
+  const auto samples = std::count_if(positions.begin(), positions.end(), is_finite);
+  const std::string all = std::to_string(positions.size());
   if (samples == 0) {
     throw Error(Status::Nothing, "the surface is undefined everywhere", {},
                 "none of the " + all + " samples has finite x, y and z");
@@ -99,10 +87,14 @@ std::string format_point(const dvec3& p) {
   return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
 }
 
-void measure_extent(Grid& grid) {
-  Bounds bounds;
-  for (std::size_t vertex = 0; vertex < grid.points.size(); ++vertex) {
-    if (grid.vertex_used[vertex]) bounds.add(grid.points[vertex].position);
+void measure_extent(Grid& grid, std::span<const TileSummary> tiles) {
+  Bounds& bounds = grid.mesh.bounds;
+  for (const TileSummary& tile : tiles) bounds.add(tile.bounds);
+  if (grid.left_out_count > 0) {
+    bounds = Bounds();
+    for (std::size_t vertex = 0; vertex < grid.vertex_count(); ++vertex) {
+      if (grid.is_used(vertex)) bounds.add(grid.mesh.position[vertex]);
+    }
   }
   const double diagonal = safe_length(bounds.size());
   if (!std::isfinite(diagonal)) {
@@ -134,16 +126,15 @@ std::array<std::size_t, 4> Grid::vertices(std::size_t cell) const {
   return {first, first + 1, above + 1, above};
 }
 
-dvec2 Grid::tangent_scale(std::size_t vertex) const {
-  const std::size_t i = vertex % (cells_u + 1);
-  const std::size_t j = vertex / (cells_u + 1);
-  dvec2 scale(0);
-  for (std::size_t b = j - (j > 0); b <= std::min(j + 1, cells_v); ++b) {
-    for (std::size_t a = i - (i > 0); a <= std::min(i + 1, cells_u); ++a) {
-      scale = glm::max(scale, tangent_lengths[b * (cells_u + 1) + a]);
-    }
-  }
-  return scale;
+bool Grid::is_used(std::size_t vertex) const {
+  if (left_out_count == 0) return true;
+  bool used = false;
+  for_cells_around(vertex, [&used](std::size_t, std::size_t) { used = true; });
+  return used;
+}
+
+void Grid::open_around(std::size_t vertex) {
+  for_cells_around(vertex, [this](std::size_t cell, std::size_t) { cells[cell] = Cell::Open; });
 }
 
 Grid sample_grid(const Surface& surface, const GridOptions& options) {
@@ -154,11 +145,20 @@ Grid sample_grid(const Surface& surface, const GridOptions& options) {
   grid.cells_v = static_cast<std::size_t>(options.cells_v);
   grid.u = grid_parameters(domain.u0, domain.u1, grid.cells_u);
   grid.v = grid_parameters(domain.v0, domain.v1, grid.cells_v);
+  grid.flipped = surface.flip;
   grid.mirrored = runs_backwards(domain) != surface.flip;
-  grid.points = evaluate_on_grid(surface, grid.u, grid.v, options.threads);
-  keep_defined_cells(grid);
-  measure_extent(grid);
-  measure_tangents(grid, options.threads);
+  allocate(grid);
+
+  const GridTiling tiling(grid.cells_u, grid.cells_v, kTileCells);
+  std::vector<TileSummary> tiles(tiling.count());
+  evaluate_tiles(surface.normals, grid.u, grid.v, tiling, options.threads,
+                 [&](TileRows& rows) { tiles[rows.tile().index] = take_tile(rows, grid); });
+  find_irregular(surface, tiling, tiles, options.threads, grid);
+  require_defined_cells(grid);
+  measure_extent(grid, tiles);
+  for (const TileSummary& tile : tiles) {
+    grid.worst.insert(grid.worst.end(), tile.worst.begin(), tile.worst.end());
+  }
   return grid;
 }
 

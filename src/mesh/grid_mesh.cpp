@@ -1,6 +1,8 @@
 #include "mesh/grid_mesh.h"
 
 #include <algorithm>
+#include <memory>
+#include <span>
 
 #include "base/error.h"
 #include "mesh/corners.h"
@@ -15,69 +17,93 @@ namespace saddle {
 
 namespace {
 
-constexpr std::uint32_t kUnnumbered = 0xffffffff;
+constexpr std::uint32_t kNone = 0xffffffff;
 
-/// New numbers for the corners that triangles use, in order.
-std::vector<std::uint32_t> number_used_corners(const Corners& corners,
-                                               const CellTriangles& triangles) {
-  std::vector<std::uint32_t> numbers(corners.normal.size(), kUnnumbered);
-  for (const Triangle& triangle : triangles.all) {
-    for (const std::uint32_t corner : triangle) numbers[corner] = 0;
+/// The triangles without the gaps that cells with fewer than two leave.
+void close_gaps(Grid& grid) {
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    for (const Triangle& triangle : grid.triangles(cell)) grid.mesh.triangles[count++] = triangle;
   }
+  grid.mesh.triangles.resize(count);
+}
+
+/// For each vertex a corner that triangles use: its own, or one of the same point where a pole's
+/// triangles use only their neighbours' corners.
+std::vector<std::uint32_t> corners_for_lines(const Grid& grid, std::span<const bool> used) {
+  const auto& point = grid.mesh.point;
+  std::vector<std::uint32_t> of_point(grid.vertex_count(), kNone);
+  for (std::uint32_t corner = 0; corner < point.size(); ++corner) {
+    if (used[corner]) of_point[point[corner]] = corner;
+  }
+  std::vector<std::uint32_t> corners(grid.vertex_count());
+  for (std::uint32_t vertex = 0; vertex < corners.size(); ++vertex) {
+    corners[vertex] = used[vertex] ? vertex : of_point[point[vertex]];
+  }
+  return corners;
+}
+
+/// Gives the points of the mesh, which are named after their first vertices, numbers without gaps.
+void number_points(Grid& grid) {
+  Mesh& mesh = grid.mesh;
+  std::vector<std::uint32_t> numbers(grid.vertex_count(), kNone);
+  for (std::uint32_t& point : mesh.point) {
+    std::uint32_t& number = numbers[point];
+    if (number == kNone) number = mesh.point_count++;
+    point = number;
+  }
+}
+
+/// Leaves out the corners that no triangle uses; triangles and lines follow.
+void drop_unused_corners(Mesh& mesh, std::span<const bool> used) {
+  std::vector<std::uint32_t> numbers(used.size());
   std::uint32_t count = 0;
-  for (std::uint32_t& number : numbers) {
-    if (number != kUnnumbered) number = count++;
+  mesh.bounds = Bounds();
+  for (std::size_t corner = 0; corner < used.size(); ++corner) {
+    if (!used[corner]) continue;
+    mesh.bounds.add(mesh.position[corner]);
+    mesh.position[count] = mesh.position[corner];
+    mesh.normal[count] = mesh.normal[corner];
+    mesh.uv[count] = mesh.uv[corner];
+    mesh.point[count] = mesh.point[corner];
+    numbers[corner] = count++;
   }
-  return numbers;
+  mesh.position.resize(count);
+  mesh.normal.resize(count);
+  mesh.uv.resize(count);
+  mesh.point.resize(count);
+  for (Triangle& triangle : mesh.triangles) {
+    for (std::uint32_t& corner : triangle) corner = numbers[corner];
+  }
+  for (std::vector<std::uint32_t>& line : mesh.lines) {
+    for (std::uint32_t& corner : line) corner = numbers[corner];
+  }
 }
 
-/// The corners that are used, under their new numbers, and the triangles.
-Mesh collect(const Grid& grid, const Corners& corners, const CellTriangles& triangles,
-             const Joints& joints, std::span<const std::uint32_t> numbers) {
-  Mesh mesh;
-  mesh.position.reserve(numbers.size());
-  mesh.normal.reserve(numbers.size());
-  mesh.uv.reserve(numbers.size());
-  mesh.point.reserve(numbers.size());
-  std::vector<std::uint32_t> point_numbers(grid.points.size(), kUnnumbered);
-  for (std::size_t corner = 0; corner < numbers.size(); ++corner) {
-    if (numbers[corner] == kUnnumbered) continue;
-    const std::uint32_t vertex = corners.vertex[corner];
-    mesh.position.push_back(grid.points[vertex].position);
-    mesh.normal.push_back(corners.normal[corner]);
-    mesh.uv.push_back(grid.uv(vertex));
-    mesh.bounds.add(mesh.position.back());
-    std::uint32_t& point = point_numbers[joints.point[vertex]];
-    if (point == kUnnumbered) point = mesh.point_count++;
-    mesh.point.push_back(point);
+/// Makes lines and the final arrays of a grid whose cells are all cut.
+void finish(Grid& grid, const GridOptions& options, bool all_plain) {
+  Mesh& mesh = grid.mesh;
+  if (all_plain) {  // every vertex is a corner, every place for a triangle holds one
+    mesh.lines = grid_lines(grid, {}, options);
+    number_points(grid);
+    return;
   }
-  mesh.triangles.reserve(triangles.all.size());
-  for (const Triangle& t : triangles.all) {
-    mesh.triangles.push_back({numbers[t[0]], numbers[t[1]], numbers[t[2]]});
+  const auto used = std::make_unique<bool[]>(mesh.position.size());
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    for (const Triangle& triangle : grid.triangles(cell)) {
+      for (const std::uint32_t corner : triangle) used[corner] = true;
+    }
   }
-  return mesh;
+  const std::span<const bool> used_corners(used.get(), mesh.position.size());
+  mesh.lines = grid_lines(grid, corners_for_lines(grid, used_corners), options);
+  close_gaps(grid);
+  drop_unused_corners(mesh, used_corners);
+  number_points(grid);
 }
 
-/// For each vertex a corner of the mesh: its own, or one of the same point where a pole's triangles
-/// use only their neighbours' corners.
-std::vector<std::uint32_t> corners_for_lines(const Corners& corners, const Joints& joints,
-                                             std::span<const std::uint32_t> numbers) {
-  std::vector<std::uint32_t> own(joints.point.size(), kNoCorner);
-  std::vector<std::uint32_t> of_point(joints.point.size(), kNoCorner);
-  for (std::size_t corner = 0; corner < numbers.size(); ++corner) {
-    if (numbers[corner] == kUnnumbered) continue;
-    const std::uint32_t vertex = corners.vertex[corner];
-    own[vertex] = numbers[corner];
-    of_point[joints.point[vertex]] = numbers[corner];
-  }
-  for (std::size_t vertex = 0; vertex < own.size(); ++vertex) {
-    if (own[vertex] == kNoCorner) own[vertex] = of_point[joints.point[vertex]];
-  }
-  return own;
-}
-
-void require_triangles(const CellTriangles& triangles, const Grid& grid) {
-  if (!triangles.all.empty()) return;
+void require_triangles(const Grid& grid) {
+  const auto has_triangle = [](Cell cell) { return cell == Cell::One || cell == Cell::Two; };
+  if (std::ranges::any_of(grid.cells, has_triangle)) return;
   throw Error(Status::Nothing, "no cell of the grid has any area", {},
               "the surface repeats itself in step with the " + std::to_string(grid.cells_u) +
                   " x " + std::to_string(grid.cells_v) + " cells; --samples takes more");
@@ -89,30 +115,31 @@ GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options) {
   GridMesh result;
   MeshReport& report = result.report;
   Grid grid = sample_grid(surface, options);
-  report.cells = grid.kept_count;
-  report.evaluations = grid.points.size();
-  report.undefined_fraction = static_cast<double>(grid.cell_count() - grid.kept_count) /
-                              static_cast<double>(grid.cell_count());
+  report.cells = grid.cell_count() - grid.left_out_count;
+  report.evaluations = grid.vertex_count();
+  report.undefined_fraction =
+      static_cast<double>(grid.left_out_count) / static_cast<double>(grid.cell_count());
 
-  const std::vector<dvec3> normals = regular_normals(surface, grid, options.threads);
   require_two_dimensional(surface, grid, options.threads);
-  const Joints joints = weld(grid);
-  report.closed_u = joints.closed_u;
-  report.closed_v = joints.closed_v;
-  const Corners corners = make_corners(surface, grid, normals, options.threads, report);
-  const CellTriangles triangles = triangulate(grid, corners, joints.point, options.threads);
-  require_triangles(triangles, grid);
-  report.flat_triangles = 2 * grid.kept_count - triangles.all.size();
+  const Seams seams = weld(grid);
+  report.closed_u = seams.closed_u;
+  report.closed_v = seams.closed_v;
+  const std::vector<OpenCell> open = open_cells(surface, options.threads, grid, report);
+  triangulate(grid, open);
+  require_triangles(grid);
+  std::vector<std::size_t> opened;
+  for (const OpenCell& cell : open) {
+    report.flat_triangles += 2 - grid.triangle_count(cell.cell);
+    opened.push_back(cell.cell);
+  }
 
-  const std::vector<std::uint32_t> numbers = number_used_corners(corners, triangles);
-  result.mesh = collect(grid, corners, triangles, joints, numbers);
-  const std::vector<std::uint32_t> line_corners = corners_for_lines(corners, joints, numbers);
-  result.mesh.lines = grid_lines(grid, triangles, {joints.point, line_corners}, options);
-
-  const MeasuredError error = measure_error(surface, grid, corners, triangles, options.threads);
+  const MeasuredError error = measure_error(surface, grid, opened, options.threads);
   report.max_error = error.distance;
   report.max_normal_error = error.normal_degrees;
   report.evaluations += error.evaluations;
+
+  finish(grid, options, open.empty() && grid.left_out_count == 0);
+  result.mesh = std::move(grid.mesh);
   return result;
 }
 

@@ -21,8 +21,11 @@ std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
 
 /// Follows `line` edge by edge and appends its chains. `exists(k)`: edge k, k + 1 is in the mesh.
 template <class Exists>
-void append_chains(const GridLine& line, const LineVertices& vertices, Exists exists,
-                   std::vector<Chain>& chains) {
+void append_chains(const Grid& grid, const GridLine& line, std::span<const std::uint32_t> corner,
+                   Exists exists, std::vector<Chain>& chains) {
+  const auto corner_of = [&](std::size_t vertex) {
+    return corner.empty() ? static_cast<std::uint32_t>(vertex) : corner[vertex];
+  };
   Chain chain;
   const auto finish = [&] {
     if (chain.size() > 1) chains.push_back(chain);
@@ -31,11 +34,11 @@ void append_chains(const GridLine& line, const LineVertices& vertices, Exists ex
   for (std::size_t k = 0; k + 1 < line.count; ++k) {
     const std::size_t a = line[k];
     const std::size_t b = line[k + 1];
-    if (!exists(k) || vertices.corner[a] == kNoCorner || vertices.corner[b] == kNoCorner) {
+    if (!exists(k)) {
       finish();
-    } else if (vertices.point[a] != vertices.point[b]) {
-      if (chain.empty()) chain.push_back(vertices.corner[a]);
-      chain.push_back(vertices.corner[b]);
+    } else if (grid.mesh.point[a] != grid.mesh.point[b]) {
+      if (chain.empty()) chain.push_back(corner_of(a));
+      chain.push_back(corner_of(b));
     }
   }
   finish();
@@ -43,11 +46,11 @@ void append_chains(const GridLine& line, const LineVertices& vertices, Exists ex
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid, const CellTriangles& triangles,
-                                                   const LineVertices& vertices,
+std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid,
+                                                   std::span<const std::uint32_t> corner,
                                                    const GridOptions& options) {
   const auto has_triangles = [&](std::size_t i, std::size_t j) {
-    return i < grid.cells_u && j < grid.cells_v && !triangles.of(grid.cell(i, j)).empty();
+    return i < grid.cells_u && j < grid.cells_v && grid.triangle_count(grid.cell(i, j)) > 0;
   };
   std::vector<Chain> chains;
   for (const std::size_t i : nearest_mesh_lines(options.lines_u, grid.cells_u)) {
@@ -55,13 +58,13 @@ std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid, const CellT
     const auto exists = [&](std::size_t j) {
       return has_triangles(i, j) || has_triangles(i - 1, j);
     };
-    append_chains(grid.column(i), vertices, exists, chains);
+    append_chains(grid, grid.column(i), corner, exists, chains);
   }
   for (const std::size_t j : nearest_mesh_lines(options.lines_v, grid.cells_v)) {
     const auto exists = [&](std::size_t i) {
       return has_triangles(i, j) || has_triangles(i, j - 1);
     };
-    append_chains(grid.row(j), vertices, exists, chains);
+    append_chains(grid, grid.row(j), corner, exists, chains);
   }
   return chains;
 }

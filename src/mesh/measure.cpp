@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "mesh/triangulate.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -72,13 +73,9 @@ double degrees_between(const dvec3& a, const dvec3& b) {
 
 class Measurer {
  public:
-  Measurer(const Surface& surface, const Grid& grid, const Corners& corners,
-           const CellTriangles& triangles, unsigned threads)
-      : surface_(surface),
-        grid_(grid),
-        corners_(corners),
-        triangles_(triangles),
-        threads_(threads) {}
+  Measurer(const Surface& surface, const Grid& grid, std::span<const std::size_t> opened,
+           unsigned threads)
+      : surface_(surface), grid_(grid), opened_(opened), threads_(threads) {}
 
   MeasuredError measure() const {
     const std::vector<std::size_t> cells = choose_cells();
@@ -99,51 +96,56 @@ class Measurer {
   }
 
  private:
-  /// The largest sagitta of the first triangle's edges: one diagonal and two sides of the cell, the
-  /// other two being its neighbours'.
+  /// The largest sagitta of the edges of a cell's triangles.
   double estimate(std::size_t cell) const {
-    const Triangle& triangle = triangles_.of(cell).front();
     double largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangle[k];
-      const std::uint32_t b = triangle[(k + 1) % 3];
-      const double edge = sagitta(position(a), corners_.normal[a], position(b), corners_.normal[b]);
-      largest = std::max(largest, edge);
+    for (const Triangle& t : grid_.triangles(cell)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k];
+        const std::uint32_t b = t[(k + 1) % 3];
+        const double edge =
+            sagitta(mesh_.position[a], mesh_.normal[a], mesh_.position[b], mesh_.normal[b]);
+        largest = std::max(largest, edge);
+      }
     }
     return largest;
   }
 
+  /// All cells with triangles, if they are few; else as many spread over the domain as chosen from
+  /// the worst.
   std::vector<std::size_t> choose_cells() const {
-    std::vector<std::size_t> cells;
-    cells.reserve(grid_.kept_count);
-    for (std::size_t cell = 0; cell < grid_.cell_count(); ++cell) {
-      if (!triangles_.of(cell).empty()) cells.push_back(cell);
-    }
-    if (cells.size() <= kMaxCells) return cells;
-
-    std::vector<double> estimates(grid_.cell_count());
-    parallel_chunks(cells.size(), kCellChunk, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) estimates[cells[k]] = estimate(cells[k]);
-    });
+    if (grid_.cell_count() <= kMaxCells) return spread_cells(grid_.cell_count());
     const std::size_t half = kMaxCells / 2;
-    const std::vector<std::size_t> spread = spread_cells(cells, half);
-    const auto worst = cells.begin() + static_cast<std::ptrdiff_t>(half);
-    std::nth_element(cells.begin(), worst, cells.end(), [&](std::size_t a, std::size_t b) {
-      return estimates[a] != estimates[b] ? estimates[a] > estimates[b] : a < b;
-    });
-    cells.resize(half);
-    cells.insert(cells.end(), spread.begin(), spread.end());
+    std::vector<std::size_t> cells = spread_cells(half);
+    std::vector<CellError> worst = grid_.worst;
+    for (const std::size_t cell : opened_) worst.push_back({cell, estimate(cell)});
+    if (worst.size() > half) {
+      const auto end = worst.begin() + static_cast<std::ptrdiff_t>(half);
+      std::nth_element(worst.begin(), end, worst.end(), [](const CellError& a, const CellError& b) {
+        return a.sagitta != b.sagitta ? a.sagitta > b.sagitta : a.cell < b.cell;
+      });
+      worst.resize(half);
+    }
+    for (const CellError& candidate : worst) {
+      if (grid_.triangle_count(candidate.cell) > 0) cells.push_back(candidate.cell);
+    }
     return cells;
   }
 
-  /// One cell at random out of each of `count` stretches of equal length.
-  static std::vector<std::size_t> spread_cells(std::span<const std::size_t> cells,
-                                               std::size_t count) {
+  /// From each of `count` stretches of equal length of the grid's cells one at random, or the next
+  /// one in the stretch that has triangles.
+  std::vector<std::size_t> spread_cells(std::size_t count) const {
     std::vector<std::size_t> chosen;
-    const double stretch = static_cast<double>(cells.size()) / static_cast<double>(count);
     for (std::size_t k = 0; k < count; ++k) {
-      const double place = (static_cast<double>(k) + random_unit(k)) * stretch;
-      chosen.push_back(cells[std::min(static_cast<std::size_t>(place), cells.size() - 1)]);
+      const std::size_t begin = k * grid_.cell_count() / count;
+      const std::size_t length = (k + 1) * grid_.cell_count() / count - begin;
+      const auto first = static_cast<std::size_t>(random_unit(k) * static_cast<double>(length));
+      for (std::size_t step = 0; step < length; ++step) {
+        const std::size_t cell = begin + (first + step) % length;
+        if (grid_.triangle_count(cell) == 0) continue;
+        chosen.push_back(cell);
+        break;
+      }
     }
     return chosen;
   }
@@ -166,7 +168,7 @@ class Measurer {
     const dvec3 p = grid_.local_scale * point.position;
     Nearest nearest;
     dvec3 interpolated(0);
-    for (const Triangle& triangle : triangles_.of(cell)) {
+    for (const Triangle& triangle : grid_.triangles(cell)) {
       const std::array<dvec3, 3> corners = {position(triangle[0]), position(triangle[1]),
                                             position(triangle[2])};
       const Nearest candidate = nearest_on_triangle(corners, p);
@@ -174,29 +176,29 @@ class Measurer {
       nearest = candidate;
       interpolated = dvec3(0);
       for (int k = 0; k < 3; ++k) {
-        interpolated += nearest.weights[k] * corners_.normal[triangle[static_cast<std::size_t>(k)]];
+        interpolated += nearest.weights[k] * mesh_.normal[triangle[static_cast<std::size_t>(k)]];
       }
     }
     if (!std::isfinite(nearest.distance)) return dvec2(0);  // undefined there
-    const dvec2 scale = grid_.tangent_scale(grid_.vertices(cell)[0]);
-    const auto exact = unit_normal(point, scale.x, scale.y, surface_.flip);
+    const auto exact =
+        unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), surface_.flip);
     return {nearest.distance, exact ? degrees_between(*exact, interpolated) : 0};
   }
 
-  dvec3 position(std::uint32_t corner) const { return grid_.local(corners_.vertex[corner]); }
+  dvec3 position(std::uint32_t corner) const { return grid_.local(corner); }
 
   const Surface& surface_;
   const Grid& grid_;
-  const Corners& corners_;
-  const CellTriangles& triangles_;
+  const Mesh& mesh_ = grid_.mesh;
+  std::span<const std::size_t> opened_;
   unsigned threads_;
 };
 
 }  // namespace
 
-MeasuredError measure_error(const Surface& surface, const Grid& grid, const Corners& corners,
-                            const CellTriangles& triangles, unsigned threads) {
-  return Measurer(surface, grid, corners, triangles, threads).measure();
+MeasuredError measure_error(const Surface& surface, const Grid& grid,
+                            std::span<const std::size_t> opened, unsigned threads) {
+  return Measurer(surface, grid, opened, threads).measure();
 }
 
 }  // namespace saddle

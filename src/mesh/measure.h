@@ -1,7 +1,10 @@
 // How far a mesh is from the surface it stands for, measured on fresh points.
 #pragma once
 
-#include "mesh/triangulate.h"
+#include <cstddef>
+#include <span>
+
+#include "mesh/grid.h"
 
 namespace saddle {
 
@@ -14,8 +17,8 @@ struct MeasuredError {
 /// Evaluates the surface inside and on two edges of cells: of all cells if they are few, else of
 /// those whose triangles look worst and of as many spread over the domain. The points are off the
 /// cells' middles by up to a tenth of a cell, at random: a surface that oscillates in step with the
-/// grid is found out.
-MeasuredError measure_error(const Surface& surface, const Grid& grid, const Corners& corners,
-                            const CellTriangles& triangles, unsigned threads);
+/// grid is found out. `opened`: the cells that were not plain.
+MeasuredError measure_error(const Surface& surface, const Grid& grid,
+                            std::span<const std::size_t> opened, unsigned threads);
 
 }  // namespace saddle

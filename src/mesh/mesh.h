@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/array.h"
 #include "base/vec.h"
 
 namespace saddle {
@@ -31,16 +32,19 @@ struct Bounds {
   double diagonal() const { return empty() ? 0 : glm::length(size()); }
 };
 
+/// Three corners.
+using Triangle = std::array<std::uint32_t, 3>;
+
 struct Mesh {
   // One entry per corner.
-  std::vector<dvec3> position;
-  std::vector<dvec3> normal;         ///< unit; front is where it points
-  std::vector<dvec2> uv;             ///< the parameters of this side of the surface
-  std::vector<std::uint32_t> point;  ///< which point of the surface the corner is; see point_count
-  std::uint32_t point_count = 0;     ///< corners of one point have bitwise equal positions
+  Array<dvec3> position;
+  Array<dvec3> normal;            ///< unit; front is where it points
+  Array<dvec2> uv;                ///< the parameters of this side of the surface
+  Array<std::uint32_t> point;     ///< which point of the surface the corner is; see point_count
+  std::uint32_t point_count = 0;  ///< corners of one point have bitwise equal positions
 
   /// Corner indices, counter-clockwise seen from the front.
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Array<Triangle> triangles;
 
   /// The scene's grid lines, each a chain of corners along edges of the mesh.
   std::vector<std::vector<std::uint32_t>> lines;

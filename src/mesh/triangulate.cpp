@@ -5,16 +5,9 @@
 
 #include <glm/vector_relational.hpp>
 
-#include "base/parallel.h"
-
 namespace saddle {
 
 namespace {
-
-constexpr std::size_t kCellChunk = 1024;
-/// Sagittas and lengths that differ by less, relatively, are equal: on surfaces of revolution both
-/// diagonals are, and rounding must not choose between them.
-constexpr double kTie = 1e-6;
 
 /// The triangle at slot k of a cell is (k - 1, k, k + 1). A cut along the diagonal from slot 0 to
 /// slot 2 makes those at slots 1 and 3, one from 1 to 3 those at 2 and 0.
@@ -85,13 +78,13 @@ SlotTriangles slot_triangles(const CellCorners& cell, bool mirrored) {
 /// Whether the diagonal from slot 1 to 3 is better than that from 0 to 2, where both cuts make
 /// triangles that are equally good.
 bool second_diagonal_is_nearer(const CellCorners& cell) {
-  const auto smaller = [](double x, double y) { return x < y * (1 - kTie); };
   const auto& [p, n, point] = cell;
   const double first = sagitta(p[0], n[0], p[2], n[2]);
   const double second = sagitta(p[1], n[1], p[3], n[3]);
-  if (smaller(second, first)) return true;
-  if (smaller(first, second)) return false;
-  return smaller(glm::distance(p[1], p[3]), glm::distance(p[0], p[2]));
+  if (is_smaller(second, first)) return true;
+  if (is_smaller(first, second)) return false;
+  const auto square = [](const dvec3& a) { return glm::dot(a, a); };
+  return is_smaller(square(p[3] - p[1]), square(p[2] - p[0]));
 }
 
 Cut cut_cell(const CellCorners& cell, bool mirrored) {
@@ -111,46 +104,32 @@ Cut cut_cell(const CellCorners& cell, bool mirrored) {
   return cuts[second_diagonal_is_nearer(cell)];
 }
 
-CellCorners gather(const Grid& grid, const Corners& corners, std::span<const std::uint32_t> point,
-                   std::size_t cell) {
+CellCorners gather(const Grid& grid, const OpenCell& cell) {
   CellCorners result;
-  const auto vertices = grid.vertices(cell);
   for (std::size_t k = 0; k < 4; ++k) {
-    result.position[k] = grid.local(vertices[k]);
-    result.normal[k] = corners.normal[corners.of_cell[cell][k]];
-    result.point[k] = point[vertices[k]];
+    result.position[k] = grid.local(cell.corners[k]);
+    result.normal[k] = grid.mesh.normal[cell.corners[k]];
+    result.point[k] = grid.mesh.point[cell.corners[k]];
   }
   return result;
 }
 
 }  // namespace
 
-CellTriangles triangulate(const Grid& grid, const Corners& corners,
-                          std::span<const std::uint32_t> point, unsigned threads) {
-  std::vector<Cut> cuts(grid.cell_count());
-  parallel_chunks(cuts.size(), kCellChunk, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t cell = begin; cell < end; ++cell) {
-      if (!grid.cell_kept[cell]) continue;
-      cuts[cell] = cut_cell(gather(grid, corners, point, cell), grid.mirrored);
-    }
-  });
-
-  CellTriangles triangles;
-  triangles.all.reserve(2 * grid.kept_count);
-  triangles.first.reserve(cuts.size() + 1);
-  for (std::size_t cell = 0; cell < cuts.size(); ++cell) {
-    triangles.first.push_back(static_cast<std::uint32_t>(triangles.all.size()));
-    const auto& corner = corners.of_cell[cell];
+void triangulate(Grid& grid, std::span<const OpenCell> cells) {
+  for (const OpenCell& cell : cells) {
+    const Cut cut = cut_cell(gather(grid, cell), grid.mirrored);
+    std::size_t count = 0;
     for (std::size_t t = 0; t < 2; ++t) {
-      if (!cuts[cell].exists[t]) continue;
-      const std::size_t slot = kCuts[cuts[cell].diagonal][t];
-      Triangle triangle = {corner[(slot + 3) % 4], corner[slot], corner[(slot + 1) % 4]};
+      if (!cut.exists[t]) continue;
+      const std::size_t slot = kCuts[cut.diagonal][t];
+      const auto& corners = cell.corners;
+      Triangle triangle = {corners[(slot + 3) % 4], corners[slot], corners[(slot + 1) % 4]};
       if (grid.mirrored) std::swap(triangle[1], triangle[2]);
-      triangles.all.push_back(triangle);
+      grid.mesh.triangles[2 * cell.cell + count++] = triangle;
     }
+    grid.cells[cell.cell] = static_cast<Cell>(count);
   }
-  triangles.first.push_back(static_cast<std::uint32_t>(triangles.all.size()));
-  return triangles;
 }
 
 }  // namespace saddle

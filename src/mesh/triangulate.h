@@ -1,39 +1,29 @@
-// Cells of a grid into triangles.
+// Cells of a grid into triangles, one by one: those that the pass over the grid left open.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "mesh/corners.h"
 #include "mesh/grid.h"
 
 namespace saddle {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
-/// Triangles of corners, counter-clockwise seen from the front; those of cell c are
-/// all[first[c]] to all[first[c + 1] - 1], none to two.
-struct CellTriangles {
-  std::vector<Triangle> all;
-  std::vector<std::uint32_t> first;  ///< one per cell, and the end
-
-  std::span<const Triangle> of(std::size_t cell) const {
-    return std::span(all).subspan(first[cell], first[cell + 1] - first[cell]);
-  }
-};
-
-/// Cuts each kept cell along one of its diagonals: the one whose triangles face as their corners'
+/// Cuts each cell along one of its diagonals: the one whose triangles face as their corners'
 /// normals do, then the one with the smaller sagitta, then the shorter one. Triangles without area,
-/// as at poles, are left out. `point`: see Joints.
-CellTriangles triangulate(const Grid& grid, const Corners& corners,
-                          std::span<const std::uint32_t> point, unsigned threads);
+/// as at poles, are left out. Writes grid.mesh.triangles and grid.cells of these cells.
+void triangulate(Grid& grid, std::span<const OpenCell> cells);
 
 /// The height of a surface's arc above the chord from a to b, from the normals at its ends, for a
 /// parabolic arc: |(n_b - n_a) . (p_b - p_a)| / 8.
 inline double sagitta(const dvec3& p_a, const dvec3& n_a, const dvec3& p_b, const dvec3& n_b) {
   return 0.125 * glm::abs(glm::dot(n_b - n_a, p_b - p_a));
+}
+
+/// Sagittas, and squares of lengths, that differ by less, relatively, are equal: on surfaces of
+/// revolution those of both diagonals are, and rounding must not choose between them.
+inline constexpr double kTie = 1e-6;
+inline bool is_smaller(double a, double b) {
+  return a < b * (1 - kTie);
 }
 
 }  // namespace saddle

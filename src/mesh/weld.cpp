@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <glm/vector_relational.hpp>
 
@@ -17,24 +16,37 @@ constexpr double kJoinFraction = 1e-9;
 /// keeps a surface apart whose diagonal is that of a spike (tan near its pole: 1e16).
 constexpr double kJoinStep = 1e-3;
 
-/// Sets with the smallest member as the name of each.
-class DisjointSets {
+/// Which vertices are one point: sets with the smallest member as the name of each, a tree in
+/// mesh.point.
+class Points {
  public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
+  explicit Points(Array<std::uint32_t>& point) : point_(point) {}
+
   void unite(std::size_t a, std::size_t b) {
     const std::uint32_t root_a = find(static_cast<std::uint32_t>(a));
     const std::uint32_t root_b = find(static_cast<std::uint32_t>(b));
-    parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+    point_[std::max(root_a, root_b)] = std::min(root_a, root_b);
+    united_.push_back(a);
+    united_.push_back(b);
+  }
+
+  /// Names every vertex's set in its place and gives it its first vertex's position.
+  void settle(Array<dvec3>& position) {
+    for (const std::size_t vertex : united_) {
+      const std::uint32_t first = find(static_cast<std::uint32_t>(vertex));
+      point_[vertex] = first;
+      position[vertex] = position[first];
+    }
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  std::uint32_t find(std::uint32_t a) {
+    while (point_[a] != a) a = point_[a] = point_[point_[a]];
+    return a;
+  }
+
+  Array<std::uint32_t>& point_;
+  std::vector<std::size_t> united_;
 };
 
 /// Whether all of a box (in local units) is one point: by the tolerance, or within rounding.
@@ -46,7 +58,7 @@ bool is_one_point(const Grid& grid, const Bounds& box) {
 
 /// The distance of two vertices; 0 if one is not used.
 double distance(const Grid& grid, std::size_t a, std::size_t b) {
-  if (!grid.vertex_used[a] || !grid.vertex_used[b]) return 0;
+  if (!grid.is_used(a) || !grid.is_used(b)) return 0;
   return glm::distance(grid.local(a), grid.local(b));
 }
 
@@ -70,13 +82,13 @@ bool is_pole(const Grid& grid, std::span<const GridLine> lines, std::size_t k) {
   const GridLine& line = lines[k];
   Bounds bounds;
   for (std::size_t m = 0; m < line.count; ++m) {
-    if (!grid.vertex_used[line[m]]) continue;
+    if (!grid.is_used(line[m])) continue;
     bounds.add(grid.local(line[m]));
     if (!is_one_point(grid, bounds)) return false;  // most lines end here, after two vertices
   }
   Majority majority;
   for (std::size_t m = 0; m + 1 < line.count; ++m) {
-    if (!grid.vertex_used[line[m]] || !grid.vertex_used[line[m + 1]]) continue;
+    if (!grid.is_used(line[m]) || !grid.is_used(line[m + 1])) continue;
     const auto step = [&](const GridLine& beside) {
       return distance(grid, beside[m], beside[m + 1]);
     };
@@ -93,10 +105,12 @@ void collapse_poles(Grid& grid, std::span<const GridLine> lines) {
     if (!is_pole(grid, lines, k)) continue;
     const dvec3* pole = nullptr;
     for (std::size_t m = 0; m < lines[k].count; ++m) {
-      if (!grid.vertex_used[lines[k][m]]) continue;
-      dvec3& position = grid.points[lines[k][m]].position;
+      const std::size_t vertex = lines[k][m];
+      if (!grid.is_used(vertex)) continue;
+      dvec3& position = grid.mesh.position[vertex];
       if (!pole) pole = &position;
       position = *pole;
+      grid.open_around(vertex);
     }
   }
 }
@@ -119,8 +133,8 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, bool reversed) {
   for (std::size_t k = 0; k < edges.first.count; ++k) {
     const std::size_t a = edges.first[k];
     const std::size_t b = edges.partner(k, reversed);
-    if (!grid.vertex_used[a] && !grid.vertex_used[b]) continue;
-    if (!grid.vertex_used[a] || !grid.vertex_used[b]) return false;
+    if (!grid.is_used(a) && !grid.is_used(b)) continue;
+    if (!grid.is_used(a) || !grid.is_used(b)) return false;
     Bounds gap;
     gap.add(grid.local(a));
     gap.add(grid.local(b));
@@ -131,36 +145,39 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, bool reversed) {
 }
 
 /// Unites the vertices of two edges that meet; says how they meet.
-std::string join_edges(Grid& grid, const EdgePair& edges, DisjointSets& sets) {
+std::string join_edges(Grid& grid, const EdgePair& edges, Points& points) {
   for (const bool reversed : {false, true}) {
     if (!edges_meet(grid, edges, reversed)) continue;
     for (std::size_t k = 0; k < edges.first.count; ++k) {
       const std::size_t a = edges.first[k];
       const std::size_t b = edges.partner(k, reversed);
-      if (!grid.vertex_used[a]) continue;
-      grid.points[b].position = grid.points[a].position;
-      sets.unite(a, b);
+      if (!grid.is_used(a)) continue;
+      grid.mesh.position[b] = grid.mesh.position[a];
+      points.unite(a, b);
+      if (edges.last.first == edges.after_first.first) grid.open_around(a);  // one cell across
     }
     return reversed ? "reversed" : "join";
   }
   return "";
 }
 
-/// Neighbours at the same place are one point.
-void join_equal_neighbours(const Grid& grid, std::span<const GridLine> lines, DisjointSets& sets) {
-  for (const GridLine& line : lines) {
-    for (std::size_t k = 1; k < line.count; ++k) {
-      const std::size_t a = line[k - 1];
-      const std::size_t b = line[k];
-      if (!grid.vertex_used[a] || !grid.vertex_used[b]) continue;
-      if (grid.points[a].position == grid.points[b].position) sets.unite(a, b);
+/// Neighbours at the same place are one point. A cell between two of them is not plain, so it is
+/// open.
+void join_equal_neighbours(const Grid& grid, Points& points) {
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    if (grid.cells[cell] != Cell::Open) continue;
+    const auto vertices = grid.vertices(cell);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t a = vertices[k];
+      const std::size_t b = vertices[(k + 1) % 4];
+      if (grid.mesh.position[a] == grid.mesh.position[b]) points.unite(a, b);
     }
   }
 }
 
 }  // namespace
 
-Joints weld(Grid& grid) {
+Seams weld(Grid& grid) {
   std::vector<GridLine> columns;
   std::vector<GridLine> rows;
   for (std::size_t i = 0; i <= grid.cells_u; ++i) columns.push_back(grid.column(i));
@@ -168,21 +185,15 @@ Joints weld(Grid& grid) {
   const std::size_t nu = grid.cells_u;
   const std::size_t nv = grid.cells_v;
 
-  DisjointSets sets(grid.points.size());
-  Joints joints;
+  Points points(grid.mesh.point);
+  Seams seams;
   collapse_poles(grid, columns);
   collapse_poles(grid, rows);
-  joints.closed_u = join_edges(grid, {columns[0], columns[1], columns[nu]}, sets);
-  joints.closed_v = join_edges(grid, {rows[0], rows[1], rows[nv]}, sets);
-  join_equal_neighbours(grid, columns, sets);
-  join_equal_neighbours(grid, rows, sets);
-
-  joints.point.resize(grid.points.size());
-  for (std::uint32_t vertex = 0; vertex < joints.point.size(); ++vertex) {
-    joints.point[vertex] = sets.find(vertex);
-    grid.points[vertex].position = grid.points[joints.point[vertex]].position;
-  }
-  return joints;
+  seams.closed_u = join_edges(grid, {columns[0], columns[1], columns[nu]}, points);
+  seams.closed_v = join_edges(grid, {rows[0], rows[1], rows[nv]}, points);
+  join_equal_neighbours(grid, points);
+  points.settle(grid.mesh.position);
+  return seams;
 }
 
 }  // namespace saddle

@@ -85,7 +85,7 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec) {
   PreparedSurface result;
   const Domain domain{u.min, u.max, v.min, v.max};
   const bool flip = spec.flip != runs_backwards(domain);
-  result.surface = make_surface(graph, bound[0], bound[1], bound[2], domain, flip);
+  result.surface = make_surface(graph, {bound[0], bound[1], bound[2]}, domain, flip);
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());
   return result;

@@ -1,6 +1,7 @@
-// One parametric surface, ready to be evaluated: position and first derivatives as tapes.
+// One parametric surface, ready to be evaluated: positions, tangents and normals as tapes.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -21,15 +22,20 @@ inline bool runs_backwards(const Domain& domain) {
   return (domain.u0 > domain.u1) != (domain.v0 > domain.v1);
 }
 
+/// What a surface is compiled for.
+enum class Order { First, Second };
+
 struct Surface {
   Domain domain;
   bool flip = false;  ///< front and back are swapped: the normal is r_v x r_u
-  Tape position;      ///< outputs x, y, z
-  Tape first_order;   ///< outputs x, y, z, x_u, y_u, z_u, x_v, y_v, z_v
+  Tape tangents;      ///< tangent_outputs() of surface/forms.h
+  Tape normals;       ///< normal_outputs()
+  Tape curvatures;    ///< curvature_outputs(); without outputs unless compiled for second order
 };
 
 /// x, y, z: nodes that depend on u and v alone. The derivatives come from the formulas.
-Surface make_surface(Graph& graph, NodeId x, NodeId y, NodeId z, const Domain& domain, bool flip);
+Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
+                     Order order = Order::First);
 
 /// A point of a surface with its tangents; components are NaN or infinite where undefined.
 struct SurfacePoint {
@@ -45,5 +51,19 @@ std::vector<SurfacePoint> evaluate(const Surface& surface, std::span<const dvec2
 /// Positions and tangents on the grid u x v, v outer: result[j * u.size() + i] is at (u[i], v[j]).
 std::vector<SurfacePoint> evaluate_on_grid(const Surface& surface, std::span<const double> u,
                                            std::span<const double> v, unsigned threads = 0);
+
+/// Second derivatives and curvatures at a point. Curvatures are in 1/length, positive where the
+/// surface bends toward its front, the side of the normal; NaN or infinite where there is none.
+struct Curvature {
+  dvec3 r_uu, r_uv, r_vv;
+  double gauss;
+  double mean;
+  double largest;  ///< principal curvatures: largest >= smallest
+  double smallest;
+};
+
+/// For a surface of second order.
+std::vector<Curvature> evaluate_curvature(const Surface& surface, std::span<const dvec2> uv,
+                                          unsigned threads = 0);
 
 }  // namespace saddle

@@ -8,52 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "bench_surfaces.h"
 #include "eval/batch.h"
-#include "formula/derive.h"
-#include "formula/scope.h"
-#include "surface/surface.h"
 
 namespace saddle {
 namespace {
 
 constexpr std::size_t kSide = 1001;
-
-struct Formula {
-  const char* name;
-  const char* x;
-  const char* y;
-  const char* z;
-  Domain domain;
-};
-
-constexpr double kPi = 3.14159265358979323846;
-
-const std::array<Formula, 4> kFormulas = {{
-    {"torus", "(2+cos(v))*cos(u)", "(2+cos(v))*sin(u)", "sin(v)", {0, 2 * kPi, 0, 2 * kPi}},
-    {"enneper", "u-u^3/3+u*v^2", "v-v^3/3+u^2*v", "u^2-v^2", {-2, 2, -2, 2}},
-    {"seashell",
-     "2*(1-exp(u/(6*pi)))*cos(u)*cos(v/2)^2",
-     "2*(exp(u/(6*pi))-1)*sin(u)*cos(v/2)^2",
-     "1-exp(u/(3*pi))-sin(v)+exp(u/(6*pi))*sin(v)",
-     {0, 6 * kPi, 0, 2 * kPi}},
-    {"rough", "u", "v", "sin(5*u)*cos(5*v)/5+exp(-u^2-v^2)", {-3, 3, -3, 3}},
-}};
-
-std::vector<double> steps(double first, double last) {
-  std::vector<double> values(kSide);
-  for (std::size_t i = 0; i < kSide; ++i) {
-    values[i] = first + (last - first) * static_cast<double>(i) / (kSide - 1);
-  }
-  return values;
-}
-
-Surface surface_of(const Formula& formula) {
-  Graph graph;
-  Scope scope(graph, {{"x", formula.x}, {"y", formula.y}, {"z", formula.z}});
-  const std::vector<NodeId> roots =
-      scope.bind(std::array{scope.node("x"), scope.node("y"), scope.node("z")}, 0);
-  return make_surface(graph, roots[0], roots[1], roots[2], formula.domain, false);
-}
 
 void per_vertex(benchmark::State& state) {
   state.counters["per vertex"] = benchmark::Counter(
@@ -63,8 +24,8 @@ void per_vertex(benchmark::State& state) {
 
 /// Outputs of a tape into warm arrays.
 void run_tape(benchmark::State& state, const Tape& tape, const Domain& domain, unsigned threads) {
-  const std::vector<double> u = steps(domain.u0, domain.u1);
-  const std::vector<double> v = steps(domain.v0, domain.v1);
+  const std::vector<double> u = steps(domain.u0, domain.u1, kSide);
+  const std::vector<double> v = steps(domain.v0, domain.v1, kSide);
   std::vector<std::vector<double>> columns(tape.outputs.size(), std::vector<double>(kSide * kSide));
   std::vector<double*> outputs;
   for (std::vector<double>& column : columns) outputs.push_back(column.data());
@@ -72,18 +33,20 @@ void run_tape(benchmark::State& state, const Tape& tape, const Domain& domain, u
   per_vertex(state);
 }
 
-void positions(benchmark::State& state, const Formula& formula, unsigned threads) {
-  const Surface surface = surface_of(formula);
-  run_tape(state, surface.position, formula.domain, threads);
+void positions(benchmark::State& state, const BenchSurface& formula, unsigned threads) {
+  const Surface surface = compile_surface(formula);
+  Tape tape = surface.normals;
+  tape.outputs.resize(3);
+  run_tape(state, tape, formula.domain, threads);
 }
 
-void tangents(benchmark::State& state, const Formula& formula, unsigned threads) {
-  const Surface surface = surface_of(formula);
-  run_tape(state, surface.first_order, formula.domain, threads);
+void tangents(benchmark::State& state, const BenchSurface& formula, unsigned threads) {
+  const Surface surface = compile_surface(formula);
+  run_tape(state, surface.tangents, formula.domain, threads);
 }
 
 /// Positions, and normals from central differences: what a program without derivatives does.
-void muparser_differences(benchmark::State& state, const Formula& formula) {
+void muparser_differences(benchmark::State& state, const BenchSurface& formula) {
   constexpr double kStep = 1e-5;
   constexpr std::size_t kPoints = 20000;
   std::array<mu::Parser, 3> parsers;
@@ -116,16 +79,16 @@ void muparser_differences(benchmark::State& state, const Formula& formula) {
 }
 
 /// Text to tapes, derivatives included.
-void compile_formula(benchmark::State& state, const Formula& formula) {
-  for (auto _ : state) benchmark::DoNotOptimize(surface_of(formula));
+void compile_formula(benchmark::State& state, const BenchSurface& formula) {
+  for (auto _ : state) benchmark::DoNotOptimize(compile_surface(formula));
 }
 
 /// The torus as an expert writes it: sines once per column and row, positions and normals as
 /// floats.
 void torus_by_hand(benchmark::State& state) {
-  const Domain& d = kFormulas[0].domain;
-  const std::vector<double> us = steps(d.u0, d.u1);
-  const std::vector<double> vs = steps(d.v0, d.v1);
+  const Domain& d = kBenchSurfaces[0].domain;
+  const std::vector<double> us = steps(d.u0, d.u1, kSide);
+  const std::vector<double> vs = steps(d.v0, d.v1, kSide);
   std::vector<float> out(6 * kSide * kSide);
   std::vector<double> cos_u(kSide);
   std::vector<double> sin_u(kSide);
@@ -154,7 +117,7 @@ void torus_by_hand(benchmark::State& state) {
 }
 
 [[maybe_unused]] const bool kRegistered = [] {
-  for (const Formula& formula : kFormulas) {
+  for (const BenchSurface& formula : kBenchSurfaces) {
     const std::string name = formula.name;
     const auto add = [&name](const std::string& what, auto function, auto... arguments) {
       benchmark::RegisterBenchmark((name + "/" + what).c_str(), function, arguments...)

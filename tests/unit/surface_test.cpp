@@ -37,17 +37,15 @@ TEST(Surface, GivesPositionsAndExactTangentsOfATorus) {
       kUlps);
 }
 
-TEST(Surface, PositionTapeHasThreeOutputsAndFirstOrderNine) {
-  const Surface surface = torus();
-  EXPECT_EQ(surface.position.outputs.size(), 3U);
-  EXPECT_EQ(surface.first_order.outputs.size(), 9U);
+TEST(Surface, CompilesSecondDerivativesOnDemandOnly) {
+  EXPECT_TRUE(torus().curvatures.outputs.empty());
 }
 
 TEST(Surface, KeepsDomainAndFlip) {
   Graph graph;
   const NodeId u = graph.variable(kSymbolU);
   const NodeId v = graph.variable(kSymbolV);
-  const Surface surface = make_surface(graph, u, v, u, {1, -2, 3, 4}, true);
+  const Surface surface = make_surface(graph, {u, v, u}, {1, -2, 3, 4}, true);
   EXPECT_TRUE(surface.flip);
   EXPECT_EQ(surface.domain.u0, 1);
   EXPECT_EQ(surface.domain.u1, -2);
