@@ -5,20 +5,11 @@
 #include <functional>
 #include <memory>
 
-#include "mesh/triangulate.h"
+#include "mesh/cell_loops.h"
 
 namespace saddle {
 
 namespace {
-
-constexpr std::size_t kVertices = kTileCells + 1;
-using Numbers = std::array<double, kVertices>;
-
-/// Positions and unit normals of one row of a tile.
-struct Strip {
-  std::array<Numbers, 6> of;  ///< x y z, then those of the normal
-  double size = 0;            ///< largest |x|, |y| or |z|
-};
 
 /// Lanes of the loops that look for extremes, so that the compiler can use vectors: it may not
 /// change the order of comparisons by itself.
@@ -63,21 +54,24 @@ RowSummary summarize(std::span<const Operand> outputs, std::size_t count) {
   return summary;
 }
 
+void load(const Operand& from, std::size_t count, bool negated, TileNumbers& to) {
+  if (!from.varies) {
+    std::fill_n(to.begin(), count, negated ? -*from.data : *from.data);
+  } else if (negated) {
+    std::transform(from.data, from.data + count, to.begin(), std::negate());
+  } else {
+    std::copy_n(from.data, count, to.begin());
+  }
+}
+
 void load(std::span<const Operand> outputs, std::size_t count, bool flipped, Strip& strip,
           Bounds& bounds) {
-  for (std::size_t k = 0; k < strip.of.size(); ++k) {
-    if (outputs[k].varies) {
-      std::copy_n(outputs[k].data, count, strip.of[k].begin());
-    } else {
-      std::fill_n(strip.of[k].begin(), count, *outputs[k].data);
-    }
-  }
-  if (flipped) {
-    for (std::size_t k = 3; k < 6; ++k) {
-      std::transform(strip.of[k].begin(), strip.of[k].begin() + count, strip.of[k].begin(),
-                     std::negate());
-    }
-  }
+  load(outputs[0], count, false, strip.x);
+  load(outputs[1], count, false, strip.y);
+  load(outputs[2], count, false, strip.z);
+  load(outputs[3], count, flipped, strip.n_x);
+  load(outputs[4], count, flipped, strip.n_y);
+  load(outputs[5], count, flipped, strip.n_z);
   strip.size = 0;
   for (int k = 0; k < 3; ++k) {
     const double low = smallest(outputs[static_cast<std::size_t>(k)], count);
@@ -97,86 +91,13 @@ void store(const Strip& strip, const GridTile& tile, std::size_t row, Grid& grid
   const std::size_t first = grid.vertex(tile.column, row);
   dvec3* const position = grid.mesh.position.data() + first;
   dvec3* const normal = grid.mesh.normal.data() + first;
-  const auto& [x, y, z, n_x, n_y, n_z] = strip.of;
   for (std::size_t i = 0; i < count; ++i) {
-    position[i] = {x[i], y[i], z[i]};
-    normal[i] = {n_x[i], n_y[i], n_z[i]};
+    position[i] = {strip.x[i], strip.y[i], strip.z[i]};
+    normal[i] = {strip.n_x[i], strip.n_y[i], strip.n_z[i]};
   }
   for (std::size_t i = 0; i < count; ++i) {
     grid.mesh.uv[first + i] = {grid.u[tile.column + i], grid.v[row]};
     grid.mesh.point[first + i] = static_cast<std::uint32_t>(first + i);
-  }
-}
-
-/// The best cut of each cell of a row, and how far it is from being one that is not plain.
-struct Cuts {
-  Numbers diagonal;  ///< 0: from slot 0 to 2; 1: from slot 1 to 3
-  Numbers margin;    ///< positive: a plain cell
-  Numbers sagitta;   ///< the largest of the diagonal and two sides
-};
-
-/// A cell is plain if both triangles of its best cut face as its normals do, by more than the
-/// rounding of positions could pretend: twice the area along the sum of the four normals, at most
-/// 4 long, must exceed this times the largest coordinate and the root of the sum of squares of four
-/// edges, of which no other edge is longer than twice. That is 2 * 2 * 2 * 4 * sqrt(3) roundings,
-/// and needles thinner than a rounding fail it too.
-constexpr double kPlain = 64 * kRounding;
-
-/// All cells between two rows. The choice is that of triangulate.cpp, for cells with four regular
-/// normals; plain loops over plain numbers, which the compiler makes vectors of.
-void cut_cells(const Strip& lower, const Strip& upper, std::size_t cells, double front,
-               Cuts& cuts) {
-  const auto& [ax, ay, az, anx, any, anz] = lower.of;
-  const auto& [bx, by, bz, bnx, bny, bnz] = upper.of;
-  const double size = std::max(lower.size, upper.size);
-  const double least = kPlain * kPlain * size * size;
-  for (std::size_t i = 0; i < cells; ++i) {
-    const double d1x = bx[i + 1] - ax[i];
-    const double d1y = by[i + 1] - ay[i];
-    const double d1z = bz[i + 1] - az[i];
-    const double d2x = bx[i] - ax[i + 1];
-    const double d2y = by[i] - ay[i + 1];
-    const double d2z = bz[i] - az[i + 1];
-    const double s1 = std::fabs((bnx[i + 1] - anx[i]) * d1x + (bny[i + 1] - any[i]) * d1y +
-                                (bnz[i + 1] - anz[i]) * d1z);
-    const double s2 = std::fabs((bnx[i] - anx[i + 1]) * d2x + (bny[i] - any[i + 1]) * d2y +
-                                (bnz[i] - anz[i + 1]) * d2z);
-    const double l1 = d1x * d1x + d1y * d1y + d1z * d1z;
-    const double l2 = d2x * d2x + d2y * d2y + d2z * d2z;
-    const double by_sagitta = is_smaller(s2, s1) ? 1.0 : 0.0;
-    const double by_length = is_smaller(s1, s2) ? 0.0 : is_smaller(l2, l1) ? 1.0 : 0.0;
-    const double second = std::max(by_sagitta, by_length);
-
-    // Twice the cell's vector area is d1 x d2; that of the triangle at slot 0 or 1, e x w.
-    const double ex = ax[i + 1] - ax[i];
-    const double ey = ay[i + 1] - ay[i];
-    const double ez = az[i + 1] - az[i];
-    const double gx = bx[i] - ax[i];
-    const double gy = by[i] - ay[i];
-    const double gz = bz[i] - az[i];
-    const double wx = second > 0 ? gx : d1x;
-    const double wy = second > 0 ? gy : d1y;
-    const double wz = second > 0 ? gz : d1z;
-    const double nx = anx[i] + anx[i + 1] + bnx[i] + bnx[i + 1];
-    const double ny = any[i] + any[i + 1] + bny[i] + bny[i + 1];
-    const double nz = anz[i] + anz[i + 1] + bnz[i] + bnz[i + 1];
-    const double whole = front * ((d1y * d2z - d1z * d2y) * nx + (d1z * d2x - d1x * d2z) * ny +
-                                  (d1x * d2y - d1y * d2x) * nz);
-    const double part =
-        front * ((ey * wz - ez * wy) * nx + (ez * wx - ex * wz) * ny + (ex * wy - ey * wx) * nz);
-    const double rest = whole - part;
-    const double area = rest < part ? rest : part;  // the smaller one
-    const double edges = l1 + l2 + ex * ex + ey * ey + ez * ez + gx * gx + gy * gy + gz * gz;
-    const double margin = area * area - least * edges;
-    cuts.diagonal[i] = second;
-    cuts.margin[i] = area > 0 ? margin : -1.0;
-    const double se = std::fabs((anx[i + 1] - anx[i]) * ex + (any[i + 1] - any[i]) * ey +
-                                (anz[i + 1] - anz[i]) * ez);
-    const double sg =
-        std::fabs((bnx[i] - anx[i]) * gx + (bny[i] - any[i]) * gy + (bnz[i] - anz[i]) * gz);
-    const double sd = second > 0 ? s2 : s1;
-    const double side = sg > se ? sg : se;
-    cuts.sagitta[i] = 0.125 * (side > sd ? side : sd);  // see sagitta()
   }
 }
 
@@ -203,7 +124,7 @@ void write_cells(const Cuts& cuts, const GridTile& tile, std::size_t row, Grid& 
       continue;
     }
     const std::uint32_t across = vertex + pitch;
-    const bool second = cuts.diagonal[i] > 0;
+    const bool second = cuts.second[i] > 0;
     Triangle* const triangles = grid.mesh.triangles.data() + 2 * (first + i);
     // Slots 0 1 2 and 2 3 0, or 1 2 3 and 3 0 1.
     const Triangle a = second ? Triangle{vertex + 1, across + 1, across}
@@ -225,6 +146,7 @@ TileSummary take_tile(TileRows& rows, Grid& grid) {
   summary.rows.reserve(tile.rows);
   const auto strips = std::make_unique_for_overwrite<std::array<Strip, 2>>();
   const auto cuts = std::make_unique_for_overwrite<Cuts>();
+  const CutCells cut_cells = cell_loop(cpu_level());
   for (std::size_t k = 0; rows.next(); ++k) {
     Strip& strip = (*strips)[k % 2];
     summary.rows.push_back(summarize(rows.outputs(), tile.columns));

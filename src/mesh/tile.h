@@ -6,13 +6,10 @@
 #include <vector>
 
 #include "eval/batch.h"
+#include "mesh/cell_loops.h"
 #include "mesh/grid.h"
 
 namespace saddle {
-
-/// Cells per side of a tile: two rows of positions and normals (25 KB) and the tape's slots stay in
-/// a first or second-level cache, and the vertices that neighbours compute twice are 1 in 128.
-inline constexpr std::size_t kTileCells = 256;
 
 /// What all vertices of one row of a tile have in common.
 struct RowSummary {
