@@ -3,12 +3,36 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <memory>
+#include <new>
 #include <vector>
 
 #include "base/parallel.h"
 #include "eval/kernels.h"
 
 namespace saddle {
+
+/// Memory for slots, where no vector of the loops straddles two lines of the cache.
+class Slots {
+ public:
+  static constexpr std::size_t kLine = 64;
+  /// Doubles from one slot to the next, for `count` numbers each: whole lines.
+  static std::size_t pitch(std::size_t count) {
+    constexpr std::size_t kPerLine = kLine / sizeof(double);
+    return (count + kPerLine - 1) / kPerLine * kPerLine;
+  }
+  explicit Slots(std::size_t doubles)
+      : data_(static_cast<double*>(
+            ::operator new (doubles * sizeof(double), std::align_val_t{kLine}))) {}
+  ~Slots() { ::operator delete (data_, std::align_val_t{kLine}); }
+  Slots(const Slots&) = delete;
+  Slots& operator=(const Slots&) = delete;
+  double* data() const { return data_; }
+
+ private:
+  double* data_;
+};
+
 namespace {
 
 /// Numbers per block: the slots of a usual tape (ten to fifty) then stay within a second-level
@@ -23,32 +47,23 @@ struct Bank {
   double* data = nullptr;
   std::size_t pitch = 0;
   bool varies = true;  ///< false: one number serves the whole loop
-
-  Operand operand(std::uint32_t slot) const { return {data + slot * pitch, varies}; }
 };
 
 /// The banks as one loop over a block sees them.
 struct Banks {
   const Kernel* loops = nullptr;  // of the CPU level
-  const double* constants = nullptr;
-  Bank u, v, both;
+  std::array<Bank, 4> of_rate;
+
+  Bank& operator[](Rate rate) { return of_rate[static_cast<std::size_t>(rate)]; }
 
   Operand operand(Slot slot) const {
-    switch (slot.rate) {
-      case Rate::Constant:
-        return {constants + slot.index, false};
-      case Rate::U:
-        return u.operand(slot.index);
-      case Rate::V:
-        return v.operand(slot.index);
-      case Rate::Both:
-        return both.operand(slot.index);
-    }
-    return {};
+    const Bank& bank = of_rate[static_cast<std::size_t>(slot.rate)];
+    return {bank.data + slot.index * bank.pitch, bank.varies};
   }
 
-  /// Runs the instructions; all of them write to `target`.
-  void run(std::span<const Instruction> instructions, const Bank& target, std::size_t count) const {
+  /// Runs the instructions; all of them write to one bank.
+  void run(std::span<const Instruction> instructions, Rate rate, std::size_t count) const {
+    const Bank& target = of_rate[static_cast<std::size_t>(rate)];
     for (const Instruction& instruction : instructions) {
       std::array<Operand, 3> in;
       for (int i = 0; i < arity(instruction.op); ++i) in[i] = operand(instruction.in[i]);
@@ -70,11 +85,13 @@ struct Banks {
   }
 };
 
-/// A bank of one parameter over all its values: slot 0 holds them, the instructions fill the rest.
-std::vector<double> fill_bank(std::span<const double> values, std::uint32_t slots) {
-  std::vector<double> bank(slots * values.size());
-  std::copy(values.begin(), values.end(), bank.begin());
-  return bank;
+/// The constants and the loops of the CPU level.
+Banks banks_of(const Tape& tape) {
+  Banks banks;
+  banks.loops = kernels(cpu_level());
+  // Nobody writes to constants, but a bank can be written to.
+  banks[Rate::Constant] = {const_cast<double*>(tape.constants.data()), 1, false};
+  return banks;
 }
 
 }  // namespace
@@ -82,22 +99,19 @@ std::vector<double> fill_bank(std::span<const double> values, std::uint32_t slot
 void evaluate_points(const Tape& tape, std::span<const double> u, std::span<const double> v,
                      std::span<double* const> outputs, unsigned threads) {
   assert(u.size() == v.size());
-  const Kernel* const loops = kernels(cpu_level());
   parallel_chunks(u.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> memory((tape.slots_u + tape.slots_v + tape.slots_both) * kBlock);
-    Banks banks;
-    banks.loops = loops;
-    banks.constants = tape.constants.data();
-    banks.u = {memory.data(), kBlock};
-    banks.v = {banks.u.data + tape.slots_u * kBlock, kBlock};
-    banks.both = {banks.v.data + tape.slots_v * kBlock, kBlock};
+    const Slots memory((tape.slots_u + tape.slots_v + tape.slots_both) * kBlock);
+    Banks banks = banks_of(tape);
+    banks[Rate::U] = {memory.data(), kBlock};
+    banks[Rate::V] = {memory.data() + tape.slots_u * kBlock, kBlock};
+    banks[Rate::Both] = {banks[Rate::V].data + tape.slots_v * kBlock, kBlock};
     for (std::size_t at = begin; at < end; at += kBlock) {
       const std::size_t count = std::min(kBlock, end - at);
-      std::copy_n(u.data() + at, count, banks.u.data);
-      std::copy_n(v.data() + at, count, banks.v.data);
-      banks.run(tape.of_u, banks.u, count);
-      banks.run(tape.of_v, banks.v, count);
-      banks.run(tape.of_both, banks.both, count);
+      std::copy_n(u.data() + at, count, banks[Rate::U].data);
+      std::copy_n(v.data() + at, count, banks[Rate::V].data);
+      banks.run(tape.of_u, Rate::U, count);
+      banks.run(tape.of_v, Rate::V, count);
+      banks.run(tape.of_both, Rate::Both, count);
       banks.store(tape, outputs, at, count);
     }
   });
@@ -106,27 +120,28 @@ void evaluate_points(const Tape& tape, std::span<const double> u, std::span<cons
 /// What depends on u alone, on v alone, for a whole grid.
 struct GridBanks {
   GridBanks(const Tape& tape, std::span<const double> u, std::span<const double> v)
-      : columns(fill_bank(u, tape.slots_u)), rows(fill_bank(v, tape.slots_v)) {
-    banks.loops = kernels(cpu_level());
-    banks.constants = tape.constants.data();
-    banks.u = {columns.data(), u.size()};
-    banks.v = {rows.data(), v.size()};
-    banks.run(tape.of_u, banks.u, u.size());
-    banks.run(tape.of_v, banks.v, v.size());
+      : columns(tape.slots_u * Slots::pitch(u.size())),
+        rows(tape.slots_v * Slots::pitch(v.size())),
+        banks(banks_of(tape)) {
+    banks[Rate::U] = {columns.data(), Slots::pitch(u.size())};
+    banks[Rate::V] = {rows.data(), Slots::pitch(v.size())};
+    std::copy(u.begin(), u.end(), columns.data());
+    std::copy(v.begin(), v.end(), rows.data());
+    banks.run(tape.of_u, Rate::U, u.size());
+    banks.run(tape.of_v, Rate::V, v.size());
   }
 
-  /// The banks for a stretch of one row; `memory` is bank Both.
-  Banks stretch(std::size_t column, std::size_t row, std::vector<double>& memory,
-                std::size_t pitch) const {
+  /// The banks for a stretch of one row; `memory` is bank Both, for up to `count` numbers.
+  Banks stretch(std::size_t column, std::size_t row, const Slots& memory, std::size_t count) const {
     Banks result = banks;
-    result.u.data += column;
-    result.v.data += row;
-    result.v.varies = false;
-    result.both = {memory.data(), pitch};
+    result[Rate::U].data += column;
+    result[Rate::V].data += row;
+    result[Rate::V].varies = false;
+    result[Rate::Both] = {memory.data(), Slots::pitch(count)};
     return result;
   }
 
-  std::vector<double> columns, rows;
+  Slots columns, rows;
   Banks banks;
 };
 
@@ -136,12 +151,12 @@ void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const 
   const std::size_t rows_per_chunk =
       std::max<std::size_t>(1, kChunk / std::max<std::size_t>(1, u.size()));
   parallel_chunks(v.size(), rows_per_chunk, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> memory(tape.slots_both * kBlock);
+    const Slots memory(tape.slots_both * kBlock);
     for (std::size_t row = begin; row < end; ++row) {
       for (std::size_t column = 0; column < u.size(); column += kBlock) {
         const std::size_t count = std::min(kBlock, u.size() - column);
         const Banks banks = grid.stretch(column, row, memory, kBlock);
-        banks.run(tape.of_both, banks.both, count);
+        banks.run(tape.of_both, Rate::Both, count);
         banks.store(tape, outputs, row * u.size() + column, count);
       }
     }
@@ -162,18 +177,20 @@ GridTile GridTiling::tile(std::size_t index) const {
           std::min(cells_, cells_v_ - row) + 1};
 }
 
+TileRows::~TileRows() = default;
+
 TileRows::TileRows(const Tape& tape, const GridBanks& grid, const GridTile& tile)
     : tape_(tape),
       grid_(grid),
       tile_(tile),
       next_row_(tile.row),
-      memory_(tape.slots_both * tile.columns),
+      memory_(std::make_unique<Slots>(tape.slots_both * Slots::pitch(tile.columns))),
       outputs_(tape.outputs.size()) {}
 
 bool TileRows::next() {
   if (next_row_ == tile_.row + tile_.rows) return false;
-  const Banks banks = grid_.stretch(tile_.column, next_row_++, memory_, tile_.columns);
-  banks.run(tape_.of_both, banks.both, tile_.columns);
+  const Banks banks = grid_.stretch(tile_.column, next_row_++, *memory_, tile_.columns);
+  banks.run(tape_.of_both, Rate::Both, tile_.columns);
   for (std::size_t k = 0; k < outputs_.size(); ++k) outputs_[k] = banks.operand(tape_.outputs[k]);
   return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,11 +45,13 @@ class GridTiling {
 };
 
 struct GridBanks;
+class Slots;
 
 /// The rows of one tile, computed one after the other, from the lowest to the highest.
 class TileRows {
  public:
   TileRows(const Tape& tape, const GridBanks& grid, const GridTile& tile);
+  ~TileRows();
 
   const GridTile& tile() const { return tile_; }
   /// Computes the next row; false after the last.
@@ -63,7 +66,7 @@ class TileRows {
   const GridBanks& grid_;
   GridTile tile_;
   std::size_t next_row_;
-  std::vector<double> memory_;
+  std::unique_ptr<Slots> memory_;
   std::vector<Operand> outputs_;
 };
 

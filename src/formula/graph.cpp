@@ -8,19 +8,6 @@
 
 namespace saddle {
 
-int arity(Op op) {
-  switch (op) {
-    case Op::Constant:
-    case Op::Variable:
-      return 0;
-#define SADDLE_OP(id, name, arity, ...) \
-  case Op::id:                          \
-    return arity;
-#include "formula/ops.def"
-  }
-  return 0;
-}
-
 double apply(Op op, [[maybe_unused]] double a, [[maybe_unused]] double b,
              [[maybe_unused]] double c) {
   switch (op) {

@@ -23,7 +23,14 @@ enum class Op : std::uint8_t {
 };
 
 /// Number of arguments of an operation, 0 to 3.
-int arity(Op op);
+inline int arity(Op op) {
+  static constexpr std::array<std::uint8_t, 256> kArities = {
+      0, 0,  // the leaves
+#define SADDLE_OP(id, name, arity, ...) arity,
+#include "formula/ops.def"
+  };
+  return kArities[static_cast<std::size_t>(op)];
+}
 
 /// The operation applied to numbers; the arguments past its arity are ignored.
 double apply(Op op, double a, double b = 0, double c = 0);

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "mesh/cell_loops.h"
+#include "eval/interleave.h"
 
 namespace saddle {
 
@@ -89,12 +89,12 @@ void store(const Strip& strip, const GridTile& tile, std::size_t row, Grid& grid
   const bool last = tile.column + tile.columns == grid.u.size();
   const std::size_t count = last ? tile.columns : tile.columns - 1;
   const std::size_t first = grid.vertex(tile.column, row);
-  dvec3* const position = grid.mesh.position.data() + first;
-  dvec3* const normal = grid.mesh.normal.data() + first;
-  for (std::size_t i = 0; i < count; ++i) {
-    position[i] = {strip.x[i], strip.y[i], strip.z[i]};
-    normal[i] = {strip.n_x[i], strip.n_y[i], strip.n_z[i]};
-  }
+  const auto interleave = interleave_loops(cpu_level()).doubles;
+  const auto column = [](const TileNumbers& numbers) { return Operand{numbers.data(), true}; };
+  interleave(column(strip.x), column(strip.y), column(strip.z), count,
+             &grid.mesh.position[first].x);
+  interleave(column(strip.n_x), column(strip.n_y), column(strip.n_z), count,
+             &grid.mesh.normal[first].x);
   for (std::size_t i = 0; i < count; ++i) {
     grid.mesh.uv[first + i] = {grid.u[tile.column + i], grid.v[row]};
     grid.mesh.point[first + i] = static_cast<std::uint32_t>(first + i);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formula/scope.h"
+#include "surface/forms.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -31,13 +32,32 @@ inline constexpr std::array<BenchSurface, 4> kBenchSurfaces = {{
     {"rough", "u", "v", "sin(5*u)*cos(5*v)/5+exp(-u^2-v^2)", {-3, 3, -3, 3}},
 }};
 
+inline std::array<NodeId, 3> parse_surface(Graph& graph, const BenchSurface& formula) {
+  Scope scope(graph, {{"x", formula.x}, {"y", formula.y}, {"z", formula.z}});
+  const std::vector<NodeId> r =
+      scope.bind(std::array{scope.node("x"), scope.node("y"), scope.node("z")}, 0);
+  return {r[0], r[1], r[2]};
+}
+
 /// Text to tapes, derivatives included.
 inline Surface compile_surface(const BenchSurface& formula, Order order = Order::First) {
   Graph graph;
-  Scope scope(graph, {{"x", formula.x}, {"y", formula.y}, {"z", formula.z}});
-  const std::vector<NodeId> roots =
-      scope.bind(std::array{scope.node("x"), scope.node("y"), scope.node("z")}, 0);
-  return make_surface(graph, {roots[0], roots[1], roots[2]}, formula.domain, false, order);
+  return make_surface(graph, parse_surface(graph, formula), formula.domain, false, order);
+}
+
+/// x, y, z alone.
+inline Tape compile_positions(const BenchSurface& formula) {
+  Graph graph;
+  return compile(graph, parse_surface(graph, formula));
+}
+
+/// x, y, z and the unit normal alone.
+inline Tape compile_with_normals(const BenchSurface& formula) {
+  Graph graph;
+  std::vector<NodeId> outputs =
+      normal_outputs(graph, tangents_of(graph, parse_surface(graph, formula)));
+  outputs.resize(6);
+  return compile(graph, outputs);
 }
 
 /// `count` evenly spaced numbers.

@@ -1,135 +1,175 @@
 // Nanoseconds per vertex of a 1001 x 1001 grid, for our tapes, for muparser with central
-// differences, and for loops hoisted by hand. Compare within one run: machines differ.
+// differences, and for loops hoisted by hand; and the time from text to tapes. Compare within one
+// run: machines differ.
 #include <benchmark/benchmark.h>
-#include <muParser.h>
 
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "bench_surfaces.h"
+#include "by_hand.h"
 #include "eval/batch.h"
+#include "eval/interleave.h"
+#include "muparser_surface.h"
 
 namespace saddle {
 namespace {
 
 constexpr std::size_t kSide = 1001;
+/// Cells per side of a tile: as the mesh has them.
+constexpr std::size_t kTile = 256;
 
-void per_vertex(benchmark::State& state) {
+struct Parameters {
+  explicit Parameters(const Domain& d) : u(steps(d.u0, d.u1, kSide)), v(steps(d.v0, d.v1, kSide)) {}
+  std::vector<double> u, v;
+};
+
+void per_vertex(benchmark::State& state, std::size_t vertices = kSide * kSide) {
   state.counters["per vertex"] = benchmark::Counter(
-      static_cast<double>(kSide * kSide),
+      static_cast<double>(vertices),
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Outputs of a tape into warm arrays.
+/// Outputs of a tape into warm arrays of doubles.
 void run_tape(benchmark::State& state, const Tape& tape, const Domain& domain, unsigned threads) {
-  const std::vector<double> u = steps(domain.u0, domain.u1, kSide);
-  const std::vector<double> v = steps(domain.v0, domain.v1, kSide);
+  const Parameters at(domain);
   std::vector<std::vector<double>> columns(tape.outputs.size(), std::vector<double>(kSide * kSide));
   std::vector<double*> outputs;
   for (std::vector<double>& column : columns) outputs.push_back(column.data());
-  for (auto _ : state) evaluate_grid(tape, u, v, outputs, threads);
+  for (auto _ : state) evaluate_grid(tape, at.u, at.v, outputs, threads);
   per_vertex(state);
 }
 
 void positions(benchmark::State& state, const BenchSurface& formula, unsigned threads) {
-  const Surface surface = compile_surface(formula);
-  Tape tape = surface.normals;
-  tape.outputs.resize(3);
-  run_tape(state, tape, formula.domain, threads);
+  run_tape(state, compile_positions(formula), formula.domain, threads);
 }
-
 void tangents(benchmark::State& state, const BenchSurface& formula, unsigned threads) {
-  const Surface surface = compile_surface(formula);
-  run_tape(state, surface.tangents, formula.domain, threads);
+  run_tape(state, compile_surface(formula).tangents, formula.domain, threads);
+}
+void curvatures(benchmark::State& state, const BenchSurface& formula, unsigned threads) {
+  run_tape(state, compile_surface(formula, Order::Second).curvatures, formula.domain, threads);
 }
 
-/// Positions, and normals from central differences: what a program without derivatives does.
-void muparser_differences(benchmark::State& state, const BenchSurface& formula) {
-  constexpr double kStep = 1e-5;
-  constexpr std::size_t kPoints = 20000;
-  std::array<mu::Parser, 3> parsers;
-  double u = 0;
-  double v = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    parsers[k].DefineVar("u", &u);
-    parsers[k].DefineVar("v", &v);
-    parsers[k].DefineConst("pi", kPi);
-    parsers[k].SetExpr(std::array{formula.x, formula.y, formula.z}[k]);
-  }
-  const auto at = [&](double a, double b) {
-    u = a;
-    v = b;
-    return dvec3(parsers[0].Eval(), parsers[1].Eval(), parsers[2].Eval());
-  };
-  const Domain& d = formula.domain;
+/// Positions and unit normals as floats into warm arrays.
+void normals(benchmark::State& state, const BenchSurface& formula, unsigned threads) {
+  const Tape tape = compile_with_normals(formula);
+  const Parameters at(formula.domain);
+  std::vector<float> position(3 * kSide * kSide);
+  std::vector<float> normal(3 * kSide * kSide);
+  const GridTiling tiling(kSide - 1, kSide - 1, kTile);
+  const auto interleave = interleave_loops(cpu_level()).floats;
   for (auto _ : state) {
-    for (std::size_t i = 0; i < kPoints; ++i) {
-      const double a = d.u0 + (d.u1 - d.u0) * static_cast<double>(i) / kPoints;
-      const double b = d.v0 + (d.v1 - d.v0) * static_cast<double>(i * 7 % kPoints) / kPoints;
-      benchmark::DoNotOptimize(at(a, b));
-      const dvec3 by_u = at(a + kStep, b) - at(a - kStep, b);
-      const dvec3 by_v = at(a, b + kStep) - at(a, b - kStep);
-      benchmark::DoNotOptimize(glm::normalize(glm::cross(by_u, by_v)));
-    }
-  }
-  state.counters["per vertex"] = benchmark::Counter(
-      kPoints, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-
-/// Text to tapes, derivatives included.
-void compile_formula(benchmark::State& state, const BenchSurface& formula) {
-  for (auto _ : state) benchmark::DoNotOptimize(compile_surface(formula));
-}
-
-/// The torus as an expert writes it: sines once per column and row, positions and normals as
-/// floats.
-void torus_by_hand(benchmark::State& state) {
-  const Domain& d = kBenchSurfaces[0].domain;
-  const std::vector<double> us = steps(d.u0, d.u1, kSide);
-  const std::vector<double> vs = steps(d.v0, d.v1, kSide);
-  std::vector<float> out(6 * kSide * kSide);
-  std::vector<double> cos_u(kSide);
-  std::vector<double> sin_u(kSide);
-  for (auto _ : state) {
-    for (std::size_t i = 0; i < kSide; ++i) {
-      cos_u[i] = std::cos(us[i]);
-      sin_u[i] = std::sin(us[i]);
-    }
-    float* to = out.data();
-    for (const double v : vs) {
-      const double cos_v = std::cos(v);
-      const double sin_v = std::sin(v);
-      const double radius = 2 + cos_v;
-      for (std::size_t i = 0; i < kSide; ++i, to += 6) {
-        to[0] = static_cast<float>(radius * cos_u[i]);
-        to[1] = static_cast<float>(radius * sin_u[i]);
-        to[2] = static_cast<float>(sin_v);
-        to[3] = static_cast<float>(cos_v * cos_u[i]);
-        to[4] = static_cast<float>(cos_v * sin_u[i]);
-        to[5] = static_cast<float>(sin_v);
+    evaluate_tiles(tape, at.u, at.v, tiling, threads, [&](TileRows& rows) {
+      const std::size_t columns = rows.tile().columns;
+      while (rows.next()) {
+        const std::size_t first = 3 * (rows.row() * kSide + rows.tile().column);
+        const auto out = rows.outputs();
+        interleave(out[0], out[1], out[2], columns, position.data() + first);
+        interleave(out[3], out[4], out[5], columns, normal.data() + first);
       }
-    }
+    });
     benchmark::ClobberMemory();
   }
   per_vertex(state);
 }
 
+constexpr std::size_t kMuparserPoints = 20000;
+
+/// Points that lie scattered over the domain.
+std::array<std::vector<double>, 2> scattered(const Domain& d) {
+  std::array<std::vector<double>, 2> points;
+  for (std::size_t i = 0; i < kMuparserPoints; ++i) {
+    const auto part = [](std::size_t k) {
+      return static_cast<double>(k % kMuparserPoints) / kMuparserPoints;
+    };
+    points[0].push_back(d.u0 + (d.u1 - d.u0) * part(i));
+    points[1].push_back(d.v0 + (d.v1 - d.v0) * part(7 * i));
+  }
+  return points;
+}
+
+void muparser(benchmark::State& state, const BenchSurface& formula) {
+  MuparserSurface surface(formula);
+  const auto [u, v] = scattered(formula.domain);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < kMuparserPoints; ++i) {
+      benchmark::DoNotOptimize(surface.position(u[i], v[i]));
+      benchmark::DoNotOptimize(surface.normal(u[i], v[i]));
+    }
+  }
+  per_vertex(state, kMuparserPoints);
+}
+
+void muparser_bulk(benchmark::State& state, const BenchSurface& formula) {
+  constexpr double kStep = MuparserSurface::kStep;
+  MuparserBulkSurface surface(formula, kMuparserPoints);
+  const auto [u, v] = scattered(formula.domain);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(surface.positions(u, v, 0, 0));
+    const auto right = surface.positions(u, v, kStep, 0);
+    const auto left = surface.positions(u, v, -kStep, 0);
+    const auto above = surface.positions(u, v, 0, kStep);
+    const auto below = surface.positions(u, v, 0, -kStep);
+    for (std::size_t i = 0; i < kMuparserPoints; ++i) {
+      dvec3 by_u;
+      dvec3 by_v;
+      for (int k = 0; k < 3; ++k) {
+        const auto c = static_cast<std::size_t>(k);
+        by_u[k] = right[c][i] - left[c][i];
+        by_v[k] = above[c][i] - below[c][i];
+      }
+      benchmark::DoNotOptimize(glm::normalize(glm::cross(by_u, by_v)));
+    }
+  }
+  per_vertex(state, kMuparserPoints);
+}
+
+void by_hand(benchmark::State& state, const Domain& domain,
+             void (*loop)(const std::vector<double>&, const std::vector<double>&, float*)) {
+  const Parameters at(domain);
+  std::vector<float> out(6 * kSide * kSide);
+  for (auto _ : state) {
+    loop(at.u, at.v, out.data());
+    benchmark::ClobberMemory();
+  }
+  per_vertex(state);
+}
+
+/// Text to tapes of positions, tangents and normals.
+void compile_formula(benchmark::State& state, const BenchSurface& formula) {
+  for (auto _ : state) benchmark::DoNotOptimize(compile_surface(formula));
+}
+void compile_muparser(benchmark::State& state, const BenchSurface& formula) {
+  for (auto _ : state) {
+    MuparserSurface surface(formula);
+    benchmark::DoNotOptimize(surface.position(1, 1));  // compiled at the first evaluation
+  }
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
   for (const BenchSurface& formula : kBenchSurfaces) {
-    const std::string name = formula.name;
-    const auto add = [&name](const std::string& what, auto function, auto... arguments) {
-      benchmark::RegisterBenchmark((name + "/" + what).c_str(), function, arguments...)
-          ->UseRealTime();
+    const auto add = [&formula](const std::string& what, auto function, auto... arguments) {
+      const std::string name = std::string(formula.name) + "/" + what;
+      benchmark::RegisterBenchmark(name.c_str(), function, arguments...)->UseRealTime();
     };
-    add("positions", positions, formula, 1U);
-    add("tangents", tangents, formula, 1U);
-    add("tangents, 2 threads", tangents, formula, 2U);
-    add("muparser, central differences", muparser_differences, formula);
+    for (const unsigned threads : {1U, 2U}) {
+      const std::string suffix = threads == 1 ? "" : ", 2 threads";
+      add("positions" + suffix, positions, formula, threads);
+      add("positions and normals as floats" + suffix, normals, formula, threads);
+      add("positions and tangents" + suffix, tangents, formula, threads);
+      add("second derivatives and curvatures" + suffix, curvatures, formula, threads);
+    }
+    add("muparser, central differences", muparser, formula);
+    add("muparser bulk, central differences", muparser_bulk, formula);
     add("compile", compile_formula, formula);
+    add("compile, muparser", compile_muparser, formula);
   }
-  benchmark::RegisterBenchmark("torus/by hand, floats", torus_by_hand)->UseRealTime();
+  const auto add = [](const char* name, const BenchSurface& formula, auto loop) {
+    benchmark::RegisterBenchmark(name, by_hand, formula.domain, loop)->UseRealTime();
+  };
+  add("torus/by hand, floats", kBenchSurfaces[0], torus_by_hand);
+  add("enneper/by hand, floats", kBenchSurfaces[1], enneper_by_hand);
   return true;
 }();
 
