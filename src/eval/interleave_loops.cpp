@@ -5,32 +5,41 @@
 namespace saddle {
 namespace {
 
-/// With each column's kind known at compile time the compiler shuffles whole vectors.
-template <class Real, bool kVariesX, bool kVariesY, bool kVariesZ>
-void loop(const double* x, const double* y, const double* z, size_t count, Real* to) {
-#pragma GCC ivdep  // the columns are no part of the array
-  for (size_t i = 0; i < count; ++i) {
-    to[3 * i] = static_cast<Real>(x[kVariesX ? i : 0]);
-    to[3 * i + 1] = static_cast<Real>(y[kVariesY ? i : 0]);
-    to[3 * i + 2] = static_cast<Real>(z[kVariesZ ? i : 0]);
+/// Vectors per round: three columns of it stay in the fastest cache.
+constexpr size_t kBlock = 256;
+
+/// A column that can be read like any other, also where one number stands for all of it.
+class Column {
+ public:
+  Column(const Operand& numbers, size_t count) : data_(numbers.data), varies_(numbers.varies) {
+    if (varies_) return;
+    for (size_t i = 0; i < kBlock && i < count; ++i) copies_[i] = *data_;
   }
-}
+  const double* from(size_t i) const { return varies_ ? data_ + i : copies_; }
 
-template <class Real, bool kVariesX, bool kVariesY>
-void choose_z(const Operand& x, const Operand& y, const Operand& z, size_t count, Real* to) {
-  z.varies ? loop<Real, kVariesX, kVariesY, true>(x.data, y.data, z.data, count, to)
-           : loop<Real, kVariesX, kVariesY, false>(x.data, y.data, z.data, count, to);
-}
+ private:
+  const double* data_;
+  bool varies_;
+  double copies_[kBlock];
+};
 
-template <class Real, bool kVariesX>
-void choose_y(const Operand& x, const Operand& y, const Operand& z, size_t count, Real* to) {
-  y.varies ? choose_z<Real, kVariesX, true>(x, y, z, count, to)
-           : choose_z<Real, kVariesX, false>(x, y, z, count, to);
-}
-
+/// The compiler shuffles whole vectors if all three columns vary.
 template <class Real>
 void interleave(const Operand& x, const Operand& y, const Operand& z, size_t count, Real* to) {
-  x.varies ? choose_y<Real, true>(x, y, z, count, to) : choose_y<Real, false>(x, y, z, count, to);
+  const Column columns[] = {{x, count}, {y, count}, {z, count}};
+  for (size_t begin = 0; begin < count; begin += kBlock) {
+    const size_t size = count - begin < kBlock ? count - begin : kBlock;
+    const double* const a = columns[0].from(begin);
+    const double* const b = columns[1].from(begin);
+    const double* const c = columns[2].from(begin);
+    Real* const out = to + 3 * begin;
+#pragma GCC ivdep  // the columns are no part of the array
+    for (size_t i = 0; i < size; ++i) {
+      out[3 * i] = static_cast<Real>(a[i]);
+      out[3 * i + 1] = static_cast<Real>(b[i]);
+      out[3 * i + 2] = static_cast<Real>(c[i]);
+    }
+  }
 }
 
 constexpr InterleaveLoops kLoops = {&interleave<double>, &interleave<float>};

@@ -9,7 +9,12 @@
 namespace saddle {
 namespace {
 
-/// A cell is plain if both triangles of its best cut face as its normals do, by more than the
+/// The four normals of a plain cell agree: each one's product with their sum is more than this. If
+/// two are the same and the other two are the same, they are less than a right angle apart; a
+/// surface that folds inside the cell turns by more.
+constexpr double kAgreement = 2;
+
+/// Both triangles of a plain cell's best cut face as the sum of its normals does, by more than the
 /// rounding of positions could pretend: twice the area along the sum of the four normals, at most
 /// 4 long, must exceed this times the largest coordinate and the root of the sum of squares of four
 /// edges, of which no other edge is longer than twice. That is 2 * 2 * 2 * 4 * sqrt(3) times
@@ -40,6 +45,9 @@ static inline Vector choose(double second, Vector yes, Vector no) {
 }
 static inline double larger_of(double a, double b) {
   return b > a ? b : a;
+}
+static inline double smaller_of(double a, double b) {
+  return b < a ? b : a;
 }
 static inline Vector position(const Strip& strip, size_t i) {
   return {strip.x[i], strip.y[i], strip.z[i]};
@@ -77,13 +85,16 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, size_t cells, double f
     const double whole = front * dot(cross(first, other), sum);
     const double part = front * dot(cross(along_u, choose(second, along_v, first)), sum);
     const double rest = whole - part;
-    const double area = rest < part ? rest : part;
+    const double area = smaller_of(rest, part);
     const double edges =
         square_first + square_other + dot(along_u, along_u) + dot(along_v, along_v);
     const double sides =
         larger_of(fabs(dot(minus(n1, n0), along_u)), fabs(dot(minus(n3, n0), along_v)));
     cuts.second[i] = second;
-    cuts.margin[i] = area > 0 ? area * area - least * edges : -1.0;
+    const double agreement =
+        smaller_of(smaller_of(dot(n0, sum), dot(n1, sum)), smaller_of(dot(n2, sum), dot(n3, sum)));
+    const double facing = smaller_of(area, agreement - kAgreement);
+    cuts.margin[i] = facing > 0 ? area * area - least * edges : -1.0;
     cuts.sagitta[i] = 0.125 * larger_of(sides, second > 0 ? sagitta_other : sagitta_first);
   }
 }

@@ -1,0 +1,97 @@
+// Tiles cover a grid, and what they hand out are the bits of evaluate_grid.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+#include <vector>
+
+#include "eval/batch.h"
+#include "eval/interleave.h"
+#include "graph_value.h"
+
+namespace saddle {
+namespace {
+
+std::vector<double> steps(std::size_t count, double by) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = by * static_cast<double>(i) - 1;
+  return values;
+}
+
+TEST(GridTiling, CoversEveryCellOnce) {
+  for (const auto& [cells_u, cells_v] : {std::pair{1, 1}, {7, 3}, {8, 16}, {17, 9}, {1, 30}}) {
+    const GridTiling tiling(static_cast<std::size_t>(cells_u), static_cast<std::size_t>(cells_v),
+                            8);
+    std::vector<int> covered(static_cast<std::size_t>(cells_u * cells_v), 0);
+    for (std::size_t k = 0; k < tiling.count(); ++k) {
+      const GridTile tile = tiling.tile(k);
+      EXPECT_EQ(tile.index, k);
+      for (std::size_t j = tile.row; j + 1 < tile.row + tile.rows; ++j) {
+        for (std::size_t i = tile.column; i + 1 < tile.column + tile.columns; ++i) {
+          ++covered.at(j * static_cast<std::size_t>(cells_u) + i);
+        }
+      }
+    }
+    EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), cells_u * cells_v);
+  }
+}
+
+TEST(EvaluateTiles, HandsOutTheBitsOfTheWholeGrid) {
+  Graph graph;
+  const std::vector<NodeId> outputs = {testing::parse(graph, "sin(u)*cos(v)"),
+                                       testing::parse(graph, "exp(u)"),
+                                       testing::parse(graph, "v^3"), testing::parse(graph, "2")};
+  const Tape tape = compile(graph, outputs);
+  const std::vector<double> u = steps(39, 0.1);
+  const std::vector<double> v = steps(21, 0.13);
+  std::vector<std::vector<double>> whole(4, std::vector<double>(u.size() * v.size()));
+  evaluate_grid(tape, u, v,
+                std::vector{whole[0].data(), whole[1].data(), whole[2].data(), whole[3].data()});
+  std::atomic<std::size_t> seen = 0;
+  evaluate_tiles(tape, u, v, GridTiling(38, 20, 8), 2, [&](TileRows& rows) {
+    std::size_t expected_row = rows.tile().row;
+    while (rows.next()) {
+      ASSERT_EQ(rows.row(), expected_row++);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Operand& from = rows.outputs()[k];
+        for (std::size_t i = 0; i < rows.tile().columns; ++i) {
+          const std::size_t vertex = rows.row() * u.size() + rows.tile().column + i;
+          ASSERT_EQ(from.data[from.varies ? i : 0], whole[k][vertex]) << k;
+        }
+      }
+      seen += rows.tile().columns;
+    }
+    EXPECT_EQ(expected_row, rows.tile().row + rows.tile().rows);
+  });
+  // Four inner borders each way, shared by two tiles.
+  EXPECT_EQ(seen, (39 + 4) * (21 + 2));
+}
+
+TEST(Interleave, MakesVectorsOfColumnsOnEveryCpuLevel) {
+  const std::vector<double> x = steps(600, 0.1);
+  const std::vector<double> y = steps(600, 1 / 3.0);
+  const double z = 1 / 7.0;
+  for (std::size_t level = 0; level < supported_level_count(); ++level) {
+    const InterleaveLoops& loops = interleave_loops(static_cast<CpuLevel>(level));
+    for (const std::size_t count : {1U, 3U, 256U, 257U, 600U}) {
+      std::vector<double> doubles(3 * count + 1, -5);
+      std::vector<float> floats(3 * count + 1, -5);
+      loops.doubles({x.data(), true}, {y.data(), true}, {&z, false}, count, doubles.data());
+      loops.floats({&z, false}, {x.data(), true}, {y.data(), true}, count, floats.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        ASSERT_EQ(doubles[3 * i], x[i]);
+        ASSERT_EQ(doubles[3 * i + 1], y[i]);
+        ASSERT_EQ(doubles[3 * i + 2], z);
+        ASSERT_EQ(floats[3 * i], static_cast<float>(z));
+        ASSERT_EQ(floats[3 * i + 1], static_cast<float>(x[i]));
+        ASSERT_EQ(floats[3 * i + 2], static_cast<float>(y[i]));
+      }
+      EXPECT_EQ(doubles[3 * count], -5) << "wrote past the end";
+      EXPECT_EQ(floats[3 * count], -5) << "wrote past the end";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace saddle
