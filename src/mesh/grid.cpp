@@ -18,10 +18,6 @@ namespace {
 /// Corners are numbered in 32 bits, and a vertex has at most four.
 constexpr std::size_t kMaxCells = std::size_t{1} << 29;
 
-bool is_finite(const dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 /// Evenly spaced, both ends exact. Weighting the ends, rather than stepping from the first, makes
 /// symmetric ranges symmetric to the last bit and hits 0 where it is a grid line.
 std::vector<double> grid_parameters(double first, double last, std::size_t cells) {

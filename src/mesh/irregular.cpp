@@ -109,11 +109,6 @@ class Summaries {
   std::size_t last_row_;
 };
 
-/// Whether a position is a place.
-bool is_finite(const dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 /// Looks at each vertex of a window.
 Irregular look_at(const Surface& surface, const Window& window, Grid& grid) {
   Irregular found;

@@ -28,10 +28,6 @@ constexpr double kRelapse = 0.1;
 /// Corners whose paths are evaluated together: 4.3 MB of points.
 constexpr std::size_t kBlock = 4096;
 
-bool is_finite(const dvec3& a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
-}
-
 double largest_component(const dvec3& a) {
   return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
 }
