@@ -51,7 +51,7 @@ struct Bank {
 
 /// The banks as one loop over a block sees them.
 struct Banks {
-  const Kernel* loops = nullptr;  // of the CPU level
+  const Kernels* loops = nullptr;  // of the CPU level
   std::array<Bank, 4> of_rate;
 
   Bank& operator[](Rate rate) { return of_rate[static_cast<std::size_t>(rate)]; }
@@ -67,8 +67,12 @@ struct Banks {
     for (const Instruction& instruction : instructions) {
       std::array<Operand, 3> in;
       for (int i = 0; i < arity(instruction.op); ++i) in[i] = operand(instruction.in[i]);
-      const Kernel kernel = loops[static_cast<std::size_t>(instruction.op)];
-      kernel(target.data + instruction.out.index * target.pitch, in.data(), count);
+      const auto place = [&](Slot out) { return target.data + out.index * target.pitch; };
+      if (instruction.cosine) {
+        loops->sin_cos(place(instruction.out), place(*instruction.cosine), in[0].data, count);
+      } else {
+        (*loops)[instruction.op](place(instruction.out), in.data(), count);
+      }
     }
   }
 
@@ -88,7 +92,7 @@ struct Banks {
 /// The constants and the loops of the CPU level.
 Banks banks_of(const Tape& tape) {
   Banks banks;
-  banks.loops = kernels(cpu_level());
+  banks.loops = &kernels(cpu_level());
   // Nobody writes to constants, but a bank can be written to.
   banks[Rate::Constant] = {const_cast<double*>(tape.constants.data()), 1, false};
   return banks;

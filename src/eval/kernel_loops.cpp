@@ -155,6 +155,27 @@ void run(double* out, const Operand* in, size_t count) {
   }
 }
 
+void sin_cos(double* sin, double* cos, const double* in, size_t count) {
+  size_t i = 0;
+  for (; i + kWidth <= count; i += kWidth) {
+    const auto both = SLEEF(sincos, u10)(load(in + i));
+    store(sin + i, both.x);
+    store(cos + i, both.y);
+  }
+  if (i == count) return;
+  double last[kWidth];  // padded with copies of the last number
+  double last_sin[kWidth];
+  double last_cos[kWidth];
+  for (size_t k = 0; k < kWidth; ++k) last[k] = in[i + k < count ? i + k : count - 1];
+  const auto both = SLEEF(sincos, u10)(load(last));
+  store(last_sin, both.x);
+  store(last_cos, both.y);
+  for (size_t k = 0; i + k < count; ++k) {
+    sin[i + k] = last_sin[k];
+    cos[i + k] = last_cos[k];
+  }
+}
+
 constexpr Kernel kLoops[] = {
     nullptr,  // Op::Constant
     nullptr,  // Op::Variable
@@ -164,8 +185,9 @@ constexpr Kernel kLoops[] = {
 
 }  // namespace
 
-const Kernel* SADDLE_LEVEL() {
-  return kLoops;
+const Kernels& SADDLE_LEVEL() {
+  static constexpr Kernels kKernels = {kLoops, &sin_cos};
+  return kKernels;
 }
 
 }  // namespace saddle

@@ -9,10 +9,10 @@
 namespace saddle {
 
 // One copy of kernel_loops.cpp each.
-const Kernel* kernels_sse2();
-const Kernel* kernels_sse2_without_fma();
-const Kernel* kernels_avx2();
-const Kernel* kernels_avx512();
+const Kernels& kernels_sse2();
+const Kernels& kernels_sse2_without_fma();
+const Kernels& kernels_avx2();
+const Kernels& kernels_avx512();
 
 namespace {
 
@@ -59,7 +59,7 @@ const char* level_name(CpuLevel level) {
   return kNames[static_cast<std::size_t>(level)];
 }
 
-const Kernel* kernels(CpuLevel level) {
+const Kernels& kernels(CpuLevel level) {
   switch (level) {
     case CpuLevel::Sse2:
       return has_fma() ? kernels_sse2() : kernels_sse2_without_fma();
@@ -68,7 +68,7 @@ const Kernel* kernels(CpuLevel level) {
     case CpuLevel::Avx512:
       return kernels_avx512();
   }
-  return nullptr;
+  return kernels_sse2();
 }
 
 }  // namespace saddle

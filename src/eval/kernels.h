@@ -32,7 +32,17 @@ struct Operand {
 /// not overlap one otherwise.
 using Kernel = void (*)(double* out, const Operand* in, std::size_t count);
 
-/// The loops of a level, by operation; leaves have none.
-const Kernel* kernels(CpuLevel level);
+/// sin[i] and cos[i] of in[i] for i < count: cheaper than one after the other. `sin` or `cos` may
+/// be `in`; they do not overlap otherwise.
+using SinCosKernel = void (*)(double* sin, double* cos, const double* in, std::size_t count);
+
+/// The loops of a level.
+struct Kernels {
+  const Kernel* of_op;  ///< by operation; leaves have none
+  SinCosKernel sin_cos;
+
+  Kernel operator[](Op op) const { return of_op[static_cast<std::size_t>(op)]; }
+};
+const Kernels& kernels(CpuLevel level);
 
 }  // namespace saddle

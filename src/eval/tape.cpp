@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 
 namespace saddle {
 namespace {
@@ -96,6 +98,15 @@ class Allocator {
     return instruction;
   }
 
+  /// A place for a second result of an instruction.
+  Slot place_beside(NodeId id, Tape& tape) {
+    const Rate rate = rate_of(graph_[id]);
+    return slots_[id] = {rate, take(rate, tape)};
+  }
+
+  /// `user` has nothing to compute: its argument may go if nobody else wants it.
+  void skip(NodeId user) { release(graph_[user].args[0], user); }
+
   Slot slot(NodeId id) const { return slots_[id]; }
 
  private:
@@ -120,6 +131,35 @@ class Allocator {
   std::vector<std::uint32_t> free_;
 };
 
+/// Sines and cosines of the same argument.
+class SinCosPairs {
+ public:
+  SinCosPairs(const Graph& graph, const std::vector<bool>& needed) {
+    std::unordered_map<NodeId, NodeId> sine_of;
+    std::unordered_map<NodeId, NodeId> cosine_of;
+    for (NodeId id = 0; id < needed.size(); ++id) {
+      if (!needed[id]) continue;
+      if (graph[id].op == Op::Sin) sine_of[graph[id].args[0]] = id;
+      if (graph[id].op == Op::Cos) cosine_of[graph[id].args[0]] = id;
+    }
+    for (const auto& [argument, sine] : sine_of) {
+      const auto cosine = cosine_of.find(argument);
+      if (cosine == cosine_of.end()) continue;
+      partner_[sine] = cosine->second;
+      partner_[cosine->second] = sine;
+    }
+  }
+
+  /// The cosine of a sine's argument or the other way round, if both are needed.
+  std::optional<NodeId> partner(NodeId id) const {
+    const auto found = partner_.find(id);
+    return found == partner_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::unordered_map<NodeId, NodeId> partner_;
+};
+
 }  // namespace
 
 Tape compile(const Graph& graph, std::span<const NodeId> outputs) {
@@ -128,13 +168,24 @@ Tape compile(const Graph& graph, std::span<const NodeId> outputs) {
   const std::vector<bool> needed = reachable(lowered, roots);
   Tape tape;
   Allocator allocator(lowered, needed, roots);
+  const SinCosPairs pairs(lowered, needed);
   for (NodeId id = 0; id < needed.size(); ++id) {
     if (!needed[id]) continue;
     if (arity(lowered[id].op) == 0) {
       allocator.place_leaf(id, tape);
       continue;
     }
-    const Instruction instruction = allocator.place(id, tape);
+    const std::optional<NodeId> partner = pairs.partner(id);
+    if (partner && *partner < id) {  // computed with its partner
+      allocator.skip(id);
+      continue;
+    }
+    Instruction instruction = allocator.place(id, tape);
+    if (partner) {
+      instruction.cosine = allocator.place_beside(*partner, tape);
+      if (instruction.op == Op::Cos) std::swap(instruction.out, *instruction.cosine);
+      instruction.op = Op::Sin;
+    }
     switch (instruction.out.rate) {
       case Rate::Constant:
         break;  // constants have been folded

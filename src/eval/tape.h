@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Instruction {
   Op op = Op::Constant;
   Slot out;
   std::array<Slot, 3> in;
+  std::optional<Slot> cosine = {};  ///< of a Sin: where the cosine of the same argument goes
 };
 
 /// A program that computes several outputs from u and v. Slot 0 of bank U holds u, slot 0 of bank
@@ -40,7 +42,8 @@ struct Tape {
 };
 
 /// Compiles the outputs, sharing what they have in common. Whole-number powers become products,
-/// x^0.5 a square root. The outputs depend on u and v alone (Scope::bind has replaced the rest).
+/// x^0.5 a square root, sine and cosine of the same argument one instruction. The outputs depend on
+/// u and v alone (Scope::bind has replaced the rest).
 Tape compile(const Graph& graph, std::span<const NodeId> outputs);
 
 }  // namespace saddle

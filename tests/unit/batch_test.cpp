@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "formula/derive.h"
 #include "graph_value.h"
@@ -105,6 +106,23 @@ TEST(Tape, ReusesSlots) {
   std::string text = "u*v";
   for (int i = 0; i < 50; ++i) text = "sin(" + text + ")";
   EXPECT_EQ(compile(graph, std::vector{testing::parse(graph, text)}).slots_both, 1U);
+}
+
+TEST(Tape, ComputesSineAndCosineOfTheSameArgumentAtOnce) {
+  for (const char* text : {"sin(u*v)*cos(u*v)", "cos(u*v)-sin(u*v)"}) {
+    Graph graph;
+    const NodeId root = testing::parse(graph, text);
+    const Tape tape = compile(graph, std::vector{root});
+    ASSERT_EQ(tape.of_both.size(), 3U) << text;
+    EXPECT_TRUE(tape.of_both[1].cosine.has_value());
+    const Grid grid = {steps(-2, 0.7, 9), steps(0.1, 0.3, 5)};
+    const std::vector<double> values = on_grid(tape, grid, 1);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      EXPECT_NEAR(values[k],
+                  testing::value(graph, root, grid.u[k % grid.u.size()], grid.v[k / grid.u.size()]),
+                  4 * std::numeric_limits<double>::epsilon());
+    }
+  }
 }
 
 TEST(Tape, TurnsWholePowersIntoProducts) {

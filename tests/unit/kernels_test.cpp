@@ -70,7 +70,7 @@ std::vector<double> run(CpuLevel level, Op op, const Pairs& pairs) {
   const Operand first = takes_an_order(op) ? Operand{&order, false} : Operand{pairs.a.data(), true};
   const std::array<Operand, 3> in = {first, Operand{pairs.b.data(), true},
                                      Operand{pairs.a.data(), true}};
-  kernels(level)[static_cast<std::size_t>(op)](out.data(), in.data(), out.size());
+  kernels(level)[op](out.data(), in.data(), out.size());
   return out;
 }
 
@@ -119,11 +119,37 @@ TEST(Kernels, AgreeWithThePlainFunction) {
   }
 }
 
+TEST(Kernels, GiveSineAndCosineTogetherAsOneByOne) {
+  const std::vector<double> numbers = nasty_numbers();
+  std::vector<double> lowest_sin;
+  std::vector<double> lowest_cos;
+  for (std::size_t level = 0; level < supported_level_count(); ++level) {
+    const Kernels& loops = kernels(static_cast<CpuLevel>(level));
+    for (std::size_t count = 1; count <= numbers.size(); ++count) {
+      std::vector<double> sin(count + 1, -5);
+      std::vector<double> cos(count + 1, -5);
+      loops.sin_cos(sin.data(), cos.data(), numbers.data(), count);
+      EXPECT_EQ(sin[count], -5) << "wrote past the end";
+      EXPECT_EQ(cos[count], -5) << "wrote past the end";
+      const double x = numbers[count - 1];
+      EXPECT_TRUE(nearly_same(sin[count - 1], std::sin(x))) << x;
+      EXPECT_TRUE(nearly_same(cos[count - 1], std::cos(x))) << x;
+      if (level == 0) {
+        lowest_sin.push_back(sin[count - 1]);
+        lowest_cos.push_back(cos[count - 1]);
+      } else {
+        EXPECT_TRUE(same(sin[count - 1], lowest_sin[count - 1])) << x;
+        EXPECT_TRUE(same(cos[count - 1], lowest_cos[count - 1])) << x;
+      }
+    }
+  }
+}
+
 TEST(Kernels, TakeBroadcastOperandsAndTails) {
   const double two = 2;
   const std::vector<double> a = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   for (std::size_t level = 0; level < supported_level_count(); ++level) {
-    const Kernel power = kernels(static_cast<CpuLevel>(level))[static_cast<std::size_t>(Op::Pow)];
+    const Kernel power = kernels(static_cast<CpuLevel>(level))[Op::Pow];
     for (std::size_t count = 1; count <= a.size(); ++count) {
       std::vector<double> out(count + 1, -1.0);
       const std::array<Operand, 3> squares = {Operand{a.data(), true}, Operand{&two, false}, {}};
