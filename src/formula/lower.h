@@ -1,4 +1,5 @@
-// The last step before a graph is evaluated or printed: powers that are cheaper as products or roots.
+// The last step before a graph is evaluated or printed: powers that are cheaper as products or
+// roots.
 #pragma once
 
 #include <vector>
