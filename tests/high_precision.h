@@ -1,12 +1,17 @@
 // Values of graphs with 50 digits, from Boost's functions: independent of the table's own values.
 #pragma once
 
+#include <array>
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/math/special_functions/erf.hpp>
+#include <boost/math/special_functions/expm1.hpp>
 #include <boost/math/special_functions/gamma.hpp>
+#include <boost/math/special_functions/log1p.hpp>
 #include <boost/math/special_functions/polygamma.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "formula/graph.h"
@@ -19,8 +24,41 @@ inline Real truth(bool condition) {
   return condition ? Real(1) : Real(0);
 }
 
-/// The n-th derivative of sin(x)/x from its power series: good for |x| < 20 with 50 digits.
+/// Digits that survive when multiples of pi/2 or of the smallest double are taken off the largest:
+/// 308 + 308, 19 for the double that is nearest to a multiple, and 50 that are wanted.
+using Huge = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<700>>;
+
+/// x minus the nearest multiple of pi/2, and which multiple that is, modulo 4.
+struct Quadrant {
+  Real rest;
+  int number = 0;
+};
+
+inline Quadrant reduce(const Real& x) {
+  static const Huge kHalfPi = boost::multiprecision::acos(Huge(0));
+  const Huge multiple = boost::multiprecision::round(Huge(x) / kHalfPi);
+  const Huge turns = boost::multiprecision::floor(multiple / 4);
+  return {Real(Huge(x) - multiple * kHalfPi), static_cast<int>(multiple - 4 * turns)};
+}
+
+/// The n-th derivative of sin at x.
+inline Real sine_derivative(int n, const Real& x) {
+  namespace mp = boost::multiprecision;
+  // Below 1 nothing is taken off, and tiny arguments keep their digits.
+  const Quadrant at = mp::abs(x) < 1 ? Quadrant{x, 0} : reduce(x);
+  const int quarter = (at.number + n) % 4;
+  const Real value = quarter % 2 == 0 ? mp::sin(at.rest) : mp::cos(at.rest);
+  return quarter < 2 ? value : Real(-value);
+}
+
+/// The n-th derivative of sin(x)/x: its power series, good for |x| < 20 with 50 digits, and beyond
+/// the recurrence x s_n + n s_(n-1) = sin^(n)(x), stable for |x| > n.
 inline Real sinc_series(int n, const Real& x) {
+  if (boost::multiprecision::abs(x) > 19) {
+    Real value = sine_derivative(0, x) / x;
+    for (int k = 1; k <= n; ++k) value = (sine_derivative(k, x) - k * value) / x;
+    return value;
+  }
   Real sum = 0;
   Real power = n % 2 == 0 ? Real(1) : x;  // x^m / m!
   for (int m = n % 2; m < 200; m += 2) {
@@ -29,6 +67,106 @@ inline Real sinc_series(int n, const Real& x) {
     power *= x * x / ((m + 1) * (m + 2));
   }
   return sum;
+}
+
+/// An argument past which an exponential is infinite or zero for every purpose, and Boost's series
+/// are slow: e^(+-1e5) is far outside of the doubles.
+const Real kLargestExponent = 1e5;
+
+inline Real exponential(const Real& x) {
+  if (x > kLargestExponent) return std::numeric_limits<Real>::infinity();
+  return x < -kLargestExponent ? Real(0) : Real(boost::multiprecision::exp(x));
+}
+
+/// e^|x| - 1, with all digits near 0.
+inline Real growth(const Real& x) {
+  const Real size = boost::multiprecision::abs(x);
+  if (size > kLargestExponent) return std::numeric_limits<Real>::infinity();
+  return boost::math::expm1(size);
+}
+
+inline Real odd(const Real& x, const Real& value_of_size) {
+  return x < 0 ? Real(-value_of_size) : value_of_size;
+}
+
+inline Real exact_sinh(const Real& x) {
+  const Real e = growth(x);
+  return odd(x, boost::multiprecision::isfinite(e) ? Real((e + e / (e + 1)) / 2) : e);
+}
+
+inline Real exact_tanh(const Real& x) {
+  const Real e = growth(2 * x);
+  return odd(x, boost::multiprecision::isfinite(e) ? Real(e / (e + 2)) : Real(1));
+}
+
+inline Real exact_asinh(const Real& x) {
+  const Real size = boost::multiprecision::abs(x);
+  const Real square = size * size;
+  return odd(x, boost::math::log1p(
+                    Real(size + square / (1 + boost::multiprecision::sqrt(Real(square + 1))))));
+}
+
+inline Real exact_pow(const Real& a, const Real& b) {
+  namespace mp = boost::multiprecision;
+  if (a == 0 || b == 0) return b == 0 ? Real(1) : b > 0 ? Real(0) : 1 / mp::abs(a);
+  const bool whole = b == mp::floor(b);
+  if (a < 0 && !whole) return std::numeric_limits<Real>::quiet_NaN();
+  const Real size = exponential(Real(b * mp::log(mp::abs(a))));
+  const bool is_odd = whole && 2 * mp::floor(Real(b / 2)) != b;
+  return a < 0 && is_odd ? Real(-size) : size;
+}
+
+inline Real exact_mod(const Real& a, const Real& b) {
+  return Real(Huge(a) - Huge(b) * boost::multiprecision::floor(Huge(a) / Huge(b)));
+}
+
+/// Past these, gamma is outside of the doubles.
+inline Real exact_gamma(const Real& x) {
+  if (x > 1000) return std::numeric_limits<Real>::infinity();
+  return x < -1000 && x != boost::multiprecision::floor(x) ? Real(0) : boost::math::tgamma(x);
+}
+
+/// In 100 digits: the logarithm loses half of them near its zeros.
+inline Real exact_lgamma(const Real& x) {
+  using Fine = boost::multiprecision::cpp_bin_float_100;
+  if (boost::multiprecision::abs(x) > 20) return boost::math::lgamma(x);
+  return Real(log(abs(boost::math::tgamma(Fine(x)))));
+}
+
+/// Where Boost no longer tells even multiples of pi from odd ones: Hankel's asymptotic series, with
+/// terms (4n^2-1^2)(4n^2-3^2).../(k! (8x)^k) of alternating kinds.
+inline Real exact_bessel_j(int n, const Real& x) {
+  namespace mp = boost::multiprecision;
+  if (mp::abs(x) < 1e4) return boost::math::cyl_bessel_j(n, x);
+  if (x < 0) return n % 2 == 0 ? exact_bessel_j(n, -x) : Real(-exact_bessel_j(n, -x));
+  constexpr int kTerms = 20;  // the last is below 1e-50 at 1e4
+  std::array<Real, 2> sums = {Real(1), Real(0)};
+  Real term = 1;
+  for (int k = 1; k < kTerms; ++k) {
+    term *= Real(4 * n * n - (2 * k - 1) * (2 * k - 1)) / (k * 8 * x);
+    sums[k % 2] += k / 2 % 2 == 0 ? term : Real(-term);
+  }
+  // The phase is x - n pi/2 - pi/4; the factor 1/sqrt(2) of its quarter turn is taken out.
+  const int quarters = ((-n % 4) + 4) % 4;
+  const Real sine = sine_derivative(quarters, x);
+  const Real cosine = sine_derivative(quarters + 1, x);
+  const Real pi = boost::math::constants::pi<Real>();
+  return (sums[0] * (cosine + sine) - sums[1] * (sine - cosine)) / mp::sqrt(Real(pi * x));
+}
+
+/// By the reflection formula where x < 0: Boost 1.74 is wrong at -1/2, and loses the parity of the
+/// period far from 0.
+inline Real exact_polygamma(int n, const Real& x) {
+  using boost::math::polygamma;
+  if (x > 0) return polygamma(n, x);
+  const int sign = n % 2 == 0 ? 1 : -1;
+  const Real mirrored = sign * polygamma(n, Real(1 - x));
+  const Real rest = x - boost::multiprecision::round(x);
+  if (sign > 0 && abs(rest) == Real(0.5)) return mirrored;  // derivatives of pi cot(pi x) are 0
+  if (rest > 0) return mirrored - sign * polygamma(n, Real(1 - rest)) + polygamma(n, rest);
+  const Real step =
+      sign * boost::math::tgamma(Real(n + 1)) / boost::multiprecision::pow(rest, n + 1);
+  return mirrored - sign * polygamma(n, Real(1 - rest)) + polygamma(n, Real(1 + rest)) - step;
 }
 
 inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
@@ -66,7 +204,7 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
     case Op::Select:
       return a != 0 ? b : c;
     case Op::Pow:
-      return mp::pow(a, b);
+      return exact_pow(a, b);
     case Op::Sqrt:
       return mp::sqrt(a);
     case Op::Cbrt:
@@ -74,7 +212,7 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
     case Op::Hypot:
       return mp::sqrt(a * a + b * b);
     case Op::Exp:
-      return mp::exp(a);
+      return exponential(a);
     case Op::Log:
       return mp::log(a);
     case Op::Log2:
@@ -82,11 +220,11 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
     case Op::Log10:
       return mp::log(a) / mp::log(Real(10));
     case Op::Sin:
-      return mp::sin(a);
+      return sine_derivative(0, a);
     case Op::Cos:
-      return mp::cos(a);
+      return sine_derivative(1, a);
     case Op::Tan:
-      return mp::tan(a);
+      return sine_derivative(0, a) / sine_derivative(1, a);
     case Op::Asin:
       return mp::asin(a);
     case Op::Acos:
@@ -96,17 +234,17 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
     case Op::Atan2:
       return mp::atan2(a, b);
     case Op::Sinh:
-      return (mp::exp(a) - mp::exp(Real(-a))) / 2;
+      return exact_sinh(a);
     case Op::Cosh:
-      return (mp::exp(a) + mp::exp(Real(-a))) / 2;
+      return (exponential(a) + exponential(Real(-a))) / 2;
     case Op::Tanh:
-      return 1 - 2 / (mp::exp(Real(2 * a)) + 1);
+      return exact_tanh(a);
     case Op::Asinh:
-      return mp::log(a + mp::sqrt(a * a + 1));
+      return exact_asinh(a);
     case Op::Acosh:
-      return mp::log(a + mp::sqrt(a - 1) * mp::sqrt(a + 1));
+      return boost::math::log1p(Real(a - 1 + mp::sqrt(Real(a - 1)) * mp::sqrt(Real(a + 1))));
     case Op::Atanh:
-      return mp::log((1 + a) / (1 - a)) / 2;
+      return boost::math::log1p(Real(2 * a / (1 - a))) / 2;
     case Op::Abs:
       return mp::abs(a);
     case Op::Sign:
@@ -122,30 +260,31 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
     case Op::Trunc:
       return mp::trunc(a);
     case Op::Mod:
-      return a - b * mp::floor(a / b);
+      return exact_mod(a, b);
     case Op::Min:
       return b < a ? b : a;
     case Op::Max:
       return a < b ? b : a;
     case Op::Erf:
-      return boost::math::erf(a);
+      return mp::abs(a) > 30 ? Real(a.sign()) : boost::math::erf(a);
     case Op::Gamma:
-      return boost::math::tgamma(a);
+      return exact_gamma(a);
     case Op::Lgamma:
-      return boost::math::lgamma(a);
+      return exact_lgamma(a);
     case Op::Polygamma:
-      return boost::math::polygamma(static_cast<int>(a), b);
+      return exact_polygamma(static_cast<int>(a), b);
     case Op::BesselJ:
-      return boost::math::cyl_bessel_j(static_cast<int>(a), b);
+      return exact_bessel_j(static_cast<int>(a), b);
     case Op::SincN:
       return sinc_series(static_cast<int>(a), b);
   }
   return std::numeric_limits<Real>::quiet_NaN();
 }
 
-/// The value of `root` at (u, v), t = 0; NaN where Boost finds an argument outside of a domain.
-inline Real exact_value(const Graph& graph, NodeId root, const Real& u, const Real& v) {
-  const std::vector<NodeId> roots = {root};
+/// The values of all nodes that `root` needs, from the variables' values; where Boost finds an
+/// argument outside of a domain, everything is NaN.
+inline std::vector<Real> exact_values(const Graph& graph, std::span<const NodeId> roots,
+                                      const std::function<Real(Symbol)>& variable) {
   const std::vector<bool> needed = reachable(graph, roots);
   std::vector<Real> result(needed.size());
   try {
@@ -155,17 +294,25 @@ inline Real exact_value(const Graph& graph, NodeId root, const Real& u, const Re
       if (node.op == Op::Constant) {
         result[id] = node.value;
       } else if (node.op == Op::Variable) {
-        result[id] = node.symbol == kSymbolU ? u : node.symbol == kSymbolV ? v : Real(0);
+        result[id] = variable(node.symbol);
       } else {
         const auto [a, b, c] = node.args;
-        // The branch that is not taken may be undefined; Select below never reads it.
+        // The branch that is not taken may be undefined; Select never reads it.
         result[id] = apply_exactly(node.op, result[a], result[b], result[c]);
       }
     }
   } catch (const std::exception&) {
-    return std::numeric_limits<Real>::quiet_NaN();
+    result.assign(needed.size(), std::numeric_limits<Real>::quiet_NaN());
   }
-  return result[root];
+  return result;
+}
+
+/// The value of `root` at (u, v), t = 0.
+inline Real exact_value(const Graph& graph, NodeId root, const Real& u, const Real& v) {
+  const auto variable = [&](Symbol symbol) {
+    return symbol == kSymbolU ? u : symbol == kSymbolV ? v : Real(0);
+  };
+  return exact_values(graph, std::array{root}, variable)[root];
 }
 
 }  // namespace saddle::testing

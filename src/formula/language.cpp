@@ -13,6 +13,12 @@ struct Row {
   Expression (*call)(std::span<const Expression>);
 };
 
+/// A line of the help: a heading, or a row's "call   what it is".
+struct HelpLine {
+  std::string_view text;
+  bool heading = false;
+};
+
 Expression argument(std::span<const Expression> arguments, std::size_t index) {
   return arguments[std::min(index, arguments.size() - 1)];
 }
@@ -32,6 +38,9 @@ Expression fold(std::span<const Expression> arguments) {
 Expression no_call(std::span<const Expression> arguments) {
   return arguments[0];
 }
+
+constexpr std::string_view kDiffHelp =
+    "diff(a,u)  exact partial derivative of a by u, v, t, a parameter or an argument";
 
 /// All rows of the table; operators and internal operations are among them, under names that no
 /// formula can call.
@@ -54,8 +63,7 @@ std::span<const Row> rows() {
       }},
 #include "formula/ops.def"
       // The parser differentiates; the row is for its name, its arity and its help.
-      Row{{"diff", 2, 2, "diff(a,u)  exact partial derivative of a by u, v, t or a parameter"},
-          &no_call},
+      Row{{"diff", 2, 2, kDiffHelp}, &no_call},
   };
   return kRows;
 }
@@ -69,6 +77,17 @@ struct Constant {
 constexpr std::array kConstants = {
 #define SADDLE_CONSTANT(name, value, help) Constant{#name, value, help},
 #include "formula/ops.def"
+};
+
+constexpr std::array kHelpLines = {
+#define SADDLE_GROUP(title) HelpLine{title, true},
+#define SADDLE_OP(id, name, arity, help, ...) HelpLine{help},
+#define SADDLE_COMPOSITE(name, arity, expression, help) HelpLine{help},
+#define SADDLE_FOLD(name, op, finish, help) HelpLine{help},
+#define SADDLE_CONSTANT(name, value, help) HelpLine{#name " " help},
+#include "formula/ops.def"
+    HelpLine{"Derivatives", true},
+    HelpLine{kDiffHelp},
 };
 
 bool is_word(std::string_view name) {
@@ -143,14 +162,18 @@ std::optional<std::string> known_elsewhere_as(std::string_view name) {
 }
 
 std::string language_help() {
+  constexpr std::size_t kCallWidth = 18;  // the longest call, and a space
   std::string text;
-  for (const Row& row : rows()) {
-    if (!row.function.help.empty()) text.append("  ").append(row.function.help).append("\n");
-  }
-  for (const Constant& constant : kConstants) {
-    std::string name(constant.name);
-    name.resize(11, ' ');
-    text.append("  ").append(name).append(constant.help).append("\n");
+  for (const HelpLine& line : kHelpLines) {
+    if (line.heading) {
+      text.append(text.empty() ? "" : "\n").append(line.text).append("\n");
+    } else if (!line.text.empty()) {
+      std::string call(line.text.substr(0, line.text.find(' ')));
+      const std::string_view meaning =
+          line.text.substr(line.text.find_first_not_of(' ', call.size()));
+      call.resize(std::max(kCallWidth, call.size() + 1), ' ');
+      text.append("  ").append(call).append(meaning).append("\n");
+    }
   }
   return text;
 }

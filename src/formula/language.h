@@ -36,7 +36,8 @@ std::vector<std::string> constant_names();
 /// What a name of another program or of school means here: "arctan" -> "atan".
 std::optional<std::string> known_elsewhere_as(std::string_view name);
 
-/// One line for each operator, function and constant: the text of `saddle --help functions`.
+/// One line for each operator, function and constant, under headings: the text of
+/// `saddle --help functions`, and by tests/style/language.py the tables of docs/LANGUAGE.md.
 std::string language_help();
 
 }  // namespace saddle

@@ -10,45 +10,68 @@
 namespace saddle {
 namespace {
 
-constexpr double kPi = 3.141592653589793238462643;
+// The sums below cancel, most of all near the zero of digamma: long double has the digits for that.
+constexpr long double kPi = 3.14159265358979323846264338327950288L;
 
-double factorial(int n) {
-  return std::tgamma(n + 1.0);
+/// A term this small beside the sum, and the ones after it, which fall geometrically, are together
+/// below a hundredth of the sum's last place.
+constexpr double kNegligible = 0x1p-60;
+
+long double factorial(int n) {
+  return std::tgamma(n + 1.0L);
 }
 
 /// The asymptotic series of polygamma, for x that is large compared with n.
-double polygamma_series(int n, double x) {
+long double polygamma_series(int n, long double x) {
   // B_2k for k = 1 ... 10: at x >= 20 + n the first term left out is below half an ULP.
-  static constexpr std::array<double, 10> kBernoulli = {
-      1.0 / 6,       -1.0 / 30, 1.0 / 42,      -1.0 / 30,     5.0 / 66,
-      -691.0 / 2730, 7.0 / 6,   -3617.0 / 510, 43867.0 / 798, -174611.0 / 330};
-  double sum = n == 0 ? -std::log(x) : factorial(n - 1) / std::pow(x, n);
+  static constexpr std::array<long double, 10> kBernoulli = {
+      1.0L / 6,       -1.0L / 30, 1.0L / 42,      -1.0L / 30,     5.0L / 66,
+      -691.0L / 2730, 7.0L / 6,   -3617.0L / 510, 43867.0L / 798, -174611.0L / 330};
+  long double sum = n == 0 ? -std::log(x) : factorial(n - 1) / std::pow(x, n);
   sum += factorial(n) / (2 * std::pow(x, n + 1));
   for (int k = 1; k <= static_cast<int>(kBernoulli.size()); ++k) {
     // (2k+n-1)! / (2k)! as a product: the factorials alone overflow.
-    double ratio = 1;
+    long double ratio = 1;
     for (int i = 2 * k + 1; i <= 2 * k + n - 1; ++i) ratio *= i;
-    if (n == 0) ratio = 1.0 / (2 * k);
+    if (n == 0) ratio = 1.0L / (2 * k);
     sum += kBernoulli[k - 1] * ratio / std::pow(x, 2 * k + n);
   }
   return n % 2 == 0 ? -sum : sum;
 }
 
+/// cot(pi x), with all digits near its zeros and poles: the period and the quarter come off
+/// exactly.
+long double cotangent_of_turns(double x) {
+  const long double rest = x - std::round(x);
+  if (std::fabs(rest) <= 0.25L) return 1 / std::tan(kPi * rest);
+  return std::copysign(std::tan(kPi * (0.5L - std::fabs(rest))), rest);
+}
+
 /// The n-th derivative of pi*cot(pi*x): pi^(n+1) P_n(cot), P_0 = c, P_(n+1) = -(1 + c^2) P_n'.
-double cotangent_derivative(int n, double x) {
-  std::vector<double> p = {0, 1};
+long double cotangent_derivative(int n, double x) {
+  std::vector<long double> p = {0, 1};
   for (int k = 0; k < n; ++k) {
-    std::vector<double> next(p.size() + 1, 0.0);
+    std::vector<long double> next(p.size() + 1, 0.0L);
     for (std::size_t i = 1; i < p.size(); ++i) {
-      next[i - 1] -= static_cast<double>(i) * p[i];
-      next[i + 1] -= static_cast<double>(i) * p[i];
+      next[i - 1] -= static_cast<long double>(i) * p[i];
+      next[i + 1] -= static_cast<long double>(i) * p[i];
     }
     p = next;
   }
-  const double c = 1 / std::tan(kPi * std::fmod(x, 1.0));
-  double value = 0;
-  for (std::size_t i = p.size(); i-- > 0;) value = value * c + p[i];
+  const long double c = cotangent_of_turns(x);
+  long double value = p.back();
+  for (std::size_t i = p.size() - 1; i-- > 0;) value = value * c + p[i];
   return std::pow(kPi, n + 1) * value;
+}
+
+/// For x > 0.
+long double polygamma_right(int n, long double x) {
+  long double shifted = 0;  // recurrence up to where the series is good
+  while (x < 20 + n) {
+    shifted += factorial(n) / std::pow(x, n + 1);
+    x += 1;
+  }
+  return polygamma_series(n, x) + (n % 2 == 0 ? -shifted : shifted);
 }
 
 }  // namespace
@@ -63,16 +86,10 @@ double polygamma(double n, double x) {
   if (std::isnan(x) || (x <= 0 && x == std::floor(x))) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  if (x < 0) {  // reflection
-    const double mirrored = polygamma(n, 1 - x);
-    return (order % 2 == 0 ? mirrored : -mirrored) - cotangent_derivative(order, x);
-  }
-  double shifted = 0;  // recurrence up to where the series is good
-  while (x < 20 + order) {
-    shifted += factorial(order) / std::pow(x, order + 1);
-    x += 1;
-  }
-  return polygamma_series(order, x) + (order % 2 == 0 ? -shifted : shifted);
+  if (x > 0) return static_cast<double>(polygamma_right(order, x));
+  const long double mirrored = polygamma_right(order, 1 - static_cast<long double>(x));
+  return static_cast<double>((order % 2 == 0 ? mirrored : -mirrored) -
+                             cotangent_derivative(order, x));
 }
 
 double bessel_j(double n, double x) {
@@ -80,8 +97,10 @@ double bessel_j(double n, double x) {
 }
 
 double sinc_derivative(double n, double x) {
+  if (std::isinf(x)) return 0;
   const int order = static_cast<int>(n);
-  if (std::fabs(x) <= std::fmax(1.0, n)) {
+  // Further out the terms cancel; further in the recurrence below multiplies errors by n/x.
+  if (std::fabs(x) <= std::fmax(1.0, n / 2)) {
     // sum over even m + n of (-1)^((m+n)/2) x^m / (m! (m+n+1))
     double sum = 0;
     double power = order % 2 == 0 ? 1.0 : x;  // x^m / m!
@@ -89,12 +108,12 @@ double sinc_derivative(double n, double x) {
       const double term = power / (m + order + 1);
       sum += (m + order) / 2 % 2 == 0 ? term : -term;
       // The terms fall at least geometrically once m > |x|.
-      if (m > std::fabs(x) && std::fabs(term) <= 1e-18 * std::fabs(sum)) return sum;
+      if (m > std::fabs(x) && std::fabs(term) <= kNegligible * std::fabs(sum)) return sum;
       if (term == 0) return sum;
       power *= x * x / ((m + 1.0) * (m + 2.0));
     }
   }
-  // x s_n + n s_(n-1) = the n-th derivative of sin x; stable upward for |x| > n.
+  // x s_n + n s_(n-1) = the n-th derivative of sin x; upward, errors grow little for |x| > n/2.
   const std::array<double, 4> sines = {std::sin(x), std::cos(x), -std::sin(x), -std::cos(x)};
   double value = sines[0] / x;
   for (int k = 1; k <= order; ++k) value = (sines[k % 4] - k * value) / x;

@@ -1,6 +1,8 @@
 #!/usr/bin/python3 -B
 """glslangValidator accepts every shader, alone and as the program puts it together: with the
-constants of a scene in front, vertex and fragment shader linked."""
+constants of a scene in front, vertex and fragment shader linked; and the library of functions that
+printed formulas call, as part of a fragment shader."""
+import pathlib
 import subprocess
 
 import tree
@@ -34,9 +36,20 @@ def complaints(fragment):
         yield from validate([vertex, fragment], defines)
 
 
+def library_complaints(name):
+    text = "#version 330 core\n" + (tree.ROOT / name).read_text() + "\nvoid main() {}\n"
+    done = subprocess.run(["glslangValidator", "--stdin", "-S", "frag"], input=text,
+                          capture_output=True, text=True)
+    if done.returncode:
+        yield f"{name}, one line below its own numbers:\n{done.stdout}"
+
+
+LIBRARIES = [pathlib.Path("shaders/functions.glsl")]
 shaders = [name for name in tree.files("shaders") if name.suffix == ".glsl"]
 fragments = [name for name in shaders if ".frag." in name.name]
 unpaired = [f"{name}: neither X.vert.glsl nor X.frag.glsl of a pair" for name in shaders
-            if not all((tree.ROOT / name.with_name(name.name.split(".")[0] + s)).is_file()
+            if name not in LIBRARIES and not all((tree.ROOT / name.with_name(name.name.split(".")[0] + s)).is_file()
                        for s in (".vert.glsl", ".frag.glsl"))]
-tree.finish(unpaired + [c for name in fragments for c in complaints(name)], len(shaders), "shaders")
+broken = [c for name in fragments for c in complaints(name)]
+broken += [c for name in LIBRARIES for c in library_complaints(name)]
+tree.finish(unpaired + broken, len(shaders), "shaders")

@@ -1,0 +1,123 @@
+#include "formula/glsl.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "formula/lower.h"
+
+namespace saddle {
+namespace {
+
+/// A double as the nearest float. Past the largest float it is infinite, as rounding has it.
+float to_float(double value) {
+  // Halfway between the largest float and the power of two above it.
+  constexpr double kOverflow = 0x1.ffffffp127;
+  if (std::fabs(value) >= kOverflow) {
+    return static_cast<float>(std::copysign(std::numeric_limits<double>::infinity(), value));
+  }
+  return static_cast<float>(value);
+}
+
+/// A constant that GLSL reads as exactly this float; GLSL has no literals for infinity and NaN.
+std::string literal(double value) {
+  const float number = to_float(value);
+  if (std::isnan(number)) return "uintBitsToFloat(0x7fc00000u)";
+  if (std::isinf(number)) {
+    return number > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
+  }
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(number));
+  std::string result = text.data();
+  if (result.find_first_of(".e") == std::string::npos) result += ".0";
+  return number < 0 ? "(" + result + ")" : result;  // - -1.0 would be a decrement
+}
+
+bool is_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// `text` with the words a, b and c replaced by the arguments.
+std::string with_arguments(std::string_view text, const std::array<std::string, 3>& arguments) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = begin;
+    while (end < text.size() && is_word(text[end])) ++end;
+    const std::string_view word = text.substr(begin, end - begin);
+    if (word == "a" || word == "b" || word == "c") {
+      result += arguments[word[0] - 'a'];
+    } else {
+      result += word;
+    }
+    if (end < text.size()) result += text[end++];
+    begin = end;
+  }
+  return result;
+}
+
+std::string operand(const Graph& graph, NodeId id) {
+  const Node& node = graph[id];
+  if (node.op == Op::Constant) return literal(node.value);
+  if (node.op == Op::Variable) {
+    assert(node.symbol == kSymbolU || node.symbol == kSymbolV);
+    return node.symbol == kSymbolU ? "u" : "v";
+  }
+  return "t" + std::to_string(id);
+}
+
+std::optional<Op> first_without_glsl(const Graph& graph, const std::vector<bool>& needed) {
+  for (NodeId id = 0; id < needed.size(); ++id) {
+    const bool leaf = arity(graph[id].op) == 0;
+    if (needed[id] && !leaf && glsl_text(graph[id].op).empty()) return graph[id].op;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view glsl_text(Op op) {
+  constexpr std::string_view NO_GLSL;
+  switch (op) {
+    case Op::Constant:
+    case Op::Variable:
+      break;
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, glsl, derivative) \
+  case Op::id:                                                                            \
+    return glsl;
+#include "formula/ops.def"
+  }
+  return {};
+}
+
+std::optional<std::string> print_glsl(const Graph& graph, std::span<const NodeId> outputs,
+                                      std::span<const std::string_view> names) {
+  assert(outputs.size() == names.size());
+  std::vector<NodeId> roots(outputs.begin(), outputs.end());
+  const Graph lowered = lower_powers(graph, roots);
+  const std::vector<bool> needed = reachable(lowered, roots);
+  if (first_without_glsl(lowered, needed)) return std::nullopt;
+  std::string code;
+  for (NodeId id = 0; id < needed.size(); ++id) {
+    const Node& node = lowered[id];
+    if (!needed[id] || arity(node.op) == 0) continue;
+    std::array<std::string, 3> arguments;
+    for (int i = 0; i < arity(node.op); ++i) arguments[i] = operand(lowered, node.args[i]);
+    code += "float " + operand(lowered, id) + " = ";
+    code += with_arguments(glsl_text(node.op), arguments) + ";\n";
+  }
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    code.append(names[i]).append(" = ").append(operand(lowered, roots[i])).append(";\n");
+  }
+  return code;
+}
+
+std::optional<Op> operation_without_glsl(const Graph& graph, std::span<const NodeId> outputs) {
+  std::vector<NodeId> roots(outputs.begin(), outputs.end());
+  const Graph lowered = lower_powers(graph, roots);
+  return first_without_glsl(lowered, reachable(lowered, roots));
+}
+
+}  // namespace saddle
