@@ -31,6 +31,14 @@ inline Real sinc_series(int n, const Real& x) {
   return sum;
 }
 
+/// Polygamma by steps of 1 to where x > 0: Boost's own reflection is wrong at -1/2.
+inline Real shifted_polygamma(int n, Real x) {
+  Real sum = 0;
+  for (; x < 0; x += 1)
+    sum += boost::math::tgamma(Real(n + 1)) / boost::multiprecision::pow(x, n + 1);
+  return boost::math::polygamma(n, x) + (n % 2 == 0 ? Real(-sum) : sum);
+}
+
 inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
   namespace mp = boost::multiprecision;
   switch (op) {
@@ -134,7 +142,7 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
     case Op::Lgamma:
       return boost::math::lgamma(a);
     case Op::Polygamma:
-      return boost::math::polygamma(static_cast<int>(a), b);
+      return shifted_polygamma(static_cast<int>(a), b);
     case Op::BesselJ:
       return boost::math::cyl_bessel_j(static_cast<int>(a), b);
     case Op::SincN:
