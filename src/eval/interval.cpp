@@ -1,6 +1,8 @@
 // Quotients, comparisons, choices, steps and kinks of intervals.
 #include "eval/interval.h"
 
+#include "formula/special.h"
+
 namespace saddle {
 
 using namespace rounding;
@@ -185,8 +187,7 @@ Interval abs(const Interval& a) {
 namespace {
 
 /// A function that is constant but for upward jumps, and its own bound at the ends.
-template <class Step>
-Interval stepped(const Interval& a, Step step) {
+Interval stepped(const Interval& a, double (*step)(double)) {
   if (a.defined == Defined::No) return kUndefined;
   const double low = step(a.low);
   const double high = step(a.high);
@@ -197,23 +198,23 @@ Interval stepped(const Interval& a, Step step) {
 }  // namespace
 
 Interval sign(const Interval& a) {
-  return stepped(a, [](double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; });
+  return stepped(a, saddle::sign);
 }
 Interval floor(const Interval& a) {
-  return stepped(a, [](double x) { return std::floor(x); });
+  return stepped(a, std::floor);
 }
 Interval ceil(const Interval& a) {
-  return stepped(a, [](double x) { return std::ceil(x); });
+  return stepped(a, std::ceil);
 }
 Interval round(const Interval& a) {
-  return stepped(a, [](double x) { return std::round(x); });
+  return stepped(a, std::round);
 }
 Interval rint(const Interval& a) {
   // The evaluator rounds a + 1/2, up to a whole number where a is just below a half.
   return floor(a + Interval{0.5, 0.5});
 }
 Interval trunc(const Interval& a) {
-  return stepped(a, [](double x) { return std::trunc(x); });
+  return stepped(a, std::trunc);
 }
 
 Interval mod(const Interval& a, const Interval& b) {

@@ -22,13 +22,11 @@ constexpr double kLargestAngle = 0x1p40;
 
 Interval sqrt(const Interval& a) {
   const Interval inside = restricted(a, 0, kInfinity);
-  return rising(
-      inside, [](double x) { return std::sqrt(x); }, kRoundoff);
+  return rising(inside, std::sqrt, kRoundoff);
 }
 
 Interval cbrt(const Interval& a) {
-  return rising(
-      a, [](double x) { return std::cbrt(x); }, kCbrtLibrary);
+  return rising(a, std::cbrt, kCbrtLibrary);
 }
 
 Interval hypot(const Interval& a, const Interval& b) {
@@ -41,8 +39,7 @@ Interval hypot(const Interval& a, const Interval& b) {
 }
 
 Interval exp(const Interval& a) {
-  Interval r = rising(
-      a, [](double x) { return std::exp(x); }, kLibrary);
+  Interval r = rising(a, std::exp, kLibrary);
   if (r.defined != Defined::No) r.high = std::max(r.high, kUnderflow);  // never 0
   return r;
 }
@@ -50,8 +47,7 @@ Interval exp(const Interval& a) {
 namespace {
 
 /// A logarithm: falls to -inf at 0, where it is undefined.
-template <class Function>
-Interval logarithm(const Interval& a, Function f, double error) {
+Interval logarithm(const Interval& a, double (*f)(double), double error) {
   if (a.high <= 0) return kUndefined;
   Interval inside = restricted(a, 0, kInfinity);
   if (inside.low == 0) inside.defined = std::min(inside.defined, Defined::Maybe);
@@ -61,16 +57,13 @@ Interval logarithm(const Interval& a, Function f, double error) {
 }  // namespace
 
 Interval log(const Interval& a) {
-  return logarithm(
-      a, [](double x) { return std::log(x); }, kLibrary);
+  return logarithm(a, std::log, kLibrary);
 }
 Interval log2(const Interval& a) {
-  return logarithm(
-      a, [](double x) { return std::log2(x); }, kLibrary);
+  return logarithm(a, std::log2, kLibrary);
 }
 Interval log10(const Interval& a) {
-  return logarithm(
-      a, [](double x) { return std::log10(x); }, kLooseLibrary);
+  return logarithm(a, std::log10, kLooseLibrary);
 }
 
 namespace {
@@ -96,8 +89,7 @@ bool is_placeable(const Interval& a) {
 }
 
 /// A wave that is 1 at `crest` quarters and -1 two quarters on.
-template <class Wave>
-Interval wave(const Interval& a, Wave f, double crest) {
+Interval wave(const Interval& a, double (*f)(double), double crest) {
   if (a.defined == Defined::No) return kUndefined;
   Interval r = {-1, 1, a.defined, a.continuous};
   if (!is_placeable(a)) return r;
@@ -116,12 +108,10 @@ Interval wave(const Interval& a, Wave f, double crest) {
 }  // namespace
 
 Interval sin(const Interval& a) {
-  return wave(
-      a, [](double x) { return std::sin(x); }, 1);
+  return wave(a, std::sin, 1);
 }
 Interval cos(const Interval& a) {
-  return wave(
-      a, [](double x) { return std::cos(x); }, 0);
+  return wave(a, std::cos, 0);
 }
 
 Interval tan(const Interval& a) {
@@ -129,21 +119,17 @@ Interval tan(const Interval& a) {
   if (!is_placeable(a) || Quarters(a).hold(1, 2)) {
     return {-kInfinity, kInfinity, Defined::Maybe, false};
   }
-  return rising(
-      a, [](double x) { return std::tan(x); }, kLibrary);
+  return rising(a, std::tan, kLibrary);
 }
 
 Interval asin(const Interval& a) {
-  return rising(
-      restricted(a, -1, 1), [](double x) { return std::asin(x); }, kLibrary);
+  return rising(restricted(a, -1, 1), std::asin, kLibrary);
 }
 Interval acos(const Interval& a) {
-  return falling(
-      restricted(a, -1, 1), [](double x) { return std::acos(x); }, kLibrary);
+  return falling(restricted(a, -1, 1), std::acos, kLibrary);
 }
 Interval atan(const Interval& a) {
-  return rising(
-      a, [](double x) { return std::atan(x); }, kLibrary);
+  return rising(a, std::atan, kLibrary);
 }
 
 namespace {
@@ -185,33 +171,27 @@ Interval atan2(const Interval& a, const Interval& b) {
 }
 
 Interval sinh(const Interval& a) {
-  return rising(
-      a, [](double x) { return std::sinh(x); }, kLooseLibrary);
+  return rising(a, std::sinh, kLooseLibrary);
 }
 
 Interval cosh(const Interval& a) {
   if (a.defined == Defined::No) return kUndefined;
   const Interval sizes = {least_size(a), largest_size(a), a.defined, a.continuous};
-  const Interval r = rising(
-      sizes, [](double x) { return std::cosh(x); }, kLooseLibrary);
+  const Interval r = rising(sizes, std::cosh, kLooseLibrary);
   return clamped(r, 1, kInfinity);
 }
 
 Interval tanh(const Interval& a) {
-  return clamped(rising(
-                     a, [](double x) { return std::tanh(x); }, kLooseLibrary),
-                 -1, 1);
+  return clamped(rising(a, std::tanh, kLooseLibrary), -1, 1);
 }
 
 Interval asinh(const Interval& a) {
-  return rising(
-      a, [](double x) { return std::asinh(x); }, kLooseLibrary);
+  return rising(a, std::asinh, kLooseLibrary);
 }
 
 Interval acosh(const Interval& a) {
   const Interval inside = restricted(a, 1, kInfinity);
-  return rising(
-      inside, [](double x) { return std::acosh(x); }, kLooseLibrary);
+  return rising(inside, std::acosh, kLooseLibrary);
 }
 
 Interval atanh(const Interval& a) {
@@ -220,8 +200,7 @@ Interval atanh(const Interval& a) {
   if (inside.low == -1 || inside.high == 1) {
     inside.defined = std::min(inside.defined, Defined::Maybe);
   }
-  return rising(
-      inside, [](double x) { return std::atanh(x); }, kLooseLibrary);
+  return rising(inside, std::atanh, kLooseLibrary);
 }
 
 }  // namespace saddle

@@ -26,8 +26,12 @@ Interval rising(const Interval& a, Function f, double error) {
   return {down(f(a.low), error), up(f(a.high), error), a.defined, a.continuous};
 }
 
-template <class Function>
-Interval falling(const Interval& a, Function f, double error) {
+/// The same, for one of the overloads of std::exp and the like.
+inline Interval rising(const Interval& a, double (*f)(double), double error) {
+  return rising<double (*)(double)>(a, f, error);
+}
+
+inline Interval falling(const Interval& a, double (*f)(double), double error) {
   if (a.defined == Defined::No) return kUndefined;
   return {down(f(a.high), error), up(f(a.low), error), a.defined, a.continuous};
 }

@@ -29,80 +29,86 @@ bool is_only_pole(const Interval& x) {
   return is_point(x) && has_pole(x);
 }
 
-/// The lowest that a convex function can be between two points, from its values and slopes there,
-/// each known to within an error.
-struct ConvexPiece {
-  double low, high;              // the ends
-  double value_low, value_high;  // at them
-  double slope_low, slope_high;
+/// Steps towards the least value of a convex function. Each about quarters what the bound gives
+/// away, which is at first a matter of the box's width squared.
+constexpr int kConvexSteps = 12;
 
-  double least(double slope_error) const {
-    if (slope_low > slope_error) return value_low;
-    if (slope_high < -slope_error) return value_high;
-    // Both tangents are below the function, and the lower of their ends below both.
-    const double width = high - low;
-    const double steep_low = slope_low - slope_error;
-    const double steep_high = slope_high + slope_error;
-    const double drop = steep_high - steep_low;
-    const double gap = value_high - value_low;
-    const double at = drop > 0 ? (steep_high * width - gap) / drop : 0;  // where they meet
-    if (!(at >= 0 && at <= width)) return std::min(value_low, value_high) - drop * width;
-    return value_low + steep_low * at;
+/// A lower bound of a convex function f over x, from its slopes, which are off by slope_error at
+/// most. Small boxes take no step: their tangents say enough.
+template <class Function, class Slope>
+double least_of_convex(const Interval& x, Function f, Slope slope, double slope_error) {
+  if (!(slope_error < kInfinity)) return -kInfinity;  // next to a pole
+  double a = x.low;
+  double b = x.high;
+  double slope_a = slope(a) - slope_error;
+  double slope_b = slope(b) + slope_error;
+  if (slope_a >= 0) return f(a);
+  if (slope_b <= 0) return f(b);
+  for (int step = 0;; ++step) {
+    // The tangents at a and b are below the function, and the least is where they meet.
+    const double f_a = f(a);
+    const double f_b = f(b);
+    const double meet = (slope_b * (b - a) - (f_b - f_a)) / (slope_b - slope_a);
+    const double middle = a + std::clamp(meet, 0.0, b - a);
+    const double slack = kSeries * (slope_b - slope_a) * (b - a);
+    const double least = f_a + slope_a * (middle - a) - slack;
+    if (step == kConvexSteps || std::min(f_a, f_b) - least <= kSeries * std::fabs(least)) {
+      return least;
+    }
+    const double steepness = slope(middle);
+    if (std::fabs(steepness) <= slope_error) return f(middle) - 2 * slope_error * (b - a);
+    (steepness > 0 ? b : a) = middle;
+    (steepness > 0 ? slope_b : slope_a) = steepness + (steepness > 0 ? slope_error : -slope_error);
   }
-};
+}
 
 Interval unbounded_at_pole(double low) {
   return {low, kInfinity, Defined::Maybe, false};
 }
 
+double digamma(double x) {
+  return saddle::polygamma(0, x);
+}
+
 /// The lower bound of ln|gamma| on a box without a pole.
 double least_lgamma(const Interval& x) {
-  if (std::fabs(x.low) == kInfinity || x.high == kInfinity) {
-    return x.low > 2 ? down(log_gamma(x.low), kSeries) : kLeastLgamma;
-  }
-  const ConvexPiece piece = {x.low,
-                             x.high,
-                             log_gamma(x.low),
-                             log_gamma(x.high),
-                             saddle::polygamma(0, x.low),
-                             saddle::polygamma(0, x.high)};
-  const double steepness = 1 + std::fabs(piece.slope_low) + std::fabs(piece.slope_high);
-  const double size = 1 + std::fabs(piece.value_low) + std::fabs(piece.value_high);
-  return piece.least(kSeries * steepness) - kSeries * size;
+  if (x.high == kInfinity) return x.low > 2 ? log_gamma(x.low) : kLeastLgamma;
+  const double steepness = 1 + std::fabs(digamma(x.low)) + std::fabs(digamma(x.high));
+  return least_of_convex(x, log_gamma, digamma, kSeries * steepness);
 }
 
 }  // namespace
 
 Interval erf(const Interval& a) {
-  return clamped(rising(
-                     a, [](double x) { return std::erf(x); }, kLibrary),
-                 -1, 1);
+  return clamped(rising(a, std::erf, kLibrary), -1, 1);
 }
 
 Interval lgamma(const Interval& a) {
   if (a.defined == Defined::No || is_only_pole(a)) return kUndefined;
   if (has_pole(a)) return unbounded_at_pole(a.low < 0 ? -kInfinity : kLeastLgamma);
   Interval r = a;
-  r.low = least_lgamma(a);
-  const double high = std::max(log_gamma(a.low), log_gamma(a.high));
-  r.high = up(high, kSeries) + kSeries;
+  // Near its zeros the error is relative to 1.
+  r.low = down(least_lgamma(a), kSeries) - kSeries;
+  r.high = up(std::max(log_gamma(a.low), log_gamma(a.high)), kSeries) + kSeries;
+  if (a.low > 0) r.low = std::max(r.low, kLeastLgamma);
   return r;
 }
 
 Interval gamma(const Interval& a) {
   if (a.defined == Defined::No || is_only_pole(a)) return kUndefined;
   if (has_pole(a)) return unbounded_at_pole(a.low < 0 ? -kInfinity : kLeastGamma);
-  Interval r = a;
+  // Between poles |gamma| turns where ln|gamma| does; elsewhere its ends are sharper.
   const double x = std::fabs(std::tgamma(a.low));
   const double y = std::fabs(std::tgamma(a.high));
+  Interval r = a;
+  r.low = down(std::min(x, y), kGammaLibrary);
   r.high = std::max(up(std::max(x, y), kGammaLibrary), kUnderflow);
-  r.low = std::min(down(x, kGammaLibrary), down(y, kGammaLibrary));
-  const double slope_low = saddle::polygamma(0, a.low);
-  const double slope_high = saddle::polygamma(0, a.high);
-  const bool turns = slope_low < kSeries * (1 + std::fabs(slope_low)) &&
-                     slope_high > -kSeries * (1 + std::fabs(slope_high));
-  if (turns) r.low = std::min(r.low, down(std::exp(least_lgamma(a)), kLibrary));
-  if (turns && a.low > 0) r.low = std::max(r.low, kLeastGamma);
+  if (digamma(a.low) < kSeries && digamma(a.high) > -kSeries) {
+    const double logarithm = least_lgamma(a);
+    const double least = std::exp(logarithm);
+    r.low = std::min(r.low, down(least, kLibrary + 2 * kSeries * (1 + std::fabs(logarithm))));
+  }
+  if (a.low > 0) r.low = std::max(r.low, kLeastGamma);
   const bool negative = a.low < 0 && std::fmod(std::floor(a.low), 2) != 0;
   return negative ? -r : r;
 }
@@ -110,35 +116,33 @@ Interval gamma(const Interval& a) {
 namespace {
 
 /// Of odd order: positive and convex between poles, falling on x > 0.
-double least_polygamma(double n, const Interval& x, double value_low, double value_high) {
-  if (x.low > 0) return value_high;
-  const ConvexPiece piece = {x.low,
-                             x.high,
-                             value_low,
-                             value_high,
-                             saddle::polygamma(n + 1, x.low),
-                             saddle::polygamma(n + 1, x.high)};
-  const double steepness = std::fabs(piece.slope_low) + std::fabs(piece.slope_high);
-  return piece.least(kSeries * (std::tgamma(n + 2) + steepness));
+double least_polygamma(double n, const Interval& x) {
+  const auto f = [n](double t) { return saddle::polygamma(n, t); };
+  if (x.low > 0) return f(x.high);
+  const auto slope = [n](double t) { return saddle::polygamma(n + 1, t); };
+  const double steepness = std::fabs(slope(x.low)) + std::fabs(slope(x.high));
+  return least_of_convex(x, f, slope, kSeries * (std::tgamma(n + 2) + steepness));
 }
 
 }  // namespace
 
 Interval polygamma(const Interval& order, const Interval& x) {
   if (std::min(order.defined, x.defined) == Defined::No || is_only_pole(x)) return kUndefined;
+  Interval r = with_decorations_of(order, x);
   const double n = order.low;
   const bool odd = std::fmod(n, 2) != 0;
   const double unbounded = odd ? 0 : -kInfinity;  // odd orders are positive
   if (has_pole(x) || !is_point(order)) return unbounded_at_pole(unbounded);
   const double value_low = saddle::polygamma(n, x.low);
   const double value_high = saddle::polygamma(n, x.high);
+  const bool numbers = !std::isnan(value_low) && !std::isnan(value_high);  // even next to a pole
+  if (!numbers) return {unbounded, kInfinity, r.defined, r.continuous};
   // Where signs cancel (n = 0, and the reflection at x < 0) the error is one of the terms': n! or
   // so, besides the result.
   const double term = n == 0 || x.low < 0 ? kSeries * std::tgamma(n + 1) : 0;
   const double error = (n + 1) * kSeries;
-  Interval r = x;
   if (odd) {
-    r.low = down(least_polygamma(n, x, value_low, value_high), error) - term;
+    r.low = down(least_polygamma(n, x), error) - term;
     r.low = std::max(r.low, 0.0);
     r.high = up(std::max(value_low, value_high), error) + term;
   } else {  // rises between poles
@@ -224,8 +228,9 @@ Interval sinc_derivative(const Interval& order, const Interval& x) {
   if (r.defined == Defined::No) return kUndefined;
   const double n = order.low;
   // The integral of t^n cos(xt + n pi/2) over [0, 1]: at most 1/(n+1), and 2/|x| by parts.
-  const double far = 2 / std::max(least_size(x), 1.0);
-  const double size = up(std::min(1 / (n + 1), far), 2 * kRoundoff);
+  const double near = n == 0 ? 1 : up(1 / (n + 1), kRoundoff);
+  const double far = up(2 / std::max(least_size(x), 1.0), kRoundoff);
+  const double size = std::min(near, far);
   const Interval bounds = {-size, size, r.defined, r.continuous};
   if (!is_narrow(order, x)) return bounds;
   const double middle = x.low + (x.high - x.low) / 2;
