@@ -45,7 +45,8 @@ double cotangent_derivative(int n, double x) {
     }
     p = next;
   }
-  const double c = 1 / std::tan(kPi * std::fmod(x, 1.0));
+  // From the nearest pole, which is exact: pi times a number near 1 would lose the distance.
+  const double c = 1 / std::tan(kPi * std::remainder(x, 1.0));
   double value = 0;
   for (std::size_t i = p.size(); i-- > 0;) value = value * c + p[i];
   return std::pow(kPi, n + 1) * value;

@@ -13,6 +13,7 @@
 
 #include "eval/batch.h"
 #include "eval/enclose.h"
+#include "eval/kernels.h"
 #include "formula/derive.h"
 #include "graph_value.h"
 #include "random_formula.h"
@@ -57,6 +58,14 @@ Interval apply_to_boxes(Op op, [[maybe_unused]] const Interval& a,
 #include "formula/ops.def"
   }
   return kUndefined;
+}
+
+/// What the evaluator's loops give, with SLEEF's functions.
+double apply_in_vectors(Op op, double a, double b, double c) {
+  const std::array<Operand, 3> in = {Operand{&a, true}, Operand{&b, true}, Operand{&c, true}};
+  double out = 0;
+  kernels(cpu_level())[static_cast<std::size_t>(op)](&out, in.data(), 1);
+  return out;
 }
 
 bool takes_an_order(Op op) {
@@ -186,6 +195,7 @@ TEST(Enclosure, HoldsTheExactAndTheComputedValueOfEveryOperation) {
       what << id_of(op) << " at " << x << ", " << y << ", " << z << " in " << text(a) << ", "
            << text(b) << ", " << text(c);
       expect_true_of(r, exact, apply(op, x, y, z), what.str());
+      expect_true_of(r, exact, apply_in_vectors(op, x, y, z), what.str() + ", in vectors");
     }
     EXPECT_GT(numbers, kBoxes / 6) << id_of(op) << " was hardly ever compared";
     EXPECT_GT(bounded, kBoxes / 8) << id_of(op) << " was hardly ever bounded";
