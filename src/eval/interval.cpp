@@ -1,5 +1,5 @@
 // Quotients, comparisons, choices, steps and kinks of intervals.
-#include "eval/interval.h"
+#include "eval/interval_rules.h"
 
 #include "formula/special.h"
 
@@ -9,7 +9,6 @@ using namespace rounding;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Interval kTrue = {1, 1, Defined::Yes, true};
 constexpr Interval kFalse = {0, 0, Defined::Yes, true};
 constexpr Interval kEither = {0, 1, Defined::Yes, false};
@@ -60,10 +59,8 @@ Interval careful_product(const Interval& a, const Interval& b) {
 
 Interval sqr(const Interval& a) {
   if (a.defined == Defined::No) return kUndefined;
-  const double x = std::fabs(a.low);
-  const double y = std::fabs(a.high);
-  const double least = contains(a, 0) ? 0 : std::min(x, y);
-  const double most = std::max(x, y);
+  const double least = least_size(a);
+  const double most = largest_size(a);
   const double error = product_error(a, a);
   Interval r = a;
   r.low = down(least * least, error);
@@ -221,10 +218,12 @@ Interval mod(const Interval& a, const Interval& b) {
   const Interval steps = floor(a / b);
   if (steps.defined == Defined::No) return kUndefined;
   Interval r = a - b * steps;
-  // With the sign of b and smaller, but for the evaluator's a/b and b*floor: both may be off by an
-  // ULP, which is a matter of kRoundoff |a| after the subtraction.
-  const double size = std::max(std::fabs(a.low), std::fabs(a.high));
-  const double slack = 4 * kRoundoff * size + kUnderflow;
+  // With the sign of b and smaller, but for the evaluator's roundings: a/b and b*floor may be off
+  // by an ULP, which is a matter of kRoundoff |a| after the subtraction; where a/b underflows to 0
+  // the result is a.
+  const double size = largest_size(a);
+  const double tiny = std::min(size, kUnderflow * largest_size(b));
+  const double slack = 4 * kRoundoff * size + tiny + kUnderflow;
   r.low = std::max(r.low, sum_down(std::min(b.low, 0.0), -slack));
   r.high = std::min(r.high, sum_up(std::max(b.high, 0.0), slack));
   return r;

@@ -23,7 +23,7 @@ struct Interval {
   double low = 0;
   double high = 0;
   Defined defined = Defined::Yes;
-  /// Proved: no jump and no pole in the box. The edge of a domain (sqrt at 0) is neither.
+  /// Proved: no jump and no pole in the box. The edge of a domain (sqrt or ln at 0) is neither.
   bool continuous = true;
 };
 
@@ -74,8 +74,9 @@ inline double up(double x, double error) {
 /// that it could underflow (O. Moller, "Quasi double-precision in floating point addition", 1965).
 inline double sum_down(double a, double b) {
   const double sum = std::min(a + b, kMax);
-  const bool exact = sum - a == b && sum - b == a;
-  return exact ? sum : sum - std::fabs(sum) * kRoundoff;
+  const double lost = std::fabs(sum - a - b) + std::fabs(sum - b - a);
+  const double error = lost <= 0 ? 0 : kRoundoff;
+  return sum - std::fabs(sum) * error;
 }
 inline double sum_up(double a, double b) {
   return -sum_down(-a, -b);

@@ -52,6 +52,7 @@ double least_of_convex(const Interval& x, Function f, Slope slope, double slope_
     const double middle = a + std::clamp(meet, 0.0, b - a);
     const double slack = kSeries * (slope_b - slope_a) * (b - a);
     const double least = f_a + slope_a * (middle - a) - slack;
+    if (std::isnan(least)) return -kInfinity;  // f overflows
     if (step == kConvexSteps || std::min(f_a, f_b) - least <= kSeries * std::fabs(least)) {
       return least;
     }

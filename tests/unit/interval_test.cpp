@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "interval_checks.h"
 
@@ -59,6 +60,10 @@ TEST(Interval, UnderflowKeepsTheSign) {
   const Interval quotient = Interval{1e-200, 1e-200} / Interval{1e200, 1e200};
   EXPECT_EQ(quotient.low, 0);
   EXPECT_GT(quotient.high, 0);
+  const Interval sine = sin(Interval{-1e-310, 1e-310});  // denormal: few digits are left
+  EXPECT_LT(sine.low, -1e-310);
+  EXPECT_GT(sine.high, 1e-310);
+  expect_exact(sin(Interval{0, 0}), 0, 0);
 }
 
 TEST(Interval, ASquareIsNotNegative) {
@@ -152,6 +157,25 @@ TEST(Interval, TheRemainderIsTightWhereTheQuotientStaysWithinAWholeNumber) {
   EXPECT_NEAR(across.high, 1, kFewUlps);
   expect_pole(mod({1, 2}, {-1, 1}));
   EXPECT_EQ(mod({1, 2}, {0, 0}).defined, Defined::No);
+}
+
+TEST(Interval, TheRemainderHoldsWhatTheQuotientsRoundingMakesOfIt) {
+  int negative = 0;
+  for (int n = 1; n < 1000; ++n) {
+    const double a = std::nextafter(0.1 * n, 0);  // a / 0.1 is below n, and often rounds to n
+    const double computed = apply(Op::Mod, a, 0.1);
+    negative += computed < 0 ? 1 : 0;
+    EXPECT_TRUE(contains(mod({a, a}, {0.1, 0.1}), computed)) << n;
+    EXPECT_TRUE(contains(mod({a, a + 0.2}, {0.1, 0.1}), computed)) << n;
+  }
+  EXPECT_GT(negative, 0);
+}
+
+TEST(Interval, RintHoldsWhatTheRoundingOfTheSumMakesOfIt) {
+  const double below_half = std::nextafter(0.5, 0);
+  const Interval r = rint({below_half, below_half});
+  expect_exact(r, 0, 1);  // 0, but in doubles below_half + 0.5 is 1
+  EXPECT_FALSE(r.continuous);
 }
 
 TEST(Interval, KinksAreContinuous) {
