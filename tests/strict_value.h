@@ -2,7 +2,10 @@
 // is no real number is undefined itself, comparisons and choices aside.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <exception>
+#include <span>
 #include <vector>
 
 #include "high_precision.h"

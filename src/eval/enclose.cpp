@@ -45,7 +45,10 @@ void Enclosure::append(std::span<const Instruction> instructions) {
   for (const Instruction& instruction : instructions) {
     Step step = {instruction.op, false, place(instruction.out), {}};
     for (int i = 0; i < arity(step.op); ++i) step.in[i] = place(instruction.in[i]);
-    step.square = step.op == Op::Mul && step.in[0] == step.in[1];
+    const Interval& exponent = slots_[step.in[1]];
+    const bool constant = instruction.in[1].rate == Rate::Constant && is_point(exponent);
+    step.square = (step.op == Op::Mul && step.in[0] == step.in[1]) ||
+                  (step.op == Op::Pow && constant && exponent.low == 2);
     steps_.push_back(step);
   }
 }

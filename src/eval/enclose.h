@@ -22,7 +22,7 @@ class Enclosure {
  private:
   struct Step {
     Op op;
-    bool square;  // a product of a slot with itself
+    bool square;  // a product of a slot with itself, or a power 2
     std::uint32_t out;
     std::array<std::uint32_t, 3> in;
   };
