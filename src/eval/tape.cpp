@@ -4,8 +4,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "formula/lower.h"
-
 namespace saddle {
 namespace {
 
@@ -112,9 +110,9 @@ class SinCosPairs {
 
 }  // namespace
 
-Tape compile(const Graph& graph, std::span<const NodeId> outputs) {
+Tape compile(const Graph& graph, std::span<const NodeId> outputs, Powers powers) {
   std::vector<NodeId> roots(outputs.begin(), outputs.end());
-  const Graph lowered = lower_powers(graph, roots);
+  const Graph lowered = lower(graph, roots, powers);
   const std::vector<bool> needed = reachable(lowered, roots);
   Tape tape;
   Allocator allocator(lowered, needed, roots);

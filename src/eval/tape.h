@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formula/graph.h"
+#include "formula/lower.h"
 
 namespace saddle {
 
@@ -41,9 +42,8 @@ struct Tape {
   std::vector<Slot> outputs;
 };
 
-/// Compiles the outputs, sharing what they have in common. Whole-number powers become products,
-/// x^0.5 a square root, sine and cosine of the same argument one instruction. The outputs depend on
-/// u and v alone (Scope::bind has replaced the rest).
-Tape compile(const Graph& graph, std::span<const NodeId> outputs);
+/// Compiles the outputs, sharing what they have in common, sine and cosine of the same argument in
+/// one instruction. The outputs depend on u and v alone (Scope::bind has replaced the rest).
+Tape compile(const Graph& graph, std::span<const NodeId> outputs, Powers powers = Powers::Products);
 
 }  // namespace saddle

@@ -96,7 +96,7 @@ std::optional<std::string> print_glsl(const Graph& graph, std::span<const NodeId
                                       std::span<const std::string_view> names) {
   assert(outputs.size() == names.size());
   std::vector<NodeId> roots(outputs.begin(), outputs.end());
-  const Graph lowered = lower_powers(graph, roots);
+  const Graph lowered = lower(graph, roots);
   const std::vector<bool> needed = reachable(lowered, roots);
   if (first_without_glsl(lowered, needed)) return std::nullopt;
   std::string code;
@@ -116,7 +116,7 @@ std::optional<std::string> print_glsl(const Graph& graph, std::span<const NodeId
 
 std::optional<Op> operation_without_glsl(const Graph& graph, std::span<const NodeId> outputs) {
   std::vector<NodeId> roots(outputs.begin(), outputs.end());
-  const Graph lowered = lower_powers(graph, roots);
+  const Graph lowered = lower(graph, roots);
   return first_without_glsl(lowered, reachable(lowered, roots));
 }
 

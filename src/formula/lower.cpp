@@ -19,14 +19,14 @@ NodeId product_power(Graph& graph, NodeId base, int exponent) {
   return result;
 }
 
-NodeId lower_power(Graph& graph, NodeId base, NodeId exponent) {
+NodeId lower_power(Graph& graph, NodeId base, NodeId exponent, Powers powers) {
   const double n = graph[exponent].value;
   if (!graph.is_constant(exponent)) return graph.make(Op::Pow, base, exponent);
   if (n == 0.5) {
     // pow(-inf, 0.5) is inf and sqrt(-inf) is NaN; no surface is defined at either.
     return graph.make(Op::Sqrt, base);
   }
-  if (n == std::floor(n) && std::fabs(n) <= kMaxProductExponent) {
+  if (powers == Powers::Products && n == std::floor(n) && std::fabs(n) <= kMaxProductExponent) {
     const NodeId power = product_power(graph, base, static_cast<int>(std::fabs(n)));
     return n > 0 ? power : graph.make(Op::Div, graph.constant(1), power);
   }
@@ -35,7 +35,7 @@ NodeId lower_power(Graph& graph, NodeId base, NodeId exponent) {
 
 }  // namespace
 
-Graph lower_powers(const Graph& graph, std::vector<NodeId>& roots) {
+Graph lower(const Graph& graph, std::vector<NodeId>& roots, Powers powers) {
   const std::vector<bool> needed = reachable(graph, roots);
   Graph lowered;
   std::vector<NodeId> image(needed.size(), 0);
@@ -48,7 +48,7 @@ Graph lower_powers(const Graph& graph, std::vector<NodeId>& roots) {
     } else if (node.op == Op::Variable) {
       image[id] = lowered.variable(node.symbol);
     } else if (node.op == Op::Pow) {
-      image[id] = lower_power(lowered, image[a], image[b]);
+      image[id] = lower_power(lowered, image[a], image[b], powers);
     } else {
       image[id] = lowered.make(node.op, image[a], image[b], image[c]);
     }

@@ -36,7 +36,7 @@ Slope slope_of(const Row& row, double order, Symbol by) {
   const NodeId first = takes_an_order(row.op) ? graph.constant(order) : u;
   const NodeId value = graph.make(row.op, first, v, graph.constant(kThirdArgument));
   std::vector<NodeId> roots = derive(graph, std::array{value}, by);
-  Graph lowered = lower_powers(graph, roots);
+  Graph lowered = lower(graph, roots);
   return {std::move(lowered), roots[0]};
 }
 

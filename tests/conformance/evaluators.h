@@ -26,7 +26,7 @@ inline std::vector<double> loop_values(CpuLevel level, Op op,
   std::array<Operand, 3> operands;
   for (std::size_t i = 0; i < 3; ++i) operands[i] = {columns[i].data(), true};
   std::vector<double> values(arguments.size());
-  kernels(level)[static_cast<std::size_t>(op)](values.data(), operands.data(), values.size());
+  kernels(level)[op](values.data(), operands.data(), values.size());
   return values;
 }
 

@@ -83,7 +83,7 @@ Formulas evaluated_formulas(const Scene& scene) {
   std::vector<NodeId> roots;
   for (const std::string& text : {spec.x, spec.y, spec.z}) roots.push_back(scope.parse("", text));
   roots = with_tangents(graph, scope.bind(roots, scene.t));
-  Graph lowered = lower_powers(graph, roots);
+  Graph lowered = lower(graph, roots);
   return {std::move(lowered), roots};
 }
 

@@ -31,6 +31,15 @@ TEST(Polygamma, IsUndefinedAtItsPoles) {
   EXPECT_TRUE(std::isnan(polygamma(1, -3)));
 }
 
+TEST(Polygamma, IsRelativelyExactOnEitherSideOfAPole) {
+  for (int n = 0; n <= 3; ++n) {
+    for (const double x : {-1e-5, -1 + 0x1p-20, -1 - 0x1p-20, -7 + 0x1p-30, -7 - 0x1p-30}) {
+      const double exact = static_cast<double>(testing::exact_polygamma(n, x));
+      EXPECT_NEAR(polygamma(n, x) / exact, 1, kRoundings) << n << " " << x;
+    }
+  }
+}
+
 TEST(SincDerivative, AgreesWithFiftyDigits) {
   for (int n = 0; n <= 5; ++n) {
     for (const double x : {0.0, 1e-9, 0.2, -0.9, 1.0, 2.5, -4.9, 5.1, 9.7, 17.0}) {

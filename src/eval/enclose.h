@@ -1,0 +1,47 @@
+// Evaluates a tape over a box of parameters: bounds of all outputs, and whether they are proved to
+// be defined and continuous there.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "eval/interval.h"
+#include "eval/tape.h"
+
+namespace saddle {
+
+/// A tape made ready for many boxes, with the memory that one box takes. One for each thread.
+class Enclosure {
+ public:
+  explicit Enclosure(const Tape& tape);
+
+  /// outputs[k] encloses output k over u x v. The ends of u and v may be infinite. A product of a
+  /// value with itself is a square. Tapes compiled with Powers::Whole give narrower bounds.
+  void operator()(const Interval& u, const Interval& v, std::span<Interval> outputs);
+
+ private:
+  struct Step {
+    Op op;
+    bool square;  // a product of a slot with itself, or a power 2
+    std::uint32_t out;
+    std::array<std::uint32_t, 3> in;
+  };
+  void append(std::span<const Instruction> instructions);
+  std::uint32_t place(Slot slot) const;
+
+  std::array<std::uint32_t, 4> banks_ = {};  ///< where the slots of each rate begin
+  std::vector<Step> steps_;
+  std::vector<std::uint32_t> outputs_;
+  std::vector<Interval> slots_;
+};
+
+/// The same for one box.
+void enclose(const Tape& tape, const Interval& u, const Interval& v, std::span<Interval> outputs);
+
+/// A function over a box from its value at the middle and its slopes over the whole box (mean value
+/// theorem), and never wider than `natural`, its own enclosure, which this returns where it has no
+/// proof that the function is continuous and has slopes. offset_u: the box less its middle.
+Interval mean_value(const Interval& natural, const Interval& at_middle, const Interval& slope_u,
+                    const Interval& offset_u, const Interval& slope_v, const Interval& offset_v);
+
+}  // namespace saddle

@@ -1,0 +1,110 @@
+#include "eval/enclose.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "formula/derive.h"
+#include "interval_checks.h"
+
+namespace saddle {
+namespace {
+
+using namespace testing;
+
+TEST(Enclosure, ADomainIsProvedUpToItsEdge) {
+  expect_proved(enclosure("sqrt(1-u^2)", {0.5, 1}));
+  expect_proved(enclosure("sqrt(1-u^2)", {-1, -0.9375}));
+  expect_exact(enclosure("sqrt(1-u^2)", {1, 1}), 0, 0);
+  EXPECT_EQ(enclosure("sqrt(1-u^2)", {1.125, 2}).defined, Defined::No);
+}
+
+TEST(Enclosure, ClearsContinuousAtEveryJumpAndPole) {
+  for (const char* formula : {"floor(u)",
+                              "ceil(u)",
+                              "trunc(2*u)",
+                              "round(u+0.5)",
+                              "rint(u+0.5)",
+                              "sign(u-1)",
+                              "u<1",
+                              "u<=1",
+                              "u>1",
+                              "u>=1",
+                              "u==1",
+                              "u!=1",
+                              "u<1&&v<1",
+                              "u<1||v>1",
+                              "u<1?2:3",
+                              "mod(u,1)",
+                              "mod(v,u-1)",
+                              "1/(u-1)",
+                              "1/(u-1)^2",
+                              "(u-1)^(-3)",
+                              "(u-1)^(v-2)",
+                              "tan(u*pi/2)",
+                              "atan2(u-1,-1-v)",
+                              "atan2(u-1,v-v)",
+                              "gamma(1-u)",
+                              "lgamma(1-u)",
+                              "if(u<1,u,v)",
+                              "step(1,u)",
+                              "diff(abs(u-1),u)",
+                              "diff(gamma(1-u),u)",
+                              "cot(u-1)",
+                              "exp(1/(1-u))"}) {
+    const Interval r = enclosure(formula, {0.875, 1.0625}, {0.25, 0.5});
+    EXPECT_FALSE(r.continuous) << formula;
+  }
+}
+
+TEST(Enclosure, ProvesSmoothFormulas) {
+  for (const char* formula :
+       {"u^3-v", "sin(u)/u", "sinc(v-u)", "abs(u-1)", "max(u,v)", "tan(u)", "u^v", "(u-1)^2",
+        "hypot(u-1,v-0.3)", "atan2(u,v)", "u<2?u:v", "mod(u,3)", "floor(u/2)", "besselj0(u)",
+        "gamma(u)", "u>0?1/u:0", "cbrt(u-1)", "diff(u^v,v)", "diff(gamma(u),u)"}) {
+    const Interval r = enclosure(formula, {0.875, 1.0625}, {0.25, 0.5});
+    EXPECT_EQ(r.defined, Defined::Yes) << formula;
+    EXPECT_TRUE(r.continuous) << formula;
+  }
+}
+
+TEST(Enclosure, ServesManyBoxesAndAllRates) {
+  Graph graph;
+  const std::array roots = {testing::parse(graph, "u"),   testing::parse(graph, "v"),
+                            testing::parse(graph, "2"),   testing::parse(graph, "u*v+sin(0*u)"),
+                            testing::parse(graph, "u+1"), testing::parse(graph, "v+1")};
+  Enclosure enclosure(compile(graph, roots));
+  std::array<Interval, 6> r;
+  enclosure({7, 8}, {9, 10}, r);
+  enclosure({1, 2}, {3, 4}, r);
+  expect_exact(r[0], 1, 2);
+  expect_exact(r[1], 3, 4);
+  expect_exact(r[2], 2, 2);
+  expect_exact(r[3], 3, 8);
+  expect_exact(r[4], 2, 3);
+  expect_exact(r[5], 4, 5);
+}
+
+TEST(Enclosure, ByTheMeanValueIsNarrowerWhereAVariableOccursOften) {
+  Graph graph;
+  const NodeId f = testing::parse(graph, "u*u-u*v+v*v+u");
+  const std::array roots = {f, derive(graph, std::array{f}, kSymbolU)[0],
+                            derive(graph, std::array{f}, kSymbolV)[0]};
+  Enclosure enclosure(compile(graph, roots));
+  std::array<Interval, 3> r;
+  std::array<Interval, 3> middle;
+  enclosure({1, 1.125}, {1, 1.125}, r);
+  enclosure({1.0625, 1.0625}, {1.0625, 1.0625}, middle);
+  const Interval offset = {-0.0625, 0.0625};
+  const Interval narrow = mean_value(r[0], middle[0], r[1], offset, r[2], offset);
+  EXPECT_LT(narrow.high - narrow.low, (r[0].high - r[0].low) / 2);
+  for (const double u : {1.0, 1.05, 1.125}) {
+    for (const double v : {1.0, 1.1, 1.125})
+      EXPECT_TRUE(contains(narrow, u * u - u * v + v * v + u));
+  }
+  EXPECT_EQ(mean_value({0, 1, Defined::Yes, false}, {0, 0}, {0, 0}, offset, {0, 0}, offset).high,
+            1);
+}
+
+}  // namespace
+}  // namespace saddle
