@@ -17,6 +17,7 @@ namespace {
 constexpr int kMaxPixels = 16384;  // each way: what OpenGL implementations can draw
 constexpr int kMaxAntialias = 16;  // 256 samples per pixel: more than eight bits can show
 constexpr int kMaxThreads = 1024;
+constexpr int kMaxTriangles = 1'000'000'000;  // three corners each are numbered in 32 bits
 
 using Text = const std::string&;
 
@@ -74,9 +75,20 @@ void add_look_options(CLI::App& app, CommandLine& line) {
   });
 }
 
-void add_computing_options(CLI::App& app, CommandLine& line) {
+void add_mesh_options(CLI::App& app, CommandLine& line) {
+  app.add_option_function<std::string>(
+      "--tolerance", [&line](Text text) { line.tolerance = parse_tolerance("--tolerance", text); });
+  app.add_option_function<std::string>("--normal-tolerance", [&line](Text text) {
+    line.normal_tolerance = parse_degrees("--normal-tolerance", text);
+  });
+  app.add_option_function<std::string>("--max-triangles", [&line](Text text) {
+    line.max_triangles = parse_whole("--max-triangles", text, 2, kMaxTriangles);
+  });
   app.add_option_function<std::string>(
       "--samples", [&line](Text text) { line.samples = parse_samples("--samples", text); });
+}
+
+void add_computing_options(CLI::App& app, CommandLine& line) {
   app.add_option_function<std::string>("--t", [&line](Text text) { line.t = text; });
   app.add_option_function<std::string>("--threads", [&line](Text text) {
     line.threads = static_cast<unsigned>(parse_whole("--threads", text, 1, kMaxThreads));
@@ -158,6 +170,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_output_options(app, line);
   add_camera_options(app, line);
   add_look_options(app, line);
+  add_mesh_options(app, line);
   add_computing_options(app, line);
   app.add_flag("-h,--help", help);
   app.add_flag("--version", version);

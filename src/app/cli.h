@@ -16,6 +16,12 @@ struct GridSize {
   int v = 0;
 };
 
+/// A length: in pixels of the picture, or as a share of the bounding box's diagonal.
+struct ToleranceValue {
+  double value = 0;
+  bool pixels = false;
+};
+
 inline constexpr int kDefaultWidth = 800;  ///< pixels
 inline constexpr int kDefaultHeight = 600;
 /// Largest --reference error that passes: pictures up to it are hard to tell apart.
@@ -39,6 +45,9 @@ struct CommandLine {
   std::optional<Color> background;
   std::optional<Color> front;
   std::optional<Color> back;
+  std::optional<ToleranceValue> tolerance;  ///< default: of a picture or of a mesh
+  double normal_tolerance = 3;              ///< degrees
+  int max_triangles = 4'000'000;
   std::optional<GridSize> samples;
   std::optional<GridSize> grid;  ///< 0 x 0: off
   int antialias = 2;

@@ -11,6 +11,7 @@
 #include "app/reference.h"
 #include "app/report.h"
 #include "app/standard_output.h"
+#include "app/tolerance.h"
 #include "app/warnings.h"
 #include "base/file.h"
 #include "base/image_png.h"
@@ -25,10 +26,6 @@ namespace {
 /// Without --samples a cell is about this large in the picture to begin with: for most surfaces of
 /// the gallery that is within kPictureTolerance, and the grid is halved until it is.
 constexpr int kPixelsPerCell = 8;
-/// Distance of mesh and surface that no eye sees in a picture, in pixels, and what a mesh for other
-/// programs may be off by, as a fraction of its bounding box's diagonal.
-constexpr double kPictureTolerance = 0.5;
-constexpr double kMeshTolerance = 1e-3;
 /// The error of a smooth surface falls to a quarter when cells are halved; where it does not fall
 /// to this share, at a kink or the edge of a hole, finer cells do not help.
 constexpr double kWorthHalving = 0.5;
@@ -59,19 +56,9 @@ GridOptions first_grid(const CommandLine& line, const SurfaceSpec& spec) {
   return options;
 }
 
-/// The largest distance of mesh and surface that the outputs ask for, the strictest of them, as a
-/// fraction of the bounding box's diagonal, which the picture's larger side shows about.
-double asked_tolerance(const CommandLine& line, const std::vector<Output>& outputs, bool picture) {
-  const auto is_mesh = [](const Output& output) { return output.format == Format::Ply; };
-  const bool mesh = !picture || std::ranges::any_of(outputs, is_mesh);
-  const double of_picture = kPictureTolerance / std::max(line.width, line.height);
-  if (picture && mesh) return std::min(of_picture, kMeshTolerance);
-  return picture ? of_picture : kMeshTolerance;
-}
-
 /// The grid that --samples asks for, or the coarsest of the defaults that keeps the tolerance.
-GridMesh mesh_as_asked(const CommandLine& line, const Surface& surface, const SurfaceSpec& spec,
-                       double tolerance) {
+GridMesh mesh_uniformly(const CommandLine& line, const Surface& surface, const SurfaceSpec& spec,
+                        double tolerance) {
   GridOptions options = first_grid(line, spec);
   GridMesh result = mesh_on_grid(surface, options);
   int in_vain = 0;  // halvings in a row
@@ -89,25 +76,44 @@ GridMesh mesh_as_asked(const CommandLine& line, const Surface& surface, const Su
   return result;
 }
 
+/// The mesh that --samples asks for, or the one with the fewest triangles that keeps the tolerance.
+GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
+                       const Purpose& purpose, const Surface& surface) {
+  if (!line.samples) {
+    AdaptiveOptions options;
+    options.tolerance = [&](const Probe& probe) {
+      return tolerance_of(line, scene, purpose, probe);
+    };
+    options.normal_tolerance = line.normal_tolerance;
+    options.max_triangles = static_cast<std::size_t>(line.max_triangles);
+    options.lines_u = spec.grid_u;
+    options.lines_v = spec.grid_v;
+    options.threads = line.threads;
+    if (auto mesh = mesh_within_tolerance(surface, options)) return std::move(*mesh);
+  }
+  const double share = tolerance_share(line, purpose);
+  GridMesh mesh = mesh_uniformly(line, surface, spec, share);
+  if (!line.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();
+  return mesh;
+}
+
 double since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
 /// Tessellates a surface and files what there is to say about it.
 Mesh mesh_surface(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
-                  double tolerance, RunReport& report) {
-  const PreparedSurface prepared = prepare_surface(scene, spec);
+                  const Purpose& purpose, RunReport& report) {
+  const PreparedSurface prepared =
+      prepare_surface(scene, spec, line.samples ? Order::First : Order::Second);
   const auto begin = Clock::now();
-  GridMesh result = mesh_as_asked(line, prepared.surface, spec, tolerance);
-  const double wanted = tolerance * result.mesh.bounds.diagonal();
-  const bool coarse = !line.samples && result.report.max_error > wanted;
+  GridMesh result = mesh_as_asked(line, scene, spec, purpose, prepared.surface);
   report.times.parse += prepared.parse_ms;
   report.times.compile += prepared.compile_ms;
   report.times.tessellate += since(begin);
   for (std::string& warning : mesh_warnings(spec.name, result, prepared.surface.domain)) {
     report.warnings.push_back(std::move(warning));
   }
-  if (coarse) report.warnings.push_back(coarse_warning(spec.name, result.report, wanted));
   report.surfaces.push_back({spec.name, result.mesh.triangles.size(), result.mesh.position.size(),
                              result.mesh.bounds, std::move(result.report)});
   return std::move(result.mesh);
@@ -136,9 +142,13 @@ void send_report(const std::string& path, const RunReport& report) {
   }
 }
 
-bool wants_picture(const CommandLine& line, const std::vector<Output>& outputs) {
+Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
   const auto is_picture = [](const Output& output) { return output.format == Format::Png; };
-  return !line.reference.empty() || std::ranges::any_of(outputs, is_picture);
+  const auto is_mesh = [](const Output& output) { return output.format == Format::Ply; };
+  Purpose purpose;
+  purpose.picture = !line.reference.empty() || std::ranges::any_of(outputs, is_picture);
+  purpose.mesh = !purpose.picture || std::ranges::any_of(outputs, is_mesh);
+  return purpose;
 }
 
 }  // namespace
@@ -149,18 +159,17 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   std::optional<Image> reference;
   if (!line.reference.empty()) reference = read_png(line.reference).image;
 
-  const bool picture = wants_picture(line, outputs);
+  const Purpose purpose = purpose_of(line, outputs);
   std::jthread preloading;  // OpenGL takes as long to load as a surface to tessellate
-  if (picture) preloading = std::jthread(preload_renderer);
-  const double tolerance = asked_tolerance(line, outputs, picture);
+  if (purpose.picture) preloading = std::jthread(preload_renderer);
   RunReport report;
   std::vector<Mesh> meshes;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    meshes.push_back(mesh_surface(line, scene, spec, tolerance, report));
+    meshes.push_back(mesh_surface(line, scene, spec, purpose, report));
   }
   if (!line.quiet) print_warnings(report);
   Image image;
-  if (picture) image = draw(line, scene, meshes, report);
+  if (purpose.picture) image = draw(line, scene, meshes, report);
 
   const auto writing = Clock::now();
   const std::string scene_text = write_scene(scene);

@@ -40,8 +40,13 @@ Look
       --flip            swap front and back (the front is where r_u x r_v points)
       --grid MxN        lines of constant u and of constant v, or off (default 16x16)
       --antialias N     samples per pixel and side, 1 to 16; 1 is off (default 2)
+Mesh
+      --tolerance T     largest distance of mesh and surface: 0.5px, or 1e-3 of the diagonal of the
+                        bounding box (default: 0.5px for pictures, 1e-3 for meshes; the stricter)
+      --normal-tolerance DEG  largest angle of interpolated and true normal, 0 to 180 (default 3)
+      --max-triangles N stop refining there and say so (default 4000000)
+      --samples MxN     a uniform grid of M cells in u by N in v instead (default: off)
 Computing
-      --samples MxN     cells in u and v (default: as few as keep half a pixel)
       --t T             time, the value of t in formulas (default 0)
       --threads N       worker threads, 1 to 1024 (default: all)
   -q, --quiet           no warnings        -v, --verbose   say what was done and how long it took

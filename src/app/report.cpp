@@ -27,6 +27,12 @@ Json closing(const std::string& how) {
   return how.empty() ? Json(nullptr) : Json(how);
 }
 
+/// Triangles over the least possible.
+Json efficiency(const SurfaceReport& s) {
+  if (!(s.mesh.least_triangles >= 1)) return nullptr;  // developable, but for rounding
+  return number(static_cast<double>(s.triangles) / s.mesh.least_triangles);
+}
+
 Json surface(const SurfaceReport& s) {
   Json points = Json::array();
   for (const SingularPoint& point : s.mesh.singular_points) {
@@ -38,9 +44,11 @@ Json surface(const SurfaceReport& s) {
           {"vertices", s.vertices},
           {"evaluations", s.mesh.evaluations},
           {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
+          {"tolerance", s.mesh.tolerance ? number(*s.mesh.tolerance) : Json(nullptr)},
           {"max_error", number(s.mesh.max_error)},
           {"max_normal_error", number(s.mesh.max_normal_error)},
           {"undefined_fraction", number(s.mesh.undefined_fraction)},
+          {"efficiency", efficiency(s)},
           {"singular_points", points},
           {"singular_points_count", s.mesh.singular_point_count},
           {"closed_u", closing(s.mesh.closed_u)},

@@ -84,6 +84,12 @@ double parse_share(const std::string& option, const std::string& text) {
   throw Error(Status::Input, "must be from 0 to 1", {option, text, whole(text)});
 }
 
+double parse_degrees(const std::string& option, const std::string& text) {
+  const double value = parse_number(option, text);
+  if (value >= 0 && value <= 180) return value;
+  throw Error(Status::Input, "must be from 0 to 180 degrees", {option, text, whole(text)});
+}
+
 int parse_whole(const std::string& option, const std::string& text, int low, int high) {
   return whole_in(option, text, whole(text), low, high);
 }
@@ -116,6 +122,17 @@ dvec3 parse_direction(const std::string& option, const std::string& text) {
     throw Error(Status::Input, "a direction needs a length", {option, text, whole(text)});
   }
   return direction;
+}
+
+ToleranceValue parse_tolerance(const std::string& option, const std::string& text) {
+  const bool pixels = text.ends_with("px");
+  const Span number = {0, text.size() - (pixels ? 2 : 0)};
+  const double value = number_in(option, text, number);
+  if (!(value > 0)) {
+    throw Error(Status::Input, "must be more than 0", {option, text, number},
+                "for example " + option + " 0.5px, or 1e-3 of the diagonal of the bounding box");
+  }
+  return {value, pixels};
 }
 
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high) {

@@ -19,6 +19,9 @@ double parse_number_between(const std::string& option, const std::string& text, 
 /// A number from 0 to 1.
 double parse_share(const std::string& option, const std::string& text);
 
+/// An angle from 0 to 180 degrees.
+double parse_degrees(const std::string& option, const std::string& text);
+
 /// A whole number from `low` to `high`, in digits.
 int parse_whole(const std::string& option, const std::string& text, int low, int high);
 
@@ -30,6 +33,9 @@ dvec3 parse_direction(const std::string& option, const std::string& text);
 
 /// A colour of a surface, which hides what is behind it.
 Color opaque_color(const std::string& option, const std::string& text);
+
+/// A length: `0.5px`, or a share of the bounding box's diagonal such as `1e-3`; more than 0.
+ToleranceValue parse_tolerance(const std::string& option, const std::string& text);
 
 /// `MxN`, both from `low` to `high`.
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);

@@ -50,6 +50,11 @@ std::string plural(std::size_t count, const std::string& one, const std::string&
   return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
 }
 
+std::string off_by(const MeshReport& report) {
+  return " off by up to " + number(report.max_error) + " (the tolerance is " +
+         number(report.tolerance.value_or(0)) + ")";
+}
+
 }  // namespace
 
 std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
@@ -64,6 +69,13 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
     warnings.push_back(name + ": " + std::to_string(report.flat_triangles) + " of " +
                        std::to_string(triangles) +
                        " triangles have no area in double precision and are left out");
+  }
+  if (report.reached_limit) {
+    warnings.push_back(name + ": the limit of triangles stopped refinement, the mesh is" +
+                       off_by(report) + "; --max-triangles allows more");
+  } else if (report.tolerance && report.max_error > *report.tolerance) {
+    warnings.push_back(name + ": the mesh is" + off_by(report) +
+                       ": a pole, a jump or detail that its cells miss; --samples takes more");
   }
   if (runs_backwards(domain)) {
     warnings.push_back(name + ": a range runs backwards, which swaps front and back");
@@ -81,12 +93,6 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
         "): the faces' are drawn there");
   }
   return warnings;
-}
-
-std::string coarse_warning(const std::string& name, const MeshReport& report, double tolerance) {
-  return name + ": the mesh is off by up to " + number(report.max_error) + " (the tolerance is " +
-         number(tolerance) +
-         "): a pole, a jump or detail that its cells miss; --samples takes more";
 }
 
 }  // namespace saddle

@@ -13,7 +13,4 @@ namespace saddle {
 std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
                                        const Domain& domain);
 
-/// That the mesh is farther from the surface than `tolerance`, and by how much.
-std::string coarse_warning(const std::string& name, const MeshReport& report, double tolerance);
-
 }  // namespace saddle

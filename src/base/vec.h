@@ -12,6 +12,12 @@ namespace saddle {
 using glm::dvec2;
 using glm::dvec3;
 
+/// The angle between two vectors of any length, 0 to 180 degrees, to all digits at both ends.
+inline double degrees_between(const dvec3& a, const dvec3& b) {
+  constexpr double kDegrees = 57.29577951308232087679815;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * kDegrees;
+}
+
 /// Whether no component is infinite or NaN.
 inline bool is_finite(const dvec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

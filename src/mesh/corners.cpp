@@ -41,7 +41,8 @@ dvec3 face_normal(const Grid& grid, std::size_t cell) {
 
 class CornerBuilder {
  public:
-  CornerBuilder(Grid& grid, MeshReport& report) : grid_(grid), report_(report) {
+  CornerBuilder(Grid& grid, MeshReport& report)
+      : grid_(grid), report_(report), corners_(grid.mesh) {
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
       if (grid.cells[cell] != Cell::Open) continue;
       OpenCell& open = cells_.emplace_back(OpenCell{cell, {}});
@@ -51,21 +52,16 @@ class CornerBuilder {
 
   /// Takes the limits of the cells around the vertex from the front of `limits`.
   void add_singular(std::size_t vertex, std::span<const NormalLimit>& limits) {
-    own_corner_is_free_ = true;
-    first_new_corner_ = grid_.mesh.normal.size();
-    bool has_limit = true;
+    corners_.begin(vertex);
+    add_singular_point(grid_.uv(vertex), report_);
     grid_.for_cells_around(vertex, [&](std::size_t cell, std::size_t slot) {
       const NormalLimit& limit = limits.front();
-      has_limit = has_limit && limit.normal.has_value();
+      if (!limit.normal) mark_without_limit(report_);
       report_.evaluations += static_cast<std::size_t>(limit.evaluations);
       const dvec3 normal = limit.normal ? *limit.normal : face_normal(grid_, cell);
-      find(cell).corners[slot] = static_cast<std::uint32_t>(find_or_add(vertex, normal));
+      find(cell).corners[slot] = static_cast<std::uint32_t>(corners_.find_or_add(normal));
       limits = limits.subspan(1);
     });
-    ++report_.singular_point_count;
-    if (report_.singular_points.size() < kMaxListed) {
-      report_.singular_points.push_back({grid_.uv(vertex), has_limit});
-    }
   }
 
   std::vector<OpenCell> take() { return std::move(cells_); }
@@ -75,37 +71,50 @@ class CornerBuilder {
     return *std::ranges::lower_bound(cells_, cell, {}, &OpenCell::cell);
   }
 
-  /// A corner of the vertex with nearly this normal; its own if that is still free, else a new one.
-  std::size_t find_or_add(std::size_t vertex, const dvec3& normal) {
-    Mesh& mesh = grid_.mesh;
-    if (own_corner_is_free_) {
-      own_corner_is_free_ = false;
-      mesh.normal[vertex] = normal;
-      return vertex;
-    }
-    const auto agrees = [&](std::size_t corner) {
-      return glm::dot(mesh.normal[corner], normal) >= crease_cosine_;
-    };
-    if (agrees(vertex)) return vertex;
-    for (std::size_t corner = first_new_corner_; corner < mesh.normal.size(); ++corner) {
-      if (agrees(corner)) return corner;
-    }
-    mesh.position.push_back(dvec3(mesh.position[vertex]));
-    mesh.normal.push_back(normal);
-    mesh.uv.push_back(grid_.uv(vertex));
-    mesh.point.push_back(std::uint32_t{mesh.point[vertex]});
-    return mesh.normal.size() - 1;
-  }
-
   Grid& grid_;
   MeshReport& report_;
   std::vector<OpenCell> cells_;
-  bool own_corner_is_free_ = true;    // of the vertex at hand
-  std::size_t first_new_corner_ = 0;  // of the vertex at hand
-  const double crease_cosine_ = std::cos(kCreaseDegrees * std::numbers::pi / 180);
+  VertexCorners corners_;
 };
 
 }  // namespace
+
+void VertexCorners::begin(std::size_t vertex) {
+  vertex_ = vertex;
+  own_is_free_ = true;
+  first_new_ = mesh_.normal.size();
+}
+
+std::size_t VertexCorners::find_or_add(const dvec3& normal) {
+  if (own_is_free_) {
+    own_is_free_ = false;
+    mesh_.normal[vertex_] = normal;
+    return vertex_;
+  }
+  static const double kCreaseCosine = std::cos(kCreaseDegrees * std::numbers::pi / 180);
+  const auto agrees = [&](std::size_t corner) {
+    return glm::dot(mesh_.normal[corner], normal) >= kCreaseCosine;
+  };
+  if (agrees(vertex_)) return vertex_;
+  for (std::size_t corner = first_new_; corner < mesh_.normal.size(); ++corner) {
+    if (agrees(corner)) return corner;
+  }
+  mesh_.position.push_back(dvec3(mesh_.position[vertex_]));
+  mesh_.normal.push_back(normal);
+  mesh_.uv.push_back(dvec2(mesh_.uv[vertex_]));
+  mesh_.point.push_back(std::uint32_t{mesh_.point[vertex_]});
+  return mesh_.normal.size() - 1;
+}
+
+void add_singular_point(const dvec2& uv, MeshReport& report) {
+  ++report.singular_point_count;
+  if (report.singular_points.size() < kMaxListed) report.singular_points.push_back({uv});
+}
+
+void mark_without_limit(MeshReport& report) {
+  const bool listed = report.singular_points.size() == report.singular_point_count;
+  if (listed) report.singular_points.back().has_limit = false;
+}
 
 std::vector<OpenCell> open_cells(const Surface& surface, unsigned threads, Grid& grid,
                                  MeshReport& report) {

@@ -14,6 +14,29 @@ namespace saddle {
 /// is no visible crease, and one corner in place of four keeps smooth poles smooth.
 inline constexpr double kCreaseDegrees = 1;
 
+/// The corners of one singular vertex after the other.
+class VertexCorners {
+ public:
+  explicit VertexCorners(Mesh& mesh) : mesh_(mesh) {}
+
+  /// Goes on to a vertex, which has no normal yet.
+  void begin(std::size_t vertex);
+  /// A corner of the vertex with nearly this normal: its own, if that is still free, or one that is
+  /// there, or a new one at the end of the mesh.
+  std::size_t find_or_add(const dvec3& normal);
+
+ private:
+  Mesh& mesh_;
+  std::size_t vertex_ = 0;
+  bool own_is_free_ = true;
+  std::size_t first_new_ = 0;
+};
+
+/// Counts a singular point and lists it, if the list is not full.
+void add_singular_point(const dvec2& uv, MeshReport& report);
+/// The normal has no limit at the point that was added last.
+void mark_without_limit(MeshReport& report);
+
 /// A cell that is to be cut, with the corners of its four slots.
 struct OpenCell {
   std::size_t cell;

@@ -18,24 +18,7 @@ namespace {
 /// Corners are numbered in 32 bits, and a vertex has at most four.
 constexpr std::size_t kMaxCells = std::size_t{1} << 29;
 
-/// Evenly spaced, both ends exact. Weighting the ends, rather than stepping from the first, makes
-/// symmetric ranges symmetric to the last bit and hits 0 where it is a grid line.
-std::vector<double> grid_parameters(double first, double last, std::size_t cells) {
-  std::vector<double> values(cells + 1);
-  const auto n = static_cast<double>(cells);
-  for (std::size_t i = 0; i < cells; ++i) {
-    const auto k = static_cast<double>(i);
-    const double value = (first * (n - k) + last * k) / n;
-    values[i] = std::isfinite(value) ? value : std::lerp(first, last, k / n);
-  }
-  values.front() = first;
-  values.back() = last;
-  return values;
-}
-
-void require_countable(const GridOptions& options) {
-  const auto cells_u = static_cast<std::size_t>(options.cells_u);
-  const auto cells_v = static_cast<std::size_t>(options.cells_v);
+void require_countable(std::size_t cells_u, std::size_t cells_v) {
   if (cells_u <= kMaxCells / cells_v) return;
   throw Error(Status::Input,
               "a grid of " + std::to_string(cells_u) + " x " + std::to_string(cells_v) +
@@ -110,6 +93,21 @@ void measure_extent(Grid& grid, std::span<const TileSummary> tiles) {
 
 }  // namespace
 
+std::vector<double> even_lines(double first, double last, std::size_t cells) {
+  std::vector<double> values(cells + 1);
+  const auto n = static_cast<double>(cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    // Weighting the ends, rather than stepping from the first, makes symmetric ranges symmetric to
+    // the last bit and hits 0 where it is a line.
+    const auto k = static_cast<double>(i);
+    const double value = (first * (n - k) + last * k) / n;
+    values[i] = std::isfinite(value) ? value : std::lerp(first, last, k / n);
+  }
+  values.front() = first;
+  values.back() = last;
+  return values;
+}
+
 dvec2 Grid::cell_centre(std::size_t cell) const {
   const std::size_t i = cell % cells_u;
   const std::size_t j = cell / cells_u;
@@ -133,23 +131,23 @@ void Grid::open_around(std::size_t vertex) {
   for_cells_around(vertex, [this](std::size_t cell, std::size_t) { cells[cell] = Cell::Open; });
 }
 
-Grid sample_grid(const Surface& surface, const GridOptions& options) {
-  require_countable(options);
-  const Domain& domain = surface.domain;
+Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
+                 unsigned threads) {
   Grid grid;
-  grid.cells_u = static_cast<std::size_t>(options.cells_u);
-  grid.cells_v = static_cast<std::size_t>(options.cells_v);
-  grid.u = grid_parameters(domain.u0, domain.u1, grid.cells_u);
-  grid.v = grid_parameters(domain.v0, domain.v1, grid.cells_v);
+  grid.cells_u = u.size() - 1;
+  grid.cells_v = v.size() - 1;
+  require_countable(grid.cells_u, grid.cells_v);
+  grid.u = std::move(u);
+  grid.v = std::move(v);
   grid.flipped = surface.flip;
-  grid.mirrored = runs_backwards(domain) != surface.flip;
+  grid.mirrored = runs_backwards(surface.domain) != surface.flip;
   allocate(grid);
 
   const GridTiling tiling(grid.cells_u, grid.cells_v, kTileCells);
   std::vector<TileSummary> tiles(tiling.count());
-  evaluate_tiles(surface.normals, grid.u, grid.v, tiling, options.threads,
+  evaluate_tiles(surface.normals, grid.u, grid.v, tiling, threads,
                  [&](TileRows& rows) { tiles[rows.tile().index] = take_tile(rows, grid); });
-  find_irregular(surface, tiling, tiles, options.threads, grid);
+  find_irregular(surface, tiling, tiles, threads, grid);
   require_defined_cells(grid);
   measure_extent(grid, tiles);
   for (const TileSummary& tile : tiles) {

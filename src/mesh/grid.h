@@ -103,9 +103,14 @@ struct Grid {
   }
 };
 
-/// Evaluates the surface on the grid and cuts the cells that are plain. Throws Error: Input for a
-/// grid whose corners could not be numbered; Nothing where no cell has four defined corners, or all
-/// are one point, or too far apart for a finite diagonal.
-Grid sample_grid(const Surface& surface, const GridOptions& options);
+/// `cells` + 1 evenly spaced parameters, both ends exact.
+std::vector<double> even_lines(double first, double last, std::size_t cells);
+
+/// Evaluates the surface on the grid of lines u x v (at least two each, the ends those of the
+/// domain) and cuts the cells that are plain. Throws Error: Input for a grid whose corners could
+/// not be numbered; Nothing where no cell has four defined corners, or all are one point, or too
+/// far apart for a finite diagonal.
+Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
+                 unsigned threads);
 
 }  // namespace saddle

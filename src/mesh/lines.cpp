@@ -21,11 +21,8 @@ std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
 
 /// Follows `line` edge by edge and appends its chains. `exists(k)`: edge k, k + 1 is in the mesh.
 template <class Exists>
-void append_chains(const Grid& grid, const GridLine& line, std::span<const std::uint32_t> corner,
-                   Exists exists, std::vector<Chain>& chains) {
-  const auto corner_of = [&](std::size_t vertex) {
-    return corner.empty() ? static_cast<std::uint32_t>(vertex) : corner[vertex];
-  };
+void append_chains(const Grid& grid, const GridLine& line, Exists exists,
+                   std::vector<Chain>& chains) {
   Chain chain;
   const auto finish = [&] {
     if (chain.size() > 1) chains.push_back(chain);
@@ -37,8 +34,8 @@ void append_chains(const Grid& grid, const GridLine& line, std::span<const std::
     if (!exists(k)) {
       finish();
     } else if (grid.mesh.point[a] != grid.mesh.point[b]) {
-      if (chain.empty()) chain.push_back(corner_of(a));
-      chain.push_back(corner_of(b));
+      if (chain.empty()) chain.push_back(static_cast<std::uint32_t>(a));
+      chain.push_back(static_cast<std::uint32_t>(b));
     }
   }
   finish();
@@ -46,9 +43,7 @@ void append_chains(const Grid& grid, const GridLine& line, std::span<const std::
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid,
-                                                   std::span<const std::uint32_t> corner,
-                                                   const GridOptions& options) {
+std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid, const GridOptions& options) {
   const auto has_triangles = [&](std::size_t i, std::size_t j) {
     return i < grid.cells_u && j < grid.cells_v && grid.triangle_count(grid.cell(i, j)) > 0;
   };
@@ -58,13 +53,13 @@ std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid,
     const auto exists = [&](std::size_t j) {
       return has_triangles(i, j) || has_triangles(i - 1, j);
     };
-    append_chains(grid, grid.column(i), corner, exists, chains);
+    append_chains(grid, grid.column(i), exists, chains);
   }
   for (const std::size_t j : nearest_mesh_lines(options.lines_v, grid.cells_v)) {
     const auto exists = [&](std::size_t i) {
       return has_triangles(i, j) || has_triangles(i, j - 1);
     };
-    append_chains(grid, grid.row(j), corner, exists, chains);
+    append_chains(grid, grid.row(j), exists, chains);
   }
   return chains;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "base/random.h"
 #include "mesh/triangulate.h"
 #include "surface/normal.h"
 
@@ -22,15 +23,6 @@ constexpr std::array<dvec2, 3> kPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(
 /// 1 - (2 * 0.1)^2 = 96 % at least.
 constexpr double kJitter = 0.1;
 constexpr std::size_t kCellChunk = 256;
-
-/// A number in [0, 1) that depends on `key` alone.
-/// Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014.
-double random_unit(std::uint64_t key) {
-  key += 0x9e3779b97f4a7c15ULL;
-  key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  key = (key ^ (key >> 27U)) * 0x94d049bb133111ebULL;
-  return static_cast<double>((key ^ (key >> 31U)) >> 11U) * 0x1p-53;
-}
 
 /// The point of a triangle nearest to `p`, as weights of its corners.
 struct Nearest {
@@ -67,10 +59,6 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   return best;
 }
 
-double degrees_between(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
-}
-
 class Measurer {
  public:
   Measurer(const Surface& surface, const Grid& grid, std::span<const std::size_t> opened,
@@ -84,15 +72,19 @@ class Measurer {
     for (const std::size_t cell : cells) append_places(cell, uv);
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
 
-    std::vector<dvec2> errors(points.size());
+    std::vector<Deviation> errors(points.size());
     parallel_chunks(points.size(), kCellChunk, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        errors[k] = error(cells[k / kPlaces.size()], points[k]);
+        const std::size_t cell = cells[k / kPlaces.size()];
+        errors[k] = deviation(grid_, grid_.triangles(cell), points[k], surface_.flip);
       }
     });
-    dvec2 largest(0);
-    for (const dvec2& e : errors) largest = glm::max(largest, e);
-    return {largest.x / grid_.local_scale, largest.y, points.size()};
+    MeasuredError largest{0, 0, points.size()};
+    for (const Deviation& e : errors) {
+      largest.distance = std::max(largest.distance, e.distance);
+      largest.normal_degrees = std::max(largest.normal_degrees, e.degrees);
+    }
+    return largest;
   }
 
  private:
@@ -163,30 +155,6 @@ class Measurer {
     }
   }
 
-  /// Distance in local units, and degrees.
-  dvec2 error(std::size_t cell, const SurfacePoint& point) const {
-    const dvec3 p = grid_.local_scale * point.position;
-    Nearest nearest;
-    dvec3 interpolated(0);
-    for (const Triangle& triangle : grid_.triangles(cell)) {
-      const std::array<dvec3, 3> corners = {position(triangle[0]), position(triangle[1]),
-                                            position(triangle[2])};
-      const Nearest candidate = nearest_on_triangle(corners, p);
-      if (!(candidate.distance < nearest.distance)) continue;
-      nearest = candidate;
-      interpolated = dvec3(0);
-      for (int k = 0; k < 3; ++k) {
-        interpolated += nearest.weights[k] * mesh_.normal[triangle[static_cast<std::size_t>(k)]];
-      }
-    }
-    if (!std::isfinite(nearest.distance)) return dvec2(0);  // undefined there
-    const auto exact =
-        unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), surface_.flip);
-    return {nearest.distance, exact ? degrees_between(*exact, interpolated) : 0};
-  }
-
-  dvec3 position(std::uint32_t corner) const { return grid_.local(corner); }
-
   const Surface& surface_;
   const Grid& grid_;
   const Mesh& mesh_ = grid_.mesh;
@@ -195,6 +163,27 @@ class Measurer {
 };
 
 }  // namespace
+
+Deviation deviation(const Grid& grid, std::span<const Triangle> triangles,
+                    const SurfacePoint& point, bool flip) {
+  const dvec3 p = grid.local_scale * point.position;
+  Nearest nearest;
+  dvec3 interpolated(0);
+  for (const Triangle& triangle : triangles) {
+    const std::array<dvec3, 3> corners = {grid.local(triangle[0]), grid.local(triangle[1]),
+                                          grid.local(triangle[2])};
+    const Nearest candidate = nearest_on_triangle(corners, p);
+    if (!(candidate.distance < nearest.distance)) continue;
+    nearest = candidate;
+    interpolated = dvec3(0);
+    for (int k = 0; k < 3; ++k) {
+      interpolated += nearest.weights[k] * grid.mesh.normal[triangle[static_cast<std::size_t>(k)]];
+    }
+  }
+  if (!std::isfinite(nearest.distance)) return {};  // undefined there
+  const auto exact = unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), flip);
+  return {nearest.distance / grid.local_scale, exact ? degrees_between(*exact, interpolated) : 0};
+}
 
 MeasuredError measure_error(const Surface& surface, const Grid& grid,
                             std::span<const std::size_t> opened, unsigned threads) {

@@ -8,6 +8,14 @@
 
 namespace saddle {
 
+/// Of a point of the surface from triangles that stand for it.
+struct Deviation {
+  double distance = 0;  ///< in units of length; 0 where the surface is undefined
+  double degrees = 0;   ///< of exact and interpolated normal; 0 where there is none
+};
+Deviation deviation(const Grid& grid, std::span<const Triangle> triangles,
+                    const SurfacePoint& point, bool flip);
+
 struct MeasuredError {
   double distance = 0;        ///< largest, from a point of the surface to the triangles of its cell
   double normal_degrees = 0;  ///< largest angle of exact and interpolated normal at such a point

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct MeshReport {
   std::size_t evaluations = 0;                 ///< points of the surface that were computed
   double undefined_fraction = 0;               ///< share of the domain's cells that were left out
   std::size_t flat_triangles = 0;              ///< without area in double precision: left out
+  std::optional<double> tolerance;             ///< what max_error was to stay within
+  double least_triangles = 0;                  ///< that any mesh within it needs, about; 0: unknown
+  bool reached_limit = false;                  ///< more triangles were not allowed
   double max_error = 0;                        ///< largest measured distance of mesh and surface
   double max_normal_error = 0;                 ///< degrees: interpolated against exact normal
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000

@@ -104,31 +104,48 @@ Cut cut_cell(const CellCorners& cell, bool mirrored) {
   return cuts[second_diagonal_is_nearer(cell)];
 }
 
-CellCorners gather(const Grid& grid, const OpenCell& cell) {
+CellCorners gather(const Grid& grid, const std::array<std::uint32_t, 4>& corners) {
   CellCorners result;
   for (std::size_t k = 0; k < 4; ++k) {
-    result.position[k] = grid.local(cell.corners[k]);
-    result.normal[k] = grid.mesh.normal[cell.corners[k]];
-    result.point[k] = grid.mesh.point[cell.corners[k]];
+    result.position[k] = grid.local(corners[k]);
+    result.normal[k] = grid.mesh.normal[corners[k]];
+    result.point[k] = grid.mesh.point[corners[k]];
   }
   return result;
 }
 
 }  // namespace
 
+bool is_collapsed(const Grid& grid, const Triangle& t) {
+  const auto& point = grid.mesh.point;
+  if (point[t[0]] == point[t[1]] || point[t[1]] == point[t[2]] || point[t[2]] == point[t[0]]) {
+    return true;
+  }
+  const std::array<dvec3, 4> p = {grid.local(t[0]), grid.local(t[1]), grid.local(t[2]),
+                                  grid.local(t[2])};
+  const std::array<dvec3, 4> edges = {p[1] - p[0], p[2] - p[1], p[0] - p[2], dvec3(0)};
+  return is_flat(glm::cross(edges[0], edges[1]), rounding_of_areas(p, edges), edges[0], edges[1]);
+}
+
+std::vector<Triangle> cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners) {
+  const Cut cut = cut_cell(gather(grid, corners), grid.mirrored);
+  std::vector<Triangle> triangles;
+  for (std::size_t t = 0; t < 2; ++t) {
+    if (!cut.exists[t]) continue;
+    const std::size_t slot = kCuts[cut.diagonal][t];
+    Triangle triangle = {corners[(slot + 3) % 4], corners[slot], corners[(slot + 1) % 4]};
+    if (grid.mirrored) std::swap(triangle[1], triangle[2]);
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
 void triangulate(Grid& grid, std::span<const OpenCell> cells) {
   for (const OpenCell& cell : cells) {
-    const Cut cut = cut_cell(gather(grid, cell), grid.mirrored);
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < 2; ++t) {
-      if (!cut.exists[t]) continue;
-      const std::size_t slot = kCuts[cut.diagonal][t];
-      const auto& corners = cell.corners;
-      Triangle triangle = {corners[(slot + 3) % 4], corners[slot], corners[(slot + 1) % 4]};
-      if (grid.mirrored) std::swap(triangle[1], triangle[2]);
-      grid.mesh.triangles[2 * cell.cell + count++] = triangle;
-    }
-    grid.cells[cell.cell] = static_cast<Cell>(count);
+    const std::vector<Triangle> triangles = cut_cell(grid, cell.corners);
+    std::ranges::copy(triangles,
+                      grid.mesh.triangles.begin() + 2 * static_cast<std::ptrdiff_t>(cell.cell));
+    grid.cells[cell.cell] = static_cast<Cell>(triangles.size());
   }
 }
 

@@ -1,7 +1,10 @@
 // Cells of a grid into triangles, one by one: those that the pass over the grid left open.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mesh/corners.h"
 #include "mesh/grid.h"
@@ -12,6 +15,12 @@ namespace saddle {
 /// normals do, then the one with the smaller sagitta, then the shorter one. Triangles without area,
 /// as at poles, are left out. Writes grid.mesh.triangles and grid.cells of these cells.
 void triangulate(Grid& grid, std::span<const OpenCell> cells);
+
+/// The triangles of one cell, in the order of slots; at most two.
+std::vector<Triangle> cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners);
+
+/// Whether a triangle of corners has no area: two are one point, or it is flat within rounding.
+bool is_collapsed(const Grid& grid, const Triangle& triangle);
 
 /// The height of a surface's arc above the chord from a to b, from the normals at its ends, for a
 /// parabolic arc: |(n_b - n_a) . (p_b - p_a)| / 8.

@@ -35,16 +35,16 @@ double range_end(Graph& graph, Scope& scope, const std::string& name, const std:
   return value;
 }
 
-struct Interval {
+struct Ends {
   double min = 0;
   double max = 0;
 };
 
-Interval range_values(Graph& graph, Scope& scope, const std::string& name, const Range& range) {
+Ends range_values(Graph& graph, Scope& scope, const std::string& name, const Range& range) {
   const std::string text = range.min + ":" + range.max;
   const std::size_t colon = range.min.size();
-  const Interval result{range_end(graph, scope, name, text, {0, colon}),
-                        range_end(graph, scope, name, text, {colon + 1, text.size()})};
+  const Ends result{range_end(graph, scope, name, text, {0, colon}),
+                    range_end(graph, scope, name, text, {colon + 1, text.size()})};
   const Place place{name, text, {0, text.size()}};
   if (result.min == result.max) {
     throw Error(Status::Input, "the range of " + name + " is empty", place,
@@ -68,7 +68,7 @@ std::vector<Definition> names_of(const Scene& scene, const SurfaceSpec& spec) {
 
 }  // namespace
 
-PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec) {
+PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Order order) {
   if (spec.z.empty()) {
     throw Error(Status::Input, "z has no formula", {},
                 "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
@@ -76,8 +76,8 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec) {
   const auto start = Clock::now();
   Graph graph;
   Scope scope(graph, names_of(scene, spec));
-  const Interval u = range_values(graph, scope, "u", spec.u);
-  const Interval v = range_values(graph, scope, "v", spec.v);
+  const Ends u = range_values(graph, scope, "u", spec.u);
+  const Ends v = range_values(graph, scope, "v", spec.v);
   const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
   const std::vector<NodeId> bound = scope.bind(coordinates, scene.t);
   const auto parsed = Clock::now();
@@ -85,7 +85,7 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec) {
   PreparedSurface result;
   const Domain domain{u.min, u.max, v.min, v.max};
   const bool flip = spec.flip != runs_backwards(domain);
-  result.surface = make_surface(graph, {bound[0], bound[1], bound[2]}, domain, flip);
+  result.surface = make_surface(graph, {bound[0], bound[1], bound[2]}, domain, flip, order);
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());
   return result;

@@ -17,7 +17,8 @@ struct PreparedSurface {
 /// Parses and compiles surface `spec` of `scene` at the scene's time. Throws Error (Input):
 /// anything wrong with a formula, a range that is empty, not finite or not constant, a surface
 /// without a z.
-PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec);
+PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec,
+                                Order order = Order::First);
 
 /// The value of a constant expression that may use the scene's parameters; `name` stands for it in
 /// messages. Throws Error (Input): anything wrong with a formula, a value that is not finite.

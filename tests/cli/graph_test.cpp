@@ -108,9 +108,10 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
             (Names{"version", "surfaces", "image", "times", "peak_memory_bytes", "warnings"}));
   keys.clear();
   for (const auto& [key, value] : report["surfaces"][0].items()) keys.push_back(key);
-  EXPECT_EQ(keys, (Names{"name", "cells", "triangles", "vertices", "evaluations", "bounds",
-                         "max_error", "max_normal_error", "undefined_fraction", "singular_points",
-                         "singular_points_count", "closed_u", "closed_v"}));
+  EXPECT_EQ(keys,
+            (Names{"name", "cells", "triangles", "vertices", "evaluations", "bounds", "tolerance",
+                   "max_error", "max_normal_error", "undefined_fraction", "efficiency",
+                   "singular_points", "singular_points_count", "closed_u", "closed_v"}));
   keys.clear();
   for (const auto& [key, value] : report["times"].items()) keys.push_back(key);
   EXPECT_EQ(keys, (Names{"parse", "compile", "tessellate", "context", "upload", "draw", "encode",
@@ -202,27 +203,61 @@ TEST_F(GraphCommand, BackAndTimeCount) {
   EXPECT_EQ(report_of({"z=t", "a=5", "--t", "-2*a"})["surfaces"][0]["bounds"][0][2], -10);
 }
 
-TEST_F(GraphCommand, MakesGridLinesMeshLinesUnlessSamplesAreGiven) {
-  // 128 pixels: at least 16 cells, the next even multiple of 15 intervals is 30; of 4, 16.
-  const std::vector<std::string> size = {"-s", "128x96", "--report", "-"};
-  auto arguments = size;
-  arguments.insert(arguments.end(), {"z=u", "--grid", "16x5"});
-  EXPECT_EQ(Json::parse(saddle(arguments).out)["surfaces"][0]["cells"], 30 * 16);
-  arguments = size;
-  arguments.insert(arguments.end(), {"z=u", "--grid", "off"});
-  EXPECT_EQ(Json::parse(saddle(arguments).out)["surfaces"][0]["cells"], 16 * 16);
+TEST_F(GraphCommand, NeedsNoMoreCellsThanTheSurfaceAndItsGridLines) {
+  const auto cells = [this](const std::string& grid) {
+    const Outcome run = saddle({"z=u", "--grid", grid, "--report", "-"});
+    return Json::parse(run.out)["surfaces"][0]["cells"];
+  };
+  EXPECT_EQ(cells("off"), 1);  // a plane
+  EXPECT_EQ(cells("16x5"), 15 * 4);
 }
 
-TEST_F(GraphCommand, HalvesTheGridUntilTheMeshIsWithinATolerance) {
-  const auto report = [this](const std::string& z) {
-    const Outcome run = saddle({"z=" + z, "-s", "128x96", "--report", "-"});
+TEST_F(GraphCommand, KeepsTheToleranceThatIsAskedFor) {
+  const auto report = [this](const std::string& tolerance, const std::string& more = "--quiet") {
+    const Outcome run = saddle({"torus", "--tolerance", tolerance, "--report", "-", more});
     return Json::parse(run.out)["surfaces"][0];
   };
-  // 30 cells of 1/15: a wave of height h and length L is off by h (pi/15/L)^2 / 2.
-  EXPECT_EQ(report("sin(pi*u)/10")["cells"], 30 * 30);
-  const Json wave = report("sin(8*pi*u)/10");
-  EXPECT_GE(wave["cells"], 60 * 60);
-  EXPECT_LE(wave["max_error"], 1e-3 * std::sqrt(8.04));
+  double before = 0;
+  for (const char* tolerance : {"1e-2", "1e-3", "1e-4"}) {
+    const Json torus = report(tolerance);
+    const double diagonal = std::sqrt(5.6 * 5.6 * 2 + 1.6 * 1.6);
+    EXPECT_NEAR(torus["tolerance"], std::stod(tolerance) * diagonal, 0.01 * diagonal);
+    EXPECT_LE(torus["max_error"], torus["tolerance"]);
+    EXPECT_GT(torus["triangles"], before);
+    before = torus["triangles"];
+  }
+  // Half the pixels, twice the error.
+  const double fine = report("0.5px")["tolerance"];
+  EXPECT_NEAR(report("1px")["tolerance"], 2 * fine, 1e-9);
+}
+
+TEST_F(GraphCommand, KeepsTheStricterToleranceOfPictureAndMesh) {
+  const auto tolerance = [this](std::vector<std::string> outputs) {
+    outputs.insert(outputs.begin(), "sphere");
+    outputs.insert(outputs.end(), {"-s", "64x48", "--report", "-"});
+    return Json::parse(saddle(outputs).out)["surfaces"][0]["tolerance"].get<double>();
+  };
+  const double picture = tolerance({"-o", "a.png"});
+  const double mesh = tolerance({"-o", "a.ply"});
+  EXPECT_GT(picture, mesh);  // of 64 pixels
+  EXPECT_EQ(tolerance({"-o", "a.png", "-o", "a.ply"}), mesh);
+}
+
+TEST_F(GraphCommand, StopsAtTheLimitOfTriangles) {
+  const Outcome run =
+      saddle({"torus", "--tolerance", "1e-5", "--max-triangles", "5000", "--report", "-"});
+  const Json torus = Json::parse(run.out)["surfaces"][0];
+  EXPECT_LE(torus["triangles"], 5000);
+  EXPECT_GT(torus["triangles"], 450);
+  EXPECT_TRUE(contains(run.err, "--max-triangles allows more")) << run.err;
+}
+
+TEST_F(GraphCommand, FindsWavesThatKeepStepWithEvenGrids) {
+  const Outcome run = saddle({"z=sin(60*u)/10", "u=0:tau", "--report", "-"});
+  const Json waves = Json::parse(run.out)["surfaces"][0];
+  EXPECT_NEAR(waves["bounds"][1][2], 0.1, 1e-3);
+  EXPECT_LE(waves["max_error"], waves["tolerance"]);
+  EXPECT_EQ(run.err, "");
 }
 
 TEST_F(GraphCommand, DrawsHeightFieldsThatAreNearlyUpright) {
@@ -251,7 +286,7 @@ TEST_F(GraphCommand, RefusesADriverThatWouldCrash) {
 TEST_F(GraphCommand, WritesTheSameBytesOnEveryCpuLevel) {
   for (const std::string level : {"sse2", "avx2", "avx512"}) {
     setenv("SADDLE_CPU", level.c_str(), 1);
-    const Outcome run = saddle({"seashell", "--samples", "40x40", "-o", level + ".ply"});
+    const Outcome run = saddle({"seashell", "-s", "200x150", "-o", level + ".ply"});
     unsetenv("SADDLE_CPU");
     if (contains(run.err, "this processor does not have " + level)) {
       EXPECT_EQ(run.status, 2);

@@ -99,8 +99,17 @@ TEST_F(Usage, WantsASurfaceAndAnOutput) {
 
 TEST_F(Usage, NamesTheNearestOption) {
   EXPECT_TRUE(contains(refusal({"torus", "--smaples", "3x3", "-o", "a.png"}), "'--samples'?"));
-  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--tolerance", "0.1"}), "unknown option"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--thickness", "0.1"}), "unknown option"));
   EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "-x"}), "unknown option '-x'"));
+}
+
+TEST_F(Usage, RefusesTolerancesThatAreNone) {
+  for (const char* value : {"0", "-1", "px", "0px", "1pt", "nan", "1e-3%"}) {
+    const std::string text = refusal({"torus", "-o", "a.png", "--tolerance", value});
+    EXPECT_TRUE(contains(text, "--tolerance")) << text;
+  }
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--normal-tolerance", "181"}), "180"));
+  refusal({"torus", "-o", "a.png", "--max-triangles", "0"});
 }
 
 TEST_F(Usage, NamesTheNearestSurfaceParameterColourAndExtension) {

@@ -28,10 +28,15 @@ GridOptions several_tiles() {
   return options;
 }
 
+Grid sample_tiles(const Surface& surface) {
+  const Domain& d = surface.domain;
+  return sample_grid(surface, even_lines(d.u0, d.u1, 300), even_lines(d.v0, d.v1, 270), 2);
+}
+
 TEST(PlainCells, AreCutAsTheyWouldBeOneByOne) {
   for (const bool flip : {false, true}) {
     const Surface surface = waves(flip);
-    Grid grid = sample_grid(surface, several_tiles());
+    Grid grid = sample_tiles(surface);
     const auto is_plain = [](Cell cell) { return cell == Cell::Two; };
     ASSERT_TRUE(std::ranges::all_of(grid.cells, is_plain));
     const Array<Triangle> in_one_pass = grid.mesh.triangles;
@@ -54,7 +59,7 @@ TEST(PlainCells, AreCutAsTheyWouldBeOneByOne) {
 
 TEST(PlainCells, HaveTheirVerticesInPlace) {
   const Surface surface = waves();
-  const Grid grid = sample_grid(surface, several_tiles());
+  const Grid grid = sample_tiles(surface);
   const std::vector<SurfacePoint> points = evaluate_on_grid(surface, grid.u, grid.v);
   for (std::size_t vertex = 0; vertex < grid.vertex_count(); ++vertex) {
     ASSERT_EQ(grid.mesh.position[vertex], points[vertex].position) << vertex;
@@ -113,9 +118,7 @@ TEST(PlainCells, AreCutAlikeOnEveryCpuLevel) {
 TEST(PlainCells, AreNoneWhereTheSurfaceFoldsOrIsFlat) {
   // A sheet folded along u = 0.013, inside a column of cells.
   const Surface folded = surface_from_text("abs(u-0.013)", "v", "u^2", {-1, 1, -1, 1});
-  GridOptions options;
-  options.cells_u = options.cells_v = 20;
-  const Grid grid = sample_grid(folded, options);
+  const Grid grid = sample_grid(folded, even_lines(-1, 1, 20), even_lines(-1, 1, 20), 1);
   for (std::size_t j = 0; j < grid.cells_v; ++j) {
     for (std::size_t i = 0; i < grid.cells_u; ++i) {
       EXPECT_EQ(grid.cells[grid.cell(i, j)] == Cell::Open, i == 10) << i << ' ' << j;

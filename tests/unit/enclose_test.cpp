@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "formula/derive.h"
 #include "interval_checks.h"
@@ -17,6 +18,15 @@ TEST(Enclosure, ADomainIsProvedUpToItsEdge) {
   expect_proved(enclosure("sqrt(1-u^2)", {-1, -0.9375}));
   expect_exact(enclosure("sqrt(1-u^2)", {1, 1}), 0, 0);
   EXPECT_EQ(enclosure("sqrt(1-u^2)", {1.125, 2}).defined, Defined::No);
+}
+
+TEST(Enclosure, BoundsASineAndACosineThatATapeComputesTogether) {
+  expect_proved(enclosure("sin(u*v)+2*cos(u*v)", {0, 1}, {1, 1}));
+  const Interval sum = enclosure("sin(u*v)+2*cos(u*v)", {0, 0.25}, {1, 1});
+  EXPECT_LE(sum.low, 2);
+  EXPECT_GE(sum.high, std::sin(0.25) + 2 * std::cos(0.25));
+  EXPECT_LE(sum.high, std::sin(0.25) + 2.01);
+  EXPECT_GE(sum.low, 2 * std::cos(0.25) - 0.01);
 }
 
 TEST(Enclosure, ClearsContinuousAtEveryJumpAndPole) {

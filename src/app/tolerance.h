@@ -1,0 +1,24 @@
+// How far the mesh may be from the surface: what --tolerance or the outputs ask for, as a length.
+#pragma once
+
+#include "app/cli.h"
+#include "mesh/adaptive_mesh.h"
+
+namespace saddle {
+
+/// What a run draws and writes, as far as its tolerance depends on it.
+struct Purpose {
+  bool picture = false;
+  bool mesh = false;
+};
+
+/// The tolerance of a surface that is known by a probe: the stricter one of picture and mesh. A
+/// picture's pixels are those of the part of the surface that is nearest to the eye.
+Tolerance tolerance_of(const CommandLine& line, const Scene& scene, const Purpose& purpose,
+                       const Probe& probe);
+
+/// The same for a mesh that knows only its box, as a share of the box's diagonal, which the
+/// picture's larger side shows about.
+double tolerance_share(const CommandLine& line, const Purpose& purpose);
+
+}  // namespace saddle

@@ -1,0 +1,312 @@
+#include "mesh/density.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/random.h"
+#include "eval/batch.h"
+
+namespace saddle {
+namespace {
+
+/// Columns and rows of the probe. Features narrower than a cell of it are found by refinement.
+constexpr std::size_t kProbes = 64;
+/// Largest shift of a probe's line from the middle of its stretch, in stretches: a surface that
+/// oscillates in step with an even grid does not with this one.
+constexpr double kJitter = 0.4;
+/// A column is as dense as this share of its samples want; the rest is refined locally. At 1 a
+/// narrow peak would draw its lines through the whole domain; over the gallery 0.9 takes a tenth
+/// more triangles than 0.5.
+constexpr double kShare = 0.5;
+/// Density falls by at most this factor from one probe to the next, and to no less than this share
+/// of the largest: a straight stretch between curved ones is not skipped in one step.
+constexpr double kFallOff = 0.7;
+constexpr double kFloor = 0.02;
+/// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
+constexpr int kRatios = 6;
+/// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
+constexpr double kSeam = 1e-9;
+/// No interval between fixed lines is cut into more cells to begin with.
+constexpr double kMaxPerInterval = 1000;
+
+/// The middles of even stretches of [first, last], each shifted.
+std::vector<double> jittered(double first, double last, std::uint64_t key) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < kProbes; ++i) {
+    const double shift = kJitter * (2 * random_unit(key + i) - 1);
+    const double part = (static_cast<double>(i) + 0.5 + shift) / kProbes;
+    values.push_back(first * (1 - part) + last * part);
+  }
+  return values;
+}
+
+/// A tape's outputs on a grid.
+class GridColumns {
+ public:
+  GridColumns(const Tape& tape, std::span<const double> u, std::span<const double> v,
+              unsigned threads)
+      : columns_(tape.outputs.size(), std::vector<double>(u.size() * v.size())) {
+    std::vector<double*> starts;
+    for (std::vector<double>& column : columns_) starts.push_back(column.data());
+    evaluate_grid(tape, u, v, starts, threads);
+  }
+  double number(std::size_t output, std::size_t i) const { return columns_[output][i]; }
+  dvec3 vector(std::size_t output, std::size_t i) const {
+    return {columns_[output][i], columns_[output + 1][i], columns_[output + 2][i]};
+  }
+
+ private:
+  std::vector<std::vector<double>> columns_;
+};
+
+/// The value below which `share` of the numbers are; 0 if there are none.
+double quantile(std::vector<double>& numbers, double share) {
+  if (numbers.empty()) return 0;
+  const auto place = std::min(static_cast<std::size_t>(share * static_cast<double>(numbers.size())),
+                              numbers.size() - 1);
+  std::nth_element(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(place),
+                   numbers.end());
+  return numbers[place];
+}
+
+/// Lines per unit of parameter for which arcs of second derivative `bend` stay within eps, of which
+/// each direction has half: h^2 bend / 8 <= eps / 2.
+double density(double bend, double eps) {
+  return std::sqrt(bend / (4 * eps));
+}
+
+void limit_fall_off(std::vector<double>& density) {
+  const double least = kFloor * *std::ranges::max_element(density);
+  for (double& d : density) d = std::max(d, least);
+  for (std::size_t i = 1; i < density.size(); ++i) {
+    density[i] = std::max(density[i], kFallOff * density[i - 1]);
+  }
+  for (std::size_t i = density.size() - 1; i-- > 0;) {
+    density[i] = std::max(density[i], kFallOff * density[i + 1]);
+  }
+}
+
+void make_symmetric(std::vector<double>& density) {
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    density[i] = std::max(density[i], density[density.size() - 1 - i]);
+  }
+}
+
+/// A density that is constant on stretches around the probes, integrated.
+class Cumulative {
+ public:
+  Cumulative(std::span<const double> density, double first, double last)
+      : first_(first), last_(last), sums_(1, 0.0) {
+    const double stretch = std::fabs(last - first) / static_cast<double>(density.size());
+    for (const double d : density) sums_.push_back(sums_.back() + d * stretch);
+  }
+
+  /// Lines from the range's first end to a parameter.
+  double at(double parameter) const {
+    const double part = (parameter - first_) / (last_ - first_) * static_cast<double>(count());
+    const auto i = static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(count())));
+    if (i >= count()) return sums_.back();
+    return std::lerp(sums_[i], sums_[i + 1], part - static_cast<double>(i));
+  }
+
+  /// The parameter with so many lines before it.
+  double where(double lines) const {
+    const auto above = std::ranges::upper_bound(sums_, lines);
+    const auto i = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(above - sums_.begin(), 1, std::ssize(sums_) - 1));
+    const double step = sums_[i] - sums_[i - 1];
+    const double within = step > 0 ? (lines - sums_[i - 1]) / step : 0.5;
+    const double part = (static_cast<double>(i - 1) + within) / static_cast<double>(count());
+    return first_ * (1 - part) + last_ * part;
+  }
+
+ private:
+  std::size_t count() const { return sums_.size() - 1; }
+
+  double first_, last_;
+  std::vector<double> sums_;
+};
+
+/// Cells between two fixed lines.
+double cells_between(const Cumulative& cumulative, double a, double b) {
+  const double cells = std::ceil(cumulative.at(b) - cumulative.at(a) - 1e-9);
+  return std::clamp(std::isfinite(cells) ? cells : 1.0, 1.0, kMaxPerInterval);
+}
+
+double total_cells(const Cumulative& cumulative, std::span<const double> fixed) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
+    sum += cells_between(cumulative, fixed[k], fixed[k + 1]);
+  }
+  return sum;
+}
+
+std::vector<double> place(const Cumulative& cumulative, std::span<const double> fixed) {
+  std::vector<double> lines;
+  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
+    lines.push_back(fixed[k]);
+    const double cells = cells_between(cumulative, fixed[k], fixed[k + 1]);
+    const double first = cumulative.at(fixed[k]);
+    const double step = (cumulative.at(fixed[k + 1]) - first) / cells;
+    for (double c = 1; c < cells; ++c) {
+      const double line = cumulative.where(first + c * step);
+      const double even = std::lerp(fixed[k], fixed[k + 1], c / cells);
+      const bool inside = (line - fixed[k]) * (line - fixed[k + 1]) < 0 && line != lines.back();
+      lines.push_back(inside && step > 0 ? line : even);
+    }
+  }
+  lines.push_back(fixed.back());
+  return lines;
+}
+
+}  // namespace
+
+Probe::Probe(const Surface& surface, unsigned threads)
+    : u_(jittered(surface.domain.u0, surface.domain.u1, 0)),
+      v_(jittered(surface.domain.v0, surface.domain.v1, kProbes)),
+      domain_(surface.domain) {
+  sample_inside(surface, threads);
+  sample_edges(surface, threads);
+  find_turned_seams(surface);
+}
+
+void Probe::sample_inside(const Surface& surface, unsigned threads) {
+  const GridColumns first(surface.normals, u_, v_, threads);
+  const GridColumns second(surface.curvatures, u_, v_, threads);
+  evaluations_ += u_.size() * v_.size();
+  for (std::size_t i = 0; i < u_.size() * v_.size(); ++i) {
+    const dvec3 normal = first.vector(3, i);
+    Sample sample{};
+    sample.position = first.vector(0, i);
+    sample.L = glm::dot(second.vector(0, i), normal);
+    sample.M = glm::dot(second.vector(3, i), normal);
+    sample.N = glm::dot(second.vector(6, i), normal);
+    const double gauss = second.number(9, i);
+    sample.sqrt_k = std::sqrt(std::fabs(gauss)) * first.number(6, i);
+    sample.saddle = gauss < 0;
+    sample.regular = is_finite(sample.position) && is_finite({sample.L, sample.M, sample.N}) &&
+                     std::isfinite(sample.sqrt_k);
+    if (is_finite(sample.position)) bounds_.add(sample.position);
+    samples_.push_back(sample);
+  }
+}
+
+void Probe::sample_edges(const Surface& surface, unsigned threads) {
+  const auto sample = [&](std::span<const double> u, std::span<const double> v, bool along_u) {
+    const GridColumns first(surface.tangents, u, v, threads);
+    const GridColumns second(surface.curvatures, u, v, threads);
+    evaluations_ += u.size() * v.size();
+    for (std::size_t i = 0; i < u.size() * v.size(); ++i) {
+      const dvec3 position = first.vector(0, i);
+      if (is_finite(position)) bounds_.add(position);
+      const dvec3 tangent = glm::normalize(first.vector(along_u ? 3 : 6, i));
+      const dvec3 bend = second.vector(along_u ? 0 : 6, i);
+      const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
+      if (!is_finite(position) || !std::isfinite(across)) continue;
+      auto& edges = along_u ? edges_u_ : edges_v_;
+      edges.push_back({along_u ? u[i % u.size()] : v[i / u.size()], position, across});
+    }
+  };
+  sample(u_, std::array{domain_.v0, domain_.v1}, true);
+  sample(std::array{domain_.u0, domain_.u1}, v_, false);
+}
+
+double Probe::radius(const dvec3& centre) const {
+  double largest = 0;
+  for (const Sample& s : samples_) {
+    if (is_finite(s.position)) largest = std::max(largest, glm::distance(s.position, centre));
+  }
+  for (const auto& edges : {edges_u_, edges_v_}) {
+    for (const EdgeSample& e : edges) {
+      largest = std::max(largest, glm::distance(e.position, centre));
+    }
+  }
+  return largest;
+}
+
+void Probe::find_turned_seams(const Surface& surface) {
+  const auto turned = [&](bool along_v) {
+    std::vector<dvec2> uv;
+    for (const double part : {0.07, 0.19, 0.41, 0.83}) {
+      const auto at = [&](bool end, double s) {
+        const dvec2 low(domain_.u0, domain_.v0);
+        const dvec2 high(domain_.u1, domain_.v1);
+        const dvec2 t = along_v ? dvec2(end, s) : dvec2(s, end);
+        return low * (1.0 - t) + high * t;
+      };
+      uv.push_back(at(false, part));
+      uv.push_back(at(true, 1 - part));
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
+    for (std::size_t k = 0; k < points.size(); k += 2) {
+      const double gap = glm::distance(points[k].position, points[k + 1].position);
+      if (!(gap <= kSeam * bounds_.diagonal())) return false;
+    }
+    return true;
+  };
+  turned_u_ = turned(true);
+  turned_v_ = turned(false);
+}
+
+Probe::Densities Probe::densities(const Tolerance& tolerance, double rho) const {
+  std::vector<std::vector<double>> of_column(u_.size());
+  std::vector<std::vector<double>> of_row(v_.size());
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const Sample& s = samples_[k];
+    if (!s.regular) continue;
+    const double eps = tolerance(s.position);
+    of_column[k % u_.size()].push_back(density(std::fabs(s.L) + rho * std::fabs(s.M), eps));
+    of_row[k / u_.size()].push_back(density(std::fabs(s.N) + std::fabs(s.M) / rho, eps));
+  }
+  Densities result;
+  for (auto& column : of_column) result.of_u.push_back(quantile(column, kShare));
+  for (auto& row : of_row) result.of_v.push_back(quantile(row, kShare));
+  // Along the domain's edge the mesh must follow the edge itself, with all of the tolerance.
+  const auto follow = [&](std::vector<double>& densities, std::span<const double> places,
+                          std::span<const EdgeSample> edges) {
+    for (const EdgeSample& edge : edges) {
+      const auto at = std::ranges::find(places, edge.place) - places.begin();
+      double& d = densities[static_cast<std::size_t>(at)];
+      d = std::max(d, density(edge.across / 2, tolerance(edge.position)));
+    }
+  };
+  follow(result.of_u, u_, edges_u_);
+  follow(result.of_v, v_, edges_v_);
+  // Edges that meet in opposite directions need lines that do, too.
+  if (turned_u_) make_symmetric(result.of_v);
+  if (turned_v_) make_symmetric(result.of_u);
+  limit_fall_off(result.of_u);
+  limit_fall_off(result.of_v);
+  return result;
+}
+
+FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance) const {
+  const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
+  FixedLines best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int power = -kRatios; power <= kRatios; ++power) {
+    const Densities d = densities(tolerance, std::ldexp(own_ratio, power));
+    const Cumulative of_u(d.of_u, domain_.u0, domain_.u1);
+    const Cumulative of_v(d.of_v, domain_.v0, domain_.v1);
+    const double cells = total_cells(of_u, fixed.u) * total_cells(of_v, fixed.v);
+    if (!(cells < least)) continue;
+    least = cells;
+    best = {place(of_u, fixed.u), place(of_v, fixed.v)};
+  }
+  return best;
+}
+
+double Probe::least_triangles(const Tolerance& tolerance) const {
+  constexpr double kConvex = 0.3849;  // 2 / (3 sqrt 3)
+  constexpr double kSaddle = 0.2236;  // 1 / (2 sqrt 5)
+  const double stretch = std::fabs((domain_.u1 - domain_.u0) * (domain_.v1 - domain_.v0)) /
+                         static_cast<double>(samples_.size());
+  double sum = 0;
+  for (const Sample& s : samples_) {
+    if (s.regular) sum += (s.saddle ? kSaddle : kConvex) * s.sqrt_k / tolerance(s.position);
+  }
+  return sum * stretch;
+}
+
+}  // namespace saddle

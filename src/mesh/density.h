@@ -1,0 +1,80 @@
+// How close the lines of a tensor grid must be for a mesh within a tolerance, from the second
+// derivatives of the surface.
+// Source: D. Filip, R. Magedson, R. Markot, "Surface algorithms using bounds on derivatives", 1986.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// The largest distance of mesh and surface that is allowed at a place of the surface, more than 0.
+using Tolerance = std::function<double(const dvec3&)>;
+
+/// Parameters that a grid's lines must include: those of the lines that are drawn and the ends.
+struct FixedLines {
+  std::vector<double> u, v;  ///< at least two each, from the range's first end to its last
+};
+
+/// Second derivatives, normals and curvatures on a coarse grid that keeps step with nothing.
+class Probe {
+ public:
+  /// For a surface of second order.
+  Probe(const Surface& surface, unsigned threads);
+
+  /// A box around the finite positions.
+  const Bounds& bounds() const { return bounds_; }
+  /// The largest distance of a finite position from `centre`.
+  double radius(const dvec3& centre) const;
+  std::size_t evaluations() const { return evaluations_; }
+
+  /// Where the lines of a tensor grid go, so that most of its cells are within the tolerance: local
+  /// peaks are left to local refinement.
+  FixedLines place_lines(const FixedLines& fixed, const Tolerance& tolerance) const;
+
+  /// The number of triangles that no mesh with its corners on the surface can do without, for small
+  /// tolerances: (0.3849 I+ + 0.2236 I-) / eps, I+ and I- the integrals of sqrt|K| dA where K > 0
+  /// and K < 0. 0 where the surface is developable.
+  /// Source: L. Fejes Toth, "Lagerungen in der Ebene, auf der Kugel und im Raum", 1953;
+  /// P. M. Gruber, "Asymptotic estimates for best and stepwise approximation", 1993; for K < 0:
+  /// H. Pottmann et al., "On optimal triangulation of saddle surfaces", 2000.
+  double least_triangles(const Tolerance& tolerance) const;
+
+ private:
+  struct Sample {
+    dvec3 position;
+    double L, M, N;  // second derivatives along the unit normal
+    double sqrt_k;   // sqrt|K| |r_u x r_v|
+    bool saddle;     // K < 0
+    bool regular;    // all of it is finite
+  };
+  /// Second derivatives of the domain's edges across their tangents.
+  struct EdgeSample {
+    double place;  // the parameter along the edge
+    dvec3 position;
+    double across;
+  };
+  struct Densities {
+    std::vector<double> of_u, of_v;  // lines per unit of parameter, at the probe's columns and rows
+  };
+
+  void sample_inside(const Surface& surface, unsigned threads);
+  void sample_edges(const Surface& surface, unsigned threads);
+  void find_turned_seams(const Surface& surface);
+  Densities densities(const Tolerance& tolerance, double rho) const;
+
+  std::vector<double> u_, v_;
+  Domain domain_;
+  std::vector<Sample> samples_;      // v outer
+  std::vector<EdgeSample> edges_u_;  // of constant v
+  std::vector<EdgeSample> edges_v_;
+  bool turned_u_ = false;  ///< the edges u0 and u1 meet in opposite directions
+  bool turned_v_ = false;
+  Bounds bounds_;
+  std::size_t evaluations_ = 0;
+};
+
+}  // namespace saddle

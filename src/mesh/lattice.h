@@ -1,0 +1,131 @@
+// The vertices of a grid that is refined here and there: every place has whole coordinates, so that
+// neighbours agree on what they share without comparing numbers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mesh/grid.h"
+
+namespace saddle {
+
+/// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
+inline constexpr std::uint32_t kCellUnit = 1U << 16;
+
+/// (u, v) in units: line k of the root grid is at k * kCellUnit.
+struct Place {
+  std::uint32_t u = 0;
+  std::uint32_t v = 0;
+  bool operator==(const Place&) const = default;
+};
+
+/// A rectangle of the refined grid.
+struct Leaf {
+  Place low, high;
+  std::uint8_t in_vain = 0;  ///< halvings in a row that did not help
+  bool given_up = false;     ///< halving does not help, or is not allowed
+  float strictness = 1;      ///< how much worse fresh samples found an ancestor than its tests had
+
+  std::uint32_t size_u() const { return high.u - low.u; }
+  std::uint32_t size_v() const { return high.v - low.v; }
+  Place middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
+  /// Counter-clockwise in (u, v), from the low corner.
+  std::array<Place, 4> corners() const {
+    return {low, Place{high.u, low.v}, high, Place{low.u, high.v}};
+  }
+};
+
+/// From place to vertex: open addressing, since a mesh asks for its vertices millions of times.
+class PlaceMap {
+ public:
+  PlaceMap() : slots_(1024) {}
+  /// The number stored for a place, or nullptr.
+  const std::uint32_t* find(Place place) const;
+  void insert(Place place, std::uint32_t number);  ///< of a place that is not there
+
+ private:
+  struct Slot {
+    std::uint64_t key = kEmpty;
+    std::uint32_t number = 0;
+  };
+  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
+  std::size_t slot_of(std::uint64_t key) const;
+
+  std::vector<Slot> slots_;
+  std::size_t count_ = 0;
+};
+
+/// Vertices of the root grid and between its lines. Their positions and normals are grid.mesh's.
+class Lattice {
+ public:
+  Lattice(const Surface& surface, Grid& grid);
+
+  /// Parameters of a place; exact on the lines of the root grid.
+  dvec2 parameters(Place place) const;
+
+  /// The vertex at a place; a new one has its position after the next evaluate().
+  std::uint32_t vertex(Place place);
+  /// The vertex at a place, if it is in use.
+  std::optional<std::uint32_t> used_vertex(Place place) const;
+
+  /// Computes the new vertices.
+  void evaluate(unsigned threads);
+  std::size_t evaluations() const { return evaluations_; }
+
+  /// A vertex in use is a corner of leaves; others are samples.
+  bool is_used(std::uint32_t vertex) const { return used_[vertex] != 0; }
+  void use(std::uint32_t vertex) {
+    used_count_ += used_[vertex] == 0 ? 1 : 0;
+    used_[vertex] = 1;
+  }
+  /// Vertices in use. A mesh of them has fewer than twice as many triangles (Euler).
+  std::size_t used_count() const { return used_count_; }
+
+  /// Whether there is a direction of r_u x r_v.
+  bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
+
+  Place place(std::uint32_t vertex) const;
+  std::size_t size() const { return used_.size(); }
+
+  /// Calls f(vertex) for the vertices in use on the straight way from `from` (included) to `to`
+  /// (not included), which is a side of a leaf or of a cell of the root grid.
+  template <class F>
+  void walk(Place from, Place to, F f) const {
+    f(*used_vertex(from));
+    walk_between(from, to, f);
+  }
+
+ private:
+  /// A side that has vertices in use has one in its middle: all come from halving.
+  template <class F>
+  void walk_between(Place from, Place to, F& f) const {
+    const Place middle = {static_cast<std::uint32_t>((std::uint64_t{from.u} + to.u) / 2),
+                          static_cast<std::uint32_t>((std::uint64_t{from.v} + to.v) / 2)};
+    if (middle == from || middle == to) return;
+    const auto vertex = used_vertex(middle);
+    if (!vertex) return;
+    walk_between(from, middle, f);
+    f(*vertex);
+    walk_between(middle, to, f);
+  }
+
+  bool is_root(Place place) const { return place.u % kCellUnit == 0 && place.v % kCellUnit == 0; }
+  std::uint32_t root_vertex(Place place) const;
+  /// A vertex between two root vertices that are one point, on the grid's line through them, is
+  /// that point: its tangent along the line is rounding.
+  void join_pole(std::uint32_t vertex);
+
+  const Surface& surface_;
+  Grid& grid_;
+  PlaceMap numbers_;
+  std::vector<Place> places_;  // of vertices past the root grid's
+  std::vector<std::uint8_t> used_;
+  std::vector<std::uint8_t> regular_;
+  std::size_t used_count_;
+  std::size_t evaluated_;  // vertices that have been computed
+  std::size_t evaluations_ = 0;
+};
+
+}  // namespace saddle

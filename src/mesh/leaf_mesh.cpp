@@ -1,0 +1,193 @@
+#include "mesh/leaf_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/corners.h"
+#include "mesh/polygon.h"
+#include "mesh/triangulate.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// The vertices in use around a leaf, counter-clockwise in (u, v).
+std::vector<PolygonCorner> outline(const Leaf& leaf, const Lattice& lattice) {
+  std::vector<PolygonCorner> polygon;
+  const auto corners = leaf.corners();
+  for (std::size_t k = 0; k < 4; ++k) {
+    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
+      polygon.push_back({vertex, lattice.place(vertex)});
+    });
+  }
+  return polygon;
+}
+
+std::uint64_t key_of(std::size_t leaf, std::uint32_t vertex) {
+  return (std::uint64_t{leaf} << 32U) | vertex;
+}
+
+/// The normal of a leaf's face on its front; zero if it has no area.
+dvec3 face_normal(const Grid& grid, std::span<const PolygonCorner> polygon) {
+  dvec3 area(0);
+  const dvec3 first = grid.local(polygon[0].corner);
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    area += glm::cross(grid.local(polygon[k].corner) - first,
+                       grid.local(polygon[k + 1].corner) - first);
+  }
+  const double length = glm::length(area);
+  if (!(length > 0)) return dvec3(0);
+  return (grid.mirrored ? -area : area) / length;
+}
+
+/// A singular vertex as a leaf sees it.
+struct View {
+  std::uint32_t vertex;
+  std::size_t leaf;
+  dvec3 face;  ///< the leaf's
+};
+
+std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
+                                 const Lattice& lattice) {
+  std::vector<View> views;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    const std::vector<PolygonCorner> polygon = outline(leaves[leaf], lattice);
+    for (const PolygonCorner& corner : polygon) {
+      if (lattice.is_regular(corner.corner)) continue;
+      views.push_back({corner.corner, leaf, face_normal(grid, polygon)});
+    }
+  }
+  std::ranges::stable_sort(views, {}, &View::vertex);
+  return views;
+}
+
+/// Where the side of the domain that vertices lie on meets the other: the place that is one point
+/// with `place`, or nothing.
+std::optional<Place> partner(const Seams& seams, const Grid& grid, Place place) {
+  const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
+  const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
+  if (!seams.closed_u.empty() && (place.u == 0 || place.u == end_u)) {
+    return Place{end_u - place.u, seams.closed_u == "reversed" ? end_v - place.v : place.v};
+  }
+  if (!seams.closed_v.empty() && (place.v == 0 || place.v == end_v)) {
+    return Place{seams.closed_v == "reversed" ? end_u - place.u : place.u, end_v - place.v};
+  }
+  return std::nullopt;
+}
+
+/// Index of each of the even lines among the grid's.
+std::vector<std::size_t> indices(const std::vector<double>& lines, int count) {
+  std::vector<std::size_t> result;
+  if (count < 1) return result;
+  const auto wanted =
+      even_lines(lines.front(), lines.back(), static_cast<std::size_t>(std::max(count, 2) - 1));
+  for (const double line : wanted) {
+    result.push_back(static_cast<std::size_t>(std::ranges::find(lines, line) - lines.begin()));
+  }
+  if (count == 1) result.resize(1);
+  return result;
+}
+
+}  // namespace
+
+SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> leaves,
+                                 const Lattice& lattice, unsigned threads, Grid& grid,
+                                 MeshReport& report) {
+  const std::vector<View> views = singular_views(leaves, grid, lattice);
+  std::vector<Approach> approaches;
+  for (const View& view : views) {
+    const dvec2 low = lattice.parameters(leaves[view.leaf].low);
+    const dvec2 high = lattice.parameters(leaves[view.leaf].high);
+    approaches.push_back({grid.mesh.uv[view.vertex], 0.5 * low + 0.5 * high});
+  }
+  const std::vector<NormalLimit> limits = limit_normals(surface, approaches, threads);
+  VertexCorners corners(grid.mesh);
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const View& view = views[k];
+    if (k == 0 || views[k - 1].vertex != view.vertex) {
+      corners.begin(view.vertex);
+      add_singular_point(grid.mesh.uv[view.vertex], report);
+    }
+    report.evaluations += static_cast<std::size_t>(limits[k].evaluations);
+    if (!limits[k].normal) mark_without_limit(report);
+    const dvec3 normal = limits[k].normal.value_or(view.face);
+    corners_[key_of(view.leaf, view.vertex)] =
+        static_cast<std::uint32_t>(corners.find_or_add(normal));
+    leaves_.push_back(view.leaf);
+  }
+  std::ranges::sort(leaves_);
+  leaves_.erase(std::ranges::unique(leaves_).begin(), leaves_.end());
+}
+
+std::uint32_t SingularCorners::corner(std::size_t leaf, std::uint32_t vertex) const {
+  const auto found = corners_.find(key_of(leaf, vertex));
+  return found == corners_.end() ? vertex : found->second;
+}
+
+LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCorners& singular,
+                                 const Grid& grid, const Lattice& lattice) {
+  LeafTriangles result;
+  result.all.reserve(2 * leaves.size());
+  result.first.reserve(leaves.size() + 1);
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
+    std::vector<PolygonCorner> polygon = outline(leaves[leaf], lattice);
+    for (PolygonCorner& corner : polygon) corner.corner = singular.corner(leaf, corner.corner);
+    if (polygon.size() == 4) {
+      const auto triangles = cut_cell(
+          grid, {polygon[0].corner, polygon[1].corner, polygon[2].corner, polygon[3].corner});
+      result.all.insert(result.all.end(), triangles.begin(), triangles.end());
+    } else {
+      triangulate_polygon(grid, std::move(polygon), result.all);
+    }
+  }
+  result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
+  return result;
+}
+
+void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lattice) {
+  // The corners of the domain may have two partners; they are root vertices, and welded.
+  const std::size_t count = lattice.size();
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (auto vertex = static_cast<std::uint32_t>(grid.vertex_count()); vertex < count; ++vertex) {
+    if (!lattice.is_used(vertex)) continue;
+    const std::optional<Place> other = partner(seams, grid, lattice.place(vertex));
+    if (!other) continue;
+    const std::uint32_t twin = lattice.vertex(*other);
+    lattice.use(twin);
+    pairs.push_back({std::min(vertex, twin), std::max(vertex, twin)});
+  }
+  lattice.evaluate(threads);
+  for (const auto& [first, second] : pairs) {
+    grid.mesh.position[second] = grid.mesh.position[first];
+    grid.mesh.point[second] = grid.mesh.point[first];
+  }
+}
+
+std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
+                                                   int lines_u, int lines_v) {
+  std::vector<std::vector<std::uint32_t>> chains;
+  const auto follow = [&](std::size_t cells, auto place_of) {
+    std::vector<std::uint32_t> chain;
+    const auto add = [&](std::uint32_t vertex) {
+      const bool repeats =
+          !chain.empty() && grid.mesh.point[chain.back()] == grid.mesh.point[vertex];
+      if (!repeats) chain.push_back(vertex);
+    };
+    for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), add);
+    add(lattice.used_vertex(place_of(cells)).value());
+    if (chain.size() > 1) chains.push_back(std::move(chain));
+  };
+  const auto unit = [](std::size_t line) { return static_cast<std::uint32_t>(line) * kCellUnit; };
+  for (const std::size_t i : indices(grid.u, lines_u)) {
+    follow(grid.cells_v, [&](std::size_t k) { return Place{unit(i), unit(k)}; });
+  }
+  for (const std::size_t j : indices(grid.v, lines_v)) {
+    follow(grid.cells_u, [&](std::size_t k) { return Place{unit(k), unit(j)}; });
+  }
+  return chains;
+}
+
+}  // namespace saddle

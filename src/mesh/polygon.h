@@ -1,0 +1,25 @@
+// A leaf of a refined grid, with all the vertices on its sides, into triangles.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/lattice.h"
+
+namespace saddle {
+
+/// A corner of the mesh and where it is in the leaf.
+struct PolygonCorner {
+  std::uint32_t corner;
+  Place place;
+};
+
+/// Triangulates a convex polygon, counter-clockwise in (u, v), whose corners may lie on straight
+/// sides: ears are cut off one by one, the one with the smallest sagitta of its chord first, each
+/// of positive area in (u, v). Triangles without area in space are left out. Appends to
+/// `triangles`, counter-clockwise seen from the front.
+void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
+                         Array<Triangle>& triangles);
+
+}  // namespace saddle

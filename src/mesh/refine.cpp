@@ -1,0 +1,280 @@
+#include "mesh/refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/triangulate.h"
+
+namespace saddle {
+
+namespace {
+
+/// A chord's sample that is farther away than this part of the chord is no small arc: its distance
+/// along the normal says nothing.
+constexpr double kSmallArc = 0.3;
+/// Corner normals of a leaf spread by at most this, degrees: samples between them are then enough.
+constexpr double kMaxSpread = 40;
+/// The normals of a leaf that is no larger than this part of the tolerance do not matter: it is
+/// smaller than what may be missing. At a point where sheets meet they turn however often it is
+/// halved.
+constexpr double kVisible = 0.25;
+/// A score falls to a quarter when a smooth arc is halved, and to half for a kink that is not on a
+/// line; where it stays above this share, so many times in a row, halving is in vain.
+constexpr double kHelps = 0.7;
+constexpr std::uint8_t kMaxInVain = 6;
+
+/// The angle between two normals but for their signs: across a cusp the normal jumps to its
+/// opposite while the tangent plane goes on, and no halving mends that.
+double turn_of_line(const dvec3& a, const dvec3& b) {
+  const double degrees = degrees_between(a, b);
+  return std::min(degrees, 180 - degrees);
+}
+
+/// How bad a leaf is along u, along v and at its centre; 1 is just good enough. Errors fall with
+/// the square of a leaf's size and angles with the size itself: the square of an angle's share is
+/// comparable.
+struct Scores {
+  double along_u = 0;
+  double along_v = 0;
+  double centre = 0;
+  double worst() const { return std::max({along_u, along_v, centre}); }
+};
+
+class Judge {
+ public:
+  Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
+      : options_(options), grid_(grid), mesh_(grid.mesh), lattice_(lattice) {}
+
+  /// `corner`: vertices of the leaf's corners; `side`: of the middles of its sides, the k-th
+  /// between corners k and k + 1; `centre`: of its middle.
+  Scores score(const Leaf& leaf, const std::array<std::uint32_t, 4>& corner,
+               const std::array<std::uint32_t, 4>& side, std::uint32_t centre) const {
+    const double eps = options_.tolerance(mesh_.position[centre]);
+    const Limits limits = {eps, diameter(corner) > kVisible * eps};
+    Scores scores;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (lattice_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
+      const bool border = is_on_border(leaf, k);
+      const double s = side_score(corner[k], corner[(k + 1) % 4], side[k], border, limits);
+      double& along = k % 2 == 0 ? scores.along_u : scores.along_v;
+      along = std::max(along, s);
+    }
+    scores.centre = centre_score(corner, centre, limits);
+    if (limits.normals_count && spread(corner) > kMaxSpread) {
+      const double u = turn(corner[0], corner[1]) + turn(corner[3], corner[2]);
+      const double v = turn(corner[0], corner[3]) + turn(corner[1], corner[2]);
+      double& along = u >= v ? scores.along_u : scores.along_v;
+      along = std::max(along, 2.0);
+    }
+    return scores;
+  }
+
+  /// Which way to halve a leaf that failed.
+  bool splits_u(const Scores& scores, const std::array<std::uint32_t, 4>& corner) const {
+    // A twisted leaf has straight sides; its longer ones are halved.
+    constexpr double kStraight = 0.1;
+    if (std::max(scores.along_u, scores.along_v) > kStraight * scores.centre) {
+      return scores.along_u >= scores.along_v;
+    }
+    const auto length = [&](std::size_t a, std::size_t b) {
+      return glm::distance(mesh_.position[corner[a]], mesh_.position[corner[b]]);
+    };
+    return length(0, 1) + length(3, 2) >= length(0, 3) + length(1, 2);
+  }
+
+ private:
+  /// What a leaf may be off by.
+  struct Limits {
+    double eps;
+    bool normals_count;
+  };
+
+  double diameter(const std::array<std::uint32_t, 4>& corner) const {
+    const auto& p = mesh_.position;
+    return std::max(glm::distance(p[corner[0]], p[corner[2]]),
+                    glm::distance(p[corner[1]], p[corner[3]]));
+  }
+
+  bool is_on_border(const Leaf& leaf, std::size_t side) const {
+    switch (side) {
+      case 0:
+        return leaf.low.v == 0;
+      case 1:
+        return leaf.high.u == grid_.cells_u * kCellUnit;
+      case 2:
+        return leaf.high.v == grid_.cells_v * kCellUnit;
+      default:
+        return leaf.low.u == 0;
+    }
+  }
+
+  bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
+
+  double turn(std::uint32_t a, std::uint32_t b) const {
+    if (!is_regular(a) || !is_regular(b)) return 0;
+    return turn_of_line(mesh_.normal[a], mesh_.normal[b]);
+  }
+
+  double spread(const std::array<std::uint32_t, 4>& corner) const {
+    double largest = 0;
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = a + 1; b < 4; ++b)
+        largest = std::max(largest, turn(corner[a], corner[b]));
+    }
+    return largest;
+  }
+
+  /// The distance of a sample from the chord of a and b, which would be an edge of the mesh: along
+  /// the normal, since the triangles go on beside the edge; at the domain's border in any
+  /// direction.
+  double side_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
+                    const Limits& limits) const {
+    const dvec3 chord = mesh_.position[b] - mesh_.position[a];
+    const dvec3 off = mesh_.position[sample] - 0.5 * (mesh_.position[a] + mesh_.position[b]);
+    const double length = glm::length(chord);
+    double error = glm::length(off);
+    if (error <= kSmallArc * length) {
+      if (border || !is_regular(sample)) {
+        const dvec3 along = chord / length;
+        error = glm::length(off - glm::dot(off, along) * along);
+      } else {
+        error = std::fabs(glm::dot(off, mesh_.normal[sample]));
+      }
+    }
+    return std::max(error / limits.eps, limits.normals_count ? normal_score(a, b, sample) : 0.0);
+  }
+
+  double centre_score(const std::array<std::uint32_t, 4>& corner, std::uint32_t centre,
+                      const Limits& limits) const {
+    const auto arc = [&](std::size_t a, std::size_t b) {
+      return sagitta(mesh_.position[corner[a]], mesh_.normal[corner[a]], mesh_.position[corner[b]],
+                     mesh_.normal[corner[b]]);
+    };
+    const bool second = is_smaller(arc(1, 3), arc(0, 2));  // as the cell would be cut
+    const std::uint32_t a = corner[second ? 1 : 0];
+    const std::uint32_t b = corner[second ? 3 : 2];
+    return side_score(a, b, centre, false, limits);
+  }
+
+  double normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
+    if (!is_regular(a) || !is_regular(b) || !is_regular(sample)) return 0;
+    const dvec3 sum = mesh_.normal[a] + mesh_.normal[b];
+    const double share = turn_of_line(sum, mesh_.normal[sample]) / options_.normal_tolerance;
+    return share * share;
+  }
+
+  const RefineOptions& options_;
+  const Grid& grid_;
+  const Mesh& mesh_;
+  const Lattice& lattice_;
+};
+
+/// A leaf and the vertices that it is judged by.
+struct Samples {
+  std::array<std::uint32_t, 4> corner;
+  std::array<std::uint32_t, 4> side;
+  std::uint32_t centre;
+};
+
+Samples request_samples(const Leaf& leaf, Lattice& lattice) {
+  const Place m = leaf.middle();
+  const auto& [low, high] = std::pair(leaf.low, leaf.high);
+  Samples samples;
+  const auto corners = leaf.corners();
+  for (std::size_t k = 0; k < 4; ++k) samples.corner[k] = lattice.vertex(corners[k]);
+  samples.side = {lattice.vertex({m.u, low.v}), lattice.vertex({high.u, m.v}),
+                  lattice.vertex({m.u, high.v}), lattice.vertex({low.u, m.v})};
+  samples.centre = lattice.vertex(m);
+  return samples;
+}
+
+bool all_finite(const Mesh& mesh, const Samples& samples) {
+  const auto finite = [&](std::uint32_t vertex) { return is_finite(mesh.position[vertex]); };
+  return std::ranges::all_of(samples.corner, finite) && std::ranges::all_of(samples.side, finite) &&
+         finite(samples.centre);
+}
+
+/// A leaf that is still to be judged, and how bad the one was that it is a half of.
+struct Candidate {
+  Leaf leaf;
+  double parent_score;
+};
+
+}  // namespace
+
+std::vector<Leaf> root_leaves(const Grid& grid) {
+  std::vector<Leaf> leaves;
+  leaves.reserve(grid.cell_count());
+  for (std::uint32_t j = 0; j < grid.cells_v; ++j) {
+    for (std::uint32_t i = 0; i < grid.cells_u; ++i) {
+      leaves.push_back(
+          {{i * kCellUnit, j * kCellUnit}, {(i + 1) * kCellUnit, (j + 1) * kCellUnit}});
+    }
+  }
+  return leaves;
+}
+
+std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattice& lattice) {
+  if ((across_u ? leaf.size_u() : leaf.size_v()) < 2) return std::nullopt;
+  const Place middle = leaf.middle();
+  std::array<Leaf, 2> halves = {leaf, leaf};
+  if (across_u) {
+    halves[0].high.u = halves[1].low.u = middle.u;
+    lattice.use(lattice.vertex({middle.u, leaf.low.v}));
+    lattice.use(lattice.vertex({middle.u, leaf.high.v}));
+  } else {
+    halves[0].high.v = halves[1].low.v = middle.v;
+    lattice.use(lattice.vertex({leaf.low.u, middle.v}));
+    lattice.use(lattice.vertex({leaf.high.u, middle.v}));
+  }
+  return halves;
+}
+
+Refinement refine(std::vector<Leaf> active, const RefineOptions& options, const Grid& grid,
+                  Lattice& lattice) {
+  Refinement result;
+  const Judge judge(options, grid, lattice);
+  std::vector<Candidate> candidates;
+  for (const Leaf& leaf : active) {
+    candidates.push_back({leaf, std::numeric_limits<double>::infinity()});
+  }
+  while (!candidates.empty()) {
+    std::vector<Samples> samples;
+    samples.reserve(candidates.size());
+    for (const Candidate& c : candidates) samples.push_back(request_samples(c.leaf, lattice));
+    lattice.evaluate(options.threads);
+    std::vector<Candidate> next;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      Leaf leaf = candidates[k].leaf;
+      if (!all_finite(grid.mesh, samples[k])) {
+        result.all_defined = false;
+        return result;
+      }
+      const Scores scores =
+          judge.score(leaf, samples[k].corner, samples[k].side, samples[k].centre);
+      const double worst = scores.worst() * leaf.strictness;
+      if (worst <= 1) {
+        result.leaves.push_back(leaf);
+        continue;
+      }
+      const bool helped = worst <= kHelps * candidates[k].parent_score;
+      leaf.in_vain = helped ? 0 : static_cast<std::uint8_t>(leaf.in_vain + 1);
+      const bool full = 2 * (lattice.used_count() + 2) > options.max_triangles;
+      result.reached_limit = result.reached_limit || full;
+      const bool stop = leaf.in_vain > kMaxInVain || result.reached_limit;
+      const auto halves =
+          stop ? std::nullopt : halve(leaf, judge.splits_u(scores, samples[k].corner), lattice);
+      if (!halves) {
+        leaf.given_up = true;
+        result.leaves.push_back(leaf);
+        continue;
+      }
+      for (const Leaf& half : *halves) next.push_back({half, worst});
+    }
+    candidates = std::move(next);
+  }
+  return result;
+}
+
+}  // namespace saddle

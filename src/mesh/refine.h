@@ -1,0 +1,36 @@
+// Halves the cells of a grid where the mesh would be farther from the surface than allowed.
+#pragma once
+
+#include <vector>
+
+#include "mesh/density.h"
+#include "mesh/lattice.h"
+
+namespace saddle {
+
+/// What a mesh is to keep.
+struct RefineOptions {
+  Tolerance tolerance;
+  double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
+  std::size_t max_triangles = 4'000'000;
+  unsigned threads = 0;
+};
+
+struct Refinement {
+  std::vector<Leaf> leaves;    ///< in no order but always the same
+  bool all_defined = true;     ///< false: a sample has no finite position; leaves are not complete
+  bool reached_limit = false;  ///< max_triangles stopped it
+};
+
+/// Halves leaves, one direction at a time, generation by generation, until each one passes the
+/// tests at the middles of its sides and at its centre, or halving does not help.
+Refinement refine(std::vector<Leaf> active, const RefineOptions& options, const Grid& grid,
+                  Lattice& lattice);
+
+/// The cells of the root grid.
+std::vector<Leaf> root_leaves(const Grid& grid);
+
+/// The two halves of a leaf, whose new corners go into use; nothing if it is a unit wide.
+std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattice& lattice);
+
+}  // namespace saddle
