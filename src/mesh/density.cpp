@@ -47,8 +47,8 @@ class GridColumns {
   GridColumns(const Tape& tape, std::span<const double> u, std::span<const double> v,
               unsigned threads)
       : columns_(tape.outputs.size(), std::vector<double>(u.size() * v.size())) {
-    std::vector<double*> starts;
-    for (std::vector<double>& column : columns_) starts.push_back(column.data());
+    std::vector<double*> starts(columns_.size());
+    std::ranges::transform(columns_, starts.begin(), [](auto& column) { return column.data(); });
     evaluate_grid(tape, u, v, starts, threads);
   }
   double number(std::size_t output, std::size_t i) const { return columns_[output][i]; }

@@ -1,5 +1,6 @@
 #include "mesh/lattice.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "eval/batch.h"
@@ -102,8 +103,8 @@ void Lattice::evaluate(unsigned threads) {
   }
   std::vector<std::vector<double>> columns(surface_.normals.outputs.size(),
                                            std::vector<double>(count));
-  std::vector<double*> starts;
-  for (std::vector<double>& column : columns) starts.push_back(column.data());
+  std::vector<double*> starts(columns.size());
+  std::ranges::transform(columns, starts.begin(), [](auto& column) { return column.data(); });
   evaluate_points(surface_.normals, u, v, starts, threads);
   const double front = surface_.flip ? -1 : 1;
   for (std::size_t i = 0; i < count; ++i) {

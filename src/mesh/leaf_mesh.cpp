@@ -118,7 +118,7 @@ SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> l
     leaves_.push_back(view.leaf);
   }
   std::ranges::sort(leaves_);
-  leaves_.erase(std::ranges::unique(leaves_).begin(), leaves_.end());
+  leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());
 }
 
 std::uint32_t SingularCorners::corner(std::size_t leaf, std::uint32_t vertex) const {

@@ -201,6 +201,60 @@ struct Candidate {
   double parent_score;
 };
 
+class Refiner {
+ public:
+  Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
+      : options_(options), grid_(grid), lattice_(lattice), judge_(options, grid, lattice) {}
+
+  /// Judges a generation; false if a sample is undefined. Returns with the next one in its place.
+  bool advance(std::vector<Candidate>& candidates) {
+    std::vector<Samples> samples;
+    samples.reserve(candidates.size());
+    for (const Candidate& c : candidates) samples.push_back(request_samples(c.leaf, lattice_));
+    lattice_.evaluate(options_.threads);
+    std::vector<Candidate> next;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (!all_finite(grid_.mesh, samples[k])) return false;
+      judge(candidates[k], samples[k], next);
+    }
+    candidates = std::move(next);
+    return true;
+  }
+
+  Refinement take() { return std::move(result_); }
+
+ private:
+  /// Keeps a leaf, or appends its halves to `next`.
+  void judge(const Candidate& candidate, const Samples& samples, std::vector<Candidate>& next) {
+    Leaf leaf = candidate.leaf;
+    const Scores scores = judge_.score(leaf, samples.corner, samples.side, samples.centre);
+    const double worst = scores.worst() * leaf.strictness;
+    if (worst <= 1) {
+      result_.leaves.push_back(leaf);
+      return;
+    }
+    const bool helped = worst <= kHelps * candidate.parent_score;
+    leaf.in_vain = helped ? 0 : static_cast<std::uint8_t>(leaf.in_vain + 1);
+    const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
+    result_.reached_limit = result_.reached_limit || full;
+    const bool stop = full || leaf.in_vain > kMaxInVain;
+    const auto halves =
+        stop ? std::nullopt : halve(leaf, judge_.splits_u(scores, samples.corner), lattice_);
+    leaf.given_up = !halves;
+    if (leaf.given_up) {
+      result_.leaves.push_back(leaf);
+      return;
+    }
+    for (const Leaf& half : *halves) next.push_back({half, worst});
+  }
+
+  const RefineOptions& options_;
+  const Grid& grid_;
+  Lattice& lattice_;
+  Judge judge_;
+  Refinement result_;
+};
+
 }  // namespace
 
 std::vector<Leaf> root_leaves(const Grid& grid) {
@@ -231,49 +285,18 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattic
   return halves;
 }
 
-Refinement refine(std::vector<Leaf> active, const RefineOptions& options, const Grid& grid,
+Refinement refine(std::span<const Leaf> active, const RefineOptions& options, const Grid& grid,
                   Lattice& lattice) {
-  Refinement result;
-  const Judge judge(options, grid, lattice);
+  Refiner refiner(options, grid, lattice);
   std::vector<Candidate> candidates;
+  candidates.reserve(active.size());
   for (const Leaf& leaf : active) {
     candidates.push_back({leaf, std::numeric_limits<double>::infinity()});
   }
-  while (!candidates.empty()) {
-    std::vector<Samples> samples;
-    samples.reserve(candidates.size());
-    for (const Candidate& c : candidates) samples.push_back(request_samples(c.leaf, lattice));
-    lattice.evaluate(options.threads);
-    std::vector<Candidate> next;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      Leaf leaf = candidates[k].leaf;
-      if (!all_finite(grid.mesh, samples[k])) {
-        result.all_defined = false;
-        return result;
-      }
-      const Scores scores =
-          judge.score(leaf, samples[k].corner, samples[k].side, samples[k].centre);
-      const double worst = scores.worst() * leaf.strictness;
-      if (worst <= 1) {
-        result.leaves.push_back(leaf);
-        continue;
-      }
-      const bool helped = worst <= kHelps * candidates[k].parent_score;
-      leaf.in_vain = helped ? 0 : static_cast<std::uint8_t>(leaf.in_vain + 1);
-      const bool full = 2 * (lattice.used_count() + 2) > options.max_triangles;
-      result.reached_limit = result.reached_limit || full;
-      const bool stop = leaf.in_vain > kMaxInVain || result.reached_limit;
-      const auto halves =
-          stop ? std::nullopt : halve(leaf, judge.splits_u(scores, samples[k].corner), lattice);
-      if (!halves) {
-        leaf.given_up = true;
-        result.leaves.push_back(leaf);
-        continue;
-      }
-      for (const Leaf& half : *halves) next.push_back({half, worst});
-    }
-    candidates = std::move(next);
-  }
+  bool all_defined = true;
+  while (all_defined && !candidates.empty()) all_defined = refiner.advance(candidates);
+  Refinement result = refiner.take();
+  result.all_defined = all_defined;
   return result;
 }
 

@@ -1,6 +1,9 @@
 // Halves the cells of a grid where the mesh would be farther from the surface than allowed.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/density.h"
@@ -24,7 +27,7 @@ struct Refinement {
 
 /// Halves leaves, one direction at a time, generation by generation, until each one passes the
 /// tests at the middles of its sides and at its centre, or halving does not help.
-Refinement refine(std::vector<Leaf> active, const RefineOptions& options, const Grid& grid,
+Refinement refine(std::span<const Leaf> active, const RefineOptions& options, const Grid& grid,
                   Lattice& lattice);
 
 /// The cells of the root grid.

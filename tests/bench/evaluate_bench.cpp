@@ -17,8 +17,8 @@ namespace saddle {
 namespace {
 
 constexpr std::size_t kSide = 1001;
-/// Cells per side of a tile: rows as long as the grid's, since nothing but the row is needed.
-constexpr std::size_t kTile = 1024;
+/// Cells per side of a tile: longer than the mesh's, since nothing but one row is kept.
+constexpr std::size_t kTile = 512;
 
 struct Parameters {
   explicit Parameters(const Domain& d) : u(steps(d.u0, d.u1, kSide)), v(steps(d.v0, d.v1, kSide)) {}
