@@ -62,13 +62,16 @@ struct Banks {
     return {bank.data + slot.index * bank.pitch, bank.varies};
   }
 
-  /// Runs the instructions; all of them write to one bank.
-  void run(std::span<const Instruction> instructions, Rate rate, std::size_t count) const {
-    const Bank& target = of_rate[static_cast<std::size_t>(rate)];
+  /// Where a result goes.
+  double* place(Slot slot) const {
+    const Bank& bank = of_rate[static_cast<std::size_t>(slot.rate)];
+    return bank.data + slot.index * bank.pitch;
+  }
+
+  void run(std::span<const Instruction> instructions, std::size_t count) const {
     for (const Instruction& instruction : instructions) {
       std::array<Operand, 3> in;
       for (int i = 0; i < arity(instruction.op); ++i) in[i] = operand(instruction.in[i]);
-      const auto place = [&](Slot out) { return target.data + out.index * target.pitch; };
       if (instruction.cosine) {
         loops->sin_cos(place(instruction.out), place(*instruction.cosine), in[0].data, count);
       } else {
@@ -114,9 +117,9 @@ void evaluate_points(const Tape& tape, std::span<const double> u, std::span<cons
       const std::size_t count = std::min(kBlock, end - at);
       std::copy_n(u.data() + at, count, banks[Rate::U].data);
       std::copy_n(v.data() + at, count, banks[Rate::V].data);
-      banks.run(tape.of_u, Rate::U, count);
-      banks.run(tape.of_v, Rate::V, count);
-      banks.run(tape.of_both, Rate::Both, count);
+      banks.run(tape.of_u, count);
+      banks.run(tape.of_v, count);
+      banks.run(tape.of_both, count);
       banks.store(tape, outputs, at, count);
     }
   });
@@ -132,8 +135,8 @@ struct GridBanks {
     banks[Rate::V] = {rows.data(), Slots::pitch(v.size())};
     std::copy(u.begin(), u.end(), columns.data());
     std::copy(v.begin(), v.end(), rows.data());
-    banks.run(tape.of_u, Rate::U, u.size());
-    banks.run(tape.of_v, Rate::V, v.size());
+    banks.run(tape.of_u, u.size());
+    banks.run(tape.of_v, v.size());
   }
 
   /// The banks for a stretch of one row; `memory` is bank Both, for up to `count` numbers.
@@ -161,7 +164,7 @@ void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const 
       for (std::size_t column = 0; column < u.size(); column += kBlock) {
         const std::size_t count = std::min(kBlock, u.size() - column);
         const Banks banks = grid.stretch(column, row, memory, kBlock);
-        banks.run(tape.of_both, Rate::Both, count);
+        banks.run(tape.of_both, count);
         banks.store(tape, outputs, row * u.size() + column, count);
       }
     }
@@ -185,18 +188,43 @@ GridTile GridTiling::tile(std::size_t index) const {
 TileRows::~TileRows() = default;
 
 TileRows::TileRows(const Tape& tape, const GridBanks& grid, const GridTile& tile)
-    : tape_(tape),
-      grid_(grid),
+    : grid_(grid),
       tile_(tile),
       next_row_(tile.row),
       memory_(std::make_unique<Slots>(tape.slots_both * Slots::pitch(tile.columns))),
-      outputs_(tape.outputs.size()) {}
+      steps_(tape.of_both.size()),
+      outputs_(tape.outputs.size()) {
+  const Banks banks = grid.stretch(tile.column, tile.row, *memory_, tile.columns);
+  const auto look_up = [&](Slot slot, Operand& operand) {
+    operand = banks.operand(slot);
+    if (slot.rate == Rate::V) of_v_.push_back(&operand.data);
+  };
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    const Instruction& instruction = tape.of_both[k];
+    Step& step = steps_[k];
+    step.instruction = &instruction;
+    step.out = banks.place(instruction.out);
+    step.cosine = instruction.cosine ? banks.place(*instruction.cosine) : nullptr;
+    for (int i = 0; i < arity(instruction.op); ++i) look_up(instruction.in[i], step.in[i]);
+  }
+  for (std::size_t k = 0; k < outputs_.size(); ++k) look_up(tape.outputs[k], outputs_[k]);
+}
+
+void TileRows::go_up() {
+  for (const double** data : of_v_) ++*data;
+}
 
 bool TileRows::next() {
   if (next_row_ == tile_.row + tile_.rows) return false;
-  const Banks banks = grid_.stretch(tile_.column, next_row_++, *memory_, tile_.columns);
-  banks.run(tape_.of_both, Rate::Both, tile_.columns);
-  for (std::size_t k = 0; k < outputs_.size(); ++k) outputs_[k] = banks.operand(tape_.outputs[k]);
+  if (next_row_++ > tile_.row) go_up();
+  const Kernels& loops = *grid_.banks.loops;
+  for (const Step& step : steps_) {
+    if (step.cosine != nullptr) {
+      loops.sin_cos(step.out, step.cosine, step.in[0].data, tile_.columns);
+    } else {
+      loops[step.instruction->op](step.out, step.in.data(), tile_.columns);
+    }
+  }
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Runs a tape over many points, in blocks, on several threads.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -52,6 +53,8 @@ class TileRows {
  public:
   TileRows(const Tape& tape, const GridBanks& grid, const GridTile& tile);
   ~TileRows();
+  TileRows(const TileRows&) = delete;
+  TileRows& operator=(const TileRows&) = delete;
 
   const GridTile& tile() const { return tile_; }
   /// Computes the next row; false after the last.
@@ -62,12 +65,22 @@ class TileRows {
   std::span<const Operand> outputs() const { return outputs_; }
 
  private:
-  const Tape& tape_;
+  /// An instruction with its operands looked up once for all rows of the tile.
+  struct Step {
+    const Instruction* instruction;
+    double* out;
+    double* cosine;
+    std::array<Operand, 3> in;
+  };
+  void go_up();
+
   const GridBanks& grid_;
   GridTile tile_;
   std::size_t next_row_;
   std::unique_ptr<Slots> memory_;
+  std::vector<Step> steps_;
   std::vector<Operand> outputs_;
+  std::vector<const double**> of_v_;  ///< in steps and outputs: what moves on with each row
 };
 
 /// Computes the tape on the grid u x v tile by tile: what `work` takes row by row is still in the
