@@ -52,7 +52,8 @@ Json surface(const SurfaceReport& s) {
           {"singular_points", points},
           {"singular_points_count", s.mesh.singular_point_count},
           {"closed_u", closing(s.mesh.closed_u)},
-          {"closed_v", closing(s.mesh.closed_v)}};
+          {"closed_v", closing(s.mesh.closed_v)},
+          {"certified", s.mesh.certified}};
 }
 
 Json times(const RunTimes& t) {

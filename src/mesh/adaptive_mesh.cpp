@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "base/random.h"
+#include "mesh/certify.h"
 #include "mesh/degenerate.h"
 #include "mesh/leaf_mesh.h"
 #include "mesh/measure.h"
@@ -17,9 +19,11 @@ namespace saddle {
 namespace {
 
 /// Times that leaves which fail on fresh samples are halved again.
-constexpr int kRounds = 8;
+constexpr int kRounds = 12;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
 constexpr double kMostStrict = 4;
+/// Boxes that proofs may try, some tens of milliseconds of work.
+constexpr std::size_t kMaxBoxes = 50'000;
 /// Fresh samples in a leaf, away from where it was tested: within this part of its sides.
 constexpr std::size_t kFreshSamples = 3;
 constexpr double kFreshMargin = 0.1;
@@ -116,37 +120,201 @@ std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
 }
 
 /// How many times worse than allowed a leaf is.
-double excess(const Deviation& d, double eps, double normal_tolerance) {
-  const double turn = std::min(d.degrees, 180 - d.degrees) / normal_tolerance;  // see refine.cpp
+double excess(const Deviation& d, double eps, double normal_tolerance, double diameter) {
+  if (diameter <= kVisible * eps) return d.distance / eps;
+  const double turn = turn_of_line(d.degrees) / normal_tolerance;
   return std::max(d.distance / eps, turn * turn);
 }
 
-/// Takes the leaves that deviate too much out of `mesh` and halves them.
-std::vector<Leaf> take_failed(Measured& mesh, const RefineOptions& options, const Grid& grid,
-                              Lattice& lattice) {
-  Measured kept;
-  std::vector<Leaf> halves;
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    const Leaf& leaf = mesh.leaves[k];
-    const std::uint32_t corner = *lattice.used_vertex(leaf.low);
-    const double eps = options.tolerance(grid.mesh.position[corner]);
-    const double too_much = excess(mesh.deviations[k], eps, options.normal_tolerance);
-    // The leaf's longer way: what the tests along its sides did not see, they see at half.
-    const bool longer_u = leaf.size_u() >= leaf.size_v();
-    const auto two = too_much > 1 && !leaf.given_up ? halve(leaf, longer_u, lattice) : std::nullopt;
-    if (!two) {
-      kept.leaves.push_back(leaf);
-      kept.deviations.push_back(mesh.deviations[k]);
+/// Halves a leaf until each suspect is a leaf of its own: it was a box of halvings.
+std::vector<Leaf> isolate(const Leaf& leaf, const std::vector<Suspect>& suspects,
+                          Lattice& lattice) {
+  struct Part {
+    Leaf leaf;
+    std::vector<Suspect> inside;
+  };
+  std::vector<Leaf> parts;
+  std::vector<Part> stack = {{leaf, suspects}};
+  while (!stack.empty()) {
+    const Part part = std::move(stack.back());
+    stack.pop_back();
+    const dvec2 low = lattice.parameters(part.leaf.low);
+    const dvec2 size = glm::abs(lattice.parameters(part.leaf.high) - low);
+    std::optional<std::array<Leaf, 2>> halves;
+    if (!part.inside.empty()) {
+      const dvec2 ratio = size / part.inside.front().size;
+      constexpr double kSame = 1.5;  // between the same size and twice of it
+      if (std::max(ratio.x, ratio.y) > kSame)
+        halves = halve(part.leaf, ratio.x >= ratio.y, lattice);
+    }
+    if (!halves) {
+      parts.push_back(part.leaf);
       continue;
     }
-    for (Leaf half : *two) {
-      half.strictness *= static_cast<float>(std::min(too_much, kMostStrict));
-      halves.push_back(half);
+    std::array<std::vector<Suspect>, 2> inside;
+    for (const Suspect& suspect : part.inside) {
+      const dvec2 reach = glm::abs(suspect.middle - low);
+      const dvec2 first = glm::abs(lattice.parameters((*halves)[0].high) - low);
+      inside[reach.x < first.x && reach.y < first.y ? 0 : 1].push_back(suspect);
     }
+    stack.push_back({(*halves)[1], std::move(inside[1])});
+    stack.push_back({(*halves)[0], std::move(inside[0])});
   }
-  mesh = std::move(kept);
-  return halves;
+  return parts;
 }
+
+/// Makes one mesh.
+class Mesher {
+ public:
+  Mesher(const Surface& surface, const AdaptiveOptions& options, const Tolerance& tolerance,
+         FixedLines lines)
+      : surface_(surface),
+        options_(options),
+        refining_{tolerance, options.normal_tolerance, options.max_triangles, options.threads},
+        grid_(sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads)),
+        seams_(weld_if_two_dimensional()),
+        lattice_(surface, grid_),
+        verifier_(surface, grid_, lattice_, options.threads) {}
+
+  /// Refines until tests, fresh samples and bounds find nothing more. False if a sample is not
+  /// defined.
+  bool refine_all() {
+    if (grid_.left_out_count > 0 || !add(root_leaves(grid_))) return false;
+    std::size_t boxes = kMaxBoxes;  // left for proofs
+    for (int round = 0; round < kRounds; ++round) {
+      std::vector<Leaf> failed = take_failed();
+      if (failed.empty()) failed = take_suspects(boxes);
+      if (failed.empty()) break;
+      if (!add(failed)) return false;
+    }
+    return true;
+  }
+
+  GridMesh take(GridMesh result) {
+    MeshReport& report = result.report;
+    const auto& leaves = mesh_.leaves;
+    const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
+    LeafTriangles triangles = triangulate_leaves(leaves, singular, grid_, lattice_);
+    verifier_.measure(mesh_, singular.leaves(), triangles);
+    for (const Deviation& d : mesh_.deviations) {
+      report.max_error = std::max(report.max_error, d.distance);
+      report.max_normal_error = std::max(report.max_normal_error, d.degrees);
+    }
+    report.cells = leaves.size();
+    report.reached_limit = report.reached_limit || reached_limit_;
+    report.certified = certified_ && !reached_limit_;
+    report.closed_u = seams_.closed_u;
+    report.closed_v = seams_.closed_v;
+    report.evaluations += grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
+    grid_.mesh.triangles = std::move(triangles.all);
+    grid_.mesh.lines = leaf_lines(grid_, lattice_, options_.lines_u, options_.lines_v);
+    keep_used_corners(grid_.mesh);
+    result.mesh = std::move(grid_.mesh);
+    return result;
+  }
+
+ private:
+  Seams weld_if_two_dimensional() {
+    require_two_dimensional(surface_, grid_, options_.threads);
+    return weld(grid_);
+  }
+
+  double tolerance_of(const Leaf& leaf) const {
+    return refining_.tolerance(grid_.mesh.position[*lattice_.used_vertex(leaf.low)]);
+  }
+
+  double diameter(const Leaf& leaf) const {
+    std::array<dvec3, 4> p;
+    const auto corners = leaf.corners();
+    for (std::size_t k = 0; k < 4; ++k) {
+      p[k] = grid_.mesh.position[*lattice_.used_vertex(corners[k])];
+    }
+    return std::max(glm::distance(p[0], p[2]), glm::distance(p[1], p[3]));
+  }
+
+  /// Refines leaves, adds what comes out and measures it.
+  bool add(std::span<const Leaf> active) {
+    const Refinement refinement = refine(active, refining_, grid_, lattice_);
+    reached_limit_ = reached_limit_ || refinement.reached_limit;
+    if (!refinement.all_defined) return false;
+    auto& leaves = mesh_.leaves;
+    leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
+    mirror_seams(seams_, options_.threads, grid_, lattice_);
+    draft_ = triangulate_leaves(leaves, SingularCorners(), grid_, lattice_);
+    verifier_.measure(mesh_, numbers(mesh_.deviations.size(), leaves.size()), draft_);
+    return true;
+  }
+
+  /// Takes leaves out for which `parts` has something in their place.
+  template <class F>
+  std::vector<Leaf> take_out(F parts) {
+    Measured kept;
+    std::vector<Leaf> taken;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const std::vector<Leaf> instead = parts(k);
+      if (instead.empty()) {
+        kept.leaves.push_back(mesh_.leaves[k]);
+        kept.deviations.push_back(mesh_.deviations[k]);
+      }
+      taken.insert(taken.end(), instead.begin(), instead.end());
+    }
+    mesh_ = std::move(kept);
+    return taken;
+  }
+
+  /// Halves of the leaves that deviate too much.
+  std::vector<Leaf> take_failed() {
+    return take_out([this](std::size_t k) -> std::vector<Leaf> {
+      const Leaf& leaf = mesh_.leaves[k];
+      const double too_much = excess(mesh_.deviations[k], tolerance_of(leaf),
+                                     options_.normal_tolerance, diameter(leaf));
+      if (!(too_much > 1) || leaf.given_up) return {};
+      // The leaf's longer way: what the tests along its sides did not see, they see at half.
+      auto halves = halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_);
+      if (!halves) return {};
+      for (Leaf& half : *halves) {
+        half.strictness *= static_cast<float>(std::min(too_much, kMostStrict));
+      }
+      return {halves->begin(), halves->end()};
+    });
+  }
+
+  /// Parts of the leaves in which bounds found a place that deviates too much.
+  std::vector<Leaf> take_suspects(std::size_t& boxes) {
+    const Certification proof =
+        certify(surface_, grid_, lattice_, mesh_.leaves, refining_.tolerance, boxes);
+    certified_ = proof.complete && proof.suspects.empty();
+    std::vector<dvec2> middles;
+    for (const Suspect& suspect : proof.suspects) middles.push_back(suspect.middle);
+    const std::vector<SurfacePoint> points = evaluate(surface_, middles, options_.threads);
+    std::map<std::size_t, std::vector<Suspect>> guilty;  // by leaf
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const std::size_t leaf = proof.suspects[k].leaf;
+      const Deviation d = deviation(grid_, draft_.of(leaf), points[k], surface_.flip);
+      Deviation& worst = mesh_.deviations[leaf];
+      worst.distance = std::max(worst.distance, d.distance);
+      const bool is_guilty = d.distance > tolerance_of(mesh_.leaves[leaf]);
+      if (is_guilty && !mesh_.leaves[leaf].given_up) guilty[leaf].push_back(proof.suspects[k]);
+    }
+    return take_out([&](std::size_t k) -> std::vector<Leaf> {
+      const auto found = guilty.find(k);
+      if (found == guilty.end()) return {};
+      return isolate(mesh_.leaves[k], found->second, lattice_);
+    });
+  }
+
+  const Surface& surface_;
+  const AdaptiveOptions& options_;
+  RefineOptions refining_;
+  Grid grid_;
+  Seams seams_;
+  Lattice lattice_;
+  Verifier verifier_;
+  Measured mesh_;
+  LeafTriangles draft_;  // without the corners of singular vertices
+  bool reached_limit_ = false;
+  bool certified_ = false;
+};
 
 }  // namespace
 
@@ -159,51 +327,12 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
   MeshReport& report = result.report;
   FixedLines lines = root_lines(probe, surface.domain, tolerance, options, report);
   if (std::max(lines.u.size(), lines.v.size()) > kMaxLines) return std::nullopt;
-  Grid grid = sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads);
-  if (grid.left_out_count > 0) return std::nullopt;
-  require_two_dimensional(surface, grid, options.threads);
-  const Seams seams = weld(grid);
-  Lattice lattice(surface, grid);
-
-  const RefineOptions refining = {tolerance, options.normal_tolerance, options.max_triangles,
-                                  options.threads};
-  Refinement refinement = refine(root_leaves(grid), refining, grid, lattice);
-  if (!refinement.all_defined) return std::nullopt;
-  Measured measured{std::move(refinement.leaves), {}};
-  std::vector<Leaf>& leaves = measured.leaves;
-  Verifier verifier(surface, grid, lattice, options.threads);
-  for (int round = 0;; ++round) {
-    mirror_seams(seams, options.threads, grid, lattice);
-    const LeafTriangles draft = triangulate_leaves(leaves, SingularCorners(), grid, lattice);
-    verifier.measure(measured, numbers(measured.deviations.size(), leaves.size()), draft);
-    if (round == kRounds) break;
-    const std::vector<Leaf> halves = take_failed(measured, refining, grid, lattice);
-    if (halves.empty()) break;
-    const Refinement more = refine(halves, refining, grid, lattice);
-    if (!more.all_defined) return std::nullopt;
-    leaves.insert(leaves.end(), more.leaves.begin(), more.leaves.end());
-    refinement.reached_limit = refinement.reached_limit || more.reached_limit;
-  }
-  const SingularCorners singular(surface, leaves, lattice, options.threads, grid, report);
-  LeafTriangles triangles = triangulate_leaves(leaves, singular, grid, lattice);
-  verifier.measure(measured, singular.leaves(), triangles);
-  for (const Deviation& d : measured.deviations) {
-    report.max_error = std::max(report.max_error, d.distance);
-    report.max_normal_error = std::max(report.max_normal_error, d.degrees);
-  }
-  report.cells = leaves.size();
-  report.reached_limit = report.reached_limit || refinement.reached_limit;
   report.tolerance = tolerance(probe.bounds().centre());
   report.least_triangles = probe.least_triangles(tolerance);
-  report.closed_u = seams.closed_u;
-  report.closed_v = seams.closed_v;
-  report.evaluations +=
-      probe.evaluations() + grid.vertex_count() + lattice.evaluations() + verifier.evaluations();
-  grid.mesh.triangles = std::move(triangles.all);
-  grid.mesh.lines = leaf_lines(grid, lattice, options.lines_u, options.lines_v);
-  keep_used_corners(grid.mesh);
-  result.mesh = std::move(grid.mesh);
-  return result;
+  report.evaluations = probe.evaluations();
+  Mesher mesher(surface, options, tolerance, std::move(lines));
+  if (!mesher.refine_all()) return std::nullopt;
+  return mesher.take(std::move(result));
 }
 
 }  // namespace saddle

@@ -88,7 +88,7 @@ bool is_straight(const Grid& grid) {
   const dvec3 along = glm::normalize(end - points[0]);
   return std::all_of(points.begin(), points.end(), [&](const dvec3& p) {
     const double off = glm::length(glm::cross(along, p - points[0]));
-    return off <= std::max(kStraight * grid.diagonal, glm::length(rounding(p)));
+    return off <= std::max(kStraight * grid.diagonal, glm::length(rounding_of(p)));
   });
 }
 

@@ -81,7 +81,7 @@ void measure_extent(Grid& grid, std::span<const TileSummary> tiles) {
                 "its finite samples reach from " + format_point(bounds.low) + " to " +
                     format_point(bounds.high));
   }
-  const dvec3 least = rounding(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
+  const dvec3 least = rounding_of(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
   const bool is_point = glm::all(glm::lessThanEqual(bounds.size(), least));
   if (is_point || diagonal < std::numeric_limits<double>::min()) {
     throw Error(Status::Nothing, "the surface is a single point, " + format_point(bounds.low), {},

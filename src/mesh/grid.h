@@ -16,7 +16,7 @@ namespace saddle {
 /// What is lost to rounding in a coordinate: a few operations' worth. Differences up to this are
 /// none. Each coordinate has its own, so that a spike in one does not swallow the others.
 inline constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-inline dvec3 rounding(const dvec3& position) {
+inline dvec3 rounding_of(const dvec3& position) {
   return kRounding * glm::abs(position);
 }
 

@@ -68,6 +68,7 @@ struct MeshReport {
   std::optional<double> tolerance;             ///< what max_error was to stay within
   double least_triangles = 0;                  ///< that any mesh within it needs, about; 0: unknown
   bool reached_limit = false;                  ///< more triangles were not allowed
+  bool certified = false;                      ///< proved that nothing hides between samples
   double max_error = 0;                        ///< largest measured distance of mesh and surface
   double max_normal_error = 0;                 ///< degrees: interpolated against exact normal
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000

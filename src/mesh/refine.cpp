@@ -15,21 +15,10 @@ namespace {
 constexpr double kSmallArc = 0.3;
 /// Corner normals of a leaf spread by at most this, degrees: samples between them are then enough.
 constexpr double kMaxSpread = 40;
-/// The normals of a leaf that is no larger than this part of the tolerance do not matter: it is
-/// smaller than what may be missing. At a point where sheets meet they turn however often it is
-/// halved.
-constexpr double kVisible = 0.25;
 /// A score falls to a quarter when a smooth arc is halved, and to half for a kink that is not on a
 /// line; where it stays above this share, so many times in a row, halving is in vain.
 constexpr double kHelps = 0.7;
 constexpr std::uint8_t kMaxInVain = 6;
-
-/// The angle between two normals but for their signs: across a cusp the normal jumps to its
-/// opposite while the tangent plane goes on, and no halving mends that.
-double turn_of_line(const dvec3& a, const dvec3& b) {
-  const double degrees = degrees_between(a, b);
-  return std::min(degrees, 180 - degrees);
-}
 
 /// How bad a leaf is along u, along v and at its centre; 1 is just good enough. Errors fall with
 /// the square of a leaf's size and angles with the size itself: the square of an angle's share is
@@ -113,7 +102,7 @@ class Judge {
 
   double turn(std::uint32_t a, std::uint32_t b) const {
     if (!is_regular(a) || !is_regular(b)) return 0;
-    return turn_of_line(mesh_.normal[a], mesh_.normal[b]);
+    return turn_of_line(degrees_between(mesh_.normal[a], mesh_.normal[b]));
   }
 
   double spread(const std::array<std::uint32_t, 4>& corner) const {
@@ -160,7 +149,8 @@ class Judge {
   double normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
     if (!is_regular(a) || !is_regular(b) || !is_regular(sample)) return 0;
     const dvec3 sum = mesh_.normal[a] + mesh_.normal[b];
-    const double share = turn_of_line(sum, mesh_.normal[sample]) / options_.normal_tolerance;
+    const double share =
+        turn_of_line(degrees_between(sum, mesh_.normal[sample])) / options_.normal_tolerance;
     return share * share;
   }
 

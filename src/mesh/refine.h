@@ -1,6 +1,7 @@
 // Halves the cells of a grid where the mesh would be farther from the surface than allowed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -10,6 +11,17 @@
 #include "mesh/lattice.h"
 
 namespace saddle {
+
+/// The normals of a leaf that is no larger than this part of the tolerance do not matter: it is
+/// smaller than what may be missing. At a point where sheets meet they turn however often it is
+/// halved.
+inline constexpr double kVisible = 0.25;
+
+/// An angle between normals but for their signs: across a cusp the normal jumps to its opposite
+/// while the tangent plane goes on, and no halving mends that.
+inline double turn_of_line(double degrees) {
+  return std::min(degrees, 180 - degrees);
+}
 
 /// What a mesh is to keep.
 struct RefineOptions {

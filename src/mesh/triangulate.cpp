@@ -43,7 +43,7 @@ dvec3 rounding_of_areas(const std::array<dvec3, 4>& p, const std::array<dvec3, 4
     reach = glm::max(reach, glm::abs(edges[k]));
     size = glm::max(size, glm::abs(p[k]));
   }
-  const dvec3 least = rounding(size);
+  const dvec3 least = rounding_of(size);
   return 2.0 * dvec3(least.y * reach.z + least.z * reach.y, least.z * reach.x + least.x * reach.z,
                      least.x * reach.y + least.y * reach.x);
 }

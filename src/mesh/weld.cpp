@@ -51,7 +51,7 @@ class Points {
 
 /// Whether all of a box (in local units) is one point: by the tolerance, or within rounding.
 bool is_one_point(const Grid& grid, const Bounds& box) {
-  const dvec3 least = rounding(glm::max(glm::abs(box.low), glm::abs(box.high)));
+  const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
   const double tolerance = kJoinFraction * grid.diagonal;
   return glm::all(glm::lessThanEqual(box.size(), glm::max(least, tolerance)));
 }

@@ -54,6 +54,12 @@ void append(std::vector<NodeId>& outputs, const Coordinates& vector) {
   outputs.insert(outputs.end(), vector.begin(), vector.end());
 }
 
+/// r_uu, r_uv, r_vv.
+std::array<Coordinates, 3> second_derivatives(Graph& graph, const Tangents& tangents) {
+  return {derivative(graph, tangents.r_u, kSymbolU), derivative(graph, tangents.r_u, kSymbolV),
+          derivative(graph, tangents.r_v, kSymbolV)};
+}
+
 }  // namespace
 
 Tangents tangents_of(Graph& graph, const Coordinates& r) {
@@ -85,10 +91,14 @@ std::vector<NodeId> normal_outputs(Graph& graph, const Tangents& tangents) {
   return outputs;
 }
 
+std::vector<NodeId> second_order_outputs(Graph& graph, const Tangents& tangents) {
+  std::vector<NodeId> outputs = tangent_outputs(tangents);
+  for (const Coordinates& vector : second_derivatives(graph, tangents)) append(outputs, vector);
+  return outputs;
+}
+
 std::vector<NodeId> curvature_outputs(Graph& graph, const Tangents& tangents) {
-  const Coordinates second[] = {derivative(graph, tangents.r_u, kSymbolU),
-                                derivative(graph, tangents.r_u, kSymbolV),
-                                derivative(graph, tangents.r_v, kSymbolV)};
+  const std::array<Coordinates, 3> second = second_derivatives(graph, tangents);
   const Vector r_u = vector_of(graph, tangents.r_u);
   const Vector r_v = vector_of(graph, tangents.r_v);
   const Vector normal = cross(r_u, r_v);

@@ -73,11 +73,12 @@ std::vector<Record> evaluate_records(const Tape& tape, std::span<const dvec2> uv
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
                      Order order) {
   const Tangents tangents = tangents_of(graph, r);
-  Surface surface{domain, flip, {}, {}, {}};
+  Surface surface{domain, flip, {}, {}, {}, {}};
   surface.tangents = compile(graph, tangent_outputs(tangents));
   surface.normals = compile(graph, normal_outputs(graph, tangents));
   if (order == Order::Second) {
     surface.curvatures = compile(graph, curvature_outputs(graph, tangents));
+    surface.bounds = compile(graph, second_order_outputs(graph, tangents), Powers::Whole);
   }
   return surface;
 }

@@ -31,6 +31,7 @@ struct Surface {
   Tape tangents;      ///< tangent_outputs() of surface/forms.h
   Tape normals;       ///< normal_outputs()
   Tape curvatures;    ///< curvature_outputs(); without outputs unless compiled for second order
+  Tape bounds;        ///< r, r_u, r_v, r_uu, r_uv, r_vv for enclosures; the same holds
 };
 
 /// x, y, z: nodes that depend on u and v alone. The derivatives come from the formulas.

@@ -1,0 +1,38 @@
+// Proves by interval arithmetic that no feature hides between the samples that a mesh was made
+// from, or finds where one may.
+// Source: D. Filip, R. Magedson, R. Markot, "Surface algorithms using bounds on derivatives", 1986;
+// J. Snyder, "Interval analysis for computer graphics", 1992.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/density.h"
+#include "mesh/lattice.h"
+
+namespace saddle {
+
+/// The proof is of so many times the tolerance: bounds of derivatives are wider than derivatives,
+/// and those along the surface count although they do no harm. What is finer is left to samples.
+inline constexpr double kProofFactor = 8;
+
+/// A box of parameters for which there is no proof.
+struct Suspect {
+  std::size_t leaf;
+  dvec2 middle;
+  dvec2 size;
+};
+
+struct Certification {
+  std::vector<Suspect> suspects;  ///< none: the proof holds everywhere, if it is complete
+  bool complete = true;           ///< false: there were not enough boxes
+};
+
+/// Bounds the distance of r(u, v) from the triangles of each leaf, of sides h and k, by
+/// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
+/// its first derivatives continuous; large boxes first, parts of leaves last. `boxes`: how many may
+/// still be tried, and are left afterwards.
+Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
+                      std::span<const Leaf> leaves, const Tolerance& tolerance, std::size_t& boxes);
+
+}  // namespace saddle
