@@ -24,9 +24,10 @@ struct Place {
 /// A rectangle of the refined grid.
 struct Leaf {
   Place low, high;
-  std::uint8_t in_vain = 0;  ///< halvings in a row that did not help
-  bool given_up = false;     ///< halving does not help, or is not allowed
-  float strictness = 1;      ///< how much worse fresh samples found an ancestor than its tests had
+  std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
+  std::uint8_t turned_in_vain = 0;  ///< nor normals
+  bool given_up = false;            ///< halving does not help, or is not allowed
+  float strictness = 1;  ///< how much worse fresh samples found an ancestor than its tests had
 
   std::uint32_t size_u() const { return high.u - low.u; }
   std::uint32_t size_v() const { return high.v - low.v; }

@@ -19,6 +19,8 @@ constexpr double kMaxSpread = 40;
 /// line; where it stays above this share, so many times in a row, halving is in vain.
 constexpr double kHelps = 0.7;
 constexpr std::uint8_t kMaxInVain = 6;
+/// The same for normals, which do not settle at points where sheets meet.
+constexpr std::uint8_t kMaxTurnedInVain = 4;
 
 /// How bad a leaf is along u, along v and at its centre; 1 is just good enough. Errors fall with
 /// the square of a leaf's size and angles with the size itself: the square of an angle's share is
@@ -30,6 +32,17 @@ struct Scores {
   double worst() const { return std::max({along_u, along_v, centre}); }
 };
 
+/// The scores of distances and of normals.
+struct Verdict {
+  Scores distance;
+  Scores turn;
+};
+
+Scores worse(const Scores& a, const Scores& b) {
+  return {std::max(a.along_u, b.along_u), std::max(a.along_v, b.along_v),
+          std::max(a.centre, b.centre)};
+}
+
 class Judge {
  public:
   Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
@@ -37,26 +50,32 @@ class Judge {
 
   /// `corner`: vertices of the leaf's corners; `side`: of the middles of its sides, the k-th
   /// between corners k and k + 1; `centre`: of its middle.
-  Scores score(const Leaf& leaf, const std::array<std::uint32_t, 4>& corner,
-               const std::array<std::uint32_t, 4>& side, std::uint32_t centre) const {
+  Verdict score(const Leaf& leaf, const std::array<std::uint32_t, 4>& corner,
+                const std::array<std::uint32_t, 4>& side, std::uint32_t centre) const {
     const double eps = options_.tolerance(mesh_.position[centre]);
-    const Limits limits = {eps, diameter(corner) > kVisible * eps};
-    Scores scores;
+    const bool normals_count = diameter(corner) > kVisible * eps;
+    Verdict verdict;
+    const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
+                           double Scores::*part) {
+      const double distance = distance_of_sample(a, b, sample, border) / eps;
+      verdict.distance.*part = std::max(verdict.distance.*part, distance);
+      if (!normals_count) return;
+      verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
+    };
     for (std::size_t k = 0; k < 4; ++k) {
       if (lattice_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
-      const bool border = is_on_border(leaf, k);
-      const double s = side_score(corner[k], corner[(k + 1) % 4], side[k], border, limits);
-      double& along = k % 2 == 0 ? scores.along_u : scores.along_v;
-      along = std::max(along, s);
+      judge(corner[k], corner[(k + 1) % 4], side[k], is_on_border(leaf, k),
+            k % 2 == 0 ? &Scores::along_u : &Scores::along_v);
     }
-    scores.centre = centre_score(corner, centre, limits);
-    if (limits.normals_count && spread(corner) > kMaxSpread) {
+    const std::size_t first = cut_from(corner);
+    judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
+    if (normals_count && spread(corner) > kMaxSpread) {
       const double u = turn(corner[0], corner[1]) + turn(corner[3], corner[2]);
       const double v = turn(corner[0], corner[3]) + turn(corner[1], corner[2]);
-      double& along = u >= v ? scores.along_u : scores.along_v;
+      double& along = u >= v ? verdict.turn.along_u : verdict.turn.along_v;
       along = std::max(along, 2.0);
     }
-    return scores;
+    return verdict;
   }
 
   /// Which way to halve a leaf that failed.
@@ -73,12 +92,6 @@ class Judge {
   }
 
  private:
-  /// What a leaf may be off by.
-  struct Limits {
-    double eps;
-    bool normals_count;
-  };
-
   double diameter(const std::array<std::uint32_t, 4>& corner) const {
     const auto& p = mesh_.position;
     return std::max(glm::distance(p[corner[0]], p[corner[2]]),
@@ -117,33 +130,24 @@ class Judge {
   /// The distance of a sample from the chord of a and b, which would be an edge of the mesh: along
   /// the normal, since the triangles go on beside the edge; at the domain's border in any
   /// direction.
-  double side_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
-                    const Limits& limits) const {
+  double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
+                            bool border) const {
     const dvec3 chord = mesh_.position[b] - mesh_.position[a];
     const dvec3 off = mesh_.position[sample] - 0.5 * (mesh_.position[a] + mesh_.position[b]);
     const double length = glm::length(chord);
-    double error = glm::length(off);
-    if (error <= kSmallArc * length) {
-      if (border || !is_regular(sample)) {
-        const dvec3 along = chord / length;
-        error = glm::length(off - glm::dot(off, along) * along);
-      } else {
-        error = std::fabs(glm::dot(off, mesh_.normal[sample]));
-      }
-    }
-    return std::max(error / limits.eps, limits.normals_count ? normal_score(a, b, sample) : 0.0);
+    if (!(glm::length(off) <= kSmallArc * length)) return glm::length(off);
+    if (!border && is_regular(sample)) return std::fabs(glm::dot(off, mesh_.normal[sample]));
+    const dvec3 along = length > 0 ? chord / length : dvec3(0);
+    return glm::length(off - glm::dot(off, along) * along);
   }
 
-  double centre_score(const std::array<std::uint32_t, 4>& corner, std::uint32_t centre,
-                      const Limits& limits) const {
+  /// The corner that the diagonal starts from along which the cell would be cut: 0 or 1.
+  std::size_t cut_from(const std::array<std::uint32_t, 4>& corner) const {
     const auto arc = [&](std::size_t a, std::size_t b) {
       return sagitta(mesh_.position[corner[a]], mesh_.normal[corner[a]], mesh_.position[corner[b]],
                      mesh_.normal[corner[b]]);
     };
-    const bool second = is_smaller(arc(1, 3), arc(0, 2));  // as the cell would be cut
-    const std::uint32_t a = corner[second ? 1 : 0];
-    const std::uint32_t b = corner[second ? 3 : 2];
-    return side_score(a, b, centre, false, limits);
+    return is_smaller(arc(1, 3), arc(0, 2)) ? 1 : 0;
   }
 
   double normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
@@ -188,8 +192,14 @@ bool all_finite(const Mesh& mesh, const Samples& samples) {
 /// A leaf that is still to be judged, and how bad the one was that it is a half of.
 struct Candidate {
   Leaf leaf;
-  double parent_score;
+  double parent_distance;
+  double parent_turn;
 };
+
+std::uint8_t count_in_vain(std::uint8_t before, double score, double parent_score) {
+  return score <= std::max(kHelps * parent_score, 1.0) ? std::uint8_t{0}
+                                                       : static_cast<std::uint8_t>(before + 1);
+}
 
 class Refiner {
  public:
@@ -217,25 +227,28 @@ class Refiner {
   /// Keeps a leaf, or appends its halves to `next`.
   void judge(const Candidate& candidate, const Samples& samples, std::vector<Candidate>& next) {
     Leaf leaf = candidate.leaf;
-    const Scores scores = judge_.score(leaf, samples.corner, samples.side, samples.centre);
-    const double worst = scores.worst() * leaf.strictness;
-    if (worst <= 1) {
+    const Verdict verdict = judge_.score(leaf, samples.corner, samples.side, samples.centre);
+    const double distance = verdict.distance.worst() * leaf.strictness;
+    const double turn = verdict.turn.worst() * leaf.strictness;
+    leaf.in_vain = count_in_vain(leaf.in_vain, distance, candidate.parent_distance);
+    leaf.turned_in_vain = count_in_vain(leaf.turned_in_vain, turn, candidate.parent_turn);
+    const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain;
+    const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain;
+    std::optional<std::array<Leaf, 2>> halves;
+    if (is_far || is_turned) {
+      const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
+      result_.reached_limit = result_.reached_limit || full;
+      const Scores scores = !is_turned ? verdict.distance
+                            : !is_far  ? verdict.turn
+                                       : worse(verdict.distance, verdict.turn);
+      if (!full) halves = halve(leaf, judge_.splits_u(scores, samples.corner), lattice_);
+    }
+    if (!halves) {
+      leaf.given_up = distance > 1 || turn > 1;
       result_.leaves.push_back(leaf);
       return;
     }
-    const bool helped = worst <= kHelps * candidate.parent_score;
-    leaf.in_vain = helped ? 0 : static_cast<std::uint8_t>(leaf.in_vain + 1);
-    const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
-    result_.reached_limit = result_.reached_limit || full;
-    const bool stop = full || leaf.in_vain > kMaxInVain;
-    const auto halves =
-        stop ? std::nullopt : halve(leaf, judge_.splits_u(scores, samples.corner), lattice_);
-    leaf.given_up = !halves;
-    if (leaf.given_up) {
-      result_.leaves.push_back(leaf);
-      return;
-    }
-    for (const Leaf& half : *halves) next.push_back({half, worst});
+    for (const Leaf& half : *halves) next.push_back({half, distance, turn});
   }
 
   const RefineOptions& options_;
@@ -281,7 +294,8 @@ Refinement refine(std::span<const Leaf> active, const RefineOptions& options, co
   std::vector<Candidate> candidates;
   candidates.reserve(active.size());
   for (const Leaf& leaf : active) {
-    candidates.push_back({leaf, std::numeric_limits<double>::infinity()});
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    candidates.push_back({leaf, kUnknown, kUnknown});
   }
   bool all_defined = true;
   while (all_defined && !candidates.empty()) all_defined = refiner.advance(candidates);
