@@ -190,16 +190,20 @@ class Mesher {
     return true;
   }
 
-  GridMesh take(GridMesh result) {
+  /// The mesh; nothing if none of its triangles has any area.
+  std::optional<GridMesh> take(GridMesh result) {
     MeshReport& report = result.report;
     const auto& leaves = mesh_.leaves;
     const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
     LeafTriangles triangles = triangulate_leaves(leaves, singular, grid_, lattice_);
     verifier_.measure(mesh_, singular.leaves(), triangles);
-    for (const Deviation& d : mesh_.deviations) {
-      report.max_error = std::max(report.max_error, d.distance);
-      report.max_normal_error = std::max(report.max_normal_error, d.degrees);
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+      const double known = leaves[k].known_error * tolerance_of(leaves[k]);
+      report.max_error = std::max({report.max_error, mesh_.deviations[k].distance, known});
+      report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
     }
+    if (triangles.all.empty()) return std::nullopt;
+    report.flat_triangles = triangles.expected - triangles.all.size();
     report.cells = leaves.size();
     report.reached_limit = report.reached_limit || reached_limit_;
     report.certified = certified_ && !reached_limit_;
@@ -223,6 +227,13 @@ class Mesher {
     return refining_.tolerance(grid_.mesh.position[*lattice_.used_vertex(leaf.low)]);
   }
 
+  /// Whether one more halving could exceed the limit of triangles.
+  bool is_full() {
+    const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
+    reached_limit_ = reached_limit_ || full;
+    return full;
+  }
+
   double diameter(const Leaf& leaf) const {
     std::array<dvec3, 4> p;
     const auto corners = leaf.corners();
@@ -240,6 +251,7 @@ class Mesher {
     auto& leaves = mesh_.leaves;
     leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
     mirror_seams(seams_, options_.threads, grid_, lattice_);
+    join_poles(leaves, grid_, lattice_);
     draft_ = triangulate_leaves(leaves, SingularCorners(), grid_, lattice_);
     verifier_.measure(mesh_, numbers(mesh_.deviations.size(), leaves.size()), draft_);
     return true;
@@ -268,7 +280,7 @@ class Mesher {
       const Leaf& leaf = mesh_.leaves[k];
       const double too_much = excess(mesh_.deviations[k], tolerance_of(leaf),
                                      options_.normal_tolerance, diameter(leaf));
-      if (!(too_much > 1) || leaf.given_up) return {};
+      if (!(too_much > 1) || leaf.given_up || is_full()) return {};
       // The leaf's longer way: what the tests along its sides did not see, they see at half.
       auto halves = halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_);
       if (!halves) return {};
@@ -294,7 +306,8 @@ class Mesher {
       Deviation& worst = mesh_.deviations[leaf];
       worst.distance = std::max(worst.distance, d.distance);
       const bool is_guilty = d.distance > tolerance_of(mesh_.leaves[leaf]);
-      if (is_guilty && !mesh_.leaves[leaf].given_up) guilty[leaf].push_back(proof.suspects[k]);
+      if (is_guilty && !mesh_.leaves[leaf].given_up && !is_full())
+        guilty[leaf].push_back(proof.suspects[k]);
     }
     return take_out([&](std::size_t k) -> std::vector<Leaf> {
       const auto found = guilty.find(k);

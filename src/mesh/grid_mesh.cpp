@@ -56,7 +56,11 @@ GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options) {
   require_triangles(grid);
   std::vector<std::size_t> opened;
   for (const OpenCell& cell : open) {
-    report.flat_triangles += 2 - grid.triangle_count(cell.cell);
+    std::vector<std::uint32_t> points;
+    for (const std::uint32_t corner : cell.corners) points.push_back(grid.mesh.point[corner]);
+    const std::size_t expected = triangles_between(points);
+    const std::size_t count = grid.triangle_count(cell.cell);
+    report.flat_triangles += expected > count ? expected - count : 0;
     opened.push_back(cell.cell);
   }
 

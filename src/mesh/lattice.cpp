@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "eval/batch.h"
+#include "mesh/weld.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -134,11 +135,16 @@ void Lattice::join_pole(std::uint32_t vertex) {
   const auto before = [](std::uint32_t c) { return c / kCellUnit * kCellUnit; };
   const Place a = {before(p.u), before(p.v)};
   const Place b = on_u ? Place{a.u, a.v + kCellUnit} : Place{a.u + kCellUnit, a.v};
+  const std::uint32_t root = root_vertex(a);
+  const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[root_vertex(b)];
+  if (ends_meet && is_one_point(grid_, root, vertex)) unite(root, vertex);
+}
+
+void Lattice::unite(std::uint32_t first, std::uint32_t second) {
   Mesh& mesh = grid_.mesh;
-  if (mesh.point[root_vertex(a)] != mesh.point[root_vertex(b)]) return;
-  mesh.position[vertex] = mesh.position[root_vertex(a)];
-  mesh.point[vertex] = mesh.point[root_vertex(a)];
-  regular_[vertex] = 0;
+  mesh.position[second] = mesh.position[first];
+  mesh.point[second] = mesh.point[first];
+  regular_[first] = regular_[second] = 0;
 }
 
 }  // namespace saddle

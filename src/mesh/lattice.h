@@ -27,6 +27,7 @@ struct Leaf {
   std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals
   bool given_up = false;            ///< halving does not help, or is not allowed
+  float known_error = 0;            ///< what its tests found, in tolerances
   float strictness = 1;  ///< how much worse fresh samples found an ancestor than its tests had
 
   std::uint32_t size_u() const { return high.u - low.u; }
@@ -86,6 +87,9 @@ class Lattice {
 
   /// Whether there is a direction of r_u x r_v.
   bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
+
+  /// Makes two vertices one singular point, at the place of the first.
+  void unite(std::uint32_t first, std::uint32_t second);
 
   Place place(std::uint32_t vertex) const;
   std::size_t size() const { return used_.size(); }

@@ -134,7 +134,12 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCor
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
     result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
     std::vector<PolygonCorner> polygon = outline(leaves[leaf], lattice);
-    for (PolygonCorner& corner : polygon) corner.corner = singular.corner(leaf, corner.corner);
+    std::vector<std::uint32_t> points;
+    for (PolygonCorner& corner : polygon) {
+      corner.corner = singular.corner(leaf, corner.corner);
+      points.push_back(grid.mesh.point[corner.corner]);
+    }
+    result.expected += triangles_between(points);
     if (polygon.size() == 4) {
       const auto triangles = cut_cell(
           grid, {polygon[0].corner, polygon[1].corner, polygon[2].corner, polygon[3].corner});
@@ -163,6 +168,20 @@ void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lat
   for (const auto& [first, second] : pairs) {
     grid.mesh.position[second] = grid.mesh.position[first];
     grid.mesh.point[second] = grid.mesh.point[first];
+  }
+}
+
+void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice) {
+  for (const Leaf& leaf : leaves) {
+    const std::vector<PolygonCorner> polygon = outline(leaf, lattice);
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const std::uint32_t a = polygon[k].corner;
+      const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+      if (grid.mesh.point[a] == grid.mesh.point[b] || !is_one_point(grid, a, b)) continue;
+      // The name of the point that comes first stays, whatever the order of the leaves.
+      const bool a_first = grid.mesh.point[a] < grid.mesh.point[b];
+      lattice.unite(a_first ? a : b, a_first ? b : a);
+    }
   }
 }
 

@@ -14,6 +14,7 @@ namespace saddle {
 struct LeafTriangles {
   Array<Triangle> all;
   std::vector<std::uint32_t> first;
+  std::size_t expected = 0;  ///< triangles if none were without area
 
   std::span<const Triangle> of(std::size_t leaf) const {
     return std::span(all).subspan(first[leaf], first[leaf + 1] - first[leaf]);
@@ -46,6 +47,10 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCor
 /// Puts the vertices in use on one side of each seam into use on the other, and makes both one
 /// point with bitwise equal positions. Root vertices are welded already.
 void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lattice);
+
+/// Makes neighbours on the sides of leaves that are at the same place one singular point: poles
+/// that no line of the root grid goes through.
+void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice);
 
 /// Lines of constant u and v through vertices, those of even_lines(), which are lines of the grid.
 std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,

@@ -18,7 +18,7 @@ constexpr double kMaxSpread = 40;
 /// A score falls to a quarter when a smooth arc is halved, and to half for a kink that is not on a
 /// line; where it stays above this share, so many times in a row, halving is in vain.
 constexpr double kHelps = 0.7;
-constexpr std::uint8_t kMaxInVain = 6;
+constexpr std::uint8_t kMaxInVain = 14;
 /// The same for normals, which do not settle at points where sheets meet.
 constexpr std::uint8_t kMaxTurnedInVain = 4;
 
@@ -245,6 +245,7 @@ class Refiner {
     }
     if (!halves) {
       leaf.given_up = distance > 1 || turn > 1;
+      leaf.known_error = static_cast<float>(verdict.distance.worst());
       result_.leaves.push_back(leaf);
       return;
     }

@@ -116,6 +116,12 @@ CellCorners gather(const Grid& grid, const std::array<std::uint32_t, 4>& corners
 
 }  // namespace
 
+std::size_t triangles_between(std::vector<std::uint32_t> points) {
+  std::sort(points.begin(), points.end());
+  const auto different = std::unique(points.begin(), points.end()) - points.begin();
+  return different > 2 ? static_cast<std::size_t>(different) - 2 : 0;
+}
+
 bool is_collapsed(const Grid& grid, const Triangle& t) {
   const auto& point = grid.mesh.point;
   if (point[t[0]] == point[t[1]] || point[t[1]] == point[t[2]] || point[t[2]] == point[t[0]]) {

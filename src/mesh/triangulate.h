@@ -19,6 +19,10 @@ void triangulate(Grid& grid, std::span<const OpenCell> cells);
 /// The triangles of one cell, in the order of slots; at most two.
 std::vector<Triangle> cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners);
 
+/// Triangles of a polygon whose corners are these points of the surface: two fewer than it has
+/// different points.
+std::size_t triangles_between(std::vector<std::uint32_t> points);
+
 /// Whether a triangle of corners has no area: two are one point, or it is flat within rounding.
 bool is_collapsed(const Grid& grid, const Triangle& triangle);
 

@@ -9,8 +9,8 @@ namespace saddle {
 
 namespace {
 
-/// Vertices closer than this part of the diagonal may be one point: some digits more than sin(2 pi)
-/// and its like lose, and far below what a float or a picture shows.
+/// Vertices closer than this part of the extent, in each coordinate, may be one point: some digits
+/// more than sin(2 pi) and its like lose, and far below what a float or a picture shows.
 constexpr double kJoinFraction = 1e-9;
 /// They are one point only if they are also this much closer than the grid's steps beside them. It
 /// keeps a surface apart whose diagonal is that of a spike (tan near its pole: 1e16).
@@ -49,10 +49,11 @@ class Points {
   std::vector<std::size_t> united_;
 };
 
-/// Whether all of a box (in local units) is one point: by the tolerance, or within rounding.
+/// Whether all of a box (in local units) is one point: by the tolerance, or within rounding. Each
+/// coordinate has its own extent: heights of 1e9 do not make one of what is apart in x.
 bool is_one_point(const Grid& grid, const Bounds& box) {
   const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
-  const double tolerance = kJoinFraction * grid.diagonal;
+  const dvec3 tolerance = kJoinFraction * grid.local_scale * grid.mesh.bounds.size();
   return glm::all(glm::lessThanEqual(box.size(), glm::max(least, tolerance)));
 }
 
@@ -176,6 +177,13 @@ void join_equal_neighbours(const Grid& grid, Points& points) {
 }
 
 }  // namespace
+
+bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
+  Bounds box;
+  box.add(grid.local(a));
+  box.add(grid.local(b));
+  return is_one_point(grid, box);
+}
 
 Seams weld(Grid& grid) {
   std::vector<GridLine> columns;

@@ -13,6 +13,10 @@ struct Seams {
   std::string closed_v;
 };
 
+/// Whether two vertices are at the same place, but for rounding and what sin(2 pi) and its like
+/// lose.
+bool is_one_point(const Grid& grid, std::size_t a, std::size_t b);
+
 /// Finds lines of the grid that are one point of the surface, opposite edges that meet, and
 /// neighbours at the same place. Gives their vertices one point in grid.mesh.point, the number of
 /// its first vertex, and bitwise equal positions: at a seam those of the edge u0 or v0. Opens the
