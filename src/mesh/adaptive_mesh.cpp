@@ -22,8 +22,12 @@ namespace {
 constexpr int kRounds = 12;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
 constexpr double kMostStrict = 4;
+/// A share of the domain that is no more than what rounding of areas makes.
+constexpr double kAllCovered = 1e-12;
 /// Boxes that proofs may try, some tens of milliseconds of work.
 constexpr std::size_t kMaxBoxes = 50'000;
+/// A special function over a box takes as long as so many boxes of a usual formula.
+constexpr std::size_t kSpecialCost = 20;
 /// Fresh samples in a leaf, away from where it was tested: within this part of its sides.
 constexpr std::size_t kFreshSamples = 3;
 constexpr double kFreshMargin = 0.1;
@@ -36,6 +40,17 @@ FixedLines fixed_lines(const Domain& domain, const AdaptiveOptions& options) {
   };
   return {lines(domain.u0, domain.u1, options.lines_u),
           lines(domain.v0, domain.v1, options.lines_v)};
+}
+
+/// Boxes that proofs may try: fewer where special functions make each one dear.
+std::size_t boxes_for(const Tape& tape) {
+  std::size_t cost = 1;
+  for (const auto& part : {tape.of_u, tape.of_v, tape.of_both}) {
+    for (const Instruction& instruction : part) {
+      if (instruction.op >= Op::Erf && instruction.op <= Op::SincN) cost += kSpecialCost;
+    }
+  }
+  return kMaxBoxes / cost;
 }
 
 std::size_t cells(const FixedLines& lines) {
@@ -173,19 +188,20 @@ class Mesher {
         refining_{tolerance, options.normal_tolerance, options.max_triangles, options.threads},
         grid_(sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads)),
         seams_(weld_if_two_dimensional()),
-        lattice_(surface, grid_),
+        lattice_(surface, grid_, options.threads),
         verifier_(surface, grid_, lattice_, options.threads) {}
 
-  /// Refines until tests, fresh samples and bounds find nothing more. False if a sample is not
-  /// defined.
+  /// Refines until tests, fresh samples and bounds find nothing more. False if no cell of the root
+  /// grid is defined.
   bool refine_all() {
-    if (grid_.left_out_count > 0 || !add(root_leaves(grid_))) return false;
-    std::size_t boxes = kMaxBoxes;  // left for proofs
+    if (grid_.left_out_count == grid_.cell_count()) return false;
+    add(root_leaves(grid_));
+    std::size_t boxes = boxes_for(surface_.bounds);  // left for proofs
     for (int round = 0; round < kRounds; ++round) {
       std::vector<Leaf> failed = take_failed();
       if (failed.empty()) failed = take_suspects(boxes);
       if (failed.empty()) break;
-      if (!add(failed)) return false;
+      add(failed);
     }
     return true;
   }
@@ -203,6 +219,7 @@ class Mesher {
       report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
     }
     if (triangles.all.empty()) return std::nullopt;
+    report.undefined_fraction = undefined_fraction(triangles);
     report.flat_triangles = triangles.expected - triangles.all.size();
     report.cells = leaves.size();
     report.reached_limit = report.reached_limit || reached_limit_;
@@ -219,8 +236,33 @@ class Mesher {
 
  private:
   Seams weld_if_two_dimensional() {
+    if (grid_.left_out_count == grid_.cell_count()) return {};
     require_two_dimensional(surface_, grid_, options_.threads);
     return weld(grid_);
+  }
+
+  /// The share of the domain that no leaf covers, and of leaves on the rim what their triangles
+  /// leave out.
+  double undefined_fraction(const LeafTriangles& triangles) const {
+    const auto area = [](const dvec2& a, const dvec2& b) {
+      return std::fabs(a.x * b.y - a.y * b.x);
+    };
+    double covered = 0;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
+      if (!leaf.on_rim) {
+        covered += std::fabs(size.x * size.y);
+        continue;
+      }
+      for (const Triangle& t : triangles.of(k)) {
+        const auto& uv = grid_.mesh.uv;
+        covered += 0.5 * area(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
+      }
+    }
+    const Domain& d = surface_.domain;
+    const double share = 1 - covered / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
+    return share > kAllCovered ? share : 0;
   }
 
   double tolerance_of(const Leaf& leaf) const {
@@ -240,21 +282,21 @@ class Mesher {
     for (std::size_t k = 0; k < 4; ++k) {
       p[k] = grid_.mesh.position[*lattice_.used_vertex(corners[k])];
     }
-    return std::max(glm::distance(p[0], p[2]), glm::distance(p[1], p[3]));
+    const double largest = std::max(glm::distance(p[0], p[2]), glm::distance(p[1], p[3]));
+    return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
   }
 
   /// Refines leaves, adds what comes out and measures it.
-  bool add(std::span<const Leaf> active) {
+  void add(std::span<const Leaf> active) {
     const Refinement refinement = refine(active, refining_, grid_, lattice_);
     reached_limit_ = reached_limit_ || refinement.reached_limit;
-    if (!refinement.all_defined) return false;
     auto& leaves = mesh_.leaves;
     leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
     mirror_seams(seams_, options_.threads, grid_, lattice_);
     join_poles(leaves, grid_, lattice_);
+    fit_rims(leaves, options_.threads, lattice_);
     draft_ = triangulate_leaves(leaves, SingularCorners(), grid_, lattice_);
     verifier_.measure(mesh_, numbers(mesh_.deviations.size(), leaves.size()), draft_);
-    return true;
   }
 
   /// Takes leaves out for which `parts` has something in their place.

@@ -23,8 +23,9 @@ struct AdaptiveOptions {
   unsigned threads = 0;  ///< 0: all
 };
 
-/// Tessellates a surface of second order. Nothing if it is not defined at all of its samples, or so
-/// large or small that its tolerance is not a positive number: mesh_on_grid() deals with those.
+/// Tessellates a surface of second order. Cells that the rim of the surface crosses are clipped at
+/// it. Nothing if no cell of the root grid is defined, no triangle has any area, or the surface is
+/// so large or small that its tolerance is not a positive number: mesh_on_grid() deals with those.
 /// Throws Error (Nothing) as mesh_on_grid() does.
 std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
                                               const AdaptiveOptions& options);

@@ -136,6 +136,10 @@ class Certifier {
 
   void prove_leaf(std::size_t index) {
     const Leaf& leaf = leaves_[index];
+    if (leaf.on_rim) {
+      result_.complete = false;  // nothing is proved about rims
+      return;
+    }
     const dvec2 size = size_of(leaf);
     const double eps = tolerance_of(leaf);
     struct Part {

@@ -43,20 +43,6 @@ void allocate(Grid& grid) {
   grid.cells.resize(grid.cell_count());
 }
 
-void require_defined_cells(const Grid& grid) {
-  if (grid.left_out_count < grid.cell_count()) return;
-  const auto& positions = grid.mesh.position;
-  const auto samples = std::count_if(positions.begin(), positions.end(), is_finite);
-  const std::string all = std::to_string(positions.size());
-  if (samples == 0) {
-    throw Error(Status::Nothing, "the surface is undefined everywhere", {},
-                "none of the " + all + " samples has finite x, y and z");
-  }
-  throw Error(Status::Nothing, "the surface is defined at isolated samples only", {},
-              std::to_string(samples) + " of " + all +
-                  " samples are finite, but no four around a cell; --samples takes more");
-}
-
 std::string format_point(const dvec3& p) {
   const auto number = [](double x) {
     std::array<char, 32> text{};
@@ -131,6 +117,20 @@ void Grid::open_around(std::size_t vertex) {
   for_cells_around(vertex, [this](std::size_t cell, std::size_t) { cells[cell] = Cell::Open; });
 }
 
+void require_defined_cells(const Grid& grid) {
+  if (grid.left_out_count < grid.cell_count()) return;
+  const auto& positions = grid.mesh.position;
+  const auto samples = std::count_if(positions.begin(), positions.end(), is_finite);
+  const std::string all = std::to_string(positions.size());
+  if (samples == 0) {
+    throw Error(Status::Nothing, "the surface is undefined everywhere", {},
+                "none of the " + all + " samples has finite x, y and z");
+  }
+  throw Error(Status::Nothing, "the surface is defined at isolated samples only", {},
+              std::to_string(samples) + " of " + all +
+                  " samples are finite, but no four around a cell; --samples takes more");
+}
+
 Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
                  unsigned threads) {
   Grid grid;
@@ -148,7 +148,7 @@ Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<doub
   evaluate_tiles(surface.normals, grid.u, grid.v, tiling, threads,
                  [&](TileRows& rows) { tiles[rows.tile().index] = take_tile(rows, grid); });
   find_irregular(surface, tiling, tiles, threads, grid);
-  require_defined_cells(grid);
+  if (grid.left_out_count == grid.cell_count()) return grid;
   measure_extent(grid, tiles);
   for (const TileSummary& tile : tiles) {
     grid.worst.insert(grid.worst.end(), tile.worst.begin(), tile.worst.end());

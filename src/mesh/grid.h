@@ -113,4 +113,8 @@ std::vector<double> even_lines(double first, double last, std::size_t cells);
 Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
                  unsigned threads);
 
+/// Throws Error (Nothing) if no cell is kept: the surface is undefined, or defined at isolated
+/// samples only.
+void require_defined_cells(const Grid& grid);
+
 }  // namespace saddle

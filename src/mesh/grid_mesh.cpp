@@ -42,6 +42,7 @@ GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options) {
   Grid grid = sample_grid(
       surface, even_lines(d.u0, d.u1, static_cast<std::size_t>(options.cells_u)),
       even_lines(d.v0, d.v1, static_cast<std::size_t>(options.cells_v)), options.threads);
+  require_defined_cells(grid);
   report.cells = grid.cell_count() - grid.left_out_count;
   report.evaluations = grid.vertex_count();
   report.undefined_fraction =

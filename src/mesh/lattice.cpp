@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include "eval/batch.h"
 #include "mesh/weld.h"
 #include "surface/normal.h"
@@ -10,6 +12,18 @@
 namespace saddle {
 
 namespace {
+
+/// Around a position that is not defined it is looked at so near, in ranges of the parameters; what
+/// is found must agree to this part of the diagonal. A smooth surface moves by 1e-6 of its size,
+/// and the mean is off by its square.
+constexpr double kNear = 1e-6;
+constexpr double kAgree = 1e-4;
+/// A surface that goes so many times the extent of its samples away on its way to the rim has a
+/// pole there, and no rim.
+constexpr double kPole = 3;
+/// Bisections of a side that the rim crosses: a side is at most 2^10 times as long as its distance
+/// from 0, so that doubles between its ends run out.
+constexpr int kHalvings = 62;
 
 std::uint64_t key_of(Place place) {
   return (std::uint64_t{place.u} << 32U) | place.v;
@@ -44,14 +58,25 @@ void PlaceMap::insert(Place place, std::uint32_t number) {
   slots_[slot_of(key_of(place))] = {key_of(place), number};
 }
 
-Lattice::Lattice(const Surface& surface, Grid& grid)
+Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
     : surface_(surface),
       grid_(grid),
       used_(grid.vertex_count(), 1),
       regular_(grid.vertex_count(), 1),
+      defined_(grid.vertex_count(), 1),
       used_count_(grid.vertex_count()),
       evaluated_(grid.vertex_count()) {
   for (const std::size_t vertex : grid.singular) regular_[vertex] = 0;
+  if (grid.left_out_count == 0) return;
+  std::vector<std::uint32_t> undefined;
+  for (std::uint32_t vertex = 0; vertex < grid.vertex_count(); ++vertex) {
+    const bool has_normal = is_finite(grid.mesh.normal[vertex]);
+    if (!has_normal) grid.mesh.normal[vertex] = dvec3(0);
+    regular_[vertex] = regular_[vertex] != 0 && has_normal ? 1 : 0;
+    defined_[vertex] = is_finite(grid.mesh.position[vertex]) ? 1 : 0;
+    if (!is_defined(vertex)) undefined.push_back(vertex);
+  }
+  fill_removable(undefined, threads);
 }
 
 std::uint32_t Lattice::root_vertex(Place place) const {
@@ -76,6 +101,7 @@ std::uint32_t Lattice::vertex(Place place) {
   places_.push_back(place);
   used_.push_back(0);
   regular_.push_back(1);
+  defined_.push_back(1);
   return number;
 }
 
@@ -92,16 +118,8 @@ Place Lattice::place(std::uint32_t vertex) const {
           static_cast<std::uint32_t>(vertex / grid_.u.size()) * kCellUnit};
 }
 
-void Lattice::evaluate(unsigned threads) {
-  const std::size_t count = used_.size() - evaluated_;
-  std::vector<double> u(count);
-  std::vector<double> v(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const dvec2 uv = parameters(place(static_cast<std::uint32_t>(evaluated_ + i)));
-    grid_.mesh.uv.push_back(uv);
-    u[i] = uv.x;
-    v[i] = uv.y;
-  }
+void Lattice::append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads) {
+  const std::size_t count = u.size();
   std::vector<std::vector<double>> columns(surface_.normals.outputs.size(),
                                            std::vector<double>(count));
   std::vector<double*> starts(columns.size());
@@ -116,16 +134,116 @@ void Lattice::evaluate(unsigned threads) {
     // |r_u x r_v| beside |r_u| |r_v|, all of which may be infinite or 0.
     const double scale = std::sqrt(columns[7][i]) * std::sqrt(columns[8][i]);
     const bool regular = columns[6][i] > kDegenerateCross * scale && is_finite(normal);
+    const std::size_t vertex = grid_.mesh.position.size();
     grid_.mesh.position.push_back(vector(0));
     grid_.mesh.normal.push_back(regular ? normal : dvec3(0));
-    grid_.mesh.point.push_back(static_cast<std::uint32_t>(evaluated_ + i));
-    regular_[evaluated_ + i] = regular ? 1 : 0;
+    grid_.mesh.uv.push_back({u[i], v[i]});
+    grid_.mesh.point.push_back(static_cast<std::uint32_t>(vertex));
+    regular_[vertex] = regular ? 1 : 0;
+    defined_[vertex] = is_finite(vector(0)) ? 1 : 0;
   }
+  evaluations_ += count;
+}
+
+void Lattice::evaluate(unsigned threads) {
+  std::vector<double> u;
+  std::vector<double> v;
   for (std::size_t vertex = evaluated_; vertex < used_.size(); ++vertex) {
-    join_pole(static_cast<std::uint32_t>(vertex));
+    const dvec2 uv = parameters(place(static_cast<std::uint32_t>(vertex)));
+    u.push_back(uv.x);
+    v.push_back(uv.y);
+  }
+  append(u, v, threads);
+  std::vector<std::uint32_t> undefined;
+  for (auto vertex = static_cast<std::uint32_t>(evaluated_); vertex < used_.size(); ++vertex) {
+    join_pole(vertex);
+    if (!is_defined(vertex)) undefined.push_back(vertex);
   }
   evaluated_ = used_.size();
-  evaluations_ += count;
+  fill_removable(undefined, threads);
+}
+
+void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threads) {
+  if (vertices.empty()) return;
+  const Domain& d = surface_.domain;
+  const dvec2 step = kNear * dvec2(d.u1 - d.u0, d.v1 - d.v0);
+  const std::array<dvec2, 4> ways = {dvec2(step.x, 0), dvec2(-step.x, 0), dvec2(0, step.y),
+                                     dvec2(0, -step.y)};
+  std::vector<dvec2> uv;
+  for (const std::uint32_t vertex : vertices) {
+    for (const dvec2& way : ways) uv.push_back(grid_.mesh.uv[vertex] + way);
+  }
+  const std::vector<SurfacePoint> points = saddle::evaluate(surface_, uv, threads);
+  evaluations_ += points.size();
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    Bounds around;
+    dvec3 sum(0);
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+      const dvec3& p = points[k * ways.size() + w].position;
+      sum += p;
+      around.add(p);
+    }
+    const bool agree = is_finite(sum) && around.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
+    if (!agree) continue;
+    grid_.mesh.position[vertices[k]] = 0.25 * sum;
+    defined_[vertices[k]] = 1;
+    regular_[vertices[k]] = 0;
+  }
+}
+
+std::uint32_t Lattice::rim(std::uint32_t a, std::uint32_t b) const {
+  return rims_.at(rim_key(a, b));
+}
+
+void Lattice::fit_rims(std::span<const std::array<std::uint32_t, 2>> pairs, unsigned threads) {
+  std::vector<dvec2> inside;   // the last that is known to be defined
+  std::vector<dvec2> outside;  // the first that is known not to be
+  for (const auto& [a, b] : pairs) {
+    inside.push_back(grid_.mesh.uv[is_defined(a) ? a : b]);
+    outside.push_back(grid_.mesh.uv[is_defined(a) ? b : a]);
+  }
+  std::vector<dvec2> middles(pairs.size());
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) middles[k] = 0.5 * inside[k] + 0.5 * outside[k];
+    const std::vector<SurfacePoint> points = saddle::evaluate(surface_, middles, threads);
+    evaluations_ += points.size();
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      (is_finite(points[k].position) ? inside : outside)[k] = middles[k];
+    }
+  }
+  std::vector<double> u;
+  std::vector<double> v;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto number = static_cast<std::uint32_t>(used_.size());
+    const auto [a, b] = pairs[k];
+    const dvec2 from = grid_.mesh.uv[a];
+    const dvec2 whole = grid_.mesh.uv[b] - from;
+    const dvec2 part = inside[k] - from;
+    const double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
+    rims_[rim_key(a, b)] = number;
+    rim_places_[number] = glm::mix(place_between(a), place_between(b), share);
+    places_.push_back({});
+    used_.push_back(0);
+    regular_.push_back(1);
+    defined_.push_back(1);
+    u.push_back(inside[k].x);
+    v.push_back(inside[k].y);
+  }
+  append(u, v, threads);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [a, b] = pairs[k];
+    const std::uint32_t rim = rims_.at(rim_key(a, b));
+    const dvec3 off = grid_.mesh.position[rim] - grid_.mesh.position[is_defined(a) ? a : b];
+    if (!(glm::length(off) <= kPole * grid_.mesh.bounds.diagonal())) defined_[rim] = 0;
+  }
+  evaluated_ = used_.size();
+}
+
+dvec2 Lattice::place_between(std::uint32_t vertex) const {
+  const auto found = rim_places_.find(vertex);
+  if (found != rim_places_.end()) return found->second;
+  const Place p = place(vertex);
+  return {p.u, p.v};
 }
 
 void Lattice::join_pole(std::uint32_t vertex) {

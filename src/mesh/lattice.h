@@ -2,9 +2,12 @@
 // neighbours agree on what they share without comparing numbers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "mesh/grid.h"
@@ -24,6 +27,7 @@ struct Place {
 /// A rectangle of the refined grid.
 struct Leaf {
   Place low, high;
+  bool on_rim = false;              ///< not defined at all of its samples
   std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals
   bool given_up = false;            ///< halving does not help, or is not allowed
@@ -62,7 +66,7 @@ class PlaceMap {
 /// Vertices of the root grid and between its lines. Their positions and normals are grid.mesh's.
 class Lattice {
  public:
-  Lattice(const Surface& surface, Grid& grid);
+  Lattice(const Surface& surface, Grid& grid, unsigned threads);
 
   /// Parameters of a place; exact on the lines of the root grid.
   dvec2 parameters(Place place) const;
@@ -72,7 +76,8 @@ class Lattice {
   /// The vertex at a place, if it is in use.
   std::optional<std::uint32_t> used_vertex(Place place) const;
 
-  /// Computes the new vertices.
+  /// Computes the new vertices. Where a position is not defined but all around it agree on what it
+  /// should be, as sin(u)/u does at 0, it is that.
   void evaluate(unsigned threads);
   std::size_t evaluations() const { return evaluations_; }
 
@@ -85,13 +90,28 @@ class Lattice {
   /// Vertices in use. A mesh of them has fewer than twice as many triangles (Euler).
   std::size_t used_count() const { return used_count_; }
 
+  /// Whether the position is finite.
+  bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }
+
+  /// The vertex on the rim of the surface between two vertices of which one is defined: the last
+  /// one that is, to the last digit. There is one after fit_rims() with these two. It counts as not
+  /// defined if the surface goes to infinity there.
+  std::uint32_t rim(std::uint32_t a, std::uint32_t b) const;
+  bool has_rim(std::uint32_t a, std::uint32_t b) const { return rims_.contains(rim_key(a, b)); }
+  /// Finds rims between pairs of vertices, by bisection along the straight line in (u, v).
+  void fit_rims(std::span<const std::array<std::uint32_t, 2>> pairs, unsigned threads);
+
   /// Whether there is a direction of r_u x r_v.
   bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
 
   /// Makes two vertices one singular point, at the place of the first.
   void unite(std::uint32_t first, std::uint32_t second);
 
+  /// The place of a vertex that is not on a rim.
   Place place(std::uint32_t vertex) const;
+  /// The same of any vertex, in units that need not be whole.
+  dvec2 place_between(std::uint32_t vertex) const;
+  bool is_on_rim(std::uint32_t vertex) const { return rim_places_.contains(vertex); }
   std::size_t size() const { return used_.size(); }
 
   /// Calls f(vertex) for the vertices in use on the straight way from `from` (included) to `to`
@@ -118,6 +138,12 @@ class Lattice {
 
   bool is_root(Place place) const { return place.u % kCellUnit == 0 && place.v % kCellUnit == 0; }
   std::uint32_t root_vertex(Place place) const;
+  static std::uint64_t rim_key(std::uint32_t a, std::uint32_t b) {
+    return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
+  }
+  /// Appends the surface at (u[i], v[i]) to the mesh.
+  void append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
+  void fill_removable(std::vector<std::uint32_t> vertices, unsigned threads);
   /// A vertex between two root vertices that are one point, on the grid's line through them, is
   /// that point: its tangent along the line is rounding.
   void join_pole(std::uint32_t vertex);
@@ -128,6 +154,9 @@ class Lattice {
   std::vector<Place> places_;  // of vertices past the root grid's
   std::vector<std::uint8_t> used_;
   std::vector<std::uint8_t> regular_;
+  std::vector<std::uint8_t> defined_;
+  std::unordered_map<std::uint64_t, std::uint32_t> rims_;
+  std::unordered_map<std::uint32_t, dvec2> rim_places_;
   std::size_t used_count_;
   std::size_t evaluated_;  // vertices that have been computed
   std::size_t evaluations_ = 0;

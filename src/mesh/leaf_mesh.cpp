@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <set>
 
 #include "mesh/corners.h"
 #include "mesh/polygon.h"
@@ -13,16 +13,49 @@ namespace saddle {
 
 namespace {
 
-/// The vertices in use around a leaf, counter-clockwise in (u, v).
-std::vector<PolygonCorner> outline(const Leaf& leaf, const Lattice& lattice) {
-  std::vector<PolygonCorner> polygon;
+using Polygon = std::vector<PolygonCorner>;
+
+/// The vertices in use around a leaf, counter-clockwise in (u, v), defined or not.
+Polygon outline(const Leaf& leaf, const Lattice& lattice) {
+  Polygon polygon;
   const auto corners = leaf.corners();
   for (std::size_t k = 0; k < 4; ++k) {
     lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
-      polygon.push_back({vertex, lattice.place(vertex)});
+      polygon.push_back({vertex, lattice.place_between(vertex)});
     });
   }
   return polygon;
+}
+
+/// What of a leaf is defined, as polygons: each run of defined vertices of its outline, and the
+/// vertices on the rim at both ends.
+std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
+  const Polygon whole = outline(leaf, lattice);
+  const auto defined = [&](std::size_t k) { return lattice.is_defined(whole[k].corner); };
+  std::size_t first = 0;  // an undefined vertex
+  while (first < whole.size() && defined(first)) ++first;
+  if (first == whole.size()) return {whole};
+  std::vector<Polygon> result;
+  for (std::size_t step = 1; step <= whole.size(); ++step) {
+    const std::size_t k = (first + step) % whole.size();
+    const std::size_t before = (k + whole.size() - 1) % whole.size();
+    const auto add_rim = [&] {
+      const std::uint32_t rim = lattice.rim(whole[before].corner, whole[k].corner);
+      result.back().push_back({rim, lattice.place_between(rim)});
+    };
+    if (defined(k) && !defined(before)) {
+      result.emplace_back();
+      add_rim();
+    }
+    if (defined(k)) result.back().push_back(whole[k]);
+    if (!defined(k) && defined(before)) add_rim();
+  }
+  // A piece that goes to infinity is left out.
+  std::erase_if(result, [&](const Polygon& piece) {
+    const auto is_far = [&](const PolygonCorner& c) { return !lattice.is_defined(c.corner); };
+    return piece.size() < 3 || std::ranges::any_of(piece, is_far);
+  });
+  return result;
 }
 
 std::uint64_t key_of(std::size_t leaf, std::uint32_t vertex) {
@@ -42,21 +75,29 @@ dvec3 face_normal(const Grid& grid, std::span<const PolygonCorner> polygon) {
   return (grid.mirrored ? -area : area) / length;
 }
 
+dvec2 middle(const Grid& grid, std::span<const PolygonCorner> polygon) {
+  dvec2 sum(0);
+  for (const PolygonCorner& corner : polygon) sum += grid.mesh.uv[corner.corner];
+  return sum / static_cast<double>(polygon.size());
+}
+
 /// A singular vertex as a leaf sees it.
 struct View {
   std::uint32_t vertex;
   std::size_t leaf;
-  dvec3 face;  ///< the leaf's
+  dvec3 face;    ///< the normal of the leaf's face
+  dvec2 inside;  ///< parameters in the midst of what of the leaf is defined
 };
 
 std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
                                  const Lattice& lattice) {
   std::vector<View> views;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    const std::vector<PolygonCorner> polygon = outline(leaves[leaf], lattice);
-    for (const PolygonCorner& corner : polygon) {
-      if (lattice.is_regular(corner.corner)) continue;
-      views.push_back({corner.corner, leaf, face_normal(grid, polygon)});
+    for (const Polygon& polygon : pieces(leaves[leaf], lattice)) {
+      for (const PolygonCorner& corner : polygon) {
+        if (lattice.is_regular(corner.corner)) continue;
+        views.push_back({corner.corner, leaf, face_normal(grid, polygon), middle(grid, polygon)});
+      }
     }
   }
   std::ranges::stable_sort(views, {}, &View::vertex);
@@ -97,10 +138,9 @@ SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> l
                                  MeshReport& report) {
   const std::vector<View> views = singular_views(leaves, grid, lattice);
   std::vector<Approach> approaches;
+  approaches.reserve(views.size());
   for (const View& view : views) {
-    const dvec2 low = lattice.parameters(leaves[view.leaf].low);
-    const dvec2 high = lattice.parameters(leaves[view.leaf].high);
-    approaches.push_back({grid.mesh.uv[view.vertex], 0.5 * low + 0.5 * high});
+    approaches.push_back({grid.mesh.uv[view.vertex], view.inside});
   }
   const std::vector<NormalLimit> limits = limit_normals(surface, approaches, threads);
   VertexCorners corners(grid.mesh);
@@ -133,19 +173,20 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCor
   result.first.reserve(leaves.size() + 1);
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
     result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
-    std::vector<PolygonCorner> polygon = outline(leaves[leaf], lattice);
-    std::vector<std::uint32_t> points;
-    for (PolygonCorner& corner : polygon) {
-      corner.corner = singular.corner(leaf, corner.corner);
-      points.push_back(grid.mesh.point[corner.corner]);
-    }
-    result.expected += triangles_between(points);
-    if (polygon.size() == 4) {
-      const auto triangles = cut_cell(
-          grid, {polygon[0].corner, polygon[1].corner, polygon[2].corner, polygon[3].corner});
-      result.all.insert(result.all.end(), triangles.begin(), triangles.end());
-    } else {
-      triangulate_polygon(grid, std::move(polygon), result.all);
+    for (Polygon& polygon : pieces(leaves[leaf], lattice)) {
+      std::vector<std::uint32_t> points;
+      for (PolygonCorner& corner : polygon) {
+        corner.corner = singular.corner(leaf, corner.corner);
+        points.push_back(grid.mesh.point[corner.corner]);
+      }
+      result.expected += triangles_between(points);
+      if (polygon.size() == 4 && !leaves[leaf].on_rim) {
+        const auto triangles = cut_cell(
+            grid, {polygon[0].corner, polygon[1].corner, polygon[2].corner, polygon[3].corner});
+        result.all.insert(result.all.end(), triangles.begin(), triangles.end());
+      } else {
+        triangulate_polygon(grid, std::move(polygon), result.all);
+      }
     }
   }
   result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
@@ -171,12 +212,29 @@ void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lat
   }
 }
 
-void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice) {
+void fit_rims(std::span<const Leaf> leaves, unsigned threads, Lattice& lattice) {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::set<std::array<std::uint32_t, 2>> seen;
   for (const Leaf& leaf : leaves) {
-    const std::vector<PolygonCorner> polygon = outline(leaf, lattice);
+    if (!leaf.on_rim) continue;
+    const Polygon polygon = outline(leaf, lattice);
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const std::uint32_t a = polygon[k].corner;
       const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+      if (lattice.is_defined(a) == lattice.is_defined(b) || lattice.has_rim(a, b)) continue;
+      if (seen.insert({std::min(a, b), std::max(a, b)}).second) pairs.push_back({a, b});
+    }
+  }
+  if (!pairs.empty()) lattice.fit_rims(pairs, threads);
+}
+
+void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice) {
+  for (const Leaf& leaf : leaves) {
+    const Polygon polygon = outline(leaf, lattice);
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const std::uint32_t a = polygon[k].corner;
+      const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+      if (!lattice.is_defined(a) || !lattice.is_defined(b)) continue;
       if (grid.mesh.point[a] == grid.mesh.point[b] || !is_one_point(grid, a, b)) continue;
       // The name of the point that comes first stays, whatever the order of the leaves.
       const bool a_first = grid.mesh.point[a] < grid.mesh.point[b];
@@ -190,10 +248,22 @@ std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Latti
   std::vector<std::vector<std::uint32_t>> chains;
   const auto follow = [&](std::size_t cells, auto place_of) {
     std::vector<std::uint32_t> chain;
-    const auto add = [&](std::uint32_t vertex) {
+    std::optional<std::uint32_t> before;
+    const auto append = [&](std::uint32_t vertex) {
       const bool repeats =
           !chain.empty() && grid.mesh.point[chain.back()] == grid.mesh.point[vertex];
       if (!repeats) chain.push_back(vertex);
+    };
+    const auto add = [&](std::uint32_t vertex) {
+      const bool crosses = before && lattice.has_rim(*before, vertex);
+      if (crosses) append(lattice.rim(*before, vertex));
+      if (lattice.is_defined(vertex)) {
+        append(vertex);
+      } else if (!chain.empty()) {
+        if (chain.size() > 1) chains.push_back(chain);
+        chain.clear();
+      }
+      before = vertex;
     };
     for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), add);
     add(lattice.used_vertex(place_of(cells)).value());

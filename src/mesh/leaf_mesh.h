@@ -48,6 +48,9 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCor
 /// point with bitwise equal positions. Root vertices are welded already.
 void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lattice);
 
+/// Finds the vertices on the rim of the surface on the sides of leaves that it crosses.
+void fit_rims(std::span<const Leaf> leaves, unsigned threads, Lattice& lattice);
+
 /// Makes neighbours on the sides of leaves that are at the same place one singular point: poles
 /// that no line of the root grid goes through.
 void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice);

@@ -8,16 +8,13 @@ namespace saddle {
 
 namespace {
 
-/// Twice the area of a triangle in (u, v), exact: places of a leaf are less than 2^17 apart.
-std::int64_t doubled_area(const Place& a, const Place& b, const Place& c) {
-  const auto difference = [](std::uint32_t x, std::uint32_t y) {
-    return std::int64_t{x} - std::int64_t{y};
-  };
-  return difference(b.u, a.u) * difference(c.v, a.v) - difference(b.v, a.v) * difference(c.u, a.u);
+/// Twice the area of a triangle in (u, v); exact for whole places, which are less than 2^17 apart.
+double doubled_area(const dvec2& a, const dvec2& b, const dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-std::int64_t doubled_area(std::span<const PolygonCorner> polygon) {
-  std::int64_t sum = 0;
+double doubled_area(std::span<const PolygonCorner> polygon) {
+  double sum = 0;
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     sum += doubled_area(polygon[0].place, polygon[k].place, polygon[k + 1].place);
   }
@@ -26,7 +23,7 @@ std::int64_t doubled_area(std::span<const PolygonCorner> polygon) {
 
 /// The ear to cut off: its tip's index.
 std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon) {
-  const std::int64_t whole = doubled_area(polygon);
+  const double whole = doubled_area(polygon);
   const Mesh& mesh = grid.mesh;
   std::size_t best = 0;
   double best_sagitta = std::numeric_limits<double>::infinity();
@@ -34,7 +31,7 @@ std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const PolygonCorner& before = polygon[(k + polygon.size() - 1) % polygon.size()];
     const PolygonCorner& after = polygon[(k + 1) % polygon.size()];
-    const std::int64_t ear = doubled_area(before.place, polygon[k].place, after.place);
+    const double ear = doubled_area(before.place, polygon[k].place, after.place);
     // What is left must have area too: corners on one straight side are no polygon.
     if (ear <= 0 || ear >= whole) continue;
     const dvec3& a = mesh.position[before.corner];

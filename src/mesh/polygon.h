@@ -12,7 +12,7 @@ namespace saddle {
 /// A corner of the mesh and where it is in the leaf.
 struct PolygonCorner {
   std::uint32_t corner;
-  Place place;
+  dvec2 place;  ///< in units of the lattice
 };
 
 /// Triangulates a convex polygon, counter-clockwise in (u, v), whose corners may lie on straight

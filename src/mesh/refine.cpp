@@ -1,6 +1,7 @@
 #include "mesh/refine.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -21,6 +22,9 @@ constexpr double kHelps = 0.7;
 constexpr std::uint8_t kMaxInVain = 14;
 /// The same for normals, which do not settle at points where sheets meet.
 constexpr std::uint8_t kMaxTurnedInVain = 4;
+/// Halvings of a root cell that the rim crosses, to begin with and at most.
+constexpr int kRimHalvings = 4;
+constexpr int kMostRimHalvings = 14;
 
 /// How bad a leaf is along u, along v and at its centre; 1 is just good enough. Errors fall with
 /// the square of a leaf's size and angles with the size itself: the square of an angle's share is
@@ -183,10 +187,19 @@ Samples request_samples(const Leaf& leaf, Lattice& lattice) {
   return samples;
 }
 
-bool all_finite(const Mesh& mesh, const Samples& samples) {
-  const auto finite = [&](std::uint32_t vertex) { return is_finite(mesh.position[vertex]); };
-  return std::ranges::all_of(samples.corner, finite) && std::ranges::all_of(samples.side, finite) &&
-         finite(samples.centre);
+/// How many of the nine samples are defined.
+int count_defined(const Lattice& lattice, const Samples& samples) {
+  int count = lattice.is_defined(samples.centre) ? 1 : 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    count += lattice.is_defined(samples.corner[k]) ? 1 : 0;
+    count += lattice.is_defined(samples.side[k]) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Halvings of a root cell that the leaf came from.
+int halvings(const Leaf& leaf) {
+  return std::countr_zero(kCellUnit / leaf.size_u()) + std::countr_zero(kCellUnit / leaf.size_v());
 }
 
 /// A leaf that is still to be judged, and how bad the one was that it is a half of.
@@ -204,26 +217,52 @@ std::uint8_t count_in_vain(std::uint8_t before, double score, double parent_scor
 class Refiner {
  public:
   Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
-      : options_(options), grid_(grid), lattice_(lattice), judge_(options, grid, lattice) {}
+      : options_(options), lattice_(lattice), judge_(options, grid, lattice) {}
 
-  /// Judges a generation; false if a sample is undefined. Returns with the next one in its place.
-  bool advance(std::vector<Candidate>& candidates) {
+  /// Judges a generation, and puts the next one in its place.
+  void advance(std::vector<Candidate>& candidates) {
     std::vector<Samples> samples;
     samples.reserve(candidates.size());
     for (const Candidate& c : candidates) samples.push_back(request_samples(c.leaf, lattice_));
     lattice_.evaluate(options_.threads);
     std::vector<Candidate> next;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (!all_finite(grid_.mesh, samples[k])) return false;
-      judge(candidates[k], samples[k], next);
+      const int defined = count_defined(lattice_, samples[k]);
+      if (defined == 9) {
+        judge(candidates[k], samples[k], next);
+      } else if (defined > 0) {
+        judge_rim(candidates[k], next);
+      } else {
+        ++result_.dropped;
+      }
     }
     candidates = std::move(next);
-    return true;
   }
 
   Refinement take() { return std::move(result_); }
 
  private:
+  /// Halves a leaf that the rim crosses until the rim is nearly straight in it; what remains to be
+  /// done fresh samples tell.
+  void judge_rim(const Candidate& candidate, std::vector<Candidate>& next) {
+    Leaf leaf = candidate.leaf;
+    leaf.on_rim = true;
+    const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
+    const int done = halvings(leaf);
+    const auto halves = done < kRimHalvings && !full
+                            ? halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_)
+                            : std::nullopt;
+    if (!halves) {
+      leaf.given_up = done >= kMostRimHalvings || full;
+      result_.leaves.push_back(leaf);
+      return;
+    }
+    for (Leaf half : *halves) {
+      half.on_rim = false;
+      next.push_back({half, candidate.parent_distance, candidate.parent_turn});
+    }
+  }
+
   /// Keeps a leaf, or appends its halves to `next`.
   void judge(const Candidate& candidate, const Samples& samples, std::vector<Candidate>& next) {
     Leaf leaf = candidate.leaf;
@@ -253,7 +292,6 @@ class Refiner {
   }
 
   const RefineOptions& options_;
-  const Grid& grid_;
   Lattice& lattice_;
   Judge judge_;
   Refinement result_;
@@ -298,11 +336,8 @@ Refinement refine(std::span<const Leaf> active, const RefineOptions& options, co
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     candidates.push_back({leaf, kUnknown, kUnknown});
   }
-  bool all_defined = true;
-  while (all_defined && !candidates.empty()) all_defined = refiner.advance(candidates);
-  Refinement result = refiner.take();
-  result.all_defined = all_defined;
-  return result;
+  while (!candidates.empty()) refiner.advance(candidates);
+  return refiner.take();
 }
 
 }  // namespace saddle

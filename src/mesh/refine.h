@@ -33,7 +33,7 @@ struct RefineOptions {
 
 struct Refinement {
   std::vector<Leaf> leaves;    ///< in no order but always the same
-  bool all_defined = true;     ///< false: a sample has no finite position; leaves are not complete
+  std::size_t dropped = 0;     ///< leaves that are not defined at any of their samples
   bool reached_limit = false;  ///< max_triangles stopped it
 };
 

@@ -278,9 +278,66 @@ TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
 }
 
-TEST(AdaptiveMesh, LeavesSurfacesWithHolesToTheUniformGrid) {
-  const Surface hemisphere = surface_from_text("u", "v", "sqrt(1-u^2-v^2)", {}, {}, Order::Second);
-  EXPECT_FALSE(mesh_within_tolerance(hemisphere, share_of_diagonal(1e-3)).has_value());
+TEST(AdaptiveMesh, FitsTheRimOfAHemisphere) {
+  const Case hemisphere = {"hemisphere", "u", "v", "sqrt(1-u^2-v^2)", {-1.5, 1.5, -1.5, 1.5}};
+  const GridMesh result = mesh_of(hemisphere, 1e-3, 3);
+  const Mesh& mesh = result.mesh;
+  const double eps = *result.report.tolerance;
+  EXPECT_LE(result.report.max_error, eps);
+  EXPECT_NEAR(result.report.undefined_fraction, 1 - kPi / 9, 1e-3);
+  EXPECT_NEAR(area(mesh), 2 * kPi, 2 * kPi * eps * 2);
+  int on_rim = 0;
+  for (const auto& [edge, count] : edge_counts(mesh)) {
+    ASSERT_LE(count, 2);
+    if (count == 2) continue;
+    ++on_rim;  // every open edge is a chord of the unit circle
+    for (std::size_t k = 0; k < mesh.point.size(); ++k) {
+      if (mesh.point[k] != edge.first && mesh.point[k] != edge.second) continue;
+      EXPECT_NEAR(std::hypot(mesh.position[k].x, mesh.position[k].y), 1, 1e-12);
+      EXPECT_NEAR(mesh.position[k].z, 0, 1e-6);
+      EXPECT_NEAR(mesh.normal[k].z, 0, 1e-3);  // upright, as the sphere is there
+    }
+  }
+  EXPECT_GT(on_rim, 20);
+  EXPECT_EQ(euler_number(mesh), 1);
+  EXPECT_EQ(triangles_against_normals(mesh), 0U);
+}
+
+TEST(AdaptiveMesh, EndsLinesOnTheRim) {
+  const Case disc = {"disc", "u", "v", "sqrt(1-u^2-v^2)", {-1, 1, -1, 1}};
+  const Mesh mesh = mesh_of(disc, 1e-3).mesh;
+  const std::map<PointEdge, int> edges = edge_counts(mesh);
+  for (const auto& line : mesh.lines) {
+    for (const std::uint32_t end : {line.front(), line.back()}) {
+      const dvec3& p = mesh.position[end];
+      EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-12);
+    }
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      ASSERT_TRUE(edges.contains(point_edge(mesh, line[k - 1], line[k])));
+    }
+  }
+}
+
+TEST(AdaptiveMesh, FillsPointsThatHaveALimit) {
+  const Case sinc = {"sinc", "u", "v", "sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", {-9, 9, -9, 9}};
+  AdaptiveOptions options = share_of_diagonal(1e-3, 3);
+  options.lines_u = options.lines_v = 17;  // one each through the middle
+  const GridMesh result = mesh_within_tolerance(surface_of(sinc), options).value();
+  EXPECT_EQ(result.report.undefined_fraction, 0);
+  EXPECT_NEAR(result.mesh.bounds.high.z, 1, 1e-9);
+  EXPECT_EQ(euler_number(result.mesh), 1);
+}
+
+TEST(AdaptiveMesh, LeavesOutWhatGoesToInfinity) {
+  const Case log = {"log", "u", "v", "ln(u)", {-1, 1, -1, 1}};
+  const GridMesh result = mesh_of(log, 1e-3);
+  EXPECT_GT(result.mesh.bounds.low.z, -50);
+  EXPECT_NEAR(result.report.undefined_fraction, 0.5, 0.02);
+}
+
+TEST(AdaptiveMesh, LeavesToTheUniformGridWhatIsDefinedNowhere) {
+  const Surface nowhere = surface_from_text("u", "v", "sqrt(-1-u^2)", {}, {}, Order::Second);
+  EXPECT_FALSE(mesh_within_tolerance(nowhere, share_of_diagonal(1e-3)).has_value());
 }
 
 TEST(AdaptiveMesh, NeedsFewTrianglesBesideTheLeastPossible) {
