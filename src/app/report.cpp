@@ -27,6 +27,12 @@ Json closing(const std::string& how) {
   return how.empty() ? Json(nullptr) : Json(how);
 }
 
+Json places(const std::vector<dvec2>& uvs) {
+  Json list = Json::array();
+  for (const dvec2& uv : uvs) list.push_back({{"u", number(uv.x)}, {"v", number(uv.y)}});
+  return list;
+}
+
 /// Triangles over the least possible.
 Json efficiency(const SurfaceReport& s) {
   if (!(s.mesh.least_triangles >= 1)) return nullptr;  // developable, but for rounding
@@ -34,10 +40,8 @@ Json efficiency(const SurfaceReport& s) {
 }
 
 Json surface(const SurfaceReport& s) {
-  Json points = Json::array();
-  for (const SingularPoint& point : s.mesh.singular_points) {
-    points.push_back({{"u", number(point.uv.x)}, {"v", number(point.uv.y)}});
-  }
+  std::vector<dvec2> singular;
+  for (const SingularPoint& point : s.mesh.singular_points) singular.push_back(point.uv);
   return {{"name", s.name},
           {"cells", s.mesh.cells},
           {"triangles", s.triangles},
@@ -49,8 +53,12 @@ Json surface(const SurfaceReport& s) {
           {"max_normal_error", number(s.mesh.max_normal_error)},
           {"undefined_fraction", number(s.mesh.undefined_fraction)},
           {"efficiency", efficiency(s)},
-          {"singular_points", points},
+          {"singular_points", places(singular)},
           {"singular_points_count", s.mesh.singular_point_count},
+          {"poles", places(s.mesh.poles)},
+          {"poles_count", s.mesh.pole_count},
+          {"jumps", places(s.mesh.jumps)},
+          {"jumps_count", s.mesh.jump_count},
           {"closed_u", closing(s.mesh.closed_u)},
           {"closed_v", closing(s.mesh.closed_v)},
           {"certified", s.mesh.certified}};

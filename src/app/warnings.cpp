@@ -77,6 +77,14 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
     warnings.push_back(name + ": the mesh is" + off_by(report) +
                        ": a pole, a jump or detail that its cells miss; --samples takes more");
   }
+  const auto cut = [&](const char* what, std::size_t count, const std::vector<dvec2>& places) {
+    if (places.empty()) return;
+    warnings.push_back(name + ": " + what + ": it was cut in " + std::to_string(count) +
+                       " places (the first at u = " + number(places.front().x) +
+                       ", v = " + number(places.front().y) + ")");
+  };
+  cut("the surface goes to infinity", report.pole_count, report.poles);
+  cut("the surface jumps", report.jump_count, report.jumps);
   if (runs_backwards(domain)) {
     warnings.push_back(name + ": a range runs backwards, which swaps front and back");
   }

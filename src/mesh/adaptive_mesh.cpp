@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "base/random.h"
 #include "mesh/certify.h"
 #include "mesh/degenerate.h"
+#include "mesh/jumps.h"
 #include "mesh/leaf_mesh.h"
 #include "mesh/measure.h"
 #include "mesh/refine.h"
@@ -22,6 +24,7 @@ namespace {
 constexpr int kRounds = 12;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
 constexpr double kMostStrict = 4;
+constexpr std::size_t kMaxListed = 1000;  // poles and jumps named in a report
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
 /// Boxes that proofs may try, some tens of milliseconds of work.
@@ -209,11 +212,13 @@ class Mesher {
   /// The mesh; nothing if none of its triangles has any area.
   std::optional<GridMesh> take(GridMesh result) {
     MeshReport& report = result.report;
+    cut_breaks(report);
     const auto& leaves = mesh_.leaves;
     const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
     LeafTriangles triangles = triangulate_leaves(leaves, singular, grid_, lattice_);
     verifier_.measure(mesh_, singular.leaves(), triangles);
     for (std::size_t k = 0; k < leaves.size(); ++k) {
+      if (leaves[k].is_cut) continue;
       const double known = leaves[k].known_error * tolerance_of(leaves[k]);
       report.max_error = std::max({report.max_error, mesh_.deviations[k].distance, known});
       report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
@@ -228,7 +233,7 @@ class Mesher {
     report.closed_v = seams_.closed_v;
     report.evaluations += grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
     grid_.mesh.triangles = std::move(triangles.all);
-    grid_.mesh.lines = leaf_lines(grid_, lattice_, options_.lines_u, options_.lines_v);
+    grid_.mesh.lines = leaf_lines(grid_, lattice_, leaves, options_.lines_u, options_.lines_v);
     keep_used_corners(grid_.mesh);
     result.mesh = std::move(grid_.mesh);
     return result;
@@ -239,6 +244,43 @@ class Mesher {
     if (grid_.left_out_count == grid_.cell_count()) return {};
     require_two_dimensional(surface_, grid_, options_.threads);
     return weld(grid_);
+  }
+
+  /// Leaves out the leaves with a side across which the surface jumps or goes to infinity: they
+  /// would be walls. Looked at are the sides of leaves that halving did not help.
+  void cut_breaks(MeshReport& report) {
+    std::set<Side> suspects;
+    double delta = std::numeric_limits<double>::infinity();
+    for (const Leaf& leaf : mesh_.leaves) {
+      if (!leaf.given_up || leaf.on_rim || !(leaf.known_error > 1)) continue;
+      delta = std::min(delta, tolerance_of(leaf));
+      const std::vector<Side> sides = sides_of(leaf, lattice_);
+      suspects.insert(sides.begin(), sides.end());
+    }
+    if (suspects.empty() || reached_limit_) return;
+    const std::set<Side> broken = find_broken({suspects.begin(), suspects.end()}, delta, report);
+    if (broken.empty()) return;
+    for (Leaf& leaf : mesh_.leaves) {
+      leaf.is_cut = std::ranges::any_of(sides_of(leaf, lattice_),
+                                        [&](const Side& side) { return broken.contains(side); });
+    }
+  }
+
+  std::set<Side> find_broken(const std::vector<Side>& sides, double delta, MeshReport& report) {
+    std::vector<std::array<dvec2, 2>> lines;
+    lines.reserve(sides.size());
+    for (const auto& [a, b] : sides) lines.push_back({grid_.mesh.uv[a], grid_.mesh.uv[b]});
+    const std::vector<Found> found = find_breaks(surface_, lines, delta, options_.threads);
+    std::set<Side> broken;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (found[k].kind == Break::None) continue;
+      broken.insert(sides[k]);
+      const bool pole = found[k].kind == Break::Pole;
+      auto& list = pole ? report.poles : report.jumps;
+      (pole ? report.pole_count : report.jump_count) += 1;
+      if (list.size() < kMaxListed) list.push_back(found[k].uv);
+    }
+    return broken;
   }
 
   /// The share of the domain that no leaf covers, and of leaves on the rim what their triangles

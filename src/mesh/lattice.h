@@ -30,6 +30,7 @@ struct Leaf {
   bool on_rim = false;              ///< not defined at all of its samples
   std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals
+  bool is_cut = false;              ///< the surface jumps or goes to infinity in it: it is left out
   bool given_up = false;            ///< halving does not help, or is not allowed
   float known_error = 0;            ///< what its tests found, in tolerances
   float strictness = 1;  ///< how much worse fresh samples found an ancestor than its tests had

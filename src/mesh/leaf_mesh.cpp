@@ -30,6 +30,7 @@ Polygon outline(const Leaf& leaf, const Lattice& lattice) {
 /// What of a leaf is defined, as polygons: each run of defined vertices of its outline, and the
 /// vertices on the rim at both ends.
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
+  if (leaf.is_cut) return {};
   const Polygon whole = outline(leaf, lattice);
   const auto defined = [&](std::size_t k) { return lattice.is_defined(whole[k].corner); };
   std::size_t first = 0;  // an undefined vertex
@@ -118,6 +119,65 @@ std::optional<Place> partner(const Seams& seams, const Grid& grid, Place place) 
   return std::nullopt;
 }
 
+/// Sides of leaves that are cut, which no line may follow.
+class CutSides {
+ public:
+  CutSides(std::span<const Leaf> leaves, const Lattice& lattice) {
+    for (const Leaf& leaf : leaves) {
+      if (!leaf.is_cut) continue;
+      const auto sides = sides_of(leaf, lattice);
+      sides_.insert(sides.begin(), sides.end());
+    }
+  }
+  bool contains(std::uint32_t a, std::uint32_t b) const {
+    return sides_.contains({std::min(a, b), std::max(a, b)});
+  }
+
+ private:
+  std::set<Side> sides_;
+};
+
+/// Chains of vertices, interrupted where the surface is.
+class Chains {
+ public:
+  Chains(const Grid& grid, const Lattice& lattice, std::span<const Leaf> leaves)
+      : point_(grid.mesh.point), lattice_(lattice), cut_(leaves, lattice) {}
+
+  /// Goes on to the next vertex of a line, defined or not.
+  void go_to(std::uint32_t vertex) {
+    if (before_ && cut_.contains(*before_, vertex)) interrupt();
+    if (before_ && lattice_.has_rim(*before_, vertex)) append(lattice_.rim(*before_, vertex));
+    if (lattice_.is_defined(vertex)) {
+      append(vertex);
+    } else {
+      interrupt();
+    }
+    before_ = vertex;
+  }
+  void end_line() {
+    interrupt();
+    before_.reset();
+  }
+  std::vector<std::vector<std::uint32_t>> take() { return std::move(chains_); }
+
+ private:
+  void append(std::uint32_t vertex) {
+    const bool repeats = !chain_.empty() && point_[chain_.back()] == point_[vertex];
+    if (!repeats) chain_.push_back(vertex);
+  }
+  void interrupt() {
+    if (chain_.size() > 1) chains_.push_back(chain_);
+    chain_.clear();
+  }
+
+  const Array<std::uint32_t>& point_;
+  const Lattice& lattice_;
+  CutSides cut_;
+  std::optional<std::uint32_t> before_;
+  std::vector<std::uint32_t> chain_;
+  std::vector<std::vector<std::uint32_t>> chains_;
+};
+
 /// Index of each of the even lines among the grid's.
 std::vector<std::size_t> indices(const std::vector<double>& lines, int count) {
   std::vector<std::size_t> result;
@@ -132,6 +192,17 @@ std::vector<std::size_t> indices(const std::vector<double>& lines, int count) {
 }
 
 }  // namespace
+
+std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
+  const Polygon polygon = outline(leaf, lattice);
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::uint32_t a = polygon[k].corner;
+    const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+    sides.push_back({std::min(a, b), std::max(a, b)});
+  }
+  return sides;
+}
 
 SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> leaves,
                                  const Lattice& lattice, unsigned threads, Grid& grid,
@@ -213,16 +284,13 @@ void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lat
 }
 
 void fit_rims(std::span<const Leaf> leaves, unsigned threads, Lattice& lattice) {
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  std::set<std::array<std::uint32_t, 2>> seen;
+  std::vector<Side> pairs;
+  std::set<Side> seen;
   for (const Leaf& leaf : leaves) {
     if (!leaf.on_rim) continue;
-    const Polygon polygon = outline(leaf, lattice);
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const std::uint32_t a = polygon[k].corner;
-      const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+    for (const auto& [a, b] : sides_of(leaf, lattice)) {
       if (lattice.is_defined(a) == lattice.is_defined(b) || lattice.has_rim(a, b)) continue;
-      if (seen.insert({std::min(a, b), std::max(a, b)}).second) pairs.push_back({a, b});
+      if (seen.insert({a, b}).second) pairs.push_back({a, b});
     }
   }
   if (!pairs.empty()) lattice.fit_rims(pairs, threads);
@@ -230,10 +298,7 @@ void fit_rims(std::span<const Leaf> leaves, unsigned threads, Lattice& lattice) 
 
 void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice) {
   for (const Leaf& leaf : leaves) {
-    const Polygon polygon = outline(leaf, lattice);
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const std::uint32_t a = polygon[k].corner;
-      const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+    for (const auto& [a, b] : sides_of(leaf, lattice)) {
       if (!lattice.is_defined(a) || !lattice.is_defined(b)) continue;
       if (grid.mesh.point[a] == grid.mesh.point[b] || !is_one_point(grid, a, b)) continue;
       // The name of the point that comes first stays, whatever the order of the leaves.
@@ -244,30 +309,14 @@ void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice
 }
 
 std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
-                                                   int lines_u, int lines_v) {
-  std::vector<std::vector<std::uint32_t>> chains;
+                                                   std::span<const Leaf> leaves, int lines_u,
+                                                   int lines_v) {
+  Chains chains(grid, lattice, leaves);
   const auto follow = [&](std::size_t cells, auto place_of) {
-    std::vector<std::uint32_t> chain;
-    std::optional<std::uint32_t> before;
-    const auto append = [&](std::uint32_t vertex) {
-      const bool repeats =
-          !chain.empty() && grid.mesh.point[chain.back()] == grid.mesh.point[vertex];
-      if (!repeats) chain.push_back(vertex);
-    };
-    const auto add = [&](std::uint32_t vertex) {
-      const bool crosses = before && lattice.has_rim(*before, vertex);
-      if (crosses) append(lattice.rim(*before, vertex));
-      if (lattice.is_defined(vertex)) {
-        append(vertex);
-      } else if (!chain.empty()) {
-        if (chain.size() > 1) chains.push_back(chain);
-        chain.clear();
-      }
-      before = vertex;
-    };
-    for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), add);
-    add(lattice.used_vertex(place_of(cells)).value());
-    if (chain.size() > 1) chains.push_back(std::move(chain));
+    const auto go_to = [&](std::uint32_t vertex) { chains.go_to(vertex); };
+    for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), go_to);
+    chains.go_to(lattice.used_vertex(place_of(cells)).value());
+    chains.end_line();
   };
   const auto unit = [](std::size_t line) { return static_cast<std::uint32_t>(line) * kCellUnit; };
   for (const std::size_t i : indices(grid.u, lines_u)) {
@@ -276,7 +325,7 @@ std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Latti
   for (const std::size_t j : indices(grid.v, lines_v)) {
     follow(grid.cells_u, [&](std::size_t k) { return Place{unit(k), unit(j)}; });
   }
-  return chains;
+  return chains.take();
 }
 
 }  // namespace saddle

@@ -1,6 +1,7 @@
 // From the leaves of a refined grid to triangles, seams and lines.
 #pragma once
 
+#include <array>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -40,6 +41,10 @@ class SingularCorners {
   std::unordered_map<std::uint64_t, std::uint32_t> corners_;
 };
 
+/// The pairs of neighbours among the vertices in use around a leaf.
+using Side = std::array<std::uint32_t, 2>;
+std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice);
+
 /// Triangulates every leaf with all the vertices in use on its sides.
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCorners& singular,
                                  const Grid& grid, const Lattice& lattice);
@@ -56,7 +61,9 @@ void fit_rims(std::span<const Leaf> leaves, unsigned threads, Lattice& lattice);
 void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice);
 
 /// Lines of constant u and v through vertices, those of even_lines(), which are lines of the grid.
+/// They are interrupted where the surface is.
 std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
-                                                   int lines_u, int lines_v);
+                                                   std::span<const Leaf> leaves, int lines_u,
+                                                   int lines_v);
 
 }  // namespace saddle

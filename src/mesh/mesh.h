@@ -73,6 +73,10 @@ struct MeshReport {
   double max_normal_error = 0;                 ///< degrees: interpolated against exact normal
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000
   std::size_t singular_point_count = 0;
+  std::vector<dvec2> poles;  ///< where the surface goes to infinity and was cut, at most 1000
+  std::size_t pole_count = 0;
+  std::vector<dvec2> jumps;  ///< the same where it jumps
+  std::size_t jump_count = 0;
   std::string closed_u;  ///< how the edges u0 and u1 meet: "", "join" or "reversed"
   std::string closed_v;
 };

@@ -108,10 +108,26 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
             (Names{"version", "surfaces", "image", "times", "peak_memory_bytes", "warnings"}));
   keys.clear();
   for (const auto& [key, value] : report["surfaces"][0].items()) keys.push_back(key);
-  EXPECT_EQ(keys, (Names{"name", "cells", "triangles", "vertices", "evaluations", "bounds",
-                         "tolerance", "max_error", "max_normal_error", "undefined_fraction",
-                         "efficiency", "singular_points", "singular_points_count", "closed_u",
-                         "closed_v", "certified"}));
+  EXPECT_EQ(keys, (Names{"name",
+                         "cells",
+                         "triangles",
+                         "vertices",
+                         "evaluations",
+                         "bounds",
+                         "tolerance",
+                         "max_error",
+                         "max_normal_error",
+                         "undefined_fraction",
+                         "efficiency",
+                         "singular_points",
+                         "singular_points_count",
+                         "poles",
+                         "poles_count",
+                         "jumps",
+                         "jumps_count",
+                         "closed_u",
+                         "closed_v",
+                         "certified"}));
   keys.clear();
   for (const auto& [key, value] : report["times"].items()) keys.push_back(key);
   EXPECT_EQ(keys, (Names{"parse", "compile", "tessellate", "context", "upload", "draw", "encode",

@@ -335,6 +335,45 @@ TEST(AdaptiveMesh, LeavesOutWhatGoesToInfinity) {
   EXPECT_NEAR(result.report.undefined_fraction, 0.5, 0.02);
 }
 
+TEST(AdaptiveMesh, CutsJumpsAndBuildsNoWalls) {
+  for (const char* z : {"floor(3*u)", "mod(u,0.4)", "sign(u*v-0.1)", "(u^2+v^2<0.5)?1:0"}) {
+    const Case jumps = {"jumps", "u", "v", z, {-1, 1, -1, 1}};
+    const GridMesh result = mesh_of(jumps, 1e-3);
+    EXPECT_GT(result.report.jump_count, 0U) << z;
+    EXPECT_EQ(result.report.pole_count, 0U) << z;
+    for (const Triangle& t : result.mesh.triangles) {
+      const dvec3 area = doubled_area(result.mesh, t);
+      ASSERT_GT(area.z, 0.5 * glm::length(area)) << z;  // no wall: mod rises at 45 degrees
+    }
+    double covered = 0;
+    for (const Triangle& t : result.mesh.triangles) covered += 0.5 * doubled_area(result.mesh, t).z;
+    EXPECT_GT(covered, 4 * 0.97) << z;
+  }
+}
+
+TEST(AdaptiveMesh, CutsPoles) {
+  const Case tangent = {"tangent", "u", "v", "tan(u)", {-3, 3, -1, 1}};
+  const GridMesh result = mesh_of(tangent, 1e-3);
+  EXPECT_GT(result.report.pole_count, 0U);
+  for (const dvec2& pole : result.report.poles) EXPECT_NEAR(std::fabs(pole.x), kPi / 2, 1e-12);
+  for (const Triangle& t : result.mesh.triangles) {
+    const auto u = [&](std::size_t k) { return std::fabs(result.mesh.uv[t[k]].x); };
+    const bool below = u(0) < kPi / 2;
+    ASSERT_EQ(u(1) < kPi / 2, below);
+    ASSERT_EQ(u(2) < kPi / 2, below);
+  }
+}
+
+TEST(AdaptiveMesh, DoesNotCutSteepSlopesAndKinks) {
+  for (const char* z :
+       {"tanh(1e5*u)", "atan(1e6*u)", "sqrt(abs(u))", "abs(u-0.3*v)", "cbrt(u)", "exp(-1e6*u^2)"}) {
+    const Case steep = {"steep", "u", "v", z, {-1, 1, -1, 1}};
+    const GridMesh result = mesh_of(steep, 1e-3);
+    EXPECT_EQ(result.report.jump_count + result.report.pole_count, 0U) << z;
+    EXPECT_EQ(euler_number(result.mesh), 1) << z;
+  }
+}
+
 TEST(AdaptiveMesh, LeavesToTheUniformGridWhatIsDefinedNowhere) {
   const Surface nowhere = surface_from_text("u", "v", "sqrt(-1-u^2)", {}, {}, Order::Second);
   EXPECT_FALSE(mesh_within_tolerance(nowhere, share_of_diagonal(1e-3)).has_value());
