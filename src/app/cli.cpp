@@ -84,6 +84,11 @@ void add_mesh_options(CLI::App& app, CommandLine& line) {
   app.add_option_function<std::string>("--max-triangles", [&line](Text text) {
     line.max_triangles = parse_whole("--max-triangles", text, 2, kMaxTriangles);
   });
+  app.add_option_function<std::string>("--clip", [&line](Text text) {
+    line.clip_poles = text == "auto" || text == "AUTO";
+    line.clip.reset();
+    if (!line.clip_poles && text != "off") line.clip = parse_box("--clip", text);
+  });
   app.add_option_function<std::string>(
       "--samples", [&line](Text text) { line.samples = parse_samples("--samples", text); });
 }

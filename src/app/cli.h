@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "mesh/mesh.h"
 #include "scene/scene.h"
 
 namespace saddle {
@@ -48,6 +49,8 @@ struct CommandLine {
   std::optional<ToleranceValue> tolerance;  ///< default: of a picture or of a mesh
   double normal_tolerance = 3;              ///< degrees
   int max_triangles = 4'000'000;
+  bool clip_poles = true;      ///< to a box that most of the surface is in, if it goes to infinity
+  std::optional<Bounds> clip;  ///< to this box
   std::optional<GridSize> samples;
   std::optional<GridSize> grid;  ///< 0 x 0: off
   int antialias = 2;

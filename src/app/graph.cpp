@@ -15,7 +15,9 @@
 #include "app/warnings.h"
 #include "base/file.h"
 #include "base/image_png.h"
+#include "mesh/clip.h"
 #include "mesh/grid_mesh.h"
+#include "mesh/tidy.h"
 #include "render/renderer.h"
 #include "scene/prepare.h"
 #include "scene/scene_file.h"
@@ -81,18 +83,31 @@ GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const Surfac
                        const Purpose& purpose, const Surface& surface) {
   if (!line.samples) {
     AdaptiveOptions options;
+    options.clip = line.clip;
+    Bounds box;
     options.tolerance = [&](const Probe& probe) {
-      return tolerance_of(line, scene, purpose, probe);
+      box = clip_box(probe);
+      return tolerance_of(line, scene, purpose, probe, options.clip);
     };
     options.normal_tolerance = line.normal_tolerance;
     options.max_triangles = static_cast<std::size_t>(line.max_triangles);
     options.lines_u = spec.grid_u;
     options.lines_v = spec.grid_v;
     options.threads = line.threads;
-    if (auto mesh = mesh_within_tolerance(surface, options)) return std::move(*mesh);
+    auto mesh = mesh_within_tolerance(surface, options);
+    if (mesh && mesh->report.pole_count > 0 && line.clip_poles) {
+      options.clip = box;  // which only a mesh tells that it needs
+      if (auto clipped = mesh_within_tolerance(surface, options)) mesh = std::move(clipped);
+      mesh->report.clip = box;
+    }
+    if (mesh) return std::move(*mesh);
   }
   const double share = tolerance_share(line, purpose);
   GridMesh mesh = mesh_uniformly(line, surface, spec, share);
+  if (line.clip) {
+    clip_mesh(*line.clip, mesh.mesh);
+    keep_used_corners(mesh.mesh);
+  }
   if (!line.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();
   return mesh;
 }

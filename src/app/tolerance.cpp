@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include <glm/common.hpp>
 
 #include "scene/camera.h"
 
@@ -16,6 +19,8 @@ constexpr ToleranceValue kMeshTolerance = {1e-3, false};
 /// An eye in the midst of the surface sees parts of it at any distance; nearer ones than this part
 /// of its extent are drawn more coarsely than asked.
 constexpr double kNearest = 0.05;
+/// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
+constexpr double kFarOut = 3;
 
 std::vector<ToleranceValue> asked(const CommandLine& line, const Purpose& purpose) {
   if (line.tolerance) return {*line.tolerance};
@@ -25,12 +30,25 @@ std::vector<ToleranceValue> asked(const CommandLine& line, const Purpose& purpos
   return tolerances;
 }
 
+/// What of the surface is in the box.
+Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
+  Bounds bounds = probe.bounds();
+  if (!clip) return bounds;
+  bounds.low = glm::max(bounds.low, clip->low);
+  bounds.high = glm::min(bounds.high, clip->high);
+  return bounds;
+}
+
 /// The side of a pixel on the nearest part of the surface, in units of length.
-double pixel_size(const CommandLine& line, const Camera& camera, const Probe& probe) {
-  const dvec3 target = camera_target(camera, probe.bounds());
-  const double radius = probe.radius(target);
+double pixel_size(const CommandLine& line, const Camera& camera, const Probe& probe,
+                  const std::optional<Bounds>& clip) {
+  const Bounds bounds = visible(probe, clip);
+  const dvec3 target = camera_target(camera, bounds);
+  const double radius = std::min(
+      probe.radius(target),
+      glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target))));
   const double aspect = static_cast<double>(line.width) / line.height;
-  const double distance = fit_camera(camera, probe.bounds(), aspect, radius).distance;
+  const double distance = fit_camera(camera, bounds, aspect, radius).distance;
   const double depth = camera.ortho ? distance : std::max(distance - radius, kNearest * radius);
   const double half_fov = camera.fov / 2 * std::numbers::pi / 180;
   return 2 * depth * std::tan(half_fov) / line.height;
@@ -39,16 +57,28 @@ double pixel_size(const CommandLine& line, const Camera& camera, const Probe& pr
 }  // namespace
 
 Tolerance tolerance_of(const CommandLine& line, const Scene& scene, const Purpose& purpose,
-                       const Probe& probe) {
+                       const Probe& probe, const std::optional<Bounds>& clip) {
   double least = std::numeric_limits<double>::infinity();
   if (!probe.bounds().empty()) {
     for (const auto& [value, pixels] : asked(line, purpose)) {
       const double unit =
-          pixels ? pixel_size(line, scene.camera, probe) : probe.bounds().diagonal();
+          pixels ? pixel_size(line, scene.camera, probe, clip) : visible(probe, clip).diagonal();
       least = std::min(least, value * unit);
     }
   }
   return [least](const dvec3&) { return least; };
+}
+
+Bounds clip_box(const Probe& probe) {
+  const Bounds robust = probe.robust_bounds();
+  Bounds box;
+  for (int k = 0; k < 3; ++k) {
+    const bool far = probe.bounds().size()[k] > kFarOut * robust.size()[k];
+    constexpr double kNoFace = std::numeric_limits<double>::infinity();
+    box.low[k] = far ? robust.low[k] : -kNoFace;
+    box.high[k] = far ? robust.high[k] : kNoFace;
+  }
+  return box;
 }
 
 double tolerance_share(const CommandLine& line, const Purpose& purpose) {

@@ -12,10 +12,15 @@ struct Purpose {
   bool mesh = false;
 };
 
-/// The tolerance of a surface that is known by a probe: the stricter one of picture and mesh. A
-/// picture's pixels are those of the part of the surface that is nearest to the eye.
+/// The tolerance of a surface that is known by a probe, or of what of it is in a box: the stricter
+/// one of picture and mesh. A picture's pixels are those of the part of the surface that is nearest
+/// to the eye.
 Tolerance tolerance_of(const CommandLine& line, const Scene& scene, const Purpose& purpose,
-                       const Probe& probe);
+                       const Probe& probe, const std::optional<Bounds>& clip = {});
+
+/// The box that a surface which goes to infinity is clipped to: in each coordinate the robust
+/// bounds, if the samples go far beyond.
+Bounds clip_box(const Probe& probe);
 
 /// The same for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.

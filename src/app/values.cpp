@@ -135,6 +135,27 @@ ToleranceValue parse_tolerance(const std::string& option, const std::string& tex
   return {value, pixels};
 }
 
+Bounds parse_box(const std::string& option, const std::string& text) {
+  const std::string hint = "for example " + option + " -1:1,-1:1,0:5";
+  Bounds box;
+  std::size_t begin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
+    const std::size_t colon = text.find(':', begin);
+    if (end == std::string::npos || colon == std::string::npos || colon > end) {
+      throw Error(Status::Input, "a box has three ranges with commas between",
+                  {option, text, whole(text)}, hint);
+    }
+    box.low[k] = number_in(option, text, {begin, colon});
+    box.high[k] = number_in(option, text, {colon + 1, end});
+    if (!(box.low[k] < box.high[k])) {
+      throw Error(Status::Input, "this range is empty", {option, text, {begin, end}}, hint);
+    }
+    begin = end + 1;
+  }
+  return box;
+}
+
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high) {
   const std::size_t x = text.find_first_of("xX");
   if (x == std::string::npos) {

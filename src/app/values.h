@@ -37,6 +37,9 @@ Color opaque_color(const std::string& option, const std::string& text);
 /// A length: `0.5px`, or a share of the bounding box's diagonal such as `1e-3`; more than 0.
 ToleranceValue parse_tolerance(const std::string& option, const std::string& text);
 
+/// `X0:X1,Y0:Y1,Z0:Z1`, the ends of each in order.
+Bounds parse_box(const std::string& option, const std::string& text);
+
 /// `MxN`, both from `low` to `high`.
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);
 

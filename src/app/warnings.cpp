@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace saddle {
@@ -85,6 +86,18 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
   };
   cut("the surface goes to infinity", report.pole_count, report.poles);
   cut("the surface jumps", report.jump_count, report.jumps);
+  if (report.clip) {
+    std::string ranges;
+    for (int k = 0; k < 3; ++k) {
+      if (!std::isfinite(report.clip->low[k])) continue;
+      ranges += (ranges.empty() ? "" : ", ") +
+                range(std::array{"x", "y", "z"}[static_cast<std::size_t>(k)], report.clip->low[k],
+                      report.clip->high[k]);
+    }
+    if (!ranges.empty()) {
+      warnings.push_back(name + ": clipped to " + ranges + "; --clip off shows all of it");
+    }
+  }
   if (runs_backwards(domain)) {
     warnings.push_back(name + ": a range runs backwards, which swaps front and back");
   }

@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "mesh/certify.h"
+#include "mesh/clip.h"
 #include "mesh/degenerate.h"
 #include "mesh/jumps.h"
 #include "mesh/leaf_mesh.h"
@@ -188,7 +189,8 @@ class Mesher {
          FixedLines lines)
       : surface_(surface),
         options_(options),
-        refining_{tolerance, options.normal_tolerance, options.max_triangles, options.threads},
+        refining_{tolerance, options.normal_tolerance, options.max_triangles, options.clip,
+                  options.threads},
         grid_(sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads)),
         seams_(weld_if_two_dimensional()),
         lattice_(surface, grid_, options.threads),
@@ -218,7 +220,7 @@ class Mesher {
     LeafTriangles triangles = triangulate_leaves(leaves, singular, grid_, lattice_);
     verifier_.measure(mesh_, singular.leaves(), triangles);
     for (std::size_t k = 0; k < leaves.size(); ++k) {
-      if (leaves[k].is_cut) continue;
+      if (leaves[k].is_cut || is_clipped(leaves[k])) continue;
       const double known = leaves[k].known_error * tolerance_of(leaves[k]);
       report.max_error = std::max({report.max_error, mesh_.deviations[k].distance, known});
       report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
@@ -234,6 +236,11 @@ class Mesher {
     report.evaluations += grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
     grid_.mesh.triangles = std::move(triangles.all);
     grid_.mesh.lines = leaf_lines(grid_, lattice_, leaves, options_.lines_u, options_.lines_v);
+    if (options_.clip) clip_mesh(*options_.clip, grid_.mesh);
+    for (const dvec2& uv : lattice_.poles_on_rims()) {
+      ++report.pole_count;
+      if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
+    }
     keep_used_corners(grid_.mesh);
     result.mesh = std::move(grid_.mesh);
     return result;
@@ -318,12 +325,22 @@ class Mesher {
     return full;
   }
 
-  double diameter(const Leaf& leaf) const {
+  std::array<dvec3, 4> positions(const Leaf& leaf) const {
     std::array<dvec3, 4> p;
     const auto corners = leaf.corners();
     for (std::size_t k = 0; k < 4; ++k) {
       p[k] = grid_.mesh.position[*lattice_.used_vertex(corners[k])];
     }
+    return p;
+  }
+
+  /// Whether nothing of a leaf will be left.
+  bool is_clipped(const Leaf& leaf) const {
+    return options_.clip && is_beyond(*options_.clip, positions(leaf));
+  }
+
+  double diameter(const Leaf& leaf) const {
+    const std::array<dvec3, 4> p = positions(leaf);
     const double largest = std::max(glm::distance(p[0], p[2]), glm::distance(p[1], p[3]));
     return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
   }
@@ -364,7 +381,7 @@ class Mesher {
       const Leaf& leaf = mesh_.leaves[k];
       const double too_much = excess(mesh_.deviations[k], tolerance_of(leaf),
                                      options_.normal_tolerance, diameter(leaf));
-      if (!(too_much > 1) || leaf.given_up || is_full()) return {};
+      if (!(too_much > 1) || leaf.given_up || is_clipped(leaf) || is_full()) return {};
       // The leaf's longer way: what the tests along its sides did not see, they see at half.
       auto halves = halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_);
       if (!halves) return {};
@@ -389,6 +406,7 @@ class Mesher {
       const Deviation d = deviation(grid_, draft_.of(leaf), points[k], surface_.flip);
       Deviation& worst = mesh_.deviations[leaf];
       worst.distance = std::max(worst.distance, d.distance);
+      if (is_clipped(mesh_.leaves[leaf])) continue;
       const bool is_guilty = d.distance > tolerance_of(mesh_.leaves[leaf]);
       if (is_guilty && !mesh_.leaves[leaf].given_up && !is_full())
         guilty[leaf].push_back(proof.suspects[k]);

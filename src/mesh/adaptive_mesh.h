@@ -16,6 +16,8 @@ struct AdaptiveOptions {
   std::function<Tolerance(const Probe&)> tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
+  /// The mesh is cut along this box; its faces may be infinitely far.
+  std::optional<Bounds> clip = {};
   /// Lines of constant u and of constant v, evenly spaced, first and last on the ends of the range;
   /// 0: none. They are among the mesh's edges.
   int lines_u = 16;

@@ -51,7 +51,7 @@ class Certifier {
         outputs_(surface.bounds.outputs.size()),
         leaves_of_(grid.cell_count()) {
     for (std::size_t k = 0; k < leaves.size(); ++k) {
-      const Place& low = leaves[k].low;
+      const LatticePlace& low = leaves[k].low;
       leaves_of_[grid.cell(low.u / kCellUnit, low.v / kCellUnit)].push_back(k);
     }
   }

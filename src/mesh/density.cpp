@@ -25,6 +25,8 @@ constexpr double kFallOff = 0.7;
 constexpr double kFloor = 0.02;
 /// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
 constexpr int kRatios = 6;
+/// The share of samples that is left out at either end of robust bounds.
+constexpr double kTail = 0.05;
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
 constexpr double kSeam = 1e-9;
 /// No interval between fixed lines is cut into more cells to begin with.
@@ -223,6 +225,19 @@ double Probe::radius(const dvec3& centre) const {
     }
   }
   return largest;
+}
+
+Bounds Probe::robust_bounds() const {
+  Bounds bounds;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> numbers;
+    for (const Sample& s : samples_) {
+      if (is_finite(s.position)) numbers.push_back(s.position[k]);
+    }
+    bounds.low[k] = quantile(numbers, kTail);
+    bounds.high[k] = quantile(numbers, 1 - kTail);
+  }
+  return bounds;
 }
 
 void Probe::find_turned_seams(const Surface& surface) {

@@ -25,7 +25,7 @@ constexpr double kPole = 3;
 /// from 0, so that doubles between its ends run out.
 constexpr int kHalvings = 62;
 
-std::uint64_t key_of(Place place) {
+std::uint64_t key_of(LatticePlace place) {
   return (std::uint64_t{place.u} << 32U) | place.v;
 }
 
@@ -42,12 +42,12 @@ std::size_t PlaceMap::slot_of(std::uint64_t key) const {
   return slot;
 }
 
-const std::uint32_t* PlaceMap::find(Place place) const {
+const std::uint32_t* PlaceMap::find(LatticePlace place) const {
   const Slot& slot = slots_[slot_of(key_of(place))];
   return slot.key == kEmpty ? nullptr : &slot.number;
 }
 
-void PlaceMap::insert(Place place, std::uint32_t number) {
+void PlaceMap::insert(LatticePlace place, std::uint32_t number) {
   if (2 * ++count_ > slots_.size()) {
     std::vector<Slot> old(2 * slots_.size());
     old.swap(slots_);
@@ -79,11 +79,11 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
   fill_removable(undefined, threads);
 }
 
-std::uint32_t Lattice::root_vertex(Place place) const {
+std::uint32_t Lattice::root_vertex(LatticePlace place) const {
   return static_cast<std::uint32_t>(grid_.vertex(place.u / kCellUnit, place.v / kCellUnit));
 }
 
-dvec2 Lattice::parameters(Place place) const {
+dvec2 Lattice::parameters(LatticePlace place) const {
   const auto at = [](const std::vector<double>& lines, std::uint32_t coordinate) {
     const std::uint32_t line = coordinate / kCellUnit;
     const std::uint32_t rest = coordinate % kCellUnit;
@@ -93,7 +93,7 @@ dvec2 Lattice::parameters(Place place) const {
   return {at(grid_.u, place.u), at(grid_.v, place.v)};
 }
 
-std::uint32_t Lattice::vertex(Place place) {
+std::uint32_t Lattice::vertex(LatticePlace place) {
   if (is_root(place)) return root_vertex(place);
   if (const std::uint32_t* number = numbers_.find(place)) return *number;
   const auto number = static_cast<std::uint32_t>(used_.size());
@@ -105,13 +105,13 @@ std::uint32_t Lattice::vertex(Place place) {
   return number;
 }
 
-std::optional<std::uint32_t> Lattice::used_vertex(Place place) const {
+std::optional<std::uint32_t> Lattice::used_vertex(LatticePlace place) const {
   if (is_root(place)) return root_vertex(place);
   const std::uint32_t* const number = numbers_.find(place);
   return number != nullptr && is_used(*number) ? std::optional(*number) : std::nullopt;
 }
 
-Place Lattice::place(std::uint32_t vertex) const {
+LatticePlace Lattice::place(std::uint32_t vertex) const {
   const std::size_t roots = grid_.vertex_count();
   if (vertex >= roots) return places_[vertex - roots];
   return {static_cast<std::uint32_t>(vertex % grid_.u.size()) * kCellUnit,
@@ -239,20 +239,29 @@ void Lattice::fit_rims(std::span<const std::array<std::uint32_t, 2>> pairs, unsi
   evaluated_ = used_.size();
 }
 
+std::vector<dvec2> Lattice::poles_on_rims() const {
+  std::vector<dvec2> poles;
+  for (auto vertex = static_cast<std::uint32_t>(grid_.vertex_count()); vertex < size(); ++vertex) {
+    if (is_on_rim(vertex) && !is_defined(vertex)) poles.push_back(grid_.mesh.uv[vertex]);
+  }
+  return poles;
+}
+
 dvec2 Lattice::place_between(std::uint32_t vertex) const {
   const auto found = rim_places_.find(vertex);
   if (found != rim_places_.end()) return found->second;
-  const Place p = place(vertex);
+  const LatticePlace p = place(vertex);
   return {p.u, p.v};
 }
 
 void Lattice::join_pole(std::uint32_t vertex) {
-  const Place p = place(vertex);
+  const LatticePlace p = place(vertex);
   const bool on_u = p.u % kCellUnit == 0;
   if (!on_u && p.v % kCellUnit != 0) return;
   const auto before = [](std::uint32_t c) { return c / kCellUnit * kCellUnit; };
-  const Place a = {before(p.u), before(p.v)};
-  const Place b = on_u ? Place{a.u, a.v + kCellUnit} : Place{a.u + kCellUnit, a.v};
+  const LatticePlace a = {before(p.u), before(p.v)};
+  const LatticePlace b =
+      on_u ? LatticePlace{a.u, a.v + kCellUnit} : LatticePlace{a.u + kCellUnit, a.v};
   const std::uint32_t root = root_vertex(a);
   const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[root_vertex(b)];
   if (ends_meet && is_one_point(grid_, root, vertex)) unite(root, vertex);

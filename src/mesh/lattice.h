@@ -18,15 +18,15 @@ namespace saddle {
 inline constexpr std::uint32_t kCellUnit = 1U << 16;
 
 /// (u, v) in units: line k of the root grid is at k * kCellUnit.
-struct Place {
+struct LatticePlace {
   std::uint32_t u = 0;
   std::uint32_t v = 0;
-  bool operator==(const Place&) const = default;
+  bool operator==(const LatticePlace&) const = default;
 };
 
 /// A rectangle of the refined grid.
 struct Leaf {
-  Place low, high;
+  LatticePlace low, high;
   bool on_rim = false;              ///< not defined at all of its samples
   std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals
@@ -37,10 +37,10 @@ struct Leaf {
 
   std::uint32_t size_u() const { return high.u - low.u; }
   std::uint32_t size_v() const { return high.v - low.v; }
-  Place middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
+  LatticePlace middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
   /// Counter-clockwise in (u, v), from the low corner.
-  std::array<Place, 4> corners() const {
-    return {low, Place{high.u, low.v}, high, Place{low.u, high.v}};
+  std::array<LatticePlace, 4> corners() const {
+    return {low, LatticePlace{high.u, low.v}, high, LatticePlace{low.u, high.v}};
   }
 };
 
@@ -49,8 +49,8 @@ class PlaceMap {
  public:
   PlaceMap() : slots_(1024) {}
   /// The number stored for a place, or nullptr.
-  const std::uint32_t* find(Place place) const;
-  void insert(Place place, std::uint32_t number);  ///< of a place that is not there
+  const std::uint32_t* find(LatticePlace place) const;
+  void insert(LatticePlace place, std::uint32_t number);  ///< of a place that is not there
 
  private:
   struct Slot {
@@ -70,12 +70,12 @@ class Lattice {
   Lattice(const Surface& surface, Grid& grid, unsigned threads);
 
   /// Parameters of a place; exact on the lines of the root grid.
-  dvec2 parameters(Place place) const;
+  dvec2 parameters(LatticePlace place) const;
 
   /// The vertex at a place; a new one has its position after the next evaluate().
-  std::uint32_t vertex(Place place);
+  std::uint32_t vertex(LatticePlace place);
   /// The vertex at a place, if it is in use.
-  std::optional<std::uint32_t> used_vertex(Place place) const;
+  std::optional<std::uint32_t> used_vertex(LatticePlace place) const;
 
   /// Computes the new vertices. Where a position is not defined but all around it agree on what it
   /// should be, as sin(u)/u does at 0, it is that.
@@ -99,6 +99,8 @@ class Lattice {
   /// defined if the surface goes to infinity there.
   std::uint32_t rim(std::uint32_t a, std::uint32_t b) const;
   bool has_rim(std::uint32_t a, std::uint32_t b) const { return rims_.contains(rim_key(a, b)); }
+  /// Where rims go to infinity.
+  std::vector<dvec2> poles_on_rims() const;
   /// Finds rims between pairs of vertices, by bisection along the straight line in (u, v).
   void fit_rims(std::span<const std::array<std::uint32_t, 2>> pairs, unsigned threads);
 
@@ -109,7 +111,7 @@ class Lattice {
   void unite(std::uint32_t first, std::uint32_t second);
 
   /// The place of a vertex that is not on a rim.
-  Place place(std::uint32_t vertex) const;
+  LatticePlace place(std::uint32_t vertex) const;
   /// The same of any vertex, in units that need not be whole.
   dvec2 place_between(std::uint32_t vertex) const;
   bool is_on_rim(std::uint32_t vertex) const { return rim_places_.contains(vertex); }
@@ -118,7 +120,7 @@ class Lattice {
   /// Calls f(vertex) for the vertices in use on the straight way from `from` (included) to `to`
   /// (not included), which is a side of a leaf or of a cell of the root grid.
   template <class F>
-  void walk(Place from, Place to, F f) const {
+  void walk(LatticePlace from, LatticePlace to, F f) const {
     f(*used_vertex(from));
     walk_between(from, to, f);
   }
@@ -126,9 +128,9 @@ class Lattice {
  private:
   /// A side that has vertices in use has one in its middle: all come from halving.
   template <class F>
-  void walk_between(Place from, Place to, F& f) const {
-    const Place middle = {static_cast<std::uint32_t>((std::uint64_t{from.u} + to.u) / 2),
-                          static_cast<std::uint32_t>((std::uint64_t{from.v} + to.v) / 2)};
+  void walk_between(LatticePlace from, LatticePlace to, F& f) const {
+    const LatticePlace middle = {static_cast<std::uint32_t>((std::uint64_t{from.u} + to.u) / 2),
+                                 static_cast<std::uint32_t>((std::uint64_t{from.v} + to.v) / 2)};
     if (middle == from || middle == to) return;
     const auto vertex = used_vertex(middle);
     if (!vertex) return;
@@ -137,8 +139,10 @@ class Lattice {
     walk_between(middle, to, f);
   }
 
-  bool is_root(Place place) const { return place.u % kCellUnit == 0 && place.v % kCellUnit == 0; }
-  std::uint32_t root_vertex(Place place) const;
+  bool is_root(LatticePlace place) const {
+    return place.u % kCellUnit == 0 && place.v % kCellUnit == 0;
+  }
+  std::uint32_t root_vertex(LatticePlace place) const;
   static std::uint64_t rim_key(std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
   }
@@ -152,7 +156,7 @@ class Lattice {
   const Surface& surface_;
   Grid& grid_;
   PlaceMap numbers_;
-  std::vector<Place> places_;  // of vertices past the root grid's
+  std::vector<LatticePlace> places_;  // of vertices past the root grid's
   std::vector<std::uint8_t> used_;
   std::vector<std::uint8_t> regular_;
   std::vector<std::uint8_t> defined_;

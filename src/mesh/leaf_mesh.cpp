@@ -107,14 +107,14 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
 
 /// Where the side of the domain that vertices lie on meets the other: the place that is one point
 /// with `place`, or nothing.
-std::optional<Place> partner(const Seams& seams, const Grid& grid, Place place) {
+std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, LatticePlace place) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
   if (!seams.closed_u.empty() && (place.u == 0 || place.u == end_u)) {
-    return Place{end_u - place.u, seams.closed_u == "reversed" ? end_v - place.v : place.v};
+    return LatticePlace{end_u - place.u, seams.closed_u == "reversed" ? end_v - place.v : place.v};
   }
   if (!seams.closed_v.empty() && (place.v == 0 || place.v == end_v)) {
-    return Place{seams.closed_v == "reversed" ? end_u - place.u : place.u, end_v - place.v};
+    return LatticePlace{seams.closed_v == "reversed" ? end_u - place.u : place.u, end_v - place.v};
   }
   return std::nullopt;
 }
@@ -270,7 +270,7 @@ void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lat
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (auto vertex = static_cast<std::uint32_t>(grid.vertex_count()); vertex < count; ++vertex) {
     if (!lattice.is_used(vertex)) continue;
-    const std::optional<Place> other = partner(seams, grid, lattice.place(vertex));
+    const std::optional<LatticePlace> other = partner(seams, grid, lattice.place(vertex));
     if (!other) continue;
     const std::uint32_t twin = lattice.vertex(*other);
     lattice.use(twin);
@@ -320,10 +320,10 @@ std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Latti
   };
   const auto unit = [](std::size_t line) { return static_cast<std::uint32_t>(line) * kCellUnit; };
   for (const std::size_t i : indices(grid.u, lines_u)) {
-    follow(grid.cells_v, [&](std::size_t k) { return Place{unit(i), unit(k)}; });
+    follow(grid.cells_v, [&](std::size_t k) { return LatticePlace{unit(i), unit(k)}; });
   }
   for (const std::size_t j : indices(grid.v, lines_v)) {
-    follow(grid.cells_u, [&](std::size_t k) { return Place{unit(k), unit(j)}; });
+    follow(grid.cells_u, [&](std::size_t k) { return LatticePlace{unit(k), unit(j)}; });
   }
   return chains.take();
 }

@@ -77,7 +77,8 @@ struct MeshReport {
   std::size_t pole_count = 0;
   std::vector<dvec2> jumps;  ///< the same where it jumps
   std::size_t jump_count = 0;
-  std::string closed_u;  ///< how the edges u0 and u1 meet: "", "join" or "reversed"
+  std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles
+  std::string closed_u;        ///< how the edges u0 and u1 meet: "", "join" or "reversed"
   std::string closed_v;
 };
 

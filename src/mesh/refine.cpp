@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/clip.h"
 #include "mesh/triangulate.h"
 
 namespace saddle {
@@ -176,7 +177,7 @@ struct Samples {
 };
 
 Samples request_samples(const Leaf& leaf, Lattice& lattice) {
-  const Place m = leaf.middle();
+  const LatticePlace m = leaf.middle();
   const auto& [low, high] = std::pair(leaf.low, leaf.high);
   Samples samples;
   const auto corners = leaf.corners();
@@ -217,7 +218,7 @@ std::uint8_t count_in_vain(std::uint8_t before, double score, double parent_scor
 class Refiner {
  public:
   Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
-      : options_(options), lattice_(lattice), judge_(options, grid, lattice) {}
+      : options_(options), grid_(grid), lattice_(lattice), judge_(options, grid, lattice) {}
 
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
@@ -242,6 +243,18 @@ class Refiner {
   Refinement take() { return std::move(result_); }
 
  private:
+  /// Whether nothing of a leaf will be left.
+  bool is_clipped(const Samples& samples) const {
+    if (!options_.clip) return false;
+    std::array<dvec3, 9> positions;
+    for (std::size_t k = 0; k < 4; ++k) {
+      positions[k] = grid_.mesh.position[samples.corner[k]];
+      positions[4 + k] = grid_.mesh.position[samples.side[k]];
+    }
+    positions[8] = grid_.mesh.position[samples.centre];
+    return is_beyond(*options_.clip, positions);
+  }
+
   /// Halves a leaf that the rim crosses until the rim is nearly straight in it; what remains to be
   /// done fresh samples tell.
   void judge_rim(const Candidate& candidate, std::vector<Candidate>& next) {
@@ -266,6 +279,10 @@ class Refiner {
   /// Keeps a leaf, or appends its halves to `next`.
   void judge(const Candidate& candidate, const Samples& samples, std::vector<Candidate>& next) {
     Leaf leaf = candidate.leaf;
+    if (is_clipped(samples)) {
+      result_.leaves.push_back(leaf);
+      return;
+    }
     const Verdict verdict = judge_.score(leaf, samples.corner, samples.side, samples.centre);
     const double distance = verdict.distance.worst() * leaf.strictness;
     const double turn = verdict.turn.worst() * leaf.strictness;
@@ -292,6 +309,7 @@ class Refiner {
   }
 
   const RefineOptions& options_;
+  const Grid& grid_;
   Lattice& lattice_;
   Judge judge_;
   Refinement result_;
@@ -313,7 +331,7 @@ std::vector<Leaf> root_leaves(const Grid& grid) {
 
 std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattice& lattice) {
   if ((across_u ? leaf.size_u() : leaf.size_v()) < 2) return std::nullopt;
-  const Place middle = leaf.middle();
+  const LatticePlace middle = leaf.middle();
   std::array<Leaf, 2> halves = {leaf, leaf};
   if (across_u) {
     halves[0].high.u = halves[1].low.u = middle.u;

@@ -28,6 +28,7 @@ struct RefineOptions {
   Tolerance tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
+  std::optional<Bounds> clip = {};  ///< what is outside of it does not matter
   unsigned threads = 0;
 };
 

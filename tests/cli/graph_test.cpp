@@ -268,6 +268,25 @@ TEST_F(GraphCommand, StopsAtTheLimitOfTriangles) {
   EXPECT_TRUE(contains(run.err, "--max-triangles allows more")) << run.err;
 }
 
+TEST_F(GraphCommand, ClipsPolesAndSaysSo) {
+  const auto high = [this](const std::vector<std::string>& more, bool warns) {
+    std::vector<std::string> arguments = {"z=1/u", "--report", "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = saddle(arguments);
+    EXPECT_TRUE(contains(run.err, "goes to infinity")) << run.err;
+    EXPECT_EQ(contains(run.err, "--clip off shows all of it"), warns) << run.err;
+    const Json surface = Json::parse(run.out)["surfaces"][0];
+    EXPECT_GT(surface["poles_count"], 0);
+    return surface["bounds"][1][2].get<double>();
+  };
+  EXPECT_NEAR(high({}, true), 10, 1.5);  // nine tenths of [-1, 1] are below
+  EXPECT_GT(high({"--clip", "off"}, false), 1000);
+  EXPECT_EQ(high({"--clip", "-1:1,-1:1,-4:3"}, false), 3);
+  error_of(saddle({"z=u", "--clip", "2:3,2:3,2:3", "--report", "-"}), 3);
+  EXPECT_TRUE(contains(error_of(saddle({"z=u", "--clip", "1:2"}), 2), "three ranges"));
+  EXPECT_TRUE(contains(error_of(saddle({"z=u", "--clip", "0:1,1:0,0:1"}), 2), "empty"));
+}
+
 TEST_F(GraphCommand, FindsWavesThatKeepStepWithEvenGrids) {
   const Outcome run = saddle({"z=sin(60*u)/10", "u=0:tau", "--report", "-"});
   const Json waves = Json::parse(run.out)["surfaces"][0];
@@ -282,7 +301,7 @@ TEST_F(GraphCommand, DrawsHeightFieldsThatAreNearlyUpright) {
 }
 
 TEST_F(GraphCommand, WarnsOfAMeshThatMissesWhatIsBetweenItsSamples) {
-  const Outcome run = saddle({"z=tan(5*u)", "-s", "64x48", "--report", "-"});
+  const Outcome run = saddle({"z=abs(u-v)", "-s", "64x48", "--report", "-"});
   EXPECT_TRUE(contains(run.err, "warning: surface: the mesh is off by up to")) << run.err;
 }
 

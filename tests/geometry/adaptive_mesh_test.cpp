@@ -364,6 +364,31 @@ TEST(AdaptiveMesh, CutsPoles) {
   }
 }
 
+TEST(AdaptiveMesh, IsClippedAlongABox) {
+  const Case& sphere = cases().front();
+  AdaptiveOptions options = share_of_diagonal(1e-3, 3);
+  options.clip = Bounds{dvec3(-2, -2, -0.3), dvec3(2, 0.5, 2)};
+  const Mesh mesh = mesh_within_tolerance(surface_of(sphere), options)->mesh;
+  EXPECT_EQ(mesh.bounds.low.z, -0.3);
+  EXPECT_EQ(mesh.bounds.high.y, 0.5);
+  EXPECT_EQ(euler_number(mesh), 1);  // a disc: both cuts are one loop
+  std::vector<std::vector<std::uint32_t>> corners(mesh.point_count);
+  for (std::uint32_t k = 0; k < mesh.point.size(); ++k) corners[mesh.point[k]].push_back(k);
+  for (const auto& [edge, count] : edge_counts(mesh)) {
+    ASSERT_LE(count, 2);
+    if (count == 2) continue;
+    for (const std::uint32_t point : {edge.first, edge.second}) {
+      for (const std::uint32_t corner : corners[point]) {
+        const dvec3& p = mesh.position[corner];
+        EXPECT_TRUE(p.z == -0.3 || p.y == 0.5) << p.x << ' ' << p.y << ' ' << p.z;
+        EXPECT_NEAR(glm::length(p), 1, 4e-3);
+      }
+    }
+  }
+  EXPECT_EQ(triangles_against_normals(mesh), 0U);
+  EXPECT_GT(mesh.lines.size(), 20U);
+}
+
 TEST(AdaptiveMesh, DoesNotCutSteepSlopesAndKinks) {
   for (const char* z :
        {"tanh(1e5*u)", "atan(1e6*u)", "sqrt(abs(u))", "abs(u-0.3*v)", "cbrt(u)", "exp(-1e6*u^2)"}) {
