@@ -70,13 +70,17 @@ Tolerance tolerance_of(const CommandLine& line, const Scene& scene, const Purpos
 }
 
 Bounds clip_box(const Probe& probe) {
+  constexpr double kNoFace = std::numeric_limits<double>::infinity();
   const Bounds robust = probe.robust_bounds();
   Bounds box;
   for (int k = 0; k < 3; ++k) {
-    const bool far = probe.bounds().size()[k] > kFarOut * robust.size()[k];
-    constexpr double kNoFace = std::numeric_limits<double>::infinity();
-    box.low[k] = far ? robust.low[k] : -kNoFace;
-    box.high[k] = far ? robust.high[k] : kNoFace;
+    if (probe.bounds().size()[k] > kFarOut * robust.size()[k]) {
+      box.low[k] = robust.low[k];
+      box.high[k] = robust.high[k];
+    } else {
+      box.low[k] = -kNoFace;
+      box.high[k] = kNoFace;
+    }
   }
   return box;
 }

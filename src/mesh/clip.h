@@ -24,8 +24,8 @@ bool is_beyond(const Bounds& box, const Positions& positions) {
 
 /// Leaves out what is outside of the box, whose faces may be infinitely far. Triangles and lines
 /// that cross a face end on it, at corners that neighbours share, with interpolated normals and
-/// parameters. Points are named after one of their corners, before and after. Throws Error (Nothing)
-/// if nothing is left.
+/// parameters. Points are named after one of their corners, before and after. Throws Error
+/// (Nothing) if nothing is left.
 void clip_mesh(const Bounds& box, Mesh& mesh);
 
 }  // namespace saddle
