@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 
-#include "base/random.h"
 #include "mesh/certify.h"
 #include "mesh/clip.h"
 #include "mesh/degenerate.h"
@@ -15,6 +14,7 @@
 #include "mesh/measure.h"
 #include "mesh/refine.h"
 #include "mesh/tidy.h"
+#include "mesh/verify.h"
 #include "mesh/weld.h"
 
 namespace saddle {
@@ -26,15 +26,14 @@ constexpr int kRounds = 12;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
 constexpr double kMostStrict = 4;
 constexpr std::size_t kMaxListed = 1000;  // poles and jumps named in a report
+/// A leaf on the rim has no tests but fresh samples: they must find it better than others by this.
+constexpr double kRimCare = 1.5;
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
 /// Boxes that proofs may try, some tens of milliseconds of work.
 constexpr std::size_t kMaxBoxes = 50'000;
 /// A special function over a box takes as long as so many boxes of a usual formula.
 constexpr std::size_t kSpecialCost = 20;
-/// Fresh samples in a leaf, away from where it was tested: within this part of its sides.
-constexpr std::size_t kFreshSamples = 3;
-constexpr double kFreshMargin = 0.1;
 /// More lines than this each way cannot be numbered by a lattice.
 constexpr std::size_t kMaxLines = 60000;
 
@@ -80,57 +79,6 @@ bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
   const double eps = tolerance(bounds.centre());
   return eps > 0 && std::isfinite(eps);
 }
-
-/// The leaves of a mesh and what they were last found to deviate by.
-struct Measured {
-  std::vector<Leaf> leaves;
-  std::vector<Deviation> deviations;  ///< as many as leaves, or fewer: the rest is not measured yet
-};
-
-/// Measures leaves on fresh samples.
-class Verifier {
- public:
-  Verifier(const Surface& surface, const Grid& grid, const Lattice& lattice, unsigned threads)
-      : surface_(surface), grid_(grid), lattice_(lattice), threads_(threads) {}
-
-  /// Measures leaves from their triangles, the largest deviation of each.
-  void measure(Measured& mesh, std::span<const std::size_t> which, const LeafTriangles& triangles) {
-    std::vector<dvec2> uv;
-    uv.reserve(which.size() * kFreshSamples);
-    for (const std::size_t leaf : which) {
-      const dvec2 low = lattice_.parameters(mesh.leaves[leaf].low);
-      const dvec2 high = lattice_.parameters(mesh.leaves[leaf].high);
-      for (std::size_t s = 0; s < kFreshSamples; ++s) {
-        const dvec2 part(fresh(), fresh());
-        uv.push_back(low * (1.0 - part) + high * part);
-      }
-    }
-    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
-    evaluations_ += points.size();
-    mesh.deviations.resize(mesh.leaves.size());
-    for (std::size_t k = 0; k < which.size(); ++k) {
-      Deviation& worst = mesh.deviations[which[k]] = {};
-      for (std::size_t s = 0; s < kFreshSamples; ++s) {
-        const SurfacePoint& point = points[k * kFreshSamples + s];
-        const Deviation d = deviation(grid_, triangles.of(which[k]), point, surface_.flip);
-        worst.distance = std::max(worst.distance, d.distance);
-        worst.degrees = std::max(worst.degrees, d.degrees);
-      }
-    }
-  }
-
-  std::size_t evaluations() const { return evaluations_; }
-
- private:
-  double fresh() { return kFreshMargin + (1 - 2 * kFreshMargin) * random_unit(key_++); }
-
-  const Surface& surface_;
-  const Grid& grid_;
-  const Lattice& lattice_;
-  unsigned threads_;
-  std::uint64_t key_ = 0;
-  std::size_t evaluations_ = 0;
-};
 
 std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
   std::vector<std::size_t> result(end - begin);

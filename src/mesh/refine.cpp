@@ -17,9 +17,9 @@ namespace {
 constexpr double kSmallArc = 0.3;
 /// Corner normals of a leaf spread by at most this, degrees: samples between them are then enough.
 constexpr double kMaxSpread = 40;
-/// A score falls to a quarter when a smooth arc is halved, and to half for a kink that is not on a
-/// line; where it stays above this share, so many times in a row, halving is in vain.
-constexpr double kHelps = 0.7;
+/// A score falls to a quarter when a smooth arc is halved, to half at a kink, to 0.71 at a vertical
+/// tangent; where it stays above this share, so many times in a row, halving is in vain.
+constexpr double kHelps = 0.8;
 constexpr std::uint8_t kMaxInVain = 14;
 /// The same for normals, which do not settle at points where sheets meet.
 constexpr std::uint8_t kMaxTurnedInVain = 4;

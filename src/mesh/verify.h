@@ -1,0 +1,40 @@
+// Leaves measured on points that nobody has looked at before.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/leaf_mesh.h"
+#include "mesh/measure.h"
+
+namespace saddle {
+
+/// The leaves of a mesh and what they were last found to deviate by.
+struct Measured {
+  std::vector<Leaf> leaves;
+  std::vector<Deviation> deviations;  ///< as many as leaves, or fewer: the rest is not measured yet
+};
+
+class Verifier {
+ public:
+  Verifier(const Surface& surface, const Grid& grid, const Lattice& lattice, unsigned threads)
+      : surface_(surface), grid_(grid), lattice_(lattice), threads_(threads) {}
+
+  /// Measures some leaves of a mesh from their triangles: the largest deviation of each on a few
+  /// points at random, which are the same whenever it is measured.
+  void measure(Measured& mesh, std::span<const std::size_t> which, const LeafTriangles& triangles);
+
+  std::size_t evaluations() const { return evaluations_; }
+
+ private:
+  void append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
+                      std::vector<dvec2>& uv) const;
+
+  const Surface& surface_;
+  const Grid& grid_;
+  const Lattice& lattice_;
+  unsigned threads_;
+  std::size_t evaluations_ = 0;
+};
+
+}  // namespace saddle
