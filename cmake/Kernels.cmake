@@ -15,7 +15,7 @@ function(add_kernel file function)
     target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/src)
     target_compile_definitions(${name} PRIVATE SADDLE_LEVEL=${function}_${level})
     target_compile_options(${name} PRIVATE
-      -fno-math-errno -fno-trapping-math ${KERNEL_FLAGS_${level}})
+      -fno-math-errno -fno-trapping-math -funroll-loops ${KERNEL_FLAGS_${level}})
     target_link_libraries(${name} PRIVATE saddle_options)
     target_sources(saddle_kernels INTERFACE $<TARGET_OBJECTS:${name}>)
   endforeach()

@@ -26,8 +26,6 @@ constexpr int kRounds = 12;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
 constexpr double kMostStrict = 4;
 constexpr std::size_t kMaxListed = 1000;  // poles and jumps named in a report
-/// A leaf on the rim has no tests but fresh samples: they must find it better than others by this.
-constexpr double kRimCare = 1.5;
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
 /// Boxes that proofs may try, some tens of milliseconds of work.
