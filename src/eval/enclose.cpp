@@ -3,11 +3,8 @@
 #include <cassert>
 
 namespace saddle {
-namespace {
-
-/// The interval column of the table of operations.
-inline Interval apply(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] const Interval& b,
-                      [[maybe_unused]] const Interval& c) {
+Interval enclose(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] const Interval& b,
+                 [[maybe_unused]] const Interval& c) {
   switch (op) {
     case Op::Constant:
     case Op::Variable:
@@ -20,8 +17,6 @@ inline Interval apply(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]
   assert(false && "leaves are not applied");
   return kUndefined;
 }
-
-}  // namespace
 
 Enclosure::Enclosure(const Tape& tape) {
   banks_ = {0, static_cast<std::uint32_t>(tape.constants.size()), 0, 0};
@@ -65,7 +60,7 @@ void Enclosure::operator()(const Interval& u, const Interval& v, std::span<Inter
   for (const Step& step : steps_) {
     const Interval& a = slots[step.in[0]];
     slots[step.out] =
-        step.square ? sqr(a) : apply(step.op, a, slots[step.in[1]], slots[step.in[2]]);
+        step.square ? sqr(a) : enclose(step.op, a, slots[step.in[1]], slots[step.in[2]]);
   }
   for (std::size_t k = 0; k < outputs_.size(); ++k) outputs[k] = slots[outputs_[k]];
 }

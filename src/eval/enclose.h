@@ -10,6 +10,10 @@
 
 namespace saddle {
 
+/// One operation on boxes: the interval column of the table of operations. Arguments past its arity
+/// are ignored.
+Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c);
+
 /// A tape made ready for many boxes, with the memory that one box takes. One for each thread.
 class Enclosure {
  public:
@@ -35,7 +39,7 @@ class Enclosure {
   std::vector<Interval> slots_;
 };
 
-/// The same for one box.
+/// A tape over one box.
 void enclose(const Tape& tape, const Interval& u, const Interval& v, std::span<Interval> outputs);
 
 /// A function over a box from its value at the middle and its slopes over the whole box (mean value

@@ -25,7 +25,6 @@ namespace {
 constexpr int kRounds = 12;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
 constexpr double kMostStrict = 4;
-constexpr std::size_t kMaxListed = 1000;  // poles and jumps named in a report
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
 /// Boxes that proofs may try, some tens of milliseconds of work.
@@ -266,7 +265,7 @@ class Mesher {
 
   /// Whether one more halving could exceed the limit of triangles.
   bool is_full() {
-    const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
+    const bool full = lattice_.is_full(options_.max_triangles);
     reached_limit_ = reached_limit_ || full;
     return full;
   }

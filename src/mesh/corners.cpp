@@ -10,8 +10,6 @@ namespace saddle {
 
 namespace {
 
-constexpr std::size_t kMaxListed = 1000;  // singular points named in a report
-
 /// The kept cells around all singular vertices, in order of vertex, then of cell.
 std::vector<Approach> singular_approaches(const Grid& grid) {
   std::vector<Approach> approaches;

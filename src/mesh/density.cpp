@@ -29,6 +29,8 @@ constexpr int kRatios = 6;
 constexpr double kTail = 0.05;
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
 constexpr double kSeam = 1e-9;
+/// Cells that rounding may add to a sum of densities; a whole number of them is not exceeded by it.
+constexpr double kRoundingOfSums = 1e-9;
 /// No interval between fixed lines is cut into more cells to begin with.
 constexpr double kMaxPerInterval = 1000;
 
@@ -132,7 +134,7 @@ class Cumulative {
 
 /// Cells between two fixed lines.
 double cells_between(const Cumulative& cumulative, double a, double b) {
-  const double cells = std::ceil(cumulative.at(b) - cumulative.at(a) - 1e-9);
+  const double cells = std::ceil(cumulative.at(b) - cumulative.at(a) - kRoundingOfSums);
   return std::clamp(std::isfinite(cells) ? cells : 1.0, 1.0, kMaxPerInterval);
 }
 

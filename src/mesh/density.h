@@ -42,7 +42,7 @@ class Probe {
   /// and K < 0. 0 where the surface is developable.
   /// Source: L. Fejes Toth, "Lagerungen in der Ebene, auf der Kugel und im Raum", 1953;
   /// P. M. Gruber, "Asymptotic estimates for best and stepwise approximation", 1993; for K < 0:
-  /// H. Pottmann et al., "On optimal triangulation of saddle surfaces", 2000.
+  /// H. Pottmann et al., "On piecewise linear approximation of quadratic functions", 2000.
   double least_triangles(const Tolerance& tolerance) const;
 
  private:

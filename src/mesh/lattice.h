@@ -88,8 +88,9 @@ class Lattice {
     used_count_ += used_[vertex] == 0 ? 1 : 0;
     used_[vertex] = 1;
   }
-  /// Vertices in use. A mesh of them has fewer than twice as many triangles (Euler).
-  std::size_t used_count() const { return used_count_; }
+  /// Whether one more halving, which takes up to two vertices into use, could make more triangles
+  /// than are allowed: a mesh has fewer than twice as many as vertices (Euler).
+  bool is_full(std::size_t max_triangles) const { return 2 * (used_count_ + 2) > max_triangles; }
 
   /// Whether the position is finite.
   bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }

@@ -59,6 +59,9 @@ struct SingularPoint {
   bool has_limit = true;  ///< false: the normal there has no limit; the face's is used
 };
 
+/// Places of a kind that a report names; it counts the others.
+inline constexpr std::size_t kMaxListed = 1000;
+
 /// What meshing found out and what it cost.
 struct MeshReport {
   std::size_t cells = 0;                       ///< cells of the grid that are covered

@@ -233,9 +233,7 @@ class Refiner {
         judge(candidates[k], samples[k], next);
       } else if (defined > 0) {
         judge_rim(candidates[k], next);
-      } else {
-        ++result_.dropped;
-      }
+      }  // what is defined nowhere is no part of the mesh
     }
     candidates = std::move(next);
   }
@@ -260,7 +258,7 @@ class Refiner {
   void judge_rim(const Candidate& candidate, std::vector<Candidate>& next) {
     Leaf leaf = candidate.leaf;
     leaf.on_rim = true;
-    const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
+    const bool full = lattice_.is_full(options_.max_triangles);
     const int done = halvings(leaf);
     const auto halves = done < kRimHalvings && !full
                             ? halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_)
@@ -292,7 +290,7 @@ class Refiner {
     const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain;
     std::optional<std::array<Leaf, 2>> halves;
     if (is_far || is_turned) {
-      const bool full = 2 * (lattice_.used_count() + 2) > options_.max_triangles;
+      const bool full = lattice_.is_full(options_.max_triangles);
       result_.reached_limit = result_.reached_limit || full;
       const Scores scores = !is_turned ? verdict.distance
                             : !is_far  ? verdict.turn

@@ -34,7 +34,6 @@ struct RefineOptions {
 
 struct Refinement {
   std::vector<Leaf> leaves;    ///< in no order but always the same
-  std::size_t dropped = 0;     ///< leaves that are not defined at any of their samples
   bool reached_limit = false;  ///< max_triangles stopped it
 };
 

@@ -119,10 +119,7 @@ void write_cells(const Cuts& cuts, const GridTile& tile, std::size_t row, Grid& 
     }
     const bool plain = cuts.margin[i] > 0;
     grid.cells[first + i] = plain ? Cell::Two : Cell::Open;
-    if (!plain) {
-      summary.any_open = true;
-      continue;
-    }
+    if (!plain) continue;
     const std::uint32_t across = vertex + pitch;
     const bool second = cuts.second[i] > 0;
     Triangle* const triangles = grid.mesh.triangles.data() + 2 * (first + i);

@@ -22,7 +22,6 @@ struct RowSummary {
 struct TileSummary {
   std::vector<RowSummary> rows;  ///< from the tile's lowest row
   Bounds bounds;                 ///< of the finite rows
-  bool any_open = false;
   std::vector<CellError> worst;  ///< the worst plain cell of each few
 };
 

@@ -46,20 +46,6 @@ const char* id_of(Op op) {
   return "";
 }
 
-Interval apply_to_boxes(Op op, [[maybe_unused]] const Interval& a,
-                        [[maybe_unused]] const Interval& b, [[maybe_unused]] const Interval& c) {
-  switch (op) {
-    case Op::Constant:
-    case Op::Variable:
-      break;
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, ...) \
-  case Op::id:                                                               \
-    return interval;
-#include "formula/ops.def"
-  }
-  return kUndefined;
-}
-
 /// What the evaluator's loops give, with SLEEF's functions.
 double apply_in_vectors(Op op, double a, double b, double c) {
   const std::array<Operand, 3> in = {Operand{&a, true}, Operand{&b, true}, Operand{&c, true}};
@@ -183,7 +169,7 @@ TEST(Enclosure, HoldsTheExactAndTheComputedValueOfEveryOperation) {
     int bounded = 0;
     for (int i = 0; i < kBoxes; ++i) {
       const auto [a, b, c] = Arguments::random(op, random);
-      const Interval r = apply_to_boxes(op, a, b, c);
+      const Interval r = enclose(op, a, b, c);
       bounded += std::isfinite(r.low) && std::isfinite(r.high) ? 1 : 0;
       const double x = random.inside(a);
       const double y = random.inside(b);
@@ -230,7 +216,7 @@ TEST(Enclosure, HasNumbersAsBoundsAndHoldsTheComputedValueAtTheEndsOfTheRangeOfD
       if (takes_an_order(op)) a = {1, 1};
       const Interval b = extreme_box(random);
       const Interval c = extreme_box(random);
-      const Interval r = apply_to_boxes(op, a, b, c);
+      const Interval r = enclose(op, a, b, c);
       const double computed = apply(op, finite_end(a), finite_end(b), finite_end(c));
       const std::string what = std::string(id_of(op)) + " of " + text(a) + text(b) + text(c) +
                                " is " + text(r) + ", computed " + std::to_string(computed);
@@ -281,7 +267,7 @@ TEST(Enclosure, IsAsNarrowAsTheRangeWhereAFunctionIsMonotone) {
     for (Box box : boxes) {
       if (takes_an_order(op)) box.a = {1, 1};
       const Interval c = {0.6, 0.7};
-      const Interval r = apply_to_boxes(op, box.a, box.b, c);
+      const Interval r = enclose(op, box.a, box.b, c);
       const CornerRange range(op, box.a, box.b, c);
       if (!range.numbers || !r.continuous || r.defined != Defined::Yes) continue;
       ++compared;
