@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "high_precision.h"
+#include "study/high_precision.h"
 
 namespace saddle::testing {
 
@@ -64,9 +64,9 @@ inline bool is_decision(Op op) {
 inline StrictValue decide(Op op, const StrictValue& a, const StrictValue& b) {
   const auto truth_of = [](const StrictValue& x) { return !x.is_number() || x.value != 0; };
   const bool numbers = a.is_number() && b.is_number();
-  if (op == Op::And) return {StrictValue::Number, truth(truth_of(a) && truth_of(b))};
-  if (op == Op::Or) return {StrictValue::Number, truth(truth_of(a) || truth_of(b))};
-  if (!numbers) return {StrictValue::Number, truth(op == Op::NotEqual)};
+  if (op == Op::And) return {StrictValue::Number, Real(truth_of(a) && truth_of(b))};
+  if (op == Op::Or) return {StrictValue::Number, Real(truth_of(a) || truth_of(b))};
+  if (!numbers) return {StrictValue::Number, Real(op == Op::NotEqual)};
   return {StrictValue::Number, apply_exactly(op, a.value, b.value, 0)};
 }
 

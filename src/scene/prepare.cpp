@@ -57,16 +57,15 @@ Ends range_values(Graph& graph, Scope& scope, const std::string& name, const Ran
   return result;
 }
 
-/// All that has a name in the formulas: the scene's definitions and the surface's own x, y and z.
-std::vector<Definition> names_of(const Scene& scene, const SurfaceSpec& spec) {
+}  // namespace
+
+std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
   std::vector<Definition> names = scene.definitions;
   names.push_back({"x", spec.x});
   names.push_back({"y", spec.y});
   names.push_back({"z", spec.z});
   return names;
 }
-
-}  // namespace
 
 PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Order order) {
   if (spec.z.empty()) {
@@ -75,7 +74,7 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
   }
   const auto start = Clock::now();
   Graph graph;
-  Scope scope(graph, names_of(scene, spec));
+  Scope scope(graph, surface_definitions(scene, spec));
   const Ends u = range_values(graph, scope, "u", spec.u);
   const Ends v = range_values(graph, scope, "v", spec.v);
   const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
@@ -95,7 +94,8 @@ double finite_constant(const Scene& scene, const std::string& name, const std::s
   Graph graph;
   // A definition may use the surface's x, y and z.
   const bool has_surface = !scene.surfaces.empty() && !scene.surfaces.back().z.empty();
-  Scope scope(graph, has_surface ? names_of(scene, scene.surfaces.back()) : scene.definitions);
+  Scope scope(graph,
+              has_surface ? surface_definitions(scene, scene.surfaces.back()) : scene.definitions);
   const double value = scope.constant(name, text);
   if (!std::isfinite(value)) {
     throw Error(Status::Input, "not a finite number", {name, text, {0, text.size()}});

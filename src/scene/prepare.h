@@ -2,11 +2,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "formula/scope.h"
 #include "scene/scene.h"
 #include "surface/surface.h"
 
 namespace saddle {
+
+/// All that has a name in the formulas: the scene's definitions and the surface's own x, y and z.
+std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec);
 
 struct PreparedSurface {
   Surface surface;

@@ -7,17 +7,14 @@
 
 #include "conformance/rounding.h"
 #include "formula/derive.h"
-#include "formula/lexer.h"
 #include "formula/lower.h"
 #include "formula/scope.h"
-#include "high_precision.h"
 #include "scene/prepare.h"
+#include "study/exact_surface.h"
 #include "surface/normal.h"
 
 namespace saddle::testing {
 namespace {
-
-using Vector = std::array<Real, 3>;
 
 constexpr std::size_t kOutputs = 9;  // x y z, their derivatives by u, then by v
 
@@ -26,26 +23,6 @@ constexpr double kConstantUlps = 2;
 
 /// What cross product and normalisation add to an angle, in radians.
 constexpr double kCrossRounding = 8 * 0x1p-53;
-
-/// The formula with every number N as N*t and pi as acos(-t), so that at t = 1 nothing is rounded
-/// or folded as a double before it is valued with 50 digits. The gallery's own t is 0.
-std::string unfolded(const std::string& text) {
-  std::string result;
-  for (const Token& token : tokenize({"", text, {0, text.size()}})) {
-    const bool name = token.kind == TokenKind::Name;
-    if (token.kind == TokenKind::Number) {
-      result += "(" + token.text + "*t)";
-    } else if (name && token.text == "pi") {
-      result += "acos(-t)";
-    } else if (name && token.text == "t") {
-      result += "(0*t)";
-    } else {
-      result += token.text;
-    }
-    result += " ";
-  }
-  return result;
-}
 
 std::vector<NodeId> with_tangents(Graph& graph, std::vector<NodeId> roots) {
   const std::vector<NodeId> position = roots;
@@ -61,19 +38,6 @@ struct Formulas {
   Graph graph;
   std::vector<NodeId> roots;
 };
-
-Formulas exact_formulas(const Scene& scene) {
-  const SurfaceSpec& spec = scene.surfaces.at(0);
-  std::vector<Definition> definitions = scene.definitions;
-  for (Definition& definition : definitions) definition.text = unfolded(definition.text);
-  Formulas result;
-  Scope scope(result.graph, definitions);
-  for (const std::string& text : {spec.x, spec.y, spec.z}) {
-    result.roots.push_back(scope.parse("", unfolded(text)));
-  }
-  result.roots = with_tangents(result.graph, result.roots);
-  return result;
-}
 
 /// What the tapes are compiled from.
 Formulas evaluated_formulas(const Scene& scene) {
@@ -102,31 +66,15 @@ double last_place(double x) {
   return std::nextafter(std::fabs(x), HUGE_VAL) - std::fabs(x);
 }
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Real length(const Vector& a) {
-  return sqrt(Real(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]));
-}
-
 /// The truth at one point, and how far rounding may move it.
 class Truth {
  public:
   explicit Truth(const Scene& scene)
-      : exact_(exact_formulas(scene)),
+      : exact_(scene, scene.surfaces.at(0)),
         evaluated_(evaluated_formulas(scene)),
         bound_(evaluated_.graph, evaluated_.roots, kConstantUlps) {}
 
-  std::array<Vector, 3> values(const dvec2& uv) const {
-    const auto variable = [&](Symbol symbol) -> Real {
-      return symbol == kSymbolU ? uv.x : symbol == kSymbolV ? uv.y : 1.0;
-    };
-    const std::vector<Real> all = exact_values(exact_.graph, exact_.roots, variable);
-    std::array<Vector, 3> result;
-    for (std::size_t k = 0; k < kOutputs; ++k) result[k / 3][k % 3] = all[exact_.roots[k]];
-    return result;
-  }
+  ExactPoint values(const dvec2& uv) const { return exact_(uv.x, uv.y); }
 
   std::array<double, kOutputs> bounds(const dvec2& uv) const {
     std::vector<double> values(evaluated_.graph.size());
@@ -144,12 +92,12 @@ class Truth {
   }
 
  private:
-  Formulas exact_;
+  ExactSurface exact_;
   Formulas evaluated_;
   RoundingBound bound_;
 };
 
-void compare_position(const dvec3& computed, const Vector& exact,
+void compare_position(const dvec3& computed, const RealVector& exact,
                       std::span<const double, kOutputs> bounds, double size,
                       GalleryAccuracy& result) {
   double largest = 0;
@@ -162,12 +110,12 @@ void compare_position(const dvec3& computed, const Vector& exact,
   }
 }
 
-void compare_normal(const dvec3& normal, const std::array<Vector, 3>& exact, bool flip,
+void compare_normal(const dvec3& normal, const ExactPoint& exact, bool flip,
                     std::span<const double, kOutputs> bounds, GalleryAccuracy& result) {
   constexpr double kDegrees = 57.29577951308232;
-  Vector across = cross(exact[1], exact[2]);
+  RealVector across = cross(exact.r_u, exact.r_v);
   const Real size = length(across);
-  const Vector computed = {normal.x, normal.y, normal.z};
+  const RealVector computed = {normal.x, normal.y, normal.z};
   const Real sine = length(cross(computed, across)) / size;
   const Real cosine = normal.x * across[0] + normal.y * across[1] + normal.z * across[2];
   const double angle =
@@ -175,10 +123,10 @@ void compare_normal(const dvec3& normal, const std::array<Vector, 3>& exact, boo
   const auto norm = [&](int first) {
     return std::hypot(bounds[first], bounds[first + 1], bounds[first + 2]);
   };
-  const Real moved = norm(3) * length(exact[2]) + norm(6) * length(exact[1]);
+  const Real moved = norm(3) * length(exact.r_v) + norm(6) * length(exact.r_u);
   const double allowed =
       static_cast<double>(Real(moved / size)) +
-      kCrossRounding * static_cast<double>(Real(length(exact[1]) * length(exact[2]) / size));
+      kCrossRounding * static_cast<double>(Real(length(exact.r_u) * length(exact.r_v) / size));
   result.degrees = std::max(result.degrees, angle * kDegrees);
   result.normal_rounding = std::max(result.normal_rounding, angle / allowed);
   ++result.normals;
@@ -201,11 +149,11 @@ GalleryAccuracy measure_accuracy(const GalleryEntry& entry, int points, std::uin
   GalleryAccuracy result;
   result.name = entry.name;
   for (std::size_t i = 0; i < uv.size(); ++i) {
-    const std::array<Vector, 3> exact = truth.values(uv[i]);
-    const bool finite = std::ranges::all_of(exact[0], [](const Real& x) { return isfinite(x); });
+    const ExactPoint exact = truth.values(uv[i]);
+    const bool finite = std::ranges::all_of(exact.r, [](const Real& x) { return isfinite(x); });
     if (!finite) continue;
     const std::array<double, kOutputs> bounds = truth.bounds(uv[i]);
-    compare_position(computed[i].position, exact[0], bounds, size, result);
+    compare_position(computed[i].position, exact.r, bounds, size, result);
     ++result.points;
     const auto normal = unit_normal(computed[i], 1, 1, surface.flip);
     if (normal) compare_normal(*normal, exact, surface.flip, bounds, result);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "conformance/arguments.h"
-#include "high_precision.h"
+#include "study/high_precision.h"
 
 namespace saddle::testing {
 

@@ -7,14 +7,11 @@
 #include "formula/derive.h"
 #include "formula/language.h"
 #include "graph_value.h"
-#include "high_precision.h"
 #include "random_formula.h"
+#include "study/high_precision.h"
 
 namespace saddle {
 namespace {
-
-using testing::exact_value;
-using testing::Real;
 
 // Central differences with step h are off by h^2/6 of the third derivative, 1e-36, plus 1e-50/h:
 // nothing. A folded constant such as ln(pi) is off by 1e-16 of itself; a rule multiplies a few.

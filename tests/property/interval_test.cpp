@@ -22,7 +22,6 @@
 namespace saddle {
 namespace {
 
-using testing::Real;
 using testing::StrictValue;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -4,12 +4,10 @@
 
 #include <cmath>
 
-#include "high_precision.h"
+#include "study/high_precision.h"
 
 namespace saddle {
 namespace {
-
-using testing::Real;
 
 /// Largest relative error of our recurrences and series: tens of roundings.
 constexpr double kRoundings = 64 * std::numeric_limits<double>::epsilon();
@@ -34,7 +32,7 @@ TEST(Polygamma, IsUndefinedAtItsPoles) {
 TEST(Polygamma, IsRelativelyExactOnEitherSideOfAPole) {
   for (int n = 0; n <= 3; ++n) {
     for (const double x : {-1e-5, -1 + 0x1p-20, -1 - 0x1p-20, -7 + 0x1p-30, -7 - 0x1p-30}) {
-      const double exact = static_cast<double>(testing::exact_polygamma(n, x));
+      const double exact = static_cast<double>(exact_polygamma(n, x));
       EXPECT_NEAR(polygamma(n, x) / exact, 1, kRoundings) << n << " " << x;
     }
   }
@@ -43,7 +41,7 @@ TEST(Polygamma, IsRelativelyExactOnEitherSideOfAPole) {
 TEST(SincDerivative, AgreesWithFiftyDigits) {
   for (int n = 0; n <= 5; ++n) {
     for (const double x : {0.0, 1e-9, 0.2, -0.9, 1.0, 2.5, -4.9, 5.1, 9.7, 17.0}) {
-      const double exact = static_cast<double>(testing::sinc_series(n, x));
+      const double exact = static_cast<double>(sinc_series(n, x));
       EXPECT_NEAR(sinc_derivative(n, x), exact, kRoundings) << n << " " << x;
     }
   }

@@ -1,5 +1,4 @@
-// Values of graphs with 50 digits, from Boost's functions: independent of the table's own values.
-#pragma once
+#include "study/high_precision.h"
 
 #include <array>
 #include <boost/math/special_functions/bessel.hpp>
@@ -8,19 +7,12 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/log1p.hpp>
 #include <boost/math/special_functions/polygamma.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <functional>
 #include <limits>
-#include <span>
-#include <vector>
 
-#include "formula/graph.h"
+namespace saddle {
+namespace {
 
-namespace saddle::testing {
-
-using Real = boost::multiprecision::cpp_bin_float_50;
-
-inline Real truth(bool condition) {
+Real truth(bool condition) {
   return condition ? Real(1) : Real(0);
 }
 
@@ -34,7 +26,7 @@ struct Quadrant {
   int number = 0;
 };
 
-inline Quadrant reduce(const Real& x) {
+Quadrant reduce(const Real& x) {
   static const Huge kHalfPi = boost::multiprecision::acos(Huge(0));
   const Huge multiple = boost::multiprecision::round(Huge(x) / kHalfPi);
   const Huge turns = boost::multiprecision::floor(multiple / 4);
@@ -42,7 +34,7 @@ inline Quadrant reduce(const Real& x) {
 }
 
 /// The n-th derivative of sin at x.
-inline Real sine_derivative(int n, const Real& x) {
+Real sine_derivative(int n, const Real& x) {
   namespace mp = boost::multiprecision;
   // Below 1 nothing is taken off, and tiny arguments keep their digits.
   const Quadrant at = mp::abs(x) < 1 ? Quadrant{x, 0} : reduce(x);
@@ -51,62 +43,44 @@ inline Real sine_derivative(int n, const Real& x) {
   return quarter < 2 ? value : Real(-value);
 }
 
-/// The n-th derivative of sin(x)/x: its power series, good for |x| < 20 with 50 digits, and beyond
-/// the recurrence x s_n + n s_(n-1) = sin^(n)(x), stable for |x| > n.
-inline Real sinc_series(int n, const Real& x) {
-  if (boost::multiprecision::abs(x) > 19) {
-    Real value = sine_derivative(0, x) / x;
-    for (int k = 1; k <= n; ++k) value = (sine_derivative(k, x) - k * value) / x;
-    return value;
-  }
-  Real sum = 0;
-  Real power = n % 2 == 0 ? Real(1) : x;  // x^m / m!
-  for (int m = n % 2; m < 200; m += 2) {
-    const Real term = power / (m + n + 1);
-    sum += (m + n) / 2 % 2 == 0 ? term : Real(-term);
-    power *= x * x / ((m + 1) * (m + 2));
-  }
-  return sum;
-}
-
 /// An argument past which an exponential is infinite or zero for every purpose, and Boost's series
 /// are slow: e^(+-1e5) is far outside of the doubles.
-const Real kLargestExponent = 1e5;
+constexpr double kLargestExponent = 1e5;
 
-inline Real exponential(const Real& x) {
+Real exponential(const Real& x) {
   if (x > kLargestExponent) return std::numeric_limits<Real>::infinity();
   return x < -kLargestExponent ? Real(0) : Real(boost::multiprecision::exp(x));
 }
 
 /// e^|x| - 1, with all digits near 0.
-inline Real growth(const Real& x) {
+Real growth(const Real& x) {
   const Real size = boost::multiprecision::abs(x);
   if (size > kLargestExponent) return std::numeric_limits<Real>::infinity();
   return boost::math::expm1(size);
 }
 
-inline Real odd(const Real& x, const Real& value_of_size) {
+Real odd(const Real& x, const Real& value_of_size) {
   return x < 0 ? Real(-value_of_size) : value_of_size;
 }
 
-inline Real exact_sinh(const Real& x) {
+Real exact_sinh(const Real& x) {
   const Real e = growth(x);
   return odd(x, boost::multiprecision::isfinite(e) ? Real((e + e / (e + 1)) / 2) : e);
 }
 
-inline Real exact_tanh(const Real& x) {
+Real exact_tanh(const Real& x) {
   const Real e = growth(2 * x);
   return odd(x, boost::multiprecision::isfinite(e) ? Real(e / (e + 2)) : Real(1));
 }
 
-inline Real exact_asinh(const Real& x) {
+Real exact_asinh(const Real& x) {
   const Real size = boost::multiprecision::abs(x);
   const Real square = size * size;
   return odd(x, boost::math::log1p(
                     Real(size + square / (1 + boost::multiprecision::sqrt(Real(square + 1))))));
 }
 
-inline Real exact_pow(const Real& a, const Real& b) {
+Real exact_pow(const Real& a, const Real& b) {
   namespace mp = boost::multiprecision;
   if (a == 0 || b == 0) return b == 0 ? Real(1) : b > 0 ? Real(0) : 1 / mp::abs(a);
   const bool whole = b == mp::floor(b);
@@ -116,18 +90,18 @@ inline Real exact_pow(const Real& a, const Real& b) {
   return a < 0 && is_odd ? Real(-size) : size;
 }
 
-inline Real exact_mod(const Real& a, const Real& b) {
+Real exact_mod(const Real& a, const Real& b) {
   return Real(Huge(a) - Huge(b) * boost::multiprecision::floor(Huge(a) / Huge(b)));
 }
 
 /// Past these, gamma is outside of the doubles.
-inline Real exact_gamma(const Real& x) {
+Real exact_gamma(const Real& x) {
   if (x > 1000) return std::numeric_limits<Real>::infinity();
   return x < -1000 && x != boost::multiprecision::floor(x) ? Real(0) : boost::math::tgamma(x);
 }
 
 /// In 100 digits: the logarithm loses half of them near its zeros.
-inline Real exact_lgamma(const Real& x) {
+Real exact_lgamma(const Real& x) {
   using Fine = boost::multiprecision::cpp_bin_float_100;
   if (boost::multiprecision::abs(x) > 20) return boost::math::lgamma(x);
   return Real(log(abs(boost::math::tgamma(Fine(x)))));
@@ -135,7 +109,7 @@ inline Real exact_lgamma(const Real& x) {
 
 /// Where Boost no longer tells even multiples of pi from odd ones: Hankel's asymptotic series, with
 /// terms (4n^2-1^2)(4n^2-3^2).../(k! (8x)^k) of alternating kinds.
-inline Real exact_bessel_j(int n, const Real& x) {
+Real exact_bessel_j(int n, const Real& x) {
   namespace mp = boost::multiprecision;
   if (mp::abs(x) < 1e4) return boost::math::cyl_bessel_j(n, x);
   if (x < 0) return n % 2 == 0 ? exact_bessel_j(n, -x) : Real(-exact_bessel_j(n, -x));
@@ -154,9 +128,29 @@ inline Real exact_bessel_j(int n, const Real& x) {
   return (sums[0] * (cosine + sine) - sums[1] * (sine - cosine)) / mp::sqrt(Real(pi * x));
 }
 
+}  // namespace
+
+/// Its power series, good for |x| < 20 with 50 digits, and beyond
+/// the recurrence x s_n + n s_(n-1) = sin^(n)(x), stable for |x| > n.
+Real sinc_series(int n, const Real& x) {
+  if (boost::multiprecision::abs(x) > 19) {
+    Real value = sine_derivative(0, x) / x;
+    for (int k = 1; k <= n; ++k) value = (sine_derivative(k, x) - k * value) / x;
+    return value;
+  }
+  Real sum = 0;
+  Real power = n % 2 == 0 ? Real(1) : x;  // x^m / m!
+  for (int m = n % 2; m < 200; m += 2) {
+    const Real term = power / (m + n + 1);
+    sum += (m + n) / 2 % 2 == 0 ? term : Real(-term);
+    power *= x * x / ((m + 1) * (m + 2));
+  }
+  return sum;
+}
+
 /// By the reflection formula where x < 0: Boost 1.74 is wrong at -1/2, and loses the parity of the
 /// period far from 0.
-inline Real exact_polygamma(int n, const Real& x) {
+Real exact_polygamma(int n, const Real& x) {
   using boost::math::polygamma;
   if (x > 0) return polygamma(n, x);
   const int sign = n % 2 == 0 ? 1 : -1;
@@ -169,7 +163,7 @@ inline Real exact_polygamma(int n, const Real& x) {
   return mirrored - sign * polygamma(n, Real(1 - rest)) + polygamma(n, Real(1 + rest)) - step;
 }
 
-inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
+Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
   namespace mp = boost::multiprecision;
   switch (op) {
     case Op::Constant:
@@ -281,10 +275,8 @@ inline Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
   return std::numeric_limits<Real>::quiet_NaN();
 }
 
-/// The values of all nodes that `root` needs, from the variables' values; where Boost finds an
-/// argument outside of a domain, everything is NaN.
-inline std::vector<Real> exact_values(const Graph& graph, std::span<const NodeId> roots,
-                                      const std::function<Real(Symbol)>& variable) {
+std::vector<Real> exact_values(const Graph& graph, std::span<const NodeId> roots,
+                               const std::function<Real(Symbol)>& variable) {
   const std::vector<bool> needed = reachable(graph, roots);
   std::vector<Real> result(needed.size());
   try {
@@ -307,12 +299,11 @@ inline std::vector<Real> exact_values(const Graph& graph, std::span<const NodeId
   return result;
 }
 
-/// The value of `root` at (u, v), t = 0.
-inline Real exact_value(const Graph& graph, NodeId root, const Real& u, const Real& v) {
+Real exact_value(const Graph& graph, NodeId root, const Real& u, const Real& v) {
   const auto variable = [&](Symbol symbol) {
     return symbol == kSymbolU ? u : symbol == kSymbolV ? v : Real(0);
   };
   return exact_values(graph, std::array{root}, variable)[root];
 }
 
-}  // namespace saddle::testing
+}  // namespace saddle

@@ -1,0 +1,118 @@
+#include "study/exact_surface.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "formula/derive.h"
+#include "formula/lexer.h"
+#include "scene/prepare.h"
+
+namespace saddle {
+namespace {
+
+/// The constants of the language that no double is, by a number that is 1.
+std::string constant_of_one(std::string_view name, const std::string& one) {
+  if (name == "pi") return "acos(-" + one + ")";
+  if (name == "tau") return "(2*acos(-" + one + "))";
+  if (name == "e") return "exp(" + one + ")";
+  if (name == "phi") return "((1+sqrt(5*" + one + "))/2)";
+  return std::string(name);
+}
+
+/// The formula with every number N as N*one, so that nothing is rounded or folded as a double
+/// before it is valued with 50 digits. `hidden`: names that are not the language's constants here.
+std::string unfolded(const std::vector<Token>& formula, const std::string& one,
+                     const std::vector<std::string>& hidden) {
+  std::string result;
+  for (const Token& token : formula) {
+    if (token.kind == TokenKind::Number) {
+      result += "(" + token.text + "*" + one + ")";
+    } else if (token.kind == TokenKind::Name &&
+               std::ranges::find(hidden, token.text) == hidden.end()) {
+      result += constant_of_one(token.text, one);
+    } else {
+      result += token.text;
+    }
+    result += " ";
+  }
+  return result;
+}
+
+/// The definitions with a parameter that is 1 in all of their constants. Plain numbers stay: they
+/// are exact, and a name that stands for one can be differentiated by.
+std::vector<Definition> unfolded(std::vector<Definition> definitions) {
+  std::vector<std::string> names;
+  for (const Definition& definition : definitions) {
+    names.push_back(definition.name);
+    names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
+  }
+  std::string one = "one";
+  while (std::ranges::find(names, one) != names.end()) one += "_";
+  for (Definition& definition : definitions) {
+    const auto tokens = tokenize({"", definition.text, {0, definition.text.size()}});
+    if (tokens.size() > 1 || tokens[0].kind != TokenKind::Number) {
+      definition.text = unfolded(tokens, one, names);
+    }
+  }
+  definitions.push_back({one, "1"});
+  return definitions;
+}
+
+}  // namespace
+
+RealVector cross(const RealVector& a, const RealVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Real length(const RealVector& a) {
+  return sqrt(Real(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]));
+}
+
+ExactSurface::ExactSurface(const Scene& scene, const SurfaceSpec& spec) {
+  const std::vector<Definition> definitions = surface_definitions(scene, spec);
+  values_[kSymbolT] = scene.t;
+  try {
+    read(unfolded(definitions));
+  } catch (const Error&) {
+    read(definitions);  // diff() by a parameter needs it as a plain number
+  }
+}
+
+void ExactSurface::read(const std::vector<Definition>& definitions) {
+  graph_ = {};
+  Scope scope(graph_, definitions);
+  const std::vector<NodeId> position = {scope.node("x"), scope.node("y"), scope.node("z")};
+  roots_ = position;
+  for (const Symbol by : {kSymbolU, kSymbolV}) {
+    const std::vector<NodeId> slopes = derive(graph_, position, by);
+    roots_.insert(roots_.end(), slopes.begin(), slopes.end());
+  }
+  for (const auto& [name, value] : scope.parameters()) {
+    values_[graph_[scope.node(name)].symbol] = value;
+  }
+}
+
+std::vector<Real> ExactSurface::values(std::span<const NodeId> roots, const Real& u,
+                                       const Real& v) const {
+  const auto variable = [&](Symbol symbol) {
+    return symbol == kSymbolU ? u : symbol == kSymbolV ? v : Real(values_.at(symbol));
+  };
+  const std::vector<Real> all = exact_values(graph_, roots, variable);
+  std::vector<Real> result;
+  for (const NodeId root : roots) result.push_back(all[root]);
+  return result;
+}
+
+ExactPoint ExactSurface::operator()(const Real& u, const Real& v) const {
+  const std::vector<Real> all = values(roots_, u, v);
+  return {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}, {all[6], all[7], all[8]}};
+}
+
+RealVector ExactSurface::position(const Real& u, const Real& v) const {
+  const std::vector<Real> all = values(std::span(roots_).first(3), u, v);
+  return {all[0], all[1], all[2]};
+}
+
+}  // namespace saddle
