@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "render/renderer.h"
+#include "render/picture.h"
 
 namespace saddle {
 

@@ -72,8 +72,10 @@ ModelFrame model_frame(const Bounds& bounds) {
   return {bounds.centre(), size > 0 ? size : 1};
 }
 
-GpuMesh::GpuMesh(const Mesh& mesh, const ModelFrame& frame)
-    : triangle_array_(make_name<GlVertexArray>(glGenVertexArrays)),
+GpuMesh::GpuMesh(const Mesh& mesh)
+    : bounds_(mesh.bounds),
+      frame_(model_frame(mesh.bounds)),
+      triangle_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       line_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       vertices_(make_name<GlBuffer>(glGenBuffers)),
       triangles_(make_name<GlBuffer>(glGenBuffers)),
@@ -81,7 +83,7 @@ GpuMesh::GpuMesh(const Mesh& mesh, const ModelFrame& frame)
       triangle_indices_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
   assert(mesh.normal.size() == mesh.position.size());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-  upload_vertices(mesh, frame);
+  upload_vertices(mesh, frame_);
 
   glBindVertexArray(triangle_array_.get());
   describe_vertices();

@@ -19,13 +19,17 @@ ModelFrame model_frame(const Bounds& bounds);
 /// Positions, normals, triangles and lines of one mesh. Needs a current context.
 class GpuMesh {
  public:
-  GpuMesh(const Mesh& mesh, const ModelFrame& frame);
+  explicit GpuMesh(const Mesh& mesh);
 
+  const Bounds& bounds() const { return bounds_; }
+  const ModelFrame& frame() const { return frame_; }
   bool has_lines() const { return line_indices_ > 0; }
   void draw_triangles() const;
   void draw_lines() const;
 
  private:
+  Bounds bounds_;
+  ModelFrame frame_;  ///< of the bounds
   GlVertexArray triangle_array_;
   GlVertexArray line_array_;
   GlBuffer vertices_;

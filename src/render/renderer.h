@@ -1,44 +1,55 @@
-// A scene and its meshes become a picture.
+// A scene on the GPU: its meshes are uploaded once, its shader programs compiled once, and it is
+// drawn as often as wanted, into whatever framebuffer is bound.
 #pragma once
 
-#include <memory>
-#include <span>
+#include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "base/image.h"
 #include "mesh/mesh.h"
+#include "render/gpu_mesh.h"
+#include "render/program.h"
+#include "render/tiles.h"
+#include "scene/camera.h"
 #include "scene/scene.h"
 
 namespace saddle {
 
-/// Most samples per pixel and side.
-inline constexpr int kMaxAntialias = 16;
-
-struct RenderOptions {
-  int width = 800;
-  int height = 600;
-  int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
+/// The part of a picture that is drawn. Its lower left is that of the framebuffer.
+struct Viewport {
+  int width = 0;  ///< of the whole picture, in pixels
+  int height = 0;
+  PixelRect rect;    ///< of the part
+  int margin = 0;    ///< pixels around it that are drawn too
+  int per_side = 1;  ///< samples per pixel and side
 };
 
-/// Milliseconds of each stage.
-struct RenderTimes {
-  double context = 0;  ///< library, context and GL functions
-  double upload = 0;   ///< meshes and shader programs to the GPU
-  double draw = 0;     ///< drawing, reading back, averaging
+/// Needs the same current context from the first to the last of its calls.
+class Renderer {
+ public:
+  /// Uploads the mesh of scene.surfaces[surface]; a mesh that is there already is replaced.
+  /// Surfaces get their first mesh in order.
+  void set_mesh(std::size_t surface, const Mesh& mesh);
+
+  /// Draws all meshes, with the materials of their surfaces. Throws Error (Machine) for what
+  /// OpenGL reports, and if there is no memory.
+  void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport);
+
+ private:
+  struct View;
+
+  Program& surface_program(const Scene& scene);
+  Program& line_program();
+  bool has_lines() const;
+  void draw_surfaces(const Scene& scene, const std::vector<View>& views, double unit,
+                     int line_width);
+  void draw_lines(const std::vector<View>& views, int line_width);
+
+  std::vector<GpuMesh> meshes_;
+  std::map<std::string, Program> surface_programs_;  // by the text of the fragment shader
+  std::optional<Program> line_program_;
 };
-
-struct Rendering {
-  Image image;
-  RenderTimes times;
-  std::string renderer;  ///< "osmesa" ...
-};
-
-/// Draws `meshes[i]` with the materials of `scene.surfaces[i]`. Throws Error: Machine if there is
-/// no OpenGL, or the picture is larger than it can draw; Input for a camera that cannot be.
-Rendering render(const Scene& scene, std::span<const Mesh> meshes, const RenderOptions& options);
-
-/// Loads OpenGL ahead of time: call it in a thread beside tessellation when a picture will be
-/// wanted. It saves render() the loading, and leaves any failure for render() to report.
-void preload_renderer() noexcept;
 
 }  // namespace saddle

@@ -6,7 +6,7 @@
 
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
-#include "render/renderer.h"
+#include "render/picture.h"
 #include "render/shaders.h"
 #include "render/surface_shader.h"
 

@@ -1,5 +1,5 @@
 // What a picture shows: lines, edges, transparency, depth, size, tiles.
-#include "render/renderer.h"
+#include "render/picture.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,9 @@
 #include "base/error.h"
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
+#include "render/context.h"
 #include "render/library.h"
-#include "render/tiled_renderer.h"
+#include "render/picture_in_tiles.h"
 #include "scene/camera.h"
 
 namespace saddle {
@@ -317,6 +318,22 @@ TEST(Tiles, ContinueLinesAcrossTheirBorders) {
   Scene scene = scene_of(1);
   const Image tiled = render_in_tiles(scene, std::span(&mesh, 1), {400, 300, 1}, 37).image;
   EXPECT_EQ(missing_line_samples(scene, mesh, tiled), 0);
+}
+
+TEST(Renderer, DrawsTheSameAgainAndAfterAMeshIsReplaced) {
+  const std::array meshes{torus_mesh(2, 1, {24, 24, 8}), plane_mesh(dvec3(0.5), 1.5)};
+  const Scene scene = scene_of(2);
+  const RenderOptions options{120, 90, 2};
+  const Image fresh = draw(scene, meshes, options);
+  const auto context = make_osmesa_context();
+  Renderer renderer;
+  renderer.set_mesh(0, plane_mesh(dvec3(5), 3));
+  renderer.set_mesh(1, meshes[1]);
+  const FittedCamera camera = fit_to_meshes(scene.camera, meshes, 120.0 / 90);
+  EXPECT_NE(draw_image(renderer, scene, camera, options).rgba, fresh.rgba);
+  renderer.set_mesh(0, meshes[0]);
+  EXPECT_EQ(draw_image(renderer, scene, camera, options).rgba, fresh.rgba);
+  EXPECT_EQ(draw_image(renderer, scene, camera, options).rgba, fresh.rgba);
 }
 
 TEST(Renderer, ReportsItsNameAndTimes) {

@@ -1,0 +1,126 @@
+// Adaptive meshing, with a uniform grid for --samples and for what has no adaptive mesh.
+#include "app/tessellate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+#include "app/warnings.h"
+#include "mesh/adaptive_mesh.h"
+#include "mesh/clip.h"
+#include "mesh/grid_mesh.h"
+#include "mesh/tidy.h"
+#include "scene/prepare.h"
+
+namespace saddle {
+namespace {
+
+/// Without --samples a cell is about this large in the picture to begin with: for most surfaces of
+/// the gallery that is within kPictureTolerance, and the grid is halved until it is.
+constexpr int kPixelsPerCell = 8;
+/// The error of a smooth surface falls to a quarter when cells are halved; where it does not fall
+/// to this share, at a kink or the edge of a hole, finer cells do not help.
+constexpr double kWorthHalving = 0.5;
+/// A coarse grid may miss most of a wave, and so of its own error: one halving proves nothing.
+constexpr int kHalvingsInVain = 2;
+/// At most this many cells each way: two million triangles.
+constexpr int kMaxDefaultCells = 1000;
+
+/// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
+/// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
+/// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks.
+int default_cells(int larger_side, int lines) {
+  const int wanted =
+      std::min((larger_side + kPixelsPerCell - 1) / kPixelsPerCell, kMaxDefaultCells);
+  const int intervals = std::lcm(std::max(lines - 1, 1), 2);
+  const int rounded = (wanted + intervals - 1) / intervals * intervals;
+  return rounded <= kMaxDefaultCells ? rounded : wanted;
+}
+
+GridOptions first_grid(const CommandLine& line, const SurfaceSpec& spec) {
+  const int larger_side = std::max(line.width, line.height);
+  GridOptions options;
+  options.lines_u = spec.grid_u;
+  options.lines_v = spec.grid_v;
+  options.cells_u = line.samples ? line.samples->u : default_cells(larger_side, spec.grid_u);
+  options.cells_v = line.samples ? line.samples->v : default_cells(larger_side, spec.grid_v);
+  options.threads = line.threads;
+  return options;
+}
+
+/// The grid that --samples asks for, or the coarsest of the defaults that keeps the tolerance.
+GridMesh mesh_uniformly(const CommandLine& line, const Surface& surface, const SurfaceSpec& spec,
+                        double tolerance) {
+  GridOptions options = first_grid(line, spec);
+  GridMesh result = mesh_on_grid(surface, options);
+  int in_vain = 0;  // halvings in a row
+  while (!line.samples && in_vain < kHalvingsInVain &&
+         result.report.max_error > tolerance * result.mesh.bounds.diagonal() &&
+         2 * std::max(options.cells_u, options.cells_v) <= kMaxDefaultCells) {
+    options.cells_u *= 2;
+    options.cells_v *= 2;
+    GridMesh finer = mesh_on_grid(surface, options);
+    finer.report.evaluations += result.report.evaluations;
+    const bool helped = finer.report.max_error <= kWorthHalving * result.report.max_error;
+    result = std::move(finer);
+    in_vain = helped ? 0 : in_vain + 1;
+  }
+  return result;
+}
+
+/// The mesh that --samples asks for, or the one with the fewest triangles that keeps the tolerance.
+GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
+                       const Purpose& purpose, const Surface& surface) {
+  if (!line.samples) {
+    AdaptiveOptions options;
+    options.clip = line.clip;
+    Bounds box;
+    options.tolerance = [&](const Probe& probe) {
+      box = clip_box(probe);
+      return tolerance_of(line, scene, purpose, probe, options.clip);
+    };
+    options.normal_tolerance = line.normal_tolerance;
+    options.max_triangles = static_cast<std::size_t>(line.max_triangles);
+    options.lines_u = spec.grid_u;
+    options.lines_v = spec.grid_v;
+    options.threads = line.threads;
+    auto mesh = mesh_within_tolerance(surface, options);
+    if (mesh && mesh->report.pole_count > 0 && line.clip_poles) {
+      options.clip = box;  // which only a mesh tells that it needs
+      if (auto clipped = mesh_within_tolerance(surface, options)) mesh = std::move(clipped);
+      mesh->report.clip = box;
+    }
+    if (mesh) return std::move(*mesh);
+  }
+  const double share = tolerance_share(line, purpose);
+  GridMesh mesh = mesh_uniformly(line, surface, spec, share);
+  if (line.clip) {
+    clip_mesh(*line.clip, mesh.mesh);
+    keep_used_corners(mesh.mesh);
+  }
+  if (!line.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();
+  return mesh;
+}
+
+}  // namespace
+
+Tessellation tessellate(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
+                        const Purpose& purpose) {
+  const PreparedSurface prepared =
+      prepare_surface(scene, spec, line.samples ? Order::First : Order::Second);
+  const auto begin = std::chrono::steady_clock::now();
+  GridMesh mesh = mesh_as_asked(line, scene, spec, purpose, prepared.surface);
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+  Tessellation result;
+  result.parse_ms = prepared.parse_ms;
+  result.compile_ms = prepared.compile_ms;
+  result.tessellate_ms = passed.count();
+  result.warnings = mesh_warnings(spec.name, mesh, prepared.surface.domain);
+  result.report = {spec.name, mesh.mesh.triangles.size(), mesh.mesh.position.size(),
+                   mesh.mesh.bounds, std::move(mesh.report)};
+  result.mesh = std::move(mesh.mesh);
+  return result;
+}
+
+}  // namespace saddle

@@ -1,0 +1,31 @@
+// One surface of a scene as triangles, as the command line asks for them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli.h"
+#include "app/report.h"
+#include "app/tolerance.h"
+#include "mesh/mesh.h"
+#include "scene/scene.h"
+
+namespace saddle {
+
+/// A mesh, and all that there is to say about it.
+struct Tessellation {
+  Mesh mesh;
+  SurfaceReport report;
+  std::vector<std::string> warnings;
+  double parse_ms = 0;    ///< text to graph
+  double compile_ms = 0;  ///< derivatives and tapes
+  double tessellate_ms = 0;
+};
+
+/// Prepares and tessellates surface `spec` of `scene`: on the grid of --samples, or with the fewest
+/// triangles that keep the tolerance of `purpose`. Throws Error as prepare_surface() and
+/// mesh_on_grid() do.
+Tessellation tessellate(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
+                        const Purpose& purpose);
+
+}  // namespace saddle

@@ -1,0 +1,113 @@
+// The order of work: context, upload, then tile by tile the scene and the mean of the samples.
+#include "render/picture.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <new>
+
+#include "base/error.h"
+#include "render/average.h"
+#include "render/context.h"
+#include "render/picture_in_tiles.h"
+#include "render/renderer.h"
+#include "render/target.h"
+
+namespace saddle {
+namespace {
+
+static_assert(kMaxAntialias <= kMostSamplesPerSide);
+
+/// Milliseconds since the last lap.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> passed = now - start_;
+    start_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The distance of the farthest corner; much less than the box's for a torus, say.
+double radius_around(const dvec3& target, std::span<const Mesh> meshes) {
+  double radius = 0;
+  for (const Mesh& mesh : meshes) {
+    for (const dvec3& p : mesh.position) {
+      radius = std::max(radius, std::hypot(p.x - target.x, p.y - target.y, p.z - target.z));
+    }
+  }
+  return radius;
+}
+
+Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
+                       const RenderOptions& options, int tile_samples) {
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const FittedCamera camera = fit_to_meshes(scene.camera, meshes, aspect);
+  Stopwatch stopwatch;
+  Rendering result;
+  const auto context = make_osmesa_context();
+  result.renderer = context->name();
+  result.times.context = stopwatch.lap();
+
+  Renderer renderer;
+  for (std::size_t i = 0; i < meshes.size(); ++i) renderer.set_mesh(i, meshes[i]);
+  result.times.upload = stopwatch.lap();
+
+  result.image = draw_image(renderer, scene, camera, options, tile_samples);
+  result.times.draw = stopwatch.lap();
+  return result;
+}
+
+}  // namespace
+
+FittedCamera fit_to_meshes(const Camera& camera, std::span<const Mesh> meshes, double aspect) {
+  Bounds bounds;
+  for (const Mesh& mesh : meshes) bounds.add(mesh.bounds);
+  if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
+  return fit_camera(camera, bounds, aspect, radius_around(camera_target(camera, bounds), meshes));
+}
+
+Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
+                 const RenderOptions& options, int tile_samples) {
+  const int n = options.antialias;
+  const Tiling tiling = split_picture(options.width, options.height, n, tile_samples);
+  const Target target(n * (tiling.tile_width + 2 * kTileMargin),
+                      n * (tiling.tile_height + 2 * kTileMargin));
+  const bool opaque = scene.background.a >= 1;  // no sample is see-through
+  Image image(options.width, options.height);
+  for (const PixelRect& tile : tiling.tiles) {
+    renderer.draw(scene, camera, {options.width, options.height, tile, kTileMargin, n});
+    target.read(kTileMargin * n, kTileMargin * n, n, opaque, tile, image);
+  }
+  return image;
+}
+
+Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                          const RenderOptions& options, int tile_samples) {
+  assert(meshes.size() == scene.surfaces.size());
+  assert(options.width > 0 && options.height > 0);
+  assert(options.antialias >= 1 && options.antialias <= kMaxAntialias);
+  try {
+    return draw_picture(scene, meshes, options, tile_samples);
+  } catch (const std::bad_alloc&) {
+    throw Error(Status::Machine,
+                "not enough memory for a picture of " + std::to_string(options.width) + "x" +
+                    std::to_string(options.height) + " pixels",
+                {}, "try a smaller --size, --antialias 1 or coarser --samples");
+  }
+}
+
+Rendering render(const Scene& scene, std::span<const Mesh> meshes, const RenderOptions& options) {
+  return render_in_tiles(scene, meshes, options, kTileSamples);
+}
+
+void preload_renderer() noexcept {
+  preload_osmesa();
+}
+
+}  // namespace saddle

@@ -1,0 +1,44 @@
+// A scene and its meshes become a picture.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "base/image.h"
+#include "mesh/mesh.h"
+#include "scene/scene.h"
+
+namespace saddle {
+
+/// Most samples per pixel and side.
+inline constexpr int kMaxAntialias = 16;
+
+struct RenderOptions {
+  int width = 800;
+  int height = 600;
+  int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
+};
+
+/// Milliseconds of each stage.
+struct RenderTimes {
+  double context = 0;  ///< library, context and GL functions
+  double upload = 0;   ///< meshes to the GPU
+  double draw = 0;     ///< compiling shaders, drawing, reading back, averaging
+};
+
+struct Rendering {
+  Image image;
+  RenderTimes times;
+  std::string renderer;  ///< "osmesa" ...
+};
+
+/// Draws `meshes[i]` with the materials of `scene.surfaces[i]`. Throws Error: Machine if there is
+/// no OpenGL, or the picture is larger than it can draw; Input for a camera that cannot be.
+Rendering render(const Scene& scene, std::span<const Mesh> meshes, const RenderOptions& options);
+
+/// Loads OpenGL ahead of time: call it in a thread beside tessellation when a picture will be
+/// wanted. It saves render() the loading, and leaves any failure for render() to report.
+void preload_renderer() noexcept;
+
+}  // namespace saddle

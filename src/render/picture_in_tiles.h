@@ -1,0 +1,23 @@
+// Pictures piece by piece: render() with its limit exposed, for tests, and without its context, for
+// a renderer that is there already.
+#pragma once
+
+#include "render/picture.h"
+#include "render/renderer.h"
+#include "render/tiles.h"
+
+namespace saddle {
+
+/// The camera that render() draws with.
+FittedCamera fit_to_meshes(const Camera& camera, std::span<const Mesh> meshes, double aspect);
+
+/// Draws a picture off screen, at most `tile_samples` samples a side at once, and reads it back.
+/// Leaves another framebuffer bound than there was.
+Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
+                 const RenderOptions& options, int tile_samples = kTileSamples);
+
+/// render(), drawing at most `tile_samples` samples a side at once (see kTileSamples).
+Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                          const RenderOptions& options, int tile_samples);
+
+}  // namespace saddle
