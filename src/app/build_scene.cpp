@@ -56,6 +56,7 @@ void apply_options(const CommandLine& line, Scene& scene) {
   if (line.distance) camera.distance = line.distance;
   if (line.fov) camera.fov = *line.fov;
   if (line.ortho) camera.ortho = true;
+  if (line.clip) scene.clip = *line.clip;
   if (line.background) scene.background = *line.background;
   if (line.t) scene.t = finite_constant(scene, "--t", *line.t);
   for (SurfaceSpec& spec : scene.surfaces) {

@@ -85,9 +85,9 @@ void add_mesh_options(CLI::App& app, CommandLine& line) {
     line.max_triangles = parse_whole("--max-triangles", text, 2, kMaxTriangles);
   });
   app.add_option_function<std::string>("--clip", [&line](Text text) {
-    line.clip_poles = text == "auto" || text == "AUTO";
-    line.clip.reset();
-    if (!line.clip_poles && text != "off") line.clip = parse_box("--clip", text);
+    const bool automatic = text == "auto" || text == "AUTO";
+    line.clip = Clip{automatic, {}};
+    if (!automatic && text != "off") line.clip->box = parse_box("--clip", text);
   });
   app.add_option_function<std::string>(
       "--samples", [&line](Text text) { line.samples = parse_samples("--samples", text); });

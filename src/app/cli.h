@@ -49,8 +49,7 @@ struct CommandLine {
   std::optional<ToleranceValue> tolerance;  ///< default: of a picture or of a mesh
   double normal_tolerance = 3;              ///< degrees
   int max_triangles = 4'000'000;
-  bool clip_poles = true;      ///< to a box that most of the surface is in, if it goes to infinity
-  std::optional<Bounds> clip;  ///< to this box
+  std::optional<Clip> clip;
   std::optional<GridSize> samples;
   std::optional<GridSize> grid;  ///< 0 x 0: off
   int antialias = 2;

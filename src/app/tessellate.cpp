@@ -74,7 +74,7 @@ GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const Surfac
                        const Purpose& purpose, const Surface& surface) {
   if (!line.samples) {
     AdaptiveOptions options;
-    options.clip = line.clip;
+    options.clip = scene.clip.box;
     Bounds box;
     options.tolerance = [&](const Probe& probe) {
       box = clip_box(probe);
@@ -86,7 +86,7 @@ GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const Surfac
     options.lines_v = spec.grid_v;
     options.threads = line.threads;
     auto mesh = mesh_within_tolerance(surface, options);
-    if (mesh && mesh->report.pole_count > 0 && line.clip_poles) {
+    if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
       options.clip = box;  // which only a mesh tells that it needs
       if (auto clipped = mesh_within_tolerance(surface, options)) mesh = std::move(clipped);
       mesh->report.clip = box;
@@ -95,8 +95,8 @@ GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const Surfac
   }
   const double share = tolerance_share(line, purpose);
   GridMesh mesh = mesh_uniformly(line, surface, spec, share);
-  if (line.clip) {
-    clip_mesh(*line.clip, mesh.mesh);
+  if (scene.clip.box) {
+    clip_mesh(*scene.clip.box, mesh.mesh);
     keep_used_corners(mesh.mesh);
   }
   if (!line.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();

@@ -29,6 +29,10 @@ constexpr Camera grapher_camera() {
   return camera;
 }
 
+constexpr Clip within(const dvec3& low, const dvec3& high) {
+  return {false, Bounds{low, high}};
+}
+
 constexpr auto kGallery = std::to_array<GalleryEntry>({
     // Quadrics and surfaces of revolution.
     {"sphere", "sphere of radius r",
@@ -50,12 +54,16 @@ constexpr auto kGallery = std::to_array<GalleryEntry>({
      "x=v*cos(u) y=v*sin(u) z=h*v u=0:2*pi v=-1:1 h=1"},
     {"hyperboloid-1", "hyperboloid of one sheet with waist a",
      "x=a*cosh(v)*cos(u) y=a*cosh(v)*sin(u) z=c*sinh(v) u=0:2*pi v=-1.5:1.5 a=1 c=1"},
+    {"hyperboloid-2", "both sheets of a hyperboloid; the colours swap between them",
+     "x=a*sinh(v)*cos(u) y=a*sinh(v)*sin(u) z=(v<0?-c:c)*cosh(v) u=0:2*pi v=-1.5:1.5 a=1 c=1"},
     {"paraboloid", "bowl z=a*(x^2+y^2)", "x=v*cos(u) y=v*sin(u) z=a*v^2 u=0:2*pi v=0:2 a=1",
      from({2, -3, 2.5})},
     {"hyperbolic-paraboloid", "the saddle z=a*x^2-b*y^2", "x=u y=v z=a*u^2-b*v^2 a=1 b=1"},
     {"monkey-saddle", "saddle for two legs and a tail", "x=u y=v z=a*(u^3-3*u*v^2) a=1"},
     {"gabriel-horn", "Gabriel's horn: finite volume, infinite area",
      "x=v y=a*cos(u)/v z=a*sin(u)/v u=0:2*pi v=1:20 a=1", from({-2, -1.2, 0.8})},
+    {"funnel", "a logarithm turned around its pole",
+     "x=v*cos(u) y=v*sin(u) z=a*ln(v) u=0:2*pi v=0:2 a=1"},
     {"eight-surface", "figure of eight turned around its axis; the colours swap at the apex",
      "x=cos(u)*sin(2*v) y=sin(u)*sin(2*v) z=h*sin(v) u=0:2*pi v=-pi/2:pi/2 h=1"},
     {"astroidal-ellipsoid", "ellipsoid with its coordinates cubed",
@@ -79,9 +87,14 @@ constexpr auto kGallery = std::to_array<GalleryEntry>({
      "z=2*u^(n+1)*cos((n+1)*v)/(n+1) u=0:1.2 v=0:2*pi n=3"},
     {"scherk-1", "a cell of Scherk's first minimal surface",
      "x=u y=v z=ln(cos(v)/cos(u)) u=-1.5:1.5 v=-1.5:1.5"},
+    {"scherk-1-chequerboard", "cells of Scherk's first minimal surface with poles around them",
+     "x=u y=v z=ln(cos(v)/cos(u)) u=-a:a v=-a:a a=5", from({2, -3, 4}),
+     within({-9, -9, -3}, {9, 9, 3})},
     {"scherk-2", "a piece of Scherk's tower",
      "x=u y=v z=asin(sinh(u)*sinh(v)) u=-0.75:0.75 "
      "v=-0.75:0.75"},
+    {"scherk-2-tower", "the part of Scherk's tower that is a graph, with vertical rims",
+     "x=u y=v z=asin(sinh(u)*sinh(v)) u=-a:a v=-a:a a=3", from({2, -3, 2})},
     {"henneberg", "Henneberg's one-sided minimal surface",
      "x=2*sinh(u)*cos(v)-2/3*sinh(3*u)*cos(3*v) y=2*sinh(u)*sin(v)+2/3*sinh(3*u)*sin(3*v) "
      "z=2*cosh(2*u)*cos(2*v) u=0.05:1 v=0:2*pi"},
@@ -91,6 +104,19 @@ constexpr auto kGallery = std::to_array<GalleryEntry>({
      "x=u*cos(v)-u^2*cos(2*v)/2 y=-u*sin(v)-u^2*sin(2*v)/2 z=4/3*u^1.5*cos(1.5*v) u=0:1 "
      "v=0:4*pi",
      from({2, -3, 3})},
+    // By the logarithm l of Jacobi's |theta_1(p + iq)| on the square lattice: the slopes of a are
+    // those of Weierstrass's zeta, b and c are the same half a period away, and b - c is half the
+    // logarithm of |(P - e1) / (P + e1)|. h() takes p and q to the middle period, where four terms
+    // of the series hold a double's digits and the zero is exact.
+    {"costa", "Costa's minimal surface: a torus with two funnels and a plane that go to infinity",
+     "x=(pi/(2*e1)*diff(b-c,u)-diff(a,u))/2 y=(2*pi*v+pi/(2*e1)*(pi-diff(b-c,v))-diff(a,v))/2 "
+     "z=sqrt(2*pi)/2*(b-c+pi/4-pi*v) u=0:1 v=0:1 "
+     "a=l(u,v) b=l(u-1/2,v) c=l(u,v-1/2) e1=6.875185818020372 "
+     "l(p,q)=ln(hypot(f(h(p),h(q)),g(h(p),h(q))))+pi*rint(q)*(2*q-rint(q)) h(s)=s-rint(s) "
+     "f(p,q)=r(p,q,1)-r(p,q,3)+r(p,q,5)-r(p,q,7) g(p,q)=i(p,q,1)-i(p,q,3)+i(p,q,5)-i(p,q,7) "
+     "r(p,q,k)=exp(pi*(1-k*k)/4)*sin(k*pi*p)*cosh(k*pi*q) "
+     "i(p,q,k)=exp(pi*(1-k*k)/4)*cos(k*pi*p)*sinh(k*pi*q)",
+     from({2, -2, 1.2}), within({-3, -3, -3}, {3, 3, 3})},
 
     // Constant negative curvature.
     {"pseudosphere", "tractrix turned around its axis: curvature -1/a^2",
@@ -100,6 +126,10 @@ constexpr auto kGallery = std::to_array<GalleryEntry>({
     {"kuen", "Kuen's surface: curvature -1",
      "x=2*cosh(v)*(cos(u)+u*sin(u))/w y=2*cosh(v)*(sin(u)-u*cos(u))/w "
      "z=v-2*sinh(v)*cosh(v)/w u=-4.5:4.5 v=-4:4 w=cosh(v)^2+u^2",
+     from({3, 2, 1})},
+    {"kuen-log", "Kuen's surface with the parameters of its lines of curvature",
+     "x=2*(cos(u)+u*sin(u))*sin(v)/w y=2*(sin(u)-u*cos(u))*sin(v)/w z=ln(tan(v/2))+2*cos(v)/w "
+     "u=-4.5:4.5 v=0.05:pi-0.05 w=1+u^2*sin(v)^2",
      from({3, 2, 1})},
 
     // One-sided surfaces.
@@ -133,6 +163,15 @@ constexpr auto kGallery = std::to_array<GalleryEntry>({
     {"menn", "Menn's surface", "x=u y=v z=a*u^4+u^2*v-v^2 a=0.5"},
     {"plucker-conoid", "Pluecker's conoid with n folds",
      "x=v*cos(u) y=v*sin(u) z=sin(n*u) u=0:2*pi v=0:1 n=2", from({3, 0.5, 2})},
+    {"plucker-conoid-cartesian", "Pluecker's conoid as a graph, without a value at the origin",
+     "x=u y=v z=a*u*v/(u^2+v^2) a=2", from({-2, -3, 2})},
+    {"wallis-conical-edge", "Wallis's conical edge: lines from an axis to a curve above a circle",
+     "x=v*cos(u) y=v*sin(u) z=c*sqrt(a^2-b^2*cos(u)^2) u=0:2*pi v=0:1 a=1 b=1 c=0.5",
+     from({2, -3, 2.5})},
+    {"riemann-sqrt", "Riemann surface of the square root",
+     "x=u*cos(v) y=u*sin(v) z=h*sqrt(u)*cos(v/2) u=0:1 v=0:4*pi h=1", from({2, -3, 1.2})},
+    {"riemann-cbrt", "Riemann surface of the cube root",
+     "x=u*cos(v) y=u*sin(v) z=h*cbrt(u)*cos(v/3) u=0:1 v=0:6*pi h=1", from({2, -3, 2.5})},
     {"riemann-log", "Riemann surface of the logarithm, n turns",
      "x=u*cos(v) y=u*sin(v) z=h*v u=0.02:1 v=-n*pi:n*pi h=1/6 n=3", from({2, -3, 3})},
     {"riemann-asin", "Riemann surface of the arc sine",
@@ -169,6 +208,23 @@ constexpr auto kGallery = std::to_array<GalleryEntry>({
     {"bourke-harmonic", "a harmonic of the sphere (Bourke)",
      "x=r*sin(v)*cos(u) y=r*cos(v) z=r*sin(v)*sin(u) u=0:2*pi v=0:pi "
      "r=sin(4*v)^3+cos(2*v)^3+sin(6*u)^2+cos(6*u)^4"},
+    {"spherical-harmonic", "the spherical harmonic of degree 4 and order 3",
+     "x=r*cos(v)*cos(u) y=r*cos(v)*sin(u) z=r*sin(v) u=0:2*pi v=-pi/2:pi/2 "
+     "r=abs(cos(v)^3*sin(v)*cos(3*u))"},
+    // The curves |a|^(2/e) + |b|^(2/e) = 1 are run through by angle: powers of sine and cosine
+    // would be infinitely fast where one of them is 0, and would not come back to where they began.
+    {"superellipsoid", "ellipsoid with exponents 2/e: from a cube (e near 0) to a sphere (e=1)",
+     "x=a*cv*cu y=b*cv*su z=c*sv u=0:2*pi v=-pi/2:pi/2 a=1 b=1 c=1 e=0.2 "
+     "n(s)=(abs(cos(s))^(2/e)+abs(sin(s))^(2/e))^(-e/2) "
+     "cu=cos(u)*n(u) su=sin(u)*n(u) cv=cos(v)*n(v) sv=sin(v)*n(v)"},
+    {"superellipsoid-star", "ellipsoid with exponents 2/e, e above 1: a star, spiky for large e",
+     "x=a*p(cos(v))*p(cos(u)) y=b*p(cos(v))*p(sin(u)) z=c*p(sin(v)) u=0:2*pi v=-pi/2:pi/2 "
+     "p(s)=sign(s)*abs(s)^e a=1 b=1 c=1 e=3"},
+    {"supertoroid", "torus whose two circles are superellipses with exponents 2/e",
+     "x=(R+r*cv)*cu y=(R+r*cv)*su z=r*sv u=0:2*pi v=0:2*pi R=2 r=0.7 e=0.3 "
+     "n(s)=(abs(cos(s))^(2/e)+abs(sin(s))^(2/e))^(-e/2) "
+     "cu=cos(u)*n(u) su=sin(u)*n(u) cv=cos(v)*n(v) sv=sin(v)*n(v)",
+     from({2, -3, 3})},
     {"eck-default", "egg-box waves, the first scene of Eck's function grapher",
      "x=u y=2*sin(u)*cos(2*v) z=v u=-6:6 v=-6:6", grapher_camera()},
 });
@@ -191,6 +247,7 @@ Scene gallery_scene(const GalleryEntry& entry) {
   SurfaceSpec& spec = scene.surfaces.emplace_back();
   spec.name = entry.name;
   scene.camera = entry.camera;
+  scene.clip = entry.clip;
   for (std::size_t begin = 0; begin < entry.assignments.size();) {
     const std::size_t end = std::min(entry.assignments.find(' ', begin), entry.assignments.size());
     assign(scene, std::string(entry.assignments.substr(begin, end - begin)));

@@ -17,6 +17,7 @@ struct GalleryEntry {
   std::string_view description;  ///< one line
   std::string_view assignments;  ///< NAME=EXPRESSION words, separated by spaces
   Camera camera = {};            ///< where it looks good from
+  Clip clip = {};
 };
 
 /// All entries, in the order that `saddle list` prints.

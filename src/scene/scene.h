@@ -8,6 +8,7 @@
 
 #include "base/vec.h"
 #include "formula/scope.h"
+#include "mesh/mesh.h"
 
 namespace saddle {
 
@@ -65,6 +66,12 @@ struct Camera {
   bool ortho = false;              ///< the visible height is the perspective one at the target
 };
 
+/// The box that surfaces are cut along.
+struct Clip {
+  bool automatic = true;      ///< where one goes to infinity: a box that most of it is in
+  std::optional<Bounds> box;  ///< this box, whatever the surface does
+};
+
 struct Scene {
   std::string title = "saddle";
   std::vector<Definition> definitions;  ///< parameters, shared sub-expressions, helper functions
@@ -72,6 +79,7 @@ struct Scene {
   std::vector<Light> lights = default_lights();
   Camera camera;
   Color background{0, 0, 0, 1};
+  Clip clip;
   double t = 0;  ///< the moment that is drawn
 };
 

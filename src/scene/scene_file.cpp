@@ -171,6 +171,16 @@ std::string camera(const Camera& c) {
   return text.empty() ? "" : "\n[camera]\n" + text;
 }
 
+/// As the option --clip wants it.
+std::string clip(const Clip& c) {
+  if (!c.box) return c.automatic ? "" : "clip = \"off\"\n";
+  std::string ranges;
+  for (int k = 0; k < 3; ++k) {
+    ranges += (k == 0 ? "" : ",") + number(c.box->low[k]) + ":" + number(c.box->high[k]);
+  }
+  return "clip = " + quoted(ranges) + "\n";
+}
+
 }  // namespace
 
 std::string write_scene(const Scene& scene) {
@@ -180,6 +190,7 @@ std::string write_scene(const Scene& scene) {
   if (!same(scene.background, standard.background)) {
     text += "background = " + color(scene.background) + "\n";
   }
+  text += clip(scene.clip);
   if (scene.t != standard.t) text += "t = " + number(scene.t) + "\n";
   text += definitions(scene.definitions);
   for (const SurfaceSpec& spec : scene.surfaces) text += surface(spec);

@@ -283,6 +283,7 @@ TEST_F(GraphCommand, ClipsPolesAndSaysSo) {
   EXPECT_GT(high({"--clip", "off"}, false), 1000);
   EXPECT_EQ(high({"--clip", "-1:1,-1:1,-4:3"}, false), 3);
   error_of(saddle({"z=u", "--clip", "2:3,2:3,2:3", "--report", "-"}), 3);
+  EXPECT_TRUE(contains(saddle({"show", "costa"}).out, "clip = \"-3:3,-3:3,-3:3\""));
   EXPECT_TRUE(contains(error_of(saddle({"z=u", "--clip", "1:2"}), 2), "three ranges"));
   EXPECT_TRUE(contains(error_of(saddle({"z=u", "--clip", "0:1,1:0,0:1"}), 2), "empty"));
 }

@@ -51,6 +51,9 @@ Formulas evaluated_formulas(const Scene& scene) {
   return {std::move(lowered), roots};
 }
 
+/// Of points of the domain, most may be where a surface is not defined.
+constexpr int kTries = 16;
+
 std::vector<dvec2> interior_points(const Domain& domain, int count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto unit = [&random] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
@@ -138,7 +141,7 @@ GalleryAccuracy measure_accuracy(const GalleryEntry& entry, int points, std::uin
   const Scene scene = gallery_scene(entry);
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0)).surface;
   const Truth truth(scene);
-  const std::vector<dvec2> uv = interior_points(surface.domain, points, seed);
+  const std::vector<dvec2> uv = interior_points(surface.domain, kTries * points, seed);
   const std::vector<SurfacePoint> computed = evaluate(surface, uv, 1);
   double size = 0;
   for (const SurfacePoint& point : computed) {
@@ -148,7 +151,7 @@ GalleryAccuracy measure_accuracy(const GalleryEntry& entry, int points, std::uin
   }
   GalleryAccuracy result;
   result.name = entry.name;
-  for (std::size_t i = 0; i < uv.size(); ++i) {
+  for (std::size_t i = 0; i < uv.size() && result.points < points; ++i) {
     const ExactPoint exact = truth.values(uv[i]);
     const bool finite = std::ranges::all_of(exact.r, [](const Real& x) { return isfinite(x); });
     if (!finite) continue;

@@ -1,4 +1,5 @@
 """What the style tests share: the files of the project, and how a test ends."""
+import os
 import pathlib
 import sys
 
@@ -17,6 +18,27 @@ def files(*folders):
 def lines(name):
     """The numbered lines of a text file."""
     return enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), start=1)
+
+
+def program():
+    """The saddle that a test runs."""
+    return os.environ.get("SADDLE_PROGRAM", str(ROOT / "build/release/saddle"))
+
+
+def check_page(page, source, body):
+    """The page's part between its marks is `body`, which `source` made. With --write, makes it so."""
+    path = ROOT / page
+    script = pathlib.Path(sys.argv[0]).name
+    begin = f"<!-- begin: made by tests/style/{script} from {source} -->\n"
+    end = "<!-- end -->"
+    text = path.read_text(encoding="utf-8")
+    before, mark, rest = text.partition(begin)
+    after = rest.partition(end)[2]
+    wanted = before + begin + "\n" + body + end + after
+    if "--write" in sys.argv[1:]:
+        path.write_text(wanted if mark else text + begin + end, encoding="utf-8")
+    elif text != wanted:
+        yield f"{page} is not what {source} says; run tests/style/{script} --write"
 
 
 def finish(complaints, checked, what):

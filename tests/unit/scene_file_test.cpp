@@ -73,6 +73,14 @@ TEST(SceneFile, WritesWhatOptionsChange) {
             "ortho = true\n");
 }
 
+TEST(SceneFile, WritesTheClipBoxAsItsOption) {
+  Scene scene;
+  scene.clip = {false, Bounds{dvec3(-1, -2, 0), dvec3(1, 2.5, 1e300)}};
+  EXPECT_EQ(write_scene(scene), "clip = \"-1:1,-2:2.5,0:1e+300\"\n");
+  scene.clip = {false, {}};
+  EXPECT_EQ(write_scene(scene), "clip = \"off\"\n");
+}
+
 TEST(SceneFile, WritesParametersThatAreNumbersInTomlTooAsNumbers) {
   Scene scene;
   for (const char* text : {"a=2", "b=-0.5", "c=1e-3", "d=2.50E+4"}) assign(scene, text);
