@@ -61,6 +61,7 @@ Json surface(const SurfaceReport& s) {
           {"jumps_count", s.mesh.jump_count},
           {"closed_u", closing(s.mesh.closed_u)},
           {"closed_v", closing(s.mesh.closed_v)},
+          {"orientable", s.mesh.orientable},
           {"certified", s.mesh.certified}};
 }
 

@@ -11,6 +11,7 @@
 #include "mesh/clip.h"
 #include "mesh/grid_mesh.h"
 #include "mesh/tidy.h"
+#include "mesh/topology.h"
 #include "scene/prepare.h"
 
 namespace saddle {
@@ -111,6 +112,7 @@ Tessellation tessellate(const CommandLine& line, const Scene& scene, const Surfa
       prepare_surface(scene, spec, line.samples ? Order::First : Order::Second);
   const auto begin = std::chrono::steady_clock::now();
   GridMesh mesh = mesh_as_asked(line, scene, spec, purpose, prepared.surface);
+  mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   Tessellation result;
   result.parse_ms = prepared.parse_ms;

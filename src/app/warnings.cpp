@@ -98,6 +98,9 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
       warnings.push_back(name + ": clipped to " + ranges + "; --clip off shows all of it");
     }
   }
+  if (!report.orientable) {
+    warnings.push_back(name + ": the surface is one-sided: front and back meet along a line");
+  }
   if (runs_backwards(domain)) {
     warnings.push_back(name + ": a range runs backwards, which swaps front and back");
   }

@@ -176,8 +176,8 @@ class Mesher {
     report.cells = leaves.size();
     report.reached_limit = report.reached_limit || reached_limit_;
     report.certified = certified_ && !reached_limit_;
-    report.closed_u = seams_.closed_u;
-    report.closed_v = seams_.closed_v;
+    report.closed_u = seams_.u.name();
+    report.closed_v = seams_.v.name();
     report.evaluations += grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
     grid_.mesh.triangles = std::move(triangles.all);
     grid_.mesh.lines = leaf_lines(grid_, lattice_, leaves, options_.lines_u, options_.lines_v);

@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "eval/batch.h"
+#include "mesh/grid.h"
 
 namespace saddle {
 namespace {
@@ -91,10 +92,24 @@ void limit_fall_off(std::vector<double>& density) {
   }
 }
 
-void make_symmetric(std::vector<double>& density) {
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    density[i] = std::max(density[i], density[density.size() - 1 - i]);
+/// Where edges meet, both need the density of the other.
+void share_density(const Seam& seam, std::vector<double>& density) {
+  static_assert(kProbes % 2 == 0);
+  if (seam.reversed) {
+    for (std::size_t i = 0; i < density.size(); ++i) {
+      density[i] = std::max(density[i], density[density.size() - 1 - i]);
+    }
   }
+  const std::size_t half = density.size() / 2;
+  for (std::size_t i = 0; seam.shifted && i < half; ++i) {
+    density[i] = density[i + half] = std::max(density[i], density[i + half]);
+  }
+}
+
+/// The lines, and those that they meet across a seam. Even lines are their own mirror image.
+std::vector<double> shared_lines(const Seam& seam, const std::vector<double>& fixed) {
+  if (!seam.shifted || fixed.size() % 2 != 0) return fixed;  // an even number of cells
+  return even_lines(fixed.front(), fixed.back(), 2 * (fixed.size() - 1));
 }
 
 /// A density that is constant on stretches around the probes, integrated.
@@ -172,7 +187,8 @@ Probe::Probe(const Surface& surface, unsigned threads)
       domain_(surface.domain) {
   sample_inside(surface, threads);
   sample_edges(surface, threads);
-  find_turned_seams(surface);
+  seam_u_ = find_seam(surface, true);
+  seam_v_ = find_seam(surface, false);
 }
 
 void Probe::sample_inside(const Surface& surface, unsigned threads) {
@@ -242,28 +258,28 @@ Bounds Probe::robust_bounds() const {
   return bounds;
 }
 
-void Probe::find_turned_seams(const Surface& surface) {
-  const auto turned = [&](bool along_v) {
-    std::vector<dvec2> uv;
-    for (const double part : {0.07, 0.19, 0.41, 0.83}) {
-      const auto at = [&](bool end, double s) {
-        const dvec2 low(domain_.u0, domain_.v0);
-        const dvec2 high(domain_.u1, domain_.v1);
-        const dvec2 t = along_v ? dvec2(end, s) : dvec2(s, end);
-        return low * (1.0 - t) + high * t;
-      };
-      uv.push_back(at(false, part));
-      uv.push_back(at(true, 1 - part));
-    }
-    const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
-    for (std::size_t k = 0; k < points.size(); k += 2) {
-      const double gap = glm::distance(points[k].position, points[k + 1].position);
-      if (!(gap <= kSeam * bounds_.diagonal())) return false;
-    }
-    return true;
+Seam Probe::find_seam(const Surface& surface, bool along_v) const {
+  constexpr std::array kPlaces = {0.07, 0.19, 0.41, 0.83};
+  std::vector<dvec2> uv;
+  const auto add = [&](double end, double along) {
+    const dvec2 part = along_v ? dvec2(end, along) : dvec2(along, end);
+    uv.push_back(dvec2(domain_.u0, domain_.v0) * (1.0 - part) +
+                 dvec2(domain_.u1, domain_.v1) * part);
   };
-  turned_u_ = turned(true);
-  turned_v_ = turned(false);
+  for (const double place : kPlaces) {
+    add(0, place);
+    for (const Seam& seam : kSeams) add(1, seam.partner(place, 1.0));
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
+  for (std::size_t kind = 0; kind < kSeams.size(); ++kind) {
+    const auto meets = [&](std::size_t place) {
+      const std::size_t first = place * (1 + kSeams.size());
+      const double gap = glm::distance(points[first].position, points[first + 1 + kind].position);
+      return gap <= kSeam * bounds_.diagonal();
+    };
+    if (meets(0) && meets(1) && meets(2) && meets(3)) return kSeams[kind];
+  }
+  return {};
 }
 
 Probe::Densities Probe::densities(const Tolerance& tolerance, double rho) const {
@@ -290,9 +306,8 @@ Probe::Densities Probe::densities(const Tolerance& tolerance, double rho) const 
   };
   follow(result.of_u, u_, edges_u_);
   follow(result.of_v, v_, edges_v_);
-  // Edges that meet in opposite directions need lines that do, too.
-  if (turned_u_) make_symmetric(result.of_v);
-  if (turned_v_) make_symmetric(result.of_u);
+  share_density(seam_u_, result.of_v);
+  share_density(seam_v_, result.of_u);
   limit_fall_off(result.of_u);
   limit_fall_off(result.of_v);
   return result;
@@ -300,16 +315,17 @@ Probe::Densities Probe::densities(const Tolerance& tolerance, double rho) const 
 
 FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance) const {
   const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
+  const FixedLines shared = {shared_lines(seam_v_, fixed.u), shared_lines(seam_u_, fixed.v)};
   FixedLines best;
   double least = std::numeric_limits<double>::infinity();
   for (int power = -kRatios; power <= kRatios; ++power) {
     const Densities d = densities(tolerance, std::ldexp(own_ratio, power));
     const Cumulative of_u(d.of_u, domain_.u0, domain_.u1);
     const Cumulative of_v(d.of_v, domain_.v0, domain_.v1);
-    const double cells = total_cells(of_u, fixed.u) * total_cells(of_v, fixed.v);
+    const double cells = total_cells(of_u, shared.u) * total_cells(of_v, shared.v);
     if (!(cells < least)) continue;
     least = cells;
-    best = {place(of_u, fixed.u), place(of_v, fixed.v)};
+    best = {place(of_u, shared.u), place(of_v, shared.v)};
   }
   return best;
 }

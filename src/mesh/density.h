@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "mesh/seam.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -65,7 +66,7 @@ class Probe {
 
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
-  void find_turned_seams(const Surface& surface);
+  Seam find_seam(const Surface& surface, bool along_v) const;
   Densities densities(const Tolerance& tolerance, double rho) const;
 
   std::vector<double> u_, v_;
@@ -73,8 +74,7 @@ class Probe {
   std::vector<Sample> samples_;      // v outer
   std::vector<EdgeSample> edges_u_;  // of constant v
   std::vector<EdgeSample> edges_v_;
-  bool turned_u_ = false;  ///< the edges u0 and u1 meet in opposite directions
-  bool turned_v_ = false;
+  Seam seam_u_, seam_v_;  // how the edges u0 and u1 meet, and v0 and v1
   Bounds bounds_;
   std::size_t evaluations_ = 0;
 };

@@ -50,8 +50,8 @@ GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options) {
 
   require_two_dimensional(surface, grid, options.threads);
   const Seams seams = weld(grid);
-  report.closed_u = seams.closed_u;
-  report.closed_v = seams.closed_v;
+  report.closed_u = seams.u.name();
+  report.closed_v = seams.v.name();
   const std::vector<OpenCell> open = open_cells(surface, options.threads, grid, report);
   triangulate(grid, open);
   require_triangles(grid);

@@ -110,11 +110,11 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
 std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, LatticePlace place) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
-  if (!seams.closed_u.empty() && (place.u == 0 || place.u == end_u)) {
-    return LatticePlace{end_u - place.u, seams.closed_u == "reversed" ? end_v - place.v : place.v};
+  if (seams.u.closed && (place.u == 0 || place.u == end_u)) {
+    return LatticePlace{end_u - place.u, seams.u.partner(place.v, end_v)};
   }
-  if (!seams.closed_v.empty() && (place.v == 0 || place.v == end_v)) {
-    return LatticePlace{seams.closed_v == "reversed" ? end_u - place.u : place.u, end_v - place.v};
+  if (seams.v.closed && (place.v == 0 || place.v == end_v)) {
+    return LatticePlace{seams.v.partner(place.u, end_u), end_v - place.v};
   }
   return std::nullopt;
 }

@@ -81,8 +81,9 @@ struct MeshReport {
   std::vector<dvec2> jumps;  ///< the same where it jumps
   std::size_t jump_count = 0;
   std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles
-  std::string closed_u;        ///< how the edges u0 and u1 meet: "", "join" or "reversed"
+  std::string closed_u;        ///< how the edges u0 and u1 meet: Seam::name()
   std::string closed_v;
+  bool orientable = true;  ///< false: the surface is one-sided
 };
 
 }  // namespace saddle

@@ -123,17 +123,19 @@ struct EdgePair {
   GridLine last;
 
   /// The vertex on the last edge that sample k of the first meets.
-  std::size_t partner(std::size_t k, bool reversed) const {
-    return last[reversed ? last.count - 1 - k : k];
+  std::size_t partner(std::size_t k, const Seam& seam) const {
+    return last[seam.partner(k, last.count - 1)];
   }
 };
 
 /// Whether the edges meet at every sample where the surface is defined, and are defined alike.
-bool edges_meet(const Grid& grid, const EdgePair& edges, bool reversed) {
+bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
+  const std::size_t cells = edges.last.count - 1;
+  if (seam.shifted && cells % 2 != 0) return false;  // half way is no vertex
   Majority majority;
   for (std::size_t k = 0; k < edges.first.count; ++k) {
     const std::size_t a = edges.first[k];
-    const std::size_t b = edges.partner(k, reversed);
+    const std::size_t b = edges.partner(k, seam);
     if (!grid.is_used(a) && !grid.is_used(b)) continue;
     if (!grid.is_used(a) || !grid.is_used(b)) return false;
     Bounds gap;
@@ -146,20 +148,20 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, bool reversed) {
 }
 
 /// Unites the vertices of two edges that meet; says how they meet.
-std::string join_edges(Grid& grid, const EdgePair& edges, Points& points) {
-  for (const bool reversed : {false, true}) {
-    if (!edges_meet(grid, edges, reversed)) continue;
+Seam join_edges(Grid& grid, const EdgePair& edges, Points& points) {
+  for (const Seam& seam : kSeams) {
+    if (!edges_meet(grid, edges, seam)) continue;
     for (std::size_t k = 0; k < edges.first.count; ++k) {
       const std::size_t a = edges.first[k];
-      const std::size_t b = edges.partner(k, reversed);
+      const std::size_t b = edges.partner(k, seam);
       if (!grid.is_used(a)) continue;
       grid.mesh.position[b] = grid.mesh.position[a];
       points.unite(a, b);
       if (edges.last.first == edges.after_first.first) grid.open_around(a);  // one cell across
     }
-    return reversed ? "reversed" : "join";
+    return seam;
   }
-  return "";
+  return {};
 }
 
 /// Neighbours at the same place are one point. A cell between two of them is not plain, so it is
@@ -197,8 +199,8 @@ Seams weld(Grid& grid) {
   Seams seams;
   collapse_poles(grid, columns);
   collapse_poles(grid, rows);
-  seams.closed_u = join_edges(grid, {columns[0], columns[1], columns[nu]}, points);
-  seams.closed_v = join_edges(grid, {rows[0], rows[1], rows[nv]}, points);
+  seams.u = join_edges(grid, {columns[0], columns[1], columns[nu]}, points);
+  seams.v = join_edges(grid, {rows[0], rows[1], rows[nv]}, points);
   join_equal_neighbours(grid, points);
   points.settle(grid.mesh.position);
   return seams;

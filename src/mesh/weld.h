@@ -1,16 +1,15 @@
 // Poles and seams: which vertices of a grid are the same point of the surface.
 #pragma once
 
-#include <string>
-
 #include "mesh/grid.h"
+#include "mesh/seam.h"
 
 namespace saddle {
 
-/// How the edges u0 and u1, v0 and v1 meet: "", "join" or "reversed".
+/// How the edges u0 and u1 meet, and v0 and v1.
 struct Seams {
-  std::string closed_u;
-  std::string closed_v;
+  Seam u;
+  Seam v;
 };
 
 /// Whether two vertices are at the same place, but for rounding and what sin(2 pi) and its like

@@ -127,6 +127,7 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
                          "jumps_count",
                          "closed_u",
                          "closed_v",
+                         "orientable",
                          "certified"}));
   keys.clear();
   for (const auto& [key, value] : report["times"].items()) keys.push_back(key);

@@ -66,8 +66,23 @@ TEST(Seams, OfAKleinBottleMeetReversedAndJoin) {
   for (const auto& [a, b] : point_edges(result.mesh)) EXPECT_NE(a, b);
 }
 
+/// A torus whose tube is turned by half on the way around.
+Surface turned_torus() {
+  return surface_from_text("(2+cos(v+u/2))*cos(u)", "(2+cos(v+u/2))*sin(u)", "sin(v+u/2)",
+                           {0, kTwoPi, 0, kTwoPi});
+}
+
+TEST(Seams, ThatAreShiftedByHalfAreFoundWhereHalfIsAVertex) {
+  const GridMesh even = mesh(turned_torus(), 16, 12);
+  EXPECT_EQ(even.report.closed_u, "shifted");
+  EXPECT_EQ(even.report.closed_v, "join");
+  EXPECT_EQ(euler_number(even.mesh), 0);
+  EXPECT_EQ(even.mesh.point_count, 16U * 12);
+  EXPECT_EQ(mesh(turned_torus(), 16, 11).report.closed_u, "");
+}
+
 TEST(Seams, HavePositionsEqualToTheBitEverywhere) {
-  for (const Surface& surface : {torus(), mobius(), klein()}) {
+  for (const Surface& surface : {torus(), turned_torus(), mobius(), klein()}) {
     const Mesh m = mesh(surface, 16, 12).mesh;
     std::vector<std::size_t> first(m.point_count, m.point.size());
     for (std::size_t k = 0; k < m.point.size(); ++k) {

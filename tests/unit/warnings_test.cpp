@@ -33,6 +33,13 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
                      "u = -0.5:1, v = 0.25:2"});
 }
 
+TEST(Warnings, SayThatASurfaceIsOneSided) {
+  GridMesh band = mesh_between({-1, 0}, {1, 2});
+  band.report.orientable = false;
+  EXPECT_EQ(mesh_warnings("s", band, kDomain),
+            Warnings{"s: the surface is one-sided: front and back meet along a line"});
+}
+
 TEST(Warnings, SayThatARangeRunsBackwards) {
   EXPECT_EQ(mesh_warnings("s", mesh_between({-1, 0}, {1, 2}), {1, -1, 0, 2}),
             Warnings{"s: a range runs backwards, which swaps front and back"});
