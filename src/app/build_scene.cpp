@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "base/error.h"
 #include "scene/assignments.h"
 #include "scene/gallery.h"
-#include "scene/prepare.h"
+#include "scene/resolve.h"
+#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {
@@ -20,10 +22,7 @@ bool is_scene_file(const std::string& name) {
 
 /// The scene of the argument without a `=`.
 Scene named_scene(const std::string& name) {
-  if (is_scene_file(name)) {
-    throw Error(Status::Input, "scene files cannot be read yet: " + name, {},
-                "graph formulas, or a surface of the gallery (saddle list)");
-  }
+  if (is_scene_file(name)) return load_scene(name);
   const GalleryEntry* const entry = find_gallery_entry(name);
   if (entry == nullptr) throw unknown_gallery_name(name);
   return gallery_scene(*entry);
@@ -48,26 +47,6 @@ void check_given_once(const std::vector<std::string>& assignments) {
   }
 }
 
-void apply_options(const CommandLine& line, Scene& scene) {
-  Camera& camera = scene.camera;
-  if (line.view) camera.view = *line.view;
-  if (line.up) camera.up = *line.up;
-  if (line.target) camera.target = line.target;
-  if (line.distance) camera.distance = line.distance;
-  if (line.fov) camera.fov = *line.fov;
-  if (line.ortho) camera.ortho = true;
-  if (line.clip) scene.clip = *line.clip;
-  if (line.background) scene.background = *line.background;
-  if (line.t) scene.t = finite_constant(scene, "--t", *line.t);
-  for (SurfaceSpec& spec : scene.surfaces) {
-    if (line.front) spec.front.diffuse = *line.front;
-    if (line.back) spec.back.diffuse = *line.back;
-    if (line.flip) spec.flip = !spec.flip;
-    if (line.grid) spec.grid_u = line.grid->u;
-    if (line.grid) spec.grid_v = line.grid->v;
-  }
-}
-
 }  // namespace
 
 Scene build_scene(const CommandLine& line) {
@@ -77,7 +56,7 @@ Scene build_scene(const CommandLine& line) {
     (argument.find('=') == std::string::npos ? names : assignments).push_back(argument);
   }
   if (names.size() > 1) {
-    throw Error(Status::Input, "two surfaces, '" + names[0] + "' and '" + names[1] + "'", {},
+    throw Error(Status::Input, "two scenes, '" + names[0] + "' and '" + names[1] + "'", {},
                 "graph one at a time");
   }
   if (line.arguments.empty()) {
@@ -86,15 +65,13 @@ Scene build_scene(const CommandLine& line) {
                 "saddle --help says more");
   }
   check_given_once(assignments);
-  std::stable_partition(assignments.begin(), assignments.end(),
-                        [](const std::string& text) { return !assigns_time(text); });
   Scene scene = names.empty() ? Scene{} : named_scene(names[0]);
   for (const std::string& assignment : assignments) {
     names.empty() ? assign(scene, assignment) : override_assignment(scene, assignment);
   }
   if (scene.surfaces.empty()) scene.surfaces.emplace_back();
-  apply_options(line, scene);
-  return scene;
+  for (const auto& edit : line.edits) edit(scene);
+  return resolve(std::move(scene));
 }
 
 }  // namespace saddle

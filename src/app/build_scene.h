@@ -6,8 +6,9 @@
 
 namespace saddle {
 
-/// The gallery surface or the formulas of the command line, with its options applied. Throws Error
-/// (Input): no surface or two, an unknown name, a malformed assignment.
+/// The scene file, gallery surface or formulas of the command line, with its assignments and
+/// options applied, resolved at its moment. Throws Error (Input): no surface or two, an unknown
+/// name, a malformed assignment, anything wrong with a scene file or a number.
 Scene build_scene(const CommandLine& line);
 
 }  // namespace saddle

@@ -1,23 +1,22 @@
 // The command line, read with CLI11 (a slow header: no other file includes it). Options are taken
-// as text and read by app/values.h, so that every error names its place.
+// as text and read by scene/values.h, so that every error names its place. Those that are keys of
+// the scene file become edits of the scene.
 #include "app/cli.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
 
-#include "app/values.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "scene/color.h"
+#include "scene/prepare.h"
+#include "scene/values.h"
 
 namespace saddle {
 namespace {
 
-constexpr int kMaxPixels = 16384;  // each way: what OpenGL implementations can draw
-constexpr int kMaxAntialias = 16;  // 256 samples per pixel: more than eight bits can show
 constexpr int kMaxThreads = 1024;
-constexpr int kMaxTriangles = 1'000'000'000;  // three corners each are numbered in 32 bits
 
 using Text = const std::string&;
 
@@ -29,14 +28,18 @@ CLI::Option* add_text_option(CLI::App& app, const std::string& name, std::string
   });
 }
 
+/// An option that changes the scene: `read` makes a value of its text, which `edit` puts there.
+template <typename Read, typename Edit>
+void add_edit(CLI::App& app, CommandLine& line, const std::string& names, Read read, Edit edit) {
+  const std::string name = names.substr(names.find("--"));
+  app.add_option_function<std::string>(names, [&line, name, read, edit](Text text) {
+    line.edits.push_back([value = read(name, text), edit](Scene& scene) { edit(scene, value); });
+  });
+}
+
 void add_output_options(CLI::App& app, CommandLine& line) {
   app.add_option("-o,--output", line.outputs)->allow_extra_args(false);
   add_text_option(app, "--format", line.format);
-  app.add_option_function<std::string>("-s,--size", [&line](Text text) {
-    const GridSize size = parse_pair("--size", text, 1, kMaxPixels);
-    line.width = size.u;
-    line.height = size.v;
-  });
   CLI::Option* const reference = add_text_option(app, "--reference", line.reference);
   app.add_option_function<std::string>(
          "--threshold", [&line](Text text) { line.threshold = parse_share("--threshold", text); })
@@ -44,57 +47,85 @@ void add_output_options(CLI::App& app, CommandLine& line) {
   add_text_option(app, "--report", line.report);
 }
 
-void add_camera_options(CLI::App& app, CommandLine& line) {
-  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-  app.add_option_function<std::string>(
-      "--view", [&line](Text text) { line.view = parse_direction("--view", text); });
-  app.add_option_function<std::string>(
-      "--up", [&line](Text text) { line.up = parse_direction("--up", text); });
-  app.add_option_function<std::string>(
-      "--target", [&line](Text text) { line.target = parse_vector("--target", text); });
-  app.add_option_function<std::string>("--distance", [&line](Text text) {
-    line.distance = parse_number_between("--distance", text, 0, kUnlimited);
-  });
-  app.add_option_function<std::string>(
-      "--fov", [&line](Text text) { line.fov = parse_number_between("--fov", text, 0, 180); });
-  app.add_flag("--ortho", line.ortho);
+void add_picture_options(CLI::App& app, CommandLine& line) {
+  add_edit(
+      app, line, "-s,--size",
+      [](Text name, Text text) { return parse_pair(name, text, 1, kMaxPixels); },
+      [](Scene& scene, GridSize size) {
+        scene.picture.width = size.u;
+        scene.picture.height = size.v;
+      });
+  add_edit(
+      app, line, "--antialias",
+      [](Text name, Text text) { return parse_whole(name, text, 1, kMaxAntialias); },
+      [](Scene& scene, int samples) { scene.picture.antialias = samples; });
+  add_edit(app, line, "--background", parse_color,
+           [](Scene& scene, const Color& color) { scene.background = color; });
 }
 
-void add_look_options(CLI::App& app, CommandLine& line) {
-  app.add_option_function<std::string>(
-      "--background", [&line](Text text) { line.background = parse_color("--background", text); });
-  app.add_option_function<std::string>(
-      "--front", [&line](Text text) { line.front = opaque_color("--front", text); });
-  app.add_option_function<std::string>(
-      "--back", [&line](Text text) { line.back = opaque_color("--back", text); });
-  app.add_flag("--flip", line.flip);
-  app.add_option_function<std::string>(
-      "--grid", [&line](Text text) { line.grid = parse_grid_lines("--grid", text); });
-  app.add_option_function<std::string>("--antialias", [&line](Text text) {
-    line.antialias = parse_whole("--antialias", text, 1, kMaxAntialias);
+void add_camera_options(CLI::App& app, CommandLine& line) {
+  const auto positive = [](Text name, Text text) {
+    return parse_number_between(name, text, 0, std::numeric_limits<double>::infinity());
+  };
+  const auto angle = [](Text name, Text text) { return parse_number_between(name, text, 0, 180); };
+  add_edit(app, line, "--view", parse_direction,
+           [](Scene& scene, const dvec3& view) { scene.camera.view = view; });
+  add_edit(app, line, "--up", parse_direction,
+           [](Scene& scene, const dvec3& up) { scene.camera.up = up; });
+  add_edit(app, line, "--target", parse_vector,
+           [](Scene& scene, const dvec3& target) { scene.camera.target = target; });
+  add_edit(app, line, "--distance", positive,
+           [](Scene& scene, double distance) { scene.camera.distance = distance; });
+  add_edit(app, line, "--fov", angle, [](Scene& scene, double fov) { scene.camera.fov = fov; });
+  app.add_flag_callback("--ortho",
+                        [&line] { line.edits.push_back([](Scene& s) { s.camera.ortho = true; }); });
+}
+
+/// Calls `edit` with each surface.
+template <typename Edit>
+auto each_surface(Edit edit) {
+  return [edit](Scene& scene, const auto& value) {
+    for (SurfaceSpec& spec : scene.surfaces) edit(spec, value);
+  };
+}
+
+void add_surface_options(CLI::App& app, CommandLine& line) {
+  add_edit(app, line, "--front", opaque_color,
+           each_surface([](SurfaceSpec& spec, const Color& c) { spec.front.diffuse = c; }));
+  add_edit(app, line, "--back", opaque_color,
+           each_surface([](SurfaceSpec& spec, const Color& c) { spec.back.diffuse = c; }));
+  add_edit(app, line, "--grid", parse_grid_lines,
+           each_surface([](SurfaceSpec& spec, GridSize lines) {
+             spec.grid_u = lines.u;
+             spec.grid_v = lines.v;
+           }));
+  app.add_flag_callback("--flip", [&line] {
+    line.edits.push_back([](Scene& scene) {
+      for (SurfaceSpec& spec : scene.surfaces) spec.flip = !spec.flip;
+    });
   });
 }
 
 void add_mesh_options(CLI::App& app, CommandLine& line) {
-  app.add_option_function<std::string>(
-      "--tolerance", [&line](Text text) { line.tolerance = parse_tolerance("--tolerance", text); });
-  app.add_option_function<std::string>("--normal-tolerance", [&line](Text text) {
-    line.normal_tolerance = parse_degrees("--normal-tolerance", text);
-  });
-  app.add_option_function<std::string>("--max-triangles", [&line](Text text) {
-    line.max_triangles = parse_whole("--max-triangles", text, 2, kMaxTriangles);
-  });
-  app.add_option_function<std::string>("--clip", [&line](Text text) {
-    const bool automatic = text == "auto" || text == "AUTO";
-    line.clip = Clip{automatic, {}};
-    if (!automatic && text != "off") line.clip->box = parse_box("--clip", text);
-  });
-  app.add_option_function<std::string>(
-      "--samples", [&line](Text text) { line.samples = parse_samples("--samples", text); });
+  const auto triangles = [](Text name, Text text) {
+    return parse_whole(name, text, 2, kMaxTriangles);
+  };
+  add_edit(app, line, "--tolerance", parse_tolerance,
+           [](Scene& scene, ToleranceValue t) { scene.mesh.tolerance = t; });
+  add_edit(app, line, "--normal-tolerance", parse_degrees,
+           [](Scene& scene, double degrees) { scene.mesh.normal_tolerance = degrees; });
+  add_edit(app, line, "--max-triangles", triangles,
+           [](Scene& scene, int count) { scene.mesh.max_triangles = count; });
+  add_edit(app, line, "--clip", parse_clip,
+           [](Scene& scene, const Clip& clip) { scene.clip = clip; });
+  add_edit(app, line, "--samples", parse_samples,
+           [](Scene& scene, GridSize cells) { scene.mesh.samples = cells; });
 }
 
 void add_computing_options(CLI::App& app, CommandLine& line) {
-  app.add_option_function<std::string>("--t", [&line](Text text) { line.t = text; });
+  add_edit(
+      app, line, "--t", [](Text, Text text) { return text; },
+      [](Scene& scene, Text text) { scene.t = finite_constant(scene, "--t", text); });
   app.add_option_function<std::string>("--threads", [&line](Text text) {
     line.threads = static_cast<unsigned>(parse_whole("--threads", text, 1, kMaxThreads));
   });
@@ -174,7 +205,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   add_output_options(app, line);
   add_camera_options(app, line);
-  add_look_options(app, line);
+  add_picture_options(app, line);
+  add_surface_options(app, line);
   add_mesh_options(app, line);
   add_computing_options(app, line);
   app.add_flag("-h,--help", help);

@@ -34,9 +34,8 @@ Mesh file(Tessellation tessellation, RunReport& report) {
   return std::move(tessellation.mesh);
 }
 
-Image draw(const CommandLine& line, const Scene& scene, std::span<const Mesh> meshes,
-           RunReport& report) {
-  Rendering rendering = render(scene, meshes, {line.width, line.height, line.antialias});
+Image draw(const Scene& scene, std::span<const Mesh> meshes, RunReport& report) {
+  Rendering rendering = render(scene, meshes, scene.picture);
   report.times.render = rendering.times;
   report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer};
   return std::move(rendering.image);
@@ -80,11 +79,11 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   RunReport report;
   std::vector<Mesh> meshes;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    meshes.push_back(file(tessellate(line, scene, spec, purpose), report));
+    meshes.push_back(file(tessellate(scene, spec, purpose, line.threads), report));
   }
   if (!line.quiet) print_warnings(report);
   Image image;
-  if (purpose.picture) image = draw(line, scene, meshes, report);
+  if (purpose.picture) image = draw(scene, meshes, report);
 
   const auto writing = Clock::now();
   const std::string scene_text = write_scene(scene);

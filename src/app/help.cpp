@@ -7,6 +7,7 @@ std::string help_text() {
   return R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
 
   saddle NAME=EXPRESSION... [options]                  graph formulas
+  saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
   saddle list                                          names of the built-in surfaces
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
@@ -20,9 +21,9 @@ Examples:
   saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
 
 Output
-  -o, --output FILE     what to write, by extension: .png .ply; may be repeated; - is standard
-                        output, with --format
-      --format EXT      png or ply: for - and for names without an extension
+  -o, --output FILE     what to write, by extension: .png .ply, .toml (the scene); may be
+                        repeated; - is standard output, with --format
+      --format EXT      png, ply or toml: for - and for names without an extension
   -s, --size WxH        picture size in pixels, up to 16384 each way (default 800x600)
       --reference FILE  compare the picture with a PNG; exit 1 and write FILE.diff.png if it differs
       --threshold E     largest error that passes: 1 - SSIM, 0 to 1 (default 0.04)

@@ -12,24 +12,23 @@
 #include "base/image_png.h"
 #include "base/nearest.h"
 #include "export/ply.h"
+#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {
-
-/// The keyword of the PNG text chunk that holds the scene.
-constexpr const char* kSceneKeyword = "saddle-scene";
 
 std::optional<Format> format_named(std::string name) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (name == "png") return Format::Png;
   if (name == "ply") return Format::Ply;
+  if (name == "toml") return Format::Toml;
   return std::nullopt;
 }
 
 std::string known_formats(const std::string& word) {
-  const std::vector<std::string> known = {"png", "ply"};
+  const std::vector<std::string> known = {"png", "ply", "toml"};
   const auto nearest = nearest_name(word, known);
-  return "known: .png .ply" + (nearest ? "; did you mean '." + *nearest + "'?" : "");
+  return "known: .png .ply .toml" + (nearest ? "; did you mean '." + *nearest + "'?" : "");
 }
 
 /// The extension without its point, empty if there is none.
@@ -55,7 +54,7 @@ Format format_of(const std::string& path, std::optional<Format> fallback) {
   if (fallback && ending.empty()) return *fallback;
   if (path == "-") {
     throw Error(Status::Input, "the format for standard output is missing",
-                {"--output", path, {0, 1}}, "add --format png or --format ply");
+                {"--output", path, {0, 1}}, "add --format png, ply or toml");
   }
   throw Error(
       Status::Input,
@@ -130,6 +129,8 @@ void write_output(const Output& output, const Image& image, const std::string& s
   const auto write = [&](std::ostream& out) {
     if (output.format == Format::Png) {
       write_png(out, image, {{kSceneKeyword, scene_text}});
+    } else if (output.format == Format::Toml) {
+      out << scene_text;
     } else {
       write_ply(out, meshes);
     }

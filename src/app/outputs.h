@@ -11,7 +11,7 @@
 
 namespace saddle {
 
-enum class Format { Png, Ply };
+enum class Format { Png, Ply, Toml };
 
 struct Output {
   std::string path;  ///< "-": standard output

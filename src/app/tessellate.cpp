@@ -39,24 +39,26 @@ int default_cells(int larger_side, int lines) {
   return rounded <= kMaxDefaultCells ? rounded : wanted;
 }
 
-GridOptions first_grid(const CommandLine& line, const SurfaceSpec& spec) {
-  const int larger_side = std::max(line.width, line.height);
+GridOptions first_grid(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
+  const int larger_side = std::max(scene.picture.width, scene.picture.height);
   GridOptions options;
   options.lines_u = spec.grid_u;
   options.lines_v = spec.grid_v;
-  options.cells_u = line.samples ? line.samples->u : default_cells(larger_side, spec.grid_u);
-  options.cells_v = line.samples ? line.samples->v : default_cells(larger_side, spec.grid_v);
-  options.threads = line.threads;
+  options.cells_u =
+      scene.mesh.samples ? scene.mesh.samples->u : default_cells(larger_side, spec.grid_u);
+  options.cells_v =
+      scene.mesh.samples ? scene.mesh.samples->v : default_cells(larger_side, spec.grid_v);
+  options.threads = threads;
   return options;
 }
 
 /// The grid that --samples asks for, or the coarsest of the defaults that keeps the tolerance.
-GridMesh mesh_uniformly(const CommandLine& line, const Surface& surface, const SurfaceSpec& spec,
-                        double tolerance) {
-  GridOptions options = first_grid(line, spec);
+GridMesh mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,
+                        double tolerance, unsigned threads) {
+  GridOptions options = first_grid(scene, spec, threads);
   GridMesh result = mesh_on_grid(surface, options);
   int in_vain = 0;  // halvings in a row
-  while (!line.samples && in_vain < kHalvingsInVain &&
+  while (!scene.mesh.samples && in_vain < kHalvingsInVain &&
          result.report.max_error > tolerance * result.mesh.bounds.diagonal() &&
          2 * std::max(options.cells_u, options.cells_v) <= kMaxDefaultCells) {
     options.cells_u *= 2;
@@ -71,21 +73,21 @@ GridMesh mesh_uniformly(const CommandLine& line, const Surface& surface, const S
 }
 
 /// The mesh that --samples asks for, or the one with the fewest triangles that keeps the tolerance.
-GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
-                       const Purpose& purpose, const Surface& surface) {
-  if (!line.samples) {
+GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                       const Surface& surface, unsigned threads) {
+  if (!scene.mesh.samples) {
     AdaptiveOptions options;
     options.clip = scene.clip.box;
     Bounds box;
     options.tolerance = [&](const Probe& probe) {
       box = clip_box(probe);
-      return tolerance_of(line, scene, purpose, probe, options.clip);
+      return tolerance_of(scene, purpose, probe, options.clip);
     };
-    options.normal_tolerance = line.normal_tolerance;
-    options.max_triangles = static_cast<std::size_t>(line.max_triangles);
+    options.normal_tolerance = scene.mesh.normal_tolerance;
+    options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);
     options.lines_u = spec.grid_u;
     options.lines_v = spec.grid_v;
-    options.threads = line.threads;
+    options.threads = threads;
     auto mesh = mesh_within_tolerance(surface, options);
     if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
       options.clip = box;  // which only a mesh tells that it needs
@@ -94,24 +96,24 @@ GridMesh mesh_as_asked(const CommandLine& line, const Scene& scene, const Surfac
     }
     if (mesh) return std::move(*mesh);
   }
-  const double share = tolerance_share(line, purpose);
-  GridMesh mesh = mesh_uniformly(line, surface, spec, share);
+  const double share = tolerance_share(scene, purpose);
+  GridMesh mesh = mesh_uniformly(scene, spec, surface, share, threads);
   if (scene.clip.box) {
     clip_mesh(*scene.clip.box, mesh.mesh);
     keep_used_corners(mesh.mesh);
   }
-  if (!line.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();
+  if (!scene.mesh.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();
   return mesh;
 }
 
 }  // namespace
 
-Tessellation tessellate(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
-                        const Purpose& purpose) {
+Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                        unsigned threads) {
   const PreparedSurface prepared =
-      prepare_surface(scene, spec, line.samples ? Order::First : Order::Second);
+      prepare_surface(scene, spec, scene.mesh.samples ? Order::First : Order::Second);
   const auto begin = std::chrono::steady_clock::now();
-  GridMesh mesh = mesh_as_asked(line, scene, spec, purpose, prepared.surface);
+  GridMesh mesh = mesh_as_asked(scene, spec, purpose, prepared.surface, threads);
   mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   Tessellation result;

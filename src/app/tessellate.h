@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/cli.h"
 #include "app/report.h"
 #include "app/tolerance.h"
 #include "mesh/mesh.h"
@@ -25,7 +24,7 @@ struct Tessellation {
 /// Prepares and tessellates surface `spec` of `scene`: on the grid of --samples, or with the fewest
 /// triangles that keep the tolerance of `purpose`. Throws Error as prepare_surface() and
 /// mesh_on_grid() do.
-Tessellation tessellate(const CommandLine& line, const Scene& scene, const SurfaceSpec& spec,
-                        const Purpose& purpose);
+Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                        unsigned threads);
 
 }  // namespace saddle

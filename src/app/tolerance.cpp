@@ -22,8 +22,8 @@ constexpr double kNearest = 0.05;
 /// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
 constexpr double kFarOut = 3;
 
-std::vector<ToleranceValue> asked(const CommandLine& line, const Purpose& purpose) {
-  if (line.tolerance) return {*line.tolerance};
+std::vector<ToleranceValue> asked(const Scene& scene, const Purpose& purpose) {
+  if (scene.mesh.tolerance) return {*scene.mesh.tolerance};
   std::vector<ToleranceValue> tolerances;
   if (purpose.picture) tolerances.push_back(kPictureTolerance);
   if (purpose.mesh) tolerances.push_back(kMeshTolerance);
@@ -40,29 +40,28 @@ Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
 }
 
 /// The side of a pixel on the nearest part of the surface, in units of length.
-double pixel_size(const CommandLine& line, const Camera& camera, const Probe& probe,
-                  const std::optional<Bounds>& clip) {
+double pixel_size(const Scene& scene, const Probe& probe, const std::optional<Bounds>& clip) {
+  const Camera& camera = scene.camera;
   const Bounds bounds = visible(probe, clip);
   const dvec3 target = camera_target(camera, bounds);
   const double radius = std::min(
       probe.radius(target),
       glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target))));
-  const double aspect = static_cast<double>(line.width) / line.height;
+  const double aspect = static_cast<double>(scene.picture.width) / scene.picture.height;
   const double distance = fit_camera(camera, bounds, aspect, radius).distance;
   const double depth = camera.ortho ? distance : std::max(distance - radius, kNearest * radius);
   const double half_fov = camera.fov / 2 * std::numbers::pi / 180;
-  return 2 * depth * std::tan(half_fov) / line.height;
+  return 2 * depth * std::tan(half_fov) / scene.picture.height;
 }
 
 }  // namespace
 
-Tolerance tolerance_of(const CommandLine& line, const Scene& scene, const Purpose& purpose,
-                       const Probe& probe, const std::optional<Bounds>& clip) {
+Tolerance tolerance_of(const Scene& scene, const Purpose& purpose, const Probe& probe,
+                       const std::optional<Bounds>& clip) {
   double least = std::numeric_limits<double>::infinity();
   if (!probe.bounds().empty()) {
-    for (const auto& [value, pixels] : asked(line, purpose)) {
-      const double unit =
-          pixels ? pixel_size(line, scene.camera, probe, clip) : visible(probe, clip).diagonal();
+    for (const auto& [value, pixels] : asked(scene, purpose)) {
+      const double unit = pixels ? pixel_size(scene, probe, clip) : visible(probe, clip).diagonal();
       least = std::min(least, value * unit);
     }
   }
@@ -85,10 +84,11 @@ Bounds clip_box(const Probe& probe) {
   return box;
 }
 
-double tolerance_share(const CommandLine& line, const Purpose& purpose) {
+double tolerance_share(const Scene& scene, const Purpose& purpose) {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [value, pixels] : asked(line, purpose)) {
-    least = std::min(least, pixels ? value / std::max(line.width, line.height) : value);
+  for (const auto& [value, pixels] : asked(scene, purpose)) {
+    least = std::min(least,
+                     pixels ? value / std::max(scene.picture.width, scene.picture.height) : value);
   }
   return least;
 }

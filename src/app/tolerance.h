@@ -1,8 +1,8 @@
 // How far the mesh may be from the surface: what --tolerance or the outputs ask for, as a length.
 #pragma once
 
-#include "app/cli.h"
 #include "mesh/adaptive_mesh.h"
+#include "scene/scene.h"
 
 namespace saddle {
 
@@ -15,8 +15,8 @@ struct Purpose {
 /// The tolerance of a surface that is known by a probe, or of what of it is in a box: the stricter
 /// one of picture and mesh. A picture's pixels are those of the part of the surface that is nearest
 /// to the eye.
-Tolerance tolerance_of(const CommandLine& line, const Scene& scene, const Purpose& purpose,
-                       const Probe& probe, const std::optional<Bounds>& clip = {});
+Tolerance tolerance_of(const Scene& scene, const Purpose& purpose, const Probe& probe,
+                       const std::optional<Bounds>& clip = {});
 
 /// The box that a surface which goes to infinity is clipped to: in each coordinate the robust
 /// bounds, if the samples go far beyond.
@@ -24,6 +24,6 @@ Bounds clip_box(const Probe& probe);
 
 /// The same for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.
-double tolerance_share(const CommandLine& line, const Purpose& purpose);
+double tolerance_share(const Scene& scene, const Purpose& purpose);
 
 }  // namespace saddle

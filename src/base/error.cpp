@@ -157,7 +157,7 @@ std::string marked_line(const std::string& prefix, const Line& line) {
 
 std::string marked_place(const Place& place) {
   if (place.text.empty()) return {};
-  std::string prefix = place.name;
+  std::string prefix = place.where.empty() ? place.name : "";
   if (!prefix.empty()) prefix += prefix.starts_with("--") ? " " : " = ";
   return marked_line(prefix, line_of(place.text, place.span));
 }
@@ -172,6 +172,7 @@ Error::Error(Status status, std::string message, Place place, std::string hint)
 
 std::string format_error(const Error& error) {
   std::string text = "saddle: ";
+  if (!error.place().where.empty()) text += printable(error.place().where) + ": ";
   if (!error.place().name.empty()) text += printable(error.place().name) + ": ";
   text += printable(error.what());
   text += '\n';

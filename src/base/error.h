@@ -20,10 +20,12 @@ struct Span {
 
 /// Where an error is: the name of the thing that was written ("y", "--size", "u"), its text as the
 /// user wrote it, and the bytes of the text that are meant. `text` empty: only the name is known.
+/// In a file, `text` is the whole file and `where` says which, with line and column.
 struct Place {
   std::string name;
   std::string text;
   Span span;
+  std::string where = {};
 };
 
 /// The one exception type for everything that is not a programmer's mistake.
@@ -52,7 +54,8 @@ class Error : public std::exception {
 ///                  ^~~
 ///     did you mean 'floor'?
 ///
-/// Columns count characters, not bytes. A line longer than a terminal is cut around the place.
+/// In a file it begins with `saddle: FILE:LINE:COLUMN: `, and the file's line is shown. Columns
+/// count characters, not bytes. A line longer than a terminal is cut around the place.
 std::string format_error(const Error& error);
 
 }  // namespace saddle

@@ -221,13 +221,16 @@ NodeId Scope::parse(const std::string& name, const std::string& text, std::optio
   return parse_formula(impl_->graph, formula, impl_->names({}, {}));
 }
 
-double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part) {
-  const NodeId root = parse(name, text, part);
-  const NodeId bound = substitute(impl_->graph, std::array{root}, impl_->parameter_values)[0];
+double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
+                       std::optional<double> t) {
+  const std::array root = {parse(name, text, part)};
+  const NodeId bound =
+      t ? bind(root, *t)[0] : substitute(impl_->graph, root, impl_->parameter_values)[0];
   if (!impl_->graph.is_constant(bound)) {
     const FormulaText formula = {name, text, part.value_or(Span{0, text.size()})};
     throw formula.error("this must be a constant", formula.part,
-                        "it may use numbers, constants and parameters, not u, v or t");
+                        t ? "it may use numbers, constants, parameters and t, not u or v"
+                          : "it may use numbers, constants and parameters, not u, v or t");
   }
   return impl_->graph[bound].value;
 }

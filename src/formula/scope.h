@@ -44,10 +44,10 @@ class Scope {
   NodeId parse(const std::string& name, const std::string& text,
                std::optional<Span> part = std::nullopt);
 
-  /// The same for a formula that must not depend on u, v or t: its value. It may be infinite or
-  /// NaN: what is allowed is for the caller to say.
+  /// The same for a formula that must not depend on u, v or, unless that has a value here, t: its
+  /// value. It may be infinite or NaN: what is allowed is for the caller to say.
   double constant(const std::string& name, const std::string& text,
-                  std::optional<Span> part = std::nullopt);
+                  std::optional<Span> part = std::nullopt, std::optional<double> t = std::nullopt);
 
   /// The roots with every parameter replaced by its value and t by `t`.
   std::vector<NodeId> bind(std::span<const NodeId> roots, double t);

@@ -45,7 +45,7 @@ double radius_around(const dvec3& target, std::span<const Mesh> meshes) {
 }
 
 Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
-                       const RenderOptions& options, int tile_samples) {
+                       const PictureSettings& options, int tile_samples) {
   const double aspect = static_cast<double>(options.width) / options.height;
   const FittedCamera camera = fit_to_meshes(scene.camera, meshes, aspect);
   Stopwatch stopwatch;
@@ -73,7 +73,7 @@ FittedCamera fit_to_meshes(const Camera& camera, std::span<const Mesh> meshes, d
 }
 
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
-                 const RenderOptions& options, int tile_samples) {
+                 const PictureSettings& options, int tile_samples) {
   const int n = options.antialias;
   const Tiling tiling = split_picture(options.width, options.height, n, tile_samples);
   const Target target(n * (tiling.tile_width + 2 * kTileMargin),
@@ -88,7 +88,7 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
 }
 
 Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
-                          const RenderOptions& options, int tile_samples) {
+                          const PictureSettings& options, int tile_samples) {
   assert(meshes.size() == scene.surfaces.size());
   assert(options.width > 0 && options.height > 0);
   assert(options.antialias >= 1 && options.antialias <= kMaxAntialias);
@@ -102,7 +102,7 @@ Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
   }
 }
 
-Rendering render(const Scene& scene, std::span<const Mesh> meshes, const RenderOptions& options) {
+Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options) {
   return render_in_tiles(scene, meshes, options, kTileSamples);
 }
 

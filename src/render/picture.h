@@ -11,15 +11,6 @@
 
 namespace saddle {
 
-/// Most samples per pixel and side.
-inline constexpr int kMaxAntialias = 16;
-
-struct RenderOptions {
-  int width = 800;
-  int height = 600;
-  int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
-};
-
 /// Milliseconds of each stage.
 struct RenderTimes {
   double context = 0;  ///< library, context and GL functions
@@ -35,7 +26,7 @@ struct Rendering {
 
 /// Draws `meshes[i]` with the materials of `scene.surfaces[i]`. Throws Error: Machine if there is
 /// no OpenGL, or the picture is larger than it can draw; Input for a camera that cannot be.
-Rendering render(const Scene& scene, std::span<const Mesh> meshes, const RenderOptions& options);
+Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options);
 
 /// Loads OpenGL ahead of time: call it in a thread beside tessellation when a picture will be
 /// wanted. It saves render() the loading, and leaves any failure for render() to report.

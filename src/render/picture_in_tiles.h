@@ -14,10 +14,10 @@ FittedCamera fit_to_meshes(const Camera& camera, std::span<const Mesh> meshes, d
 /// Draws a picture off screen, at most `tile_samples` samples a side at once, and reads it back.
 /// Leaves another framebuffer bound than there was.
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
-                 const RenderOptions& options, int tile_samples = kTileSamples);
+                 const PictureSettings& options, int tile_samples = kTileSamples);
 
 /// render(), drawing at most `tile_samples` samples a side at once (see kTileSamples).
 Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
-                          const RenderOptions& options, int tile_samples);
+                          const PictureSettings& options, int tile_samples);
 
 }  // namespace saddle

@@ -1,16 +1,14 @@
 // Splits NAME=EXPRESSION and NAME(ARGUMENTS)=EXPRESSION and files the parts into a Scene. What the
-// expressions mean is not looked at here, except for the one moment that `t=` names.
+// expressions mean is not looked at here.
 #include "scene/assignments.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "base/error.h"
 #include "base/nearest.h"
-#include "scene/prepare.h"
 
 namespace saddle {
 namespace {
@@ -67,35 +65,6 @@ std::vector<std::string> argument_names(const std::string& assignment, Span insi
   return names;
 }
 
-/// The parts of an assignment; what is assigned is taken as a definition, whatever its name is.
-Definition split(const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos) {
-    throw Error(Status::Input, "no '=' in the assignment",
-                {"argument", assignment, {0, assignment.size()}}, "for example r=0.4");
-  }
-  Definition result;
-  const Span left = trim(assignment, {0, equals});
-  const std::size_t bracket = std::min(assignment.find('(', left.begin), left.end);
-  result.is_function = bracket < left.end && assignment[left.end - 1] == ')';
-  if (result.is_function) {
-    result.name = checked_name(assignment, {left.begin, bracket});
-    result.arguments = argument_names(assignment, {bracket + 1, left.end - 1});
-  } else {
-    result.name = checked_name(assignment, left);
-  }
-  if (result.is_function && (is_coordinate(result.name) || is_parameter(result.name))) {
-    throw Error(Status::Input, "'" + result.name + "' cannot be a helper function",
-                {"argument", assignment, left}, "give the function another name");
-  }
-  result.text = cut(assignment, trim(assignment, {equals + 1, assignment.size()}));
-  if (result.text.empty()) {
-    throw Error(Status::Input, "the expression is empty",
-                {"argument", assignment, {equals, equals + 1}});
-  }
-  return result;
-}
-
 /// The first `:` from `begin` on that is outside of brackets and belongs to no `?`.
 std::optional<std::size_t> range_colon(const std::string& text, std::size_t begin = 0) {
   int depth = 0;
@@ -132,12 +101,12 @@ Range parse_range(const Definition& definition) {
   return range;
 }
 
-double parse_moment(const Scene& scene, const Definition& definition) {
+Number parse_moment(const Definition& definition) {
   if (const auto colon = range_colon(definition.text)) {
     throw Error(Status::Input, "a range of time is for animations, which cannot be drawn yet",
                 {"t", definition.text, {*colon, *colon + 1}}, "one moment is t=VALUE");
   }
-  return finite_constant(scene, "t", definition.text);
+  return Number(definition.text);
 }
 
 SurfaceSpec& last_surface(Scene& scene) {
@@ -151,7 +120,7 @@ void file(Scene& scene, const Definition& definition) {
     SurfaceSpec& spec = last_surface(scene);
     (name == "x" ? spec.x : name == "y" ? spec.y : spec.z) = definition.text;
   } else if (name == "t") {
-    scene.t = parse_moment(scene, definition);
+    scene.t = parse_moment(definition);
   } else if (is_parameter(name)) {
     SurfaceSpec& spec = last_surface(scene);
     (name == "u" ? spec.u : spec.v) = parse_range(definition);
@@ -167,12 +136,40 @@ void file(Scene& scene, const Definition& definition) {
 
 }  // namespace
 
+Definition parse_definition(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw Error(Status::Input, "no '=' in the assignment",
+                {"argument", assignment, {0, assignment.size()}}, "for example r=0.4");
+  }
+  Definition result;
+  const Span left = trim(assignment, {0, equals});
+  const std::size_t bracket = std::min(assignment.find('(', left.begin), left.end);
+  result.is_function = bracket < left.end && assignment[left.end - 1] == ')';
+  if (result.is_function) {
+    result.name = checked_name(assignment, {left.begin, bracket});
+    result.arguments = argument_names(assignment, {bracket + 1, left.end - 1});
+  } else {
+    result.name = checked_name(assignment, left);
+  }
+  if (result.is_function && (is_coordinate(result.name) || is_parameter(result.name))) {
+    throw Error(Status::Input, "'" + result.name + "' cannot be a helper function",
+                {"argument", assignment, left}, "give the function another name");
+  }
+  result.text = cut(assignment, trim(assignment, {equals + 1, assignment.size()}));
+  if (result.text.empty()) {
+    throw Error(Status::Input, "the expression is empty",
+                {"argument", assignment, {equals, equals + 1}});
+  }
+  return result;
+}
+
 void assign(Scene& scene, const std::string& assignment) {
-  file(scene, split(assignment));
+  file(scene, parse_definition(assignment));
 }
 
 void override_assignment(Scene& scene, const std::string& assignment) {
-  const Definition definition = split(assignment);
+  const Definition definition = parse_definition(assignment);
   std::vector<std::string> names;
   for (const Definition& known : scene.definitions) names.push_back(known.name);
   for (const char* name : {"x", "y", "z", "u", "v", "t"}) names.emplace_back(name);
@@ -185,12 +182,13 @@ void override_assignment(Scene& scene, const std::string& assignment) {
     throw Error(Status::Input, scene.title + " has no '" + definition.name + "'",
                 {"argument", assignment, trim(assignment, {0, assignment.find('=')})}, hint);
   }
+  const std::string& name = definition.name;
+  if (scene.surfaces.size() > 1 && (is_coordinate(name) || name == "u" || name == "v")) {
+    throw Error(Status::Input, "each of the scene's surfaces has its own '" + name + "'",
+                {"argument", assignment, trim(assignment, {0, assignment.find('=')})},
+                "change a parameter, or the scene file");
+  }
   file(scene, definition);
-}
-
-bool assigns_time(std::string_view assignment) {
-  const std::size_t equals = assignment.find('=');
-  return equals != std::string_view::npos && cut(assignment, trim(assignment, {0, equals})) == "t";
 }
 
 }  // namespace saddle

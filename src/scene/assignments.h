@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "scene/scene.h"
 
 namespace saddle {
+
+/// The parts of `NAME=EXPRESSION` or `NAME(ARGUMENTS)=EXPRESSION`. Throws Error (Input) with the
+/// place "argument": no `=`, a name that is none or cannot be a function's, an empty expression.
+Definition parse_definition(const std::string& assignment);
 
 /// Puts one assignment into `scene`: `x=`, `y=`, `z=` and the ranges `u=MIN:MAX`, `v=MIN:MAX` into
 /// its (last) surface, `t=VALUE` into its time, anything else into its definitions; a name that is
@@ -16,10 +19,8 @@ namespace saddle {
 void assign(Scene& scene, const std::string& assignment);
 
 /// Like assign(), but the name must be there already: a parameter, function or range of the scene.
-/// Throws Error (Input) with the names that there are.
+/// Throws Error (Input) with the names that there are; for x, y, z, u and v of a scene with several
+/// surfaces.
 void override_assignment(Scene& scene, const std::string& assignment);
-
-/// Whether the text assigns to `t`. Such an assignment goes last: its value may use parameters.
-bool assigns_time(std::string_view assignment);
 
 }  // namespace saddle

@@ -13,7 +13,7 @@
 namespace saddle {
 namespace {
 
-constexpr Camera from(const dvec3& view, const dvec3& up = {0, 0, 1}) {
+Camera from(const dvec3& view, const dvec3& up = {0, 0, 1}) {
   Camera camera;
   camera.view = view;
   camera.up = up;
@@ -21,7 +21,7 @@ constexpr Camera from(const dvec3& view, const dvec3& up = {0, 0, 1}) {
 }
 
 /// The camera that the parametric function grapher's scene is drawn with.
-constexpr Camera grapher_camera() {
+Camera grapher_camera() {
   Camera camera = from({2, 1, 3}, {0, 1, 0});
   camera.target = dvec3{0, 0, 0};
   camera.distance = 24;
@@ -33,7 +33,7 @@ constexpr Clip within(const dvec3& low, const dvec3& high) {
   return {false, Bounds{low, high}};
 }
 
-constexpr auto kGallery = std::to_array<GalleryEntry>({
+const auto kGallery = std::to_array<GalleryEntry>({
     // Quadrics and surfaces of revolution.
     {"sphere", "sphere of radius r",
      "x=r*cos(u)*cos(v) y=r*sin(u)*cos(v) z=r*sin(v) u=0:2*pi v=-pi/2:pi/2 r=1"},

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "formula/graph.h"
 #include "formula/scope.h"
+#include "surface/forms.h"
 
 namespace saddle {
 namespace {
@@ -57,6 +58,25 @@ Ends range_values(Graph& graph, Scope& scope, const std::string& name, const Ran
   return result;
 }
 
+/// The formulas of a surface as nodes of u and v.
+struct Formulas {
+  Coordinates r;
+  Domain domain;
+};
+
+Formulas parse_formulas(Graph& graph, const Scene& scene, const SurfaceSpec& spec) {
+  if (spec.z.empty()) {
+    throw Error(Status::Input, "z has no formula", {},
+                "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
+  }
+  Scope scope(graph, surface_definitions(scene, spec));
+  const Ends u = range_values(graph, scope, "u", spec.u);
+  const Ends v = range_values(graph, scope, "v", spec.v);
+  const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
+  const std::vector<NodeId> bound = scope.bind(coordinates, scene.t);
+  return {{bound[0], bound[1], bound[2]}, {u.min, u.max, v.min, v.max}};
+}
+
 }  // namespace
 
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
@@ -68,34 +88,32 @@ std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpe
 }
 
 PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Order order) {
-  if (spec.z.empty()) {
-    throw Error(Status::Input, "z has no formula", {},
-                "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
-  }
   const auto start = Clock::now();
   Graph graph;
-  Scope scope(graph, surface_definitions(scene, spec));
-  const Ends u = range_values(graph, scope, "u", spec.u);
-  const Ends v = range_values(graph, scope, "v", spec.v);
-  const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
-  const std::vector<NodeId> bound = scope.bind(coordinates, scene.t);
+  const auto [r, domain] = parse_formulas(graph, scene, spec);
   const auto parsed = Clock::now();
 
   PreparedSurface result;
-  const Domain domain{u.min, u.max, v.min, v.max};
   const bool flip = spec.flip != runs_backwards(domain);
-  result.surface = make_surface(graph, {bound[0], bound[1], bound[2]}, domain, flip, order);
+  result.surface = make_surface(graph, r, domain, flip, order);
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());
   return result;
 }
 
+void check_formulas(const Scene& scene, const SurfaceSpec& spec) {
+  Graph graph;
+  parse_formulas(graph, scene, spec);
+}
+
+std::vector<Definition> constant_names(const Scene& scene) {
+  const bool has_surface = !scene.surfaces.empty() && !scene.surfaces.back().z.empty();
+  return has_surface ? surface_definitions(scene, scene.surfaces.back()) : scene.definitions;
+}
+
 double finite_constant(const Scene& scene, const std::string& name, const std::string& text) {
   Graph graph;
-  // A definition may use the surface's x, y and z.
-  const bool has_surface = !scene.surfaces.empty() && !scene.surfaces.back().z.empty();
-  Scope scope(graph,
-              has_surface ? surface_definitions(scene, scene.surfaces.back()) : scene.definitions);
+  Scope scope(graph, constant_names(scene));
   const double value = scope.constant(name, text);
   if (!std::isfinite(value)) {
     throw Error(Status::Input, "not a finite number", {name, text, {0, text.size()}});

@@ -25,6 +25,13 @@ struct PreparedSurface {
 PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec,
                                 Order order = Order::First);
 
+/// Throws what prepare_surface() would about the formulas and ranges of `spec`, in less time.
+void check_formulas(const Scene& scene, const SurfaceSpec& spec);
+
+/// What constant expressions of the scene may use: its definitions, which may use x, y and z of its
+/// (last) surface.
+std::vector<Definition> constant_names(const Scene& scene);
+
 /// The value of a constant expression that may use the scene's parameters; `name` stands for it in
 /// messages. Throws Error (Input): anything wrong with a formula, a value that is not finite.
 double finite_constant(const Scene& scene, const std::string& name, const std::string& text);

@@ -1,9 +1,10 @@
-// What to draw, as plain data with defaults. The command line (and later the scene file and the
-// viewer) produce a Scene; meshing, rendering and writing consume it.
+// What to draw, as plain data with defaults. The command line, the scene file and the viewer
+// produce a Scene; meshing, rendering and writing consume it.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/vec.h"
@@ -12,20 +13,44 @@
 
 namespace saddle {
 
+/// A number of a scene: plain, or an expression of the parameters and t, whose value resolve() of
+/// scene/resolve.h fills in. It is used as the double that it is.
+struct Number {
+  double value = 0;
+  std::string text = {};  ///< the expression; empty: a plain number
+
+  Number() = default;
+  Number(double plain) : value(plain) {}  // NOLINT: meant to convert
+  explicit Number(std::string expression) : text(std::move(expression)) {}
+  operator double() const { return value; }  // NOLINT: meant to convert
+};
+
+/// Three of them: a point or a direction.
+struct Vector {
+  Number x, y, z;
+
+  Vector() = default;
+  Vector(Number a, Number b, Number c) : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
+  Vector(const dvec3& v) : x(v.x), y(v.y), z(v.z) {}              // NOLINT: meant to convert
+  operator dvec3() const { return {x.value, y.value, z.value}; }  // NOLINT: meant to convert
+};
+
 /// Red, green, blue, alpha, each 0 to 1, as they appear on the screen (no gamma is applied).
 struct Color {
-  double r = 0, g = 0, b = 0, a = 1;
+  Number r = 0, g = 0, b = 0, a = 1;
 };
 
 /// One side of a surface.
 struct Material {
   Color diffuse;
   Color specular;
-  double shininess = 32;  ///< exponent of the specular term, at least 0
+  Number shininess = 32;              ///< exponent of the specular term, at least 0
+  std::optional<Color> ambient = {};  ///< default: the diffuse colour
+  Color emission = {};                ///< light of its own
 };
 
-inline constexpr Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
-inline constexpr Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
+inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
+inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
 
 /// `u = MIN:MAX`, both constant expressions.
 struct Range {
@@ -45,24 +70,64 @@ struct SurfaceSpec {
   Material front = kFrontMaterial;
   Material back = kBackMaterial;
   bool flip = false;
+  std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
 };
 
-/// A light in eye coordinates: the eye at the origin looks down -z, y is up.
+/// One step of a node's transform.
+struct Transform {
+  enum class Kind { Translate, Rotate, Scale };
+  Kind kind = Kind::Translate;
+  Vector vector;     ///< the way, the axis, or the factor of each coordinate
+  Number angle = 0;  ///< of a rotation, degrees, counter-clockwise around the axis
+};
+
+/// A frame that moves what is in it.
+struct SceneNode {
+  std::string name;
+  std::string in;                    ///< the node around it; empty: the world
+  std::vector<Transform> transform;  ///< applied as written, outermost first
+};
+
+/// How much of a point light arrives at distance d: 1 / (constant + linear d + quadratic d^2).
+struct Attenuation {
+  Number constant = 1;
+  Number linear = 0;
+  Number quadratic = 0;
+  std::optional<Number> range;  ///< in place of the three: how far the light reaches
+};
+
+/// What makes a point light a spot light. Angles are between axis and edge, in degrees.
+struct Spot {
+  enum class Falloff { Linear, Smooth };
+  Vector direction{0, 0, -1};         ///< along the light, any length but 0
+  Number cutoff = 30;                 ///< 0 to 180: nothing is lit from there on
+  std::optional<Number> inner;        ///< up to here all is lit; default: the cutoff, a hard edge
+  Number exponent = 0;                ///< of the cosine between axis and ray
+  Falloff falloff = Falloff::Linear;  ///< between inner and cutoff
+};
+
+/// In eye coordinates the eye at the origin looks down -z, y is up.
 struct Light {
-  dvec3 position{0, 0, 0};  ///< of a point light; toward a directional one, any length but 0
+  Vector position;  ///< of a point light; toward a directional one, any length but 0
   bool directional = false;
-  Color color;
+  Color color{1, 1, 1};                ///< of what is reflected diffusely, and else too
+  std::optional<Color> specular = {};  ///< of what is mirrored; default: the same
+  Color ambient = {};
+  std::string frame = "eye";  ///< whose coordinates these are: "eye", "world" or a node's name
+  Attenuation attenuation = {};
+  std::optional<Spot> spot = {};
+  Number enabled = 1;  ///< 0: off
 };
 
 /// The three lights of a scene that names none.
 std::vector<Light> default_lights();
 
 struct Camera {
-  dvec3 view{2, -3, 1.5};  ///< from the target toward the eye, any length but 0
-  dvec3 up{0, 0, 1};
-  std::optional<dvec3> target;     ///< default: centre of the bounding box
-  std::optional<double> distance;  ///< from the target; default: the bounding sphere just fits
-  double fov = 30;                 ///< vertical, degrees, more than 0 and less than 180
+  Vector view{2, -3, 1.5};  ///< from the target toward the eye, any length but 0
+  Vector up{0, 0, 1};
+  std::optional<Vector> target;    ///< default: centre of the bounding box
+  std::optional<Number> distance;  ///< from the target; default: the bounding sphere just fits
+  Number fov = 30;                 ///< vertical, degrees, more than 0 and less than 180
   bool ortho = false;              ///< the visible height is the perspective one at the target
 };
 
@@ -72,15 +137,65 @@ struct Clip {
   std::optional<Bounds> box;  ///< this box, whatever the surface does
 };
 
+/// `MxN`: M in u, N in v; or across and down.
+struct GridSize {
+  int u = 0;
+  int v = 0;
+};
+
+/// A length: in pixels of the picture, or as a share of the bounding box's diagonal.
+struct ToleranceValue {
+  double value = 0;
+  bool pixels = false;
+};
+
+/// How surfaces become triangles.
+struct MeshSettings {
+  std::optional<ToleranceValue> tolerance;  ///< default: of a picture or of a mesh
+  double normal_tolerance = 3;              ///< degrees
+  int max_triangles = 4'000'000;
+  std::optional<GridSize> samples;  ///< a uniform grid of so many cells instead
+};
+
+/// Most samples per pixel and side: 256 per pixel are more than eight bits can show.
+inline constexpr int kMaxAntialias = 16;
+
+/// How the picture is made.
+struct PictureSettings {
+  int width = 800;  ///< pixels
+  int height = 600;
+  int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
+};
+
+/// The values that the viewer offers for a parameter.
+struct Slider {
+  std::string name;
+  Number min = 0;
+  Number max = 1;
+};
+
+/// Time that passes.
+struct Animation {
+  Number from = 0;
+  Number to = 1;
+  Number fps = 30;
+  int frames = 120;
+};
+
 struct Scene {
   std::string title = "saddle";
   std::vector<Definition> definitions;  ///< parameters, shared sub-expressions, helper functions
+  std::vector<Slider> sliders;
   std::vector<SurfaceSpec> surfaces;
+  std::vector<SceneNode> nodes;
   std::vector<Light> lights = default_lights();
   Camera camera;
   Color background{0, 0, 0, 1};
   Clip clip;
-  double t = 0;  ///< the moment that is drawn
+  MeshSettings mesh;
+  PictureSettings picture;
+  Number t = 0;  ///< the moment that is drawn
+  std::optional<Animation> animation;
 };
 
 }  // namespace saddle

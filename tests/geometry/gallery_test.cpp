@@ -54,10 +54,10 @@ TEST(Gallery, HelpsWithUnknownNames) {
 
 TEST(Gallery, DrawsTheFunctionGraphersSceneFromItsOwnCamera) {
   const Scene scene = scene_of("eck-default");
-  EXPECT_EQ(scene.camera.view, dvec3(2, 1, 3));
-  EXPECT_EQ(scene.camera.up, dvec3(0, 1, 0));
-  EXPECT_EQ(scene.camera.target, dvec3(0, 0, 0));
-  EXPECT_EQ(scene.camera.distance, 24);
+  EXPECT_EQ(dvec3(scene.camera.view), dvec3(2, 1, 3));
+  EXPECT_EQ(dvec3(scene.camera.up), dvec3(0, 1, 0));
+  EXPECT_EQ(dvec3(scene.camera.target.value()), dvec3(0, 0, 0));
+  EXPECT_EQ(scene.camera.distance.value(), 24);
   EXPECT_EQ(scene.camera.fov, 45);
 }
 

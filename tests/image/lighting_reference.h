@@ -30,8 +30,8 @@ inline dvec3 lit_color(const SeenPoint& p, const Material& material,
   const auto rgb = [](const Color& c) { return dvec3(c.r, c.g, c.b); };
   dvec3 sum(0);
   for (const Light& light : lights) {
-    const dvec3 l =
-        glm::normalize(light.directional ? light.position : light.position - p.position);
+    const dvec3 at = light.position;
+    const dvec3 l = glm::normalize(light.directional ? at : at - p.position);
     const double n_l = glm::dot(p.normal, l);
     if (n_l <= 0) continue;
     sum += n_l * rgb(light.color) * rgb(material.diffuse);
@@ -54,7 +54,7 @@ inline Sight sight_through(const Camera& camera, int width, int height, int x, i
   const double slope = std::tan(camera.fov * std::numbers::pi / 360);
   const dvec3 at((2 * (x + 0.5) / width - 1) * slope * width / height,
                  (1 - 2 * (y + 0.5) / height) * slope, -1);
-  if (camera.ortho) return {dvec3(at.x, at.y, 0) * camera.distance.value(), dvec3(0, 0, -1)};
+  if (camera.ortho) return {dvec3(at.x, at.y, 0) * double{*camera.distance}, dvec3(0, 0, -1)};
   return {dvec3(0), glm::normalize(at)};
 }
 

@@ -43,11 +43,11 @@ Scene flat_scene(std::size_t surfaces, double half_height) {
   return scene;
 }
 
-Image draw(const Scene& scene, std::span<const Mesh> meshes, const RenderOptions& options) {
+Image draw(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options) {
   return render(scene, meshes, options).image;
 }
 
-Image draw(const Scene& scene, const Mesh& mesh, const RenderOptions& options) {
+Image draw(const Scene& scene, const Mesh& mesh, const PictureSettings& options) {
   return draw(scene, std::span(&mesh, 1), options);
 }
 
@@ -302,7 +302,7 @@ TEST(Picture, IsBackgroundWhereThereIsNothing) {
 }
 
 TEST(Tiles, GiveTheSamePictureAsOnePiece) {
-  const RenderOptions options{301, 203, 2};
+  const PictureSettings options{301, 203, 2};
   const Mesh mesh = torus_mesh(2, 1, {64, 64, 0});
   const Scene scene = scene_of(1);
   const Image whole = draw(scene, mesh, options);
@@ -323,7 +323,7 @@ TEST(Tiles, ContinueLinesAcrossTheirBorders) {
 TEST(Renderer, DrawsTheSameAgainAndAfterAMeshIsReplaced) {
   const std::array meshes{torus_mesh(2, 1, {24, 24, 8}), plane_mesh(dvec3(0.5), 1.5)};
   const Scene scene = scene_of(2);
-  const RenderOptions options{120, 90, 2};
+  const PictureSettings options{120, 90, 2};
   const Image fresh = draw(scene, meshes, options);
   const auto context = make_osmesa_context();
   Renderer renderer;

@@ -10,6 +10,7 @@ HOMES = {
     r"CLI/.*": r"src/app/cli\.cpp",
     r"GL/osmesa\.h": r"src/render/context_osmesa\.cpp",
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",
+    r"toml\+\+/.*": r"src/scene/toml\.cpp",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -12,7 +12,7 @@ import tree
 
 TEXT = (tree.ROOT / "README.md").read_text(encoding="utf-8")
 PROGRAM = os.path.abspath(os.environ["SADDLE_PROGRAM"])
-MAGIC = {".png": b"\x89PNG\r\n\x1a\n", ".ply": b"ply\n"}  # how a file starts
+MAGIC = {".png": b"\x89PNG\r\n\x1a\n", ".ply": b"ply\n", ".toml": b""}  # how a file starts
 
 
 def commands():
@@ -22,23 +22,21 @@ def commands():
             yield shlex.split(line.strip().removeprefix("$ "), comments=True)
 
 
-def run_complaints(arguments):
-    """Runs the program with the arguments of `./dev run` in an empty folder."""
-    with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run([PROGRAM, *arguments], cwd=folder,
-                              capture_output=True, text=True)
-        if done.returncode:
-            yield f"README.md: saddle {shlex.join(arguments)}: status {done.returncode}"
-            yield done.stderr
-            return
-        for option, name in zip(arguments, arguments[1:]):
-            if option == "-o":
-                made = pathlib.Path(folder, name)
-                if not made.is_file() or not made.read_bytes().startswith(MAGIC[made.suffix]):
-                    yield f"README.md: saddle {shlex.join(arguments)}: {name} is not what it says"
+def run_complaints(arguments, folder):
+    """Runs the program with the arguments of `./dev run`, where earlier commands left their files."""
+    done = subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True)
+    if done.returncode:
+        yield f"README.md: saddle {shlex.join(arguments)}: status {done.returncode}"
+        yield done.stderr
+        return
+    for option, name in zip(arguments, arguments[1:]):
+        if option == "-o":
+            made = pathlib.Path(folder, name)
+            if not made.is_file() or not made.read_bytes().startswith(MAGIC[made.suffix]):
+                yield f"README.md: saddle {shlex.join(arguments)}: {name} is not what it says"
 
 
-def complaints(found):
+def complaints(found, folder):
     usage = subprocess.run([tree.ROOT / "dev", "help"], capture_output=True, text=True, check=True)
     known = re.findall(r"^  (\w+)", usage.stdout, flags=re.MULTILINE)
     for needed in ("run", "test"):
@@ -48,11 +46,12 @@ def complaints(found):
         if command[1] not in known:
             yield f"README.md: ./dev help does not know {command[1]}"
         elif command[1] == "run":
-            yield from run_complaints(command[2:])
+            yield from run_complaints(command[2:], folder)
     for link in re.findall(r"\]\(([^):#]+)\)", TEXT):
         if not (tree.ROOT / link).exists():
             yield f"README.md: {link} does not exist"
 
 
 shown = list(commands())
-tree.finish(complaints(shown), len(shown), "commands of README.md")
+with tempfile.TemporaryDirectory() as folder:
+    tree.finish(complaints(shown, folder), len(shown), "commands of README.md")

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "scene/resolve.h"
 
 namespace saddle {
 namespace {
@@ -98,17 +99,15 @@ TEST(Assignments, ReadHelperFunctions) {
 }
 
 TEST(Assignments, ReadTheMoment) {
-  EXPECT_EQ(scene_of({"t=3/4"}).t, 0.75);
-  EXPECT_EQ(scene_of({"a=2", "t=a+1"}).t, 3);
-  EXPECT_TRUE(assigns_time(" t = 1"));
-  EXPECT_FALSE(assigns_time("tt=1"));
+  EXPECT_EQ(scene_of({"t=3/4"}).t.text, "3/4");
+  EXPECT_EQ(resolve(scene_of({"t=a+1", "a=2"})).t, 3);
 }
 
 TEST(Assignments, SayThatRangesOfTimeAreForAnimations) {
   const Error error = assign_error("t=0:1");
   EXPECT_EQ(error.status(), Status::Input);
   EXPECT_EQ(marked(error), ":");
-  EXPECT_EQ(marked(assign_error("t=1/0")), "1/0");
+  EXPECT_EQ(marked(error_of([] { resolve(scene_of({"t=1/0"})); })), "1/0");
 }
 
 TEST(Assignments, RefuseNamesThatAreNone) {
@@ -157,7 +156,7 @@ TEST(Overrides, ReplaceWhatTheSceneHas) {
   EXPECT_EQ(scene.definitions[1].arguments[0], "q");
   EXPECT_EQ(scene.surfaces[0].u.max, "1");
   EXPECT_EQ(scene.surfaces[0].z, "r");
-  EXPECT_EQ(scene.t, 2);
+  EXPECT_EQ(resolve(scene).t, 2);
 }
 
 TEST(Overrides, RefuseOtherNamesAndListTheRightOnes) {
@@ -168,6 +167,14 @@ TEST(Overrides, RefuseOtherNamesAndListTheRightOnes) {
   EXPECT_NE(error.hint().find("radius x y z u v t"), std::string::npos);
   EXPECT_NE(error.hint().find("did you mean 'radius'?"), std::string::npos);
   EXPECT_EQ(scene.definitions.size(), 1U);
+}
+
+TEST(Overrides, AskWhichSurfaceIsMeant) {
+  Scene scene = scene_of({"z=a*u", "a=1"});
+  scene.surfaces.push_back(scene.surfaces[0]);
+  override_assignment(scene, "a=2");
+  const Error error = error_of([&] { override_assignment(scene, "u=0:1"); });
+  EXPECT_EQ(marked(error), "u");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(Camera, SeesTheTargetStraightAheadAtItsDistance) {
   const dvec3 eye(fitted.world_to_eye * glm::dvec4(fitted.eye, 1));
   EXPECT_NEAR(glm::length(eye), 0, kRounding);
   const dvec3 along = glm::normalize(fitted.eye - fitted.target);
-  EXPECT_NEAR(glm::length(along - glm::normalize(camera.view)), 0, kRounding);
+  EXPECT_NEAR(glm::length(along - glm::normalize(dvec3(camera.view))), 0, kRounding);
 }
 
 TEST(Camera, IsRigidAndKeepsUpAtTheTop) {
@@ -101,7 +101,7 @@ TEST(Camera, FitsAroundAGivenTarget) {
   camera.target = dvec3(10, 0, 0);
   for (double aspect : {0.5, 2.0}) {
     const FittedCamera fitted = fit_camera(camera, bounds, aspect);
-    EXPECT_EQ(fitted.target, *camera.target);
+    EXPECT_EQ(fitted.target, dvec3(*camera.target));
     for (const dvec3& corner : corners(bounds)) {
       const dvec3 seen = project(fitted, corner);
       EXPECT_LT(std::abs(seen.x), 1);
@@ -181,8 +181,8 @@ TEST(Camera, TakesDirectionsOfAnyMagnitude) {
   const FittedCamera expected = fit_camera({}, bounds, 1);
   for (double scale : {1e-300, 1e-160, 1e160, 1e300}) {
     Camera camera;
-    camera.view *= scale;
-    camera.up *= scale;
+    camera.view = scale * dvec3(camera.view);
+    camera.up = scale * dvec3(camera.up);
     const FittedCamera fitted = fit_camera(camera, bounds, 1);
     EXPECT_NEAR(glm::length(fitted.eye - expected.eye), 0, kRounding) << scale;
   }

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "scene/assignments.h"
+#include "scene/resolve.h"
 
 namespace saddle {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 Surface surface_of(const std::vector<std::string>& assignments) {
   Scene scene;
   for (const std::string& assignment : assignments) assign(scene, assignment);
+  scene = resolve(scene);
   return prepare_surface(scene, scene.surfaces.at(0)).surface;
 }
 

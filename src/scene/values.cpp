@@ -1,5 +1,5 @@
 // Option values: whole numbers are digits, real ones constant expressions of the formula language.
-#include "app/values.h"
+#include "scene/values.h"
 
 #include <array>
 #include <charconv>
@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "formula/graph.h"
 #include "formula/scope.h"
+#include "scene/color.h"
 
 namespace saddle {
 namespace {
@@ -17,9 +18,6 @@ namespace {
 /// Corners of a mesh have 32-bit numbers and about 300 bytes each while it is made: more cells
 /// than this fit no machine's memory.
 constexpr std::int64_t kMaxSamples = std::int64_t{1} << 26;
-
-/// More grid lines than a picture of the largest size has pixels would paint it over.
-constexpr int kMaxGridLines = 16384;
 
 Span whole(const std::string& text) {
   return {0, text.size()};
@@ -57,13 +55,33 @@ int whole_in(const std::string& option, const std::string& text, Span part, int 
   return value;
 }
 
-/// The shortest decimal: without the zeros that to_string appends.
-std::string short_number(double value) {
-  std::array<char, 32> text{};
+/// `X0:X1,Y0:Y1,Z0:Z1`
+Bounds parse_box(const std::string& option, const std::string& text) {
+  const std::string hint = "for example " + option + " -1:1,-1:1,0:5";
+  Bounds box;
+  std::size_t begin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
+    const std::size_t colon = text.find(':', begin);
+    if (end == std::string::npos || colon == std::string::npos || colon > end) {
+      throw Error(Status::Input, "a box has three ranges with commas between",
+                  {option, text, whole(text)}, hint);
+    }
+    box.low[k] = number_in(option, text, {begin, colon});
+    box.high[k] = number_in(option, text, {colon + 1, end});
+    if (!(box.low[k] < box.high[k])) {
+      throw Error(Status::Input, "this range is empty", {option, text, {begin, end}}, hint);
+    }
+    begin = end + 1;
+  }
+  return box;
+}
+}  // namespace
+
+std::string format_number(double value) {
+  std::array<char, 32> text{};  // the longest is 24 characters
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
-
-}  // namespace
 
 double parse_number(const std::string& option, const std::string& text) {
   return number_in(option, text, whole(text));
@@ -73,8 +91,8 @@ double parse_number_between(const std::string& option, const std::string& text, 
                             double high) {
   const double value = parse_number(option, text);
   if (value > low && value < high) return value;
-  std::string message = "must be more than " + short_number(low);
-  if (std::isfinite(high)) message += " and less than " + short_number(high);
+  std::string message = "must be more than " + format_number(low);
+  if (std::isfinite(high)) message += " and less than " + format_number(high);
   throw Error(Status::Input, message, {option, text, whole(text)});
 }
 
@@ -135,25 +153,10 @@ ToleranceValue parse_tolerance(const std::string& option, const std::string& tex
   return {value, pixels};
 }
 
-Bounds parse_box(const std::string& option, const std::string& text) {
-  const std::string hint = "for example " + option + " -1:1,-1:1,0:5";
-  Bounds box;
-  std::size_t begin = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
-    const std::size_t colon = text.find(':', begin);
-    if (end == std::string::npos || colon == std::string::npos || colon > end) {
-      throw Error(Status::Input, "a box has three ranges with commas between",
-                  {option, text, whole(text)}, hint);
-    }
-    box.low[k] = number_in(option, text, {begin, colon});
-    box.high[k] = number_in(option, text, {colon + 1, end});
-    if (!(box.low[k] < box.high[k])) {
-      throw Error(Status::Input, "this range is empty", {option, text, {begin, end}}, hint);
-    }
-    begin = end + 1;
-  }
-  return box;
+Clip parse_clip(const std::string& option, const std::string& text) {
+  Clip clip{text == "auto" || text == "AUTO", {}};
+  if (!clip.automatic && text != "off") clip.box = parse_box(option, text);
+  return clip;
 }
 
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high) {

@@ -1,13 +1,22 @@
-// Option values from their text. All throw Error (Input) with the place in the text.
+// Values of options and of the scene file from their text. All throw Error (Input) with the place
+// in the text.
 #pragma once
 
 #include <string>
 
-#include "app/cli.h"
 #include "base/vec.h"
-#include "scene/color.h"
+#include "scene/scene.h"
 
 namespace saddle {
+
+inline constexpr int kMaxPixels = 16384;  ///< each way: what OpenGL implementations can draw
+inline constexpr int kMaxTriangles = 1'000'000'000;  ///< corners are numbered in 32 bits
+inline constexpr int kMaxFrames = 1'000'000;         ///< nine hours at 30 a second
+/// More grid lines than a picture of the largest size has pixels would paint it over.
+inline constexpr int kMaxGridLines = kMaxPixels;
+
+/// The shortest decimal that reads back as the same double.
+std::string format_number(double value);
 
 /// A finite number; a constant expression such as 2*pi is one too.
 double parse_number(const std::string& option, const std::string& text);
@@ -37,8 +46,8 @@ Color opaque_color(const std::string& option, const std::string& text);
 /// A length: `0.5px`, or a share of the bounding box's diagonal such as `1e-3`; more than 0.
 ToleranceValue parse_tolerance(const std::string& option, const std::string& text);
 
-/// `X0:X1,Y0:Y1,Z0:Z1`, the ends of each in order.
-Bounds parse_box(const std::string& option, const std::string& text);
+/// `X0:X1,Y0:Y1,Z0:Z1`, the ends of each in order; `auto` or `off`.
+Clip parse_clip(const std::string& option, const std::string& text);
 
 /// `MxN`, both from `low` to `high`.
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);

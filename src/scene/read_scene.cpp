@@ -1,0 +1,661 @@
+// TOML to Scene, a function per table. Each says first which keys the table may have; every value
+// is noted with its place, so that what is found out later still points into the file.
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <map>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image_png.h"
+#include "base/nearest.h"
+#include "scene/assignments.h"
+#include "scene/color.h"
+#include "scene/prepare.h"
+#include "scene/resolve.h"
+#include "scene/scene_file.h"
+#include "scene/values.h"
+
+namespace saddle {
+namespace {
+
+using Kind = TomlValue::Kind;
+using Names = std::vector<std::string>;
+
+/// What a value should be, for messages.
+constexpr const char* kNumber = "a number, or an expression in quotes";
+constexpr const char* kVector = "three numbers, such as [2, -3, 1.5]";
+constexpr const char* kColor = "a colour such as \"#ffff80\", \"tomato\" or [1, 1, 0.5]";
+
+std::string described(const TomlValue& value) {
+  switch (value.kind) {
+    case Kind::String:
+      return "text";
+    case Kind::Number:
+      return "a number";
+    case Kind::Boolean:
+      return "true or false";
+    case Kind::Array:
+      return "an array of " + std::to_string(value.items.size());
+    case Kind::Table:
+      return "a table";
+    case Kind::Date:
+      return "a date or time";
+  }
+  return "";
+}
+
+/// Whole numbers without an exponent.
+std::string in_digits(double number) {
+  constexpr double kMost = 1e15;  // doubles count on to here without gaps
+  return number == std::floor(number) && std::abs(number) < kMost
+             ? std::to_string(static_cast<long long>(number))
+             : format_number(number);
+}
+
+/// Values with their places. A subject is what messages call a value: resolve()'s name of a number,
+/// or a key.
+class Source {
+ public:
+  explicit Source(const SourceText& text) : text_(text) {}
+
+  Error error(const std::string& subject, const std::string& message, Span span,
+              const std::string& hint = {}) const {
+    return text_.error(subject, message, span, hint);
+  }
+
+  Error wrong_type(const std::string& subject, const TomlValue& value,
+                   const std::string& wanted) const {
+    return error(subject, "must be " + wanted + ", not " + described(value), value.span);
+  }
+
+  /// Throws Error (Input) unless `value` is a table with no other keys than these.
+  void check_keys(const std::string& subject, const TomlValue& value, const Names& known) const {
+    if (value.kind != Kind::Table) throw wrong_type(subject, value, "a table");
+    for (const TomlEntry& entry : value.entries) {
+      if (std::ranges::find(known, entry.key) != known.end()) continue;
+      std::string hint = "known keys:";
+      for (const std::string& key : known) hint += " " + key;
+      if (const auto nearest = nearest_name(entry.key, known)) {
+        hint += "; did you mean '" + *nearest + "'?";
+      }
+      throw error("", "unknown key '" + entry.key + "'", entry.key_span, hint);
+    }
+  }
+
+  /// Notes where the text that messages call `subject` stands.
+  void note(const std::string& subject, const std::string& text, Span span) {
+    places_.emplace(subject, Noted{text, span});
+  }
+
+  /// An error about a value, at its place in the file; `prefix` completes the subject.
+  Error located(const Error& error, const std::string& prefix = {}) const {
+    const Place& place = error.place();
+    const auto [begin, end] = places_.equal_range(prefix + place.name);
+    if (begin == end) return prefix.empty() ? error : located(error);
+    const auto same =
+        std::find_if(begin, end, [&](const auto& p) { return p.second.text == place.text; });
+    const bool exact = same != end;
+    return text_.error(place.name, error.what(),
+                       exact ? inside(same->second, place.span) : begin->second.span, error.hint());
+  }
+
+ private:
+  struct Noted {
+    std::string text;
+    Span span;
+  };
+
+  /// The bytes `part` of a noted text, in the file: unless it is written with escapes there.
+  Span inside(const Noted& noted, Span part) const {
+    const std::size_t quote = text_.text.find(noted.text, noted.span.begin) - noted.span.begin;
+    if (part.end == 0 || quote > 4) return noted.span;  // 4: """ and a line break
+    const std::size_t begin = noted.span.begin + quote;
+    return {begin + part.begin, begin + part.end};
+  }
+
+  const SourceText& text_;
+  std::multimap<std::string, Noted> places_;
+};
+
+class Reader {
+ public:
+  explicit Reader(Source& source) : source_(source) {}
+
+  /// What `action` returns; its errors get their place in the file.
+  template <typename Action>
+  auto in_place(const Action& action, const std::string& prefix = {}) const {
+    try {
+      return action();
+    } catch (const Error& error) {
+      throw error.place().where.empty() ? source_.located(error, prefix) : error;
+    }
+  }
+
+  std::string text(const std::string& subject, const TomlValue& value, const char* wanted) {
+    if (value.kind != Kind::String) throw source_.wrong_type(subject, value, wanted);
+    source_.note(subject, value.text, value.span);
+    return value.text;
+  }
+
+  /// An expression: text, or a plain number.
+  std::string formula(const std::string& subject, const TomlValue& value) {
+    std::string text = value.text;
+    if (value.kind == Kind::Number) {
+      text = format_number(value.number);
+    } else if (value.kind != Kind::String) {
+      throw source_.wrong_type(subject, value, "a formula in quotes, or a number");
+    }
+    source_.note(subject, text, value.span);
+    if (text.empty()) throw source_.error(subject, "the expression is empty", value.span);
+    return text;
+  }
+
+  Number number(const std::string& subject, const TomlValue& value, const char* wanted = kNumber) {
+    if (value.kind == Kind::Number) {
+      source_.note(subject, format_number(value.number), value.span);
+      return value.number;
+    }
+    if (value.kind != Kind::String) throw source_.wrong_type(subject, value, wanted);
+    return Number(formula(subject, value));
+  }
+
+  std::vector<Number> numbers(const std::string& subject, const TomlValue& value, std::size_t count,
+                              const char* wanted) {
+    if (value.kind != Kind::Array || value.items.size() != count) {
+      throw source_.wrong_type(subject, value, wanted);
+    }
+    source_.note(subject, "", value.span);
+    std::vector<Number> result;
+    for (const TomlValue& item : value.items) result.push_back(number(subject, item));
+    return result;
+  }
+
+  Vector vector(const std::string& subject, const TomlValue& value) {
+    const std::vector<Number> n = numbers(subject, value, 3, kVector);
+    return {n[0], n[1], n[2]};
+  }
+
+  Color color(const std::string& subject, const TomlValue& value) {
+    if (value.kind == Kind::String) {
+      source_.note(subject, value.text, value.span);
+      return in_place([&] { return opaque_color(subject, value.text); });
+    }
+    const std::vector<Number> n = numbers(subject, value, 3, kColor);
+    return {n[0], n[1], n[2], 1};
+  }
+
+  bool boolean(const std::string& subject, const TomlValue& value) const {
+    if (value.kind != Kind::Boolean) throw source_.wrong_type(subject, value, "true or false");
+    return value.boolean;
+  }
+
+  int whole(const std::string& subject, const TomlValue& value, int low, int high) const {
+    const std::string range = std::to_string(low) + " to " + std::to_string(high);
+    if (value.kind != Kind::Number) {
+      throw source_.wrong_type(subject, value, "a whole number from " + range);
+    }
+    if (value.number != std::floor(value.number) || value.number < low || value.number > high) {
+      throw source_.error(subject, "must be a whole number from " + range, value.span);
+    }
+    return static_cast<int>(value.number);
+  }
+
+  /// An option of the command line: its text, or what its text would be (80x60 as [80, 60]).
+  std::string option(const std::string& subject, const TomlValue& value,
+                     const std::string& wanted) {
+    std::string text = value.text;
+    if (value.kind == Kind::Array && value.items.size() == 2 &&
+        value.items[0].kind == Kind::Number && value.items[1].kind == Kind::Number) {
+      text = in_digits(value.items[0].number) + "x" + in_digits(value.items[1].number);
+    } else if (value.kind == Kind::Number) {
+      text = format_number(value.number);
+    } else if (value.kind != Kind::String) {
+      throw source_.wrong_type(subject, value, wanted);
+    }
+    source_.note(subject, text, value.span);
+    return text;
+  }
+
+  /// The items of an array of tables.
+  const std::vector<TomlValue>& tables(const std::string& key, const TomlValue& value) const {
+    const auto is_table = [](const TomlValue& item) { return item.kind == Kind::Table; };
+    if (value.kind == Kind::Array && std::ranges::all_of(value.items, is_table)) {
+      return value.items;
+    }
+    throw source_.error(key, "must be written as [[" + key + "]]", value.span);
+  }
+
+  const Source& source() const { return source_; }
+  void note(const std::string& subject, const std::string& text, Span span) {
+    source_.note(subject, text, span);
+  }
+
+ private:
+  Source& source_;
+};
+
+/// Calls `read` with the value of a key, if it is there.
+template <typename Read>
+void with(const TomlValue& table, const std::string& key, const Read& read) {
+  if (const TomlValue* value = table.find(key)) read(*value);
+}
+
+void read_params(Reader& reader, const TomlValue& table, Scene& scene) {
+  if (table.kind != Kind::Table) throw reader.source().wrong_type("params", table, "a table");
+  for (const auto& [key, key_span, value] : table.entries) {
+    const TomlValue* formula = &value;
+    if (value.kind == Kind::Table) {
+      reader.source().check_keys(key, value, {"value", "min", "max"});
+      for (const char* needed : {"value", "min", "max"}) {
+        if (value.find(needed) != nullptr) continue;
+        throw reader.source().error(key, std::string("'") + needed + "' is missing", value.span,
+                                    "for example { value = 1, min = 0, max = 2 }");
+      }
+      formula = value.find("value");
+      scene.sliders.push_back({key, reader.number(key + ": min", *value.find("min")),
+                               reader.number(key + ": max", *value.find("max"))});
+    }
+    const std::string text = reader.formula(key, *formula);
+    reader.note("argument", key + "=" + text, key_span);
+    const Definition definition =
+        reader.in_place([&] { return parse_definition(key + "=" + text); });
+    if (definition.name != key) {
+      throw reader.source().error("", "'" + key + "' is not a name", key_span,
+                                  "functions go into [functions]");
+    }
+    scene.definitions.push_back(definition);
+  }
+}
+
+void read_functions(Reader& reader, const TomlValue& table, Scene& scene) {
+  if (table.kind != Kind::Table) throw reader.source().wrong_type("functions", table, "a table");
+  for (const auto& [key, key_span, value] : table.entries) {
+    const std::string text = reader.formula(key, value);
+    reader.note("argument", key + "=" + text, key_span);
+    const Definition function = reader.in_place([&] { return parse_definition(key + "=" + text); });
+    if (!function.is_function) {
+      throw reader.source().error("", "'" + key + "' is not a function", key_span,
+                                  "write \"bump(s)\" = \"exp(-s*s)\"; values go into [params]");
+    }
+    reader.note(display_name(function), function.text, value.span);
+    scene.definitions.push_back(function);
+  }
+}
+
+/// A table, or the diffuse colour alone.
+void read_material(Reader& reader, const std::string& prefix, const TomlValue& value,
+                   Material& material) {
+  if (value.kind != Kind::Table) {
+    material.diffuse = reader.color(prefix + "diffuse", value);
+    return;
+  }
+  reader.source().check_keys("", value,
+                             {"diffuse", "specular", "ambient", "emission", "shininess"});
+  const auto color = [&](const char* key, auto& into) {
+    with(value, key, [&](const TomlValue& v) { into = reader.color(prefix + key, v); });
+  };
+  color("diffuse", material.diffuse);
+  color("specular", material.specular);
+  color("ambient", material.ambient);
+  color("emission", material.emission);
+  with(value, "shininess",
+       [&](const TomlValue& v) { material.shininess = reader.number(prefix + "shininess", v); });
+}
+
+Range read_range(Reader& reader, const std::string& subject, const TomlValue& value) {
+  if (value.kind != Kind::Array || value.items.size() != 2) {
+    throw reader.source().wrong_type(subject, value, "two ends, such as [\"0\", \"2*pi\"]");
+  }
+  const Range range{reader.formula(subject, value.items[0]),
+                    reader.formula(subject, value.items[1])};
+  reader.note(subject, range.min + ":" + range.max, value.span);
+  return range;
+}
+
+std::vector<std::string> read_names(Reader& reader, const std::string& subject,
+                                    const TomlValue& value) {
+  constexpr const char* kWanted = "a name, or an array of names";
+  if (value.kind != Kind::Array) return {reader.text(subject, value, kWanted)};
+  std::vector<std::string> names;
+  for (const TomlValue& item : value.items) names.push_back(reader.text(subject, item, kWanted));
+  return names;
+}
+
+SurfaceSpec read_surface(Reader& reader, const std::string& prefix, const TomlValue& table) {
+  reader.source().check_keys(
+      "surface", table, {"name", "x", "y", "z", "u", "v", "grid", "front", "back", "flip", "in"});
+  SurfaceSpec spec;
+  const auto formula = [&](const char* key, std::string& into) {
+    with(table, key, [&](const TomlValue& v) { into = reader.formula(prefix + key, v); });
+  };
+  with(table, "name",
+       [&](const TomlValue& v) { spec.name = reader.text(prefix + "name", v, "a name"); });
+  formula("x", spec.x);
+  formula("y", spec.y);
+  formula("z", spec.z);
+  with(table, "u", [&](const TomlValue& v) { spec.u = read_range(reader, prefix + "u", v); });
+  with(table, "v", [&](const TomlValue& v) { spec.v = read_range(reader, prefix + "v", v); });
+  with(table, "grid", [&](const TomlValue& v) {
+    const std::string text = reader.option("grid", v, "two whole numbers, [16, 16], or \"off\"");
+    const GridSize lines = reader.in_place([&] { return parse_grid_lines("grid", text); });
+    spec.grid_u = lines.u;
+    spec.grid_v = lines.v;
+  });
+  with(table, "front",
+       [&](const TomlValue& v) { read_material(reader, prefix + "front: ", v, spec.front); });
+  with(table, "back",
+       [&](const TomlValue& v) { read_material(reader, prefix + "back: ", v, spec.back); });
+  with(table, "flip", [&](const TomlValue& v) { spec.flip = reader.boolean("flip", v); });
+  with(table, "in", [&](const TomlValue& v) { spec.in = read_names(reader, prefix + "in", v); });
+  if (spec.z.empty()) {
+    throw reader.source().error("surface", "z has no formula", table.span,
+                                "x and y default to u and v, z has no default");
+  }
+  return spec;
+}
+
+/// One of { translate = [..] }, { rotate = [ANGLE, X, Y, Z] }, { scale = .. }.
+Transform read_transform(Reader& reader, const std::string& prefix, const TomlValue& table) {
+  reader.source().check_keys("transform", table, {"translate", "rotate", "scale"});
+  if (table.entries.size() != 1) {
+    throw reader.source().error("transform", "each step is one of translate, rotate and scale",
+                                table.span,
+                                "for example [ { rotate = [90, 0, 0, 1] }, { scale = 2 } ]");
+  }
+  const auto& [key, key_span, value] = table.entries[0];
+  Transform step;
+  if (key == "translate") {
+    step.vector = reader.vector(prefix + key, value);
+  } else if (key == "rotate") {
+    step.kind = Transform::Kind::Rotate;
+    const auto n = reader.numbers(prefix + key, value, 4, "an angle and an axis, [90, 0, 0, 1]");
+    step.angle = n[0];
+    step.vector = {n[1], n[2], n[3]};
+  } else {
+    step.kind = Transform::Kind::Scale;
+    if (value.kind == Kind::Array) {
+      step.vector = reader.vector(prefix + key, value);
+    } else {
+      const Number factor = reader.number(prefix + key, value, "a number, or three of them");
+      step.vector = {factor, factor, factor};
+    }
+  }
+  return step;
+}
+
+SceneNode read_node(Reader& reader, const TomlValue& table) {
+  reader.source().check_keys("node", table, {"name", "in", "transform"});
+  SceneNode node;
+  const TomlValue* const name = table.find("name");
+  if (name == nullptr) {
+    throw reader.source().error("node", "'name' is missing", table.span,
+                                "surfaces, lights and nodes refer to a node by its name");
+  }
+  node.name = reader.text("name", *name, "a name");
+  const std::string prefix = node_prefix(node);
+  reader.note(prefix + "name", node.name, name->span);
+  if (node.name.empty() || node.name == "eye" || node.name == "world") {
+    throw reader.source().error("node", "a node cannot be called '" + node.name + "'", name->span,
+                                "choose another name");
+  }
+  with(table, "in",
+       [&](const TomlValue& v) { node.in = reader.text(prefix + "in", v, "the name of a node"); });
+  with(table, "transform", [&](const TomlValue& v) {
+    if (v.kind != Kind::Array) {
+      throw reader.source().wrong_type("transform", v, "a list such as [ { scale = 2 } ]");
+    }
+    for (const TomlValue& step : v.items) {
+      node.transform.push_back(read_transform(reader, prefix, step));
+    }
+  });
+  return node;
+}
+
+Attenuation read_attenuation(Reader& reader, const std::string& prefix, const TomlValue& value) {
+  Attenuation attenuation;
+  if (value.kind == Kind::Table) {
+    reader.source().check_keys("attenuation", value, {"range"});
+    const TomlValue* const range = value.find("range");
+    if (range == nullptr) {
+      throw reader.source().error("attenuation", "'range' is missing", value.span);
+    }
+    attenuation.range = reader.number(prefix + "range", *range);
+    return attenuation;
+  }
+  const auto n = reader.numbers(prefix + "attenuation", value, 3,
+                                "constant, linear and quadratic, [1, 0, 0], or { range = 50 }");
+  attenuation.constant = n[0];
+  attenuation.linear = n[1];
+  attenuation.quadratic = n[2];
+  return attenuation;
+}
+
+Spot read_spot(Reader& reader, const std::string& prefix, const TomlValue& table) {
+  reader.source().check_keys("spot", table,
+                             {"direction", "cutoff", "inner", "exponent", "falloff"});
+  Spot spot;
+  with(table, "direction",
+       [&](const TomlValue& v) { spot.direction = reader.vector(prefix + "spot: direction", v); });
+  with(table, "cutoff",
+       [&](const TomlValue& v) { spot.cutoff = reader.number(prefix + "cutoff", v); });
+  with(table, "inner",
+       [&](const TomlValue& v) { spot.inner = reader.number(prefix + "inner", v); });
+  with(table, "exponent",
+       [&](const TomlValue& v) { spot.exponent = reader.number(prefix + "exponent", v); });
+  with(table, "falloff", [&](const TomlValue& v) {
+    const std::string text = reader.text("falloff", v, "\"linear\" or \"smooth\"");
+    if (text != "linear" && text != "smooth") {
+      throw reader.source().error("falloff", "must be \"linear\" or \"smooth\"", v.span);
+    }
+    spot.falloff = text == "smooth" ? Spot::Falloff::Smooth : Spot::Falloff::Linear;
+  });
+  return spot;
+}
+
+void read_light_colors(Reader& reader, const std::string& prefix, const TomlValue& table,
+                       Light& light) {
+  const TomlValue* const color = table.find("color");
+  const TomlValue* const diffuse = table.find("diffuse");
+  const TomlValue* const specular = table.find("specular");
+  if (color != nullptr && (diffuse != nullptr || specular != nullptr)) {
+    throw reader.source().error("light", "color is both, diffuse and specular", color->span,
+                                "give either color, or diffuse and specular");
+  }
+  if (color != nullptr) light.color = reader.color(prefix + "color", *color);
+  if (diffuse != nullptr || specular != nullptr) {
+    light.color = diffuse == nullptr ? Color{} : reader.color(prefix + "diffuse", *diffuse);
+    light.specular = specular == nullptr ? Color{} : reader.color(prefix + "specular", *specular);
+  }
+  with(table, "ambient",
+       [&](const TomlValue& v) { light.ambient = reader.color(prefix + "ambient", v); });
+}
+
+Light read_light(Reader& reader, const std::string& prefix, const TomlValue& table) {
+  reader.source().check_keys("light", table,
+                             {"frame", "position", "direction", "color", "diffuse", "specular",
+                              "ambient", "attenuation", "spot", "enabled"});
+  Light light;
+  with(table, "frame", [&](const TomlValue& v) {
+    light.frame = reader.text(prefix + "frame", v, "\"eye\", \"world\" or the name of a node");
+  });
+  with(table, "position",
+       [&](const TomlValue& v) { light.position = reader.vector(prefix + "position", v); });
+  if (const TomlValue* direction = table.find("direction")) {
+    light.directional = true;
+    light.position = reader.vector(prefix + "direction", *direction);
+    for (const char* key : {"position", "attenuation", "spot"}) {
+      const TomlValue* const other = table.find(key);
+      if (other == nullptr) continue;
+      throw reader.source().error(
+          "light", std::string("a directional light has no ") + key, other->span,
+          "direction is toward a light that is far away; a point light has a position instead");
+    }
+  }
+  read_light_colors(reader, prefix, table, light);
+  with(table, "attenuation",
+       [&](const TomlValue& v) { light.attenuation = read_attenuation(reader, prefix, v); });
+  with(table, "spot", [&](const TomlValue& v) { light.spot = read_spot(reader, prefix, v); });
+  with(table, "enabled", [&](const TomlValue& v) {
+    if (v.kind == Kind::Boolean) {
+      light.enabled = v.boolean ? 1 : 0;
+    } else {
+      light.enabled =
+          reader.number(prefix + "enabled", v, "true, false or an expression in quotes");
+    }
+  });
+  return light;
+}
+
+Camera read_camera(Reader& reader, const TomlValue& table) {
+  reader.source().check_keys("camera", table, {"view", "up", "target", "distance", "fov", "ortho"});
+  Camera camera;
+  with(table, "view", [&](const TomlValue& v) { camera.view = reader.vector("view", v); });
+  with(table, "up", [&](const TomlValue& v) { camera.up = reader.vector("up", v); });
+  with(table, "target", [&](const TomlValue& v) { camera.target = reader.vector("target", v); });
+  with(table, "distance",
+       [&](const TomlValue& v) { camera.distance = reader.number("distance", v); });
+  with(table, "fov", [&](const TomlValue& v) { camera.fov = reader.number("fov", v); });
+  with(table, "ortho", [&](const TomlValue& v) { camera.ortho = reader.boolean("ortho", v); });
+  return camera;
+}
+
+Animation read_animation(Reader& reader, const TomlValue& table) {
+  reader.source().check_keys("animation", table, {"t", "fps", "frames"});
+  Animation animation;
+  with(table, "t", [&](const TomlValue& v) {
+    const auto ends = reader.numbers("animation: t", v, 2, "two moments, such as [0, 12]");
+    animation.from = ends[0];
+    animation.to = ends[1];
+  });
+  with(table, "fps", [&](const TomlValue& v) { animation.fps = reader.number("fps", v); });
+  with(table, "frames",
+       [&](const TomlValue& v) { animation.frames = reader.whole("frames", v, 1, kMaxFrames); });
+  return animation;
+}
+
+/// The keys that are options of the command line, too.
+void read_settings(Reader& reader, const TomlValue& table, Scene& scene) {
+  with(table, "size", [&](const TomlValue& v) {
+    const std::string text = reader.option("size", v, "two whole numbers, such as [800, 600]");
+    const GridSize size = reader.in_place([&] { return parse_pair("size", text, 1, kMaxPixels); });
+    scene.picture.width = size.u;
+    scene.picture.height = size.v;
+  });
+  with(table, "antialias", [&](const TomlValue& v) {
+    scene.picture.antialias = reader.whole("antialias", v, 1, kMaxAntialias);
+  });
+  with(table, "tolerance", [&](const TomlValue& v) {
+    const std::string text = reader.option("tolerance", v, "a length: \"0.5px\", or 1e-3");
+    scene.mesh.tolerance = reader.in_place([&] { return parse_tolerance("tolerance", text); });
+  });
+  with(table, "normal-tolerance", [&](const TomlValue& v) {
+    const std::string text = reader.option("normal-tolerance", v, "an angle in degrees");
+    scene.mesh.normal_tolerance =
+        reader.in_place([&] { return parse_degrees("normal-tolerance", text); });
+  });
+  with(table, "max-triangles", [&](const TomlValue& v) {
+    scene.mesh.max_triangles = reader.whole("max-triangles", v, 2, kMaxTriangles);
+  });
+  with(table, "samples", [&](const TomlValue& v) {
+    const std::string text = reader.option("samples", v, "two whole numbers, such as [100, 50]");
+    scene.mesh.samples = reader.in_place([&] { return parse_samples("samples", text); });
+  });
+  with(table, "clip", [&](const TomlValue& v) {
+    const std::string text = reader.text("clip", v, "\"auto\", \"off\" or \"-1:1,-1:1,0:5\"");
+    scene.clip = reader.in_place([&] { return parse_clip("clip", text); });
+  });
+}
+
+Color read_background(Reader& reader, const TomlValue& value) {
+  if (value.kind == Kind::String) {
+    reader.note("background", value.text, value.span);
+    return reader.in_place([&] { return parse_color("background", value.text); });
+  }
+  const bool with_alpha = value.kind == Kind::Array && value.items.size() == 4;
+  const auto n = reader.numbers("background", value, with_alpha ? 4 : 3, kColor);
+  return {n[0], n[1], n[2], with_alpha ? n[3] : Number(1)};
+}
+
+Scene read_tables(Reader& reader, const TomlValue& root) {
+  reader.source().check_keys("scene", root,
+                             {"title", "background", "size", "antialias", "tolerance",
+                              "normal-tolerance", "max-triangles", "samples", "clip", "t", "params",
+                              "functions", "surface", "node", "light", "camera", "animation"});
+  Scene scene;
+  with(root, "title",
+       [&](const TomlValue& v) { scene.title = reader.text("title", v, "text in quotes"); });
+  with(root, "background",
+       [&](const TomlValue& v) { scene.background = read_background(reader, v); });
+  read_settings(reader, root, scene);
+  with(root, "t", [&](const TomlValue& v) { scene.t = reader.number("t", v); });
+  with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
+  with(root, "functions", [&](const TomlValue& v) { read_functions(reader, v, scene); });
+  with(root, "surface", [&](const TomlValue& v) {
+    for (const TomlValue& table : reader.tables("surface", v)) {
+      const std::string prefix = surface_prefix(scene.surfaces.size());
+      scene.surfaces.push_back(read_surface(reader, prefix, table));
+    }
+  });
+  with(root, "node", [&](const TomlValue& v) {
+    for (const TomlValue& table : reader.tables("node", v)) {
+      scene.nodes.push_back(read_node(reader, table));
+    }
+  });
+  with(root, "light", [&](const TomlValue& v) {
+    scene.lights.clear();
+    for (const TomlValue& table : reader.tables("light", v)) {
+      scene.lights.push_back(read_light(reader, light_prefix(scene.lights.size()), table));
+    }
+  });
+  with(root, "camera", [&](const TomlValue& v) { scene.camera = read_camera(reader, v); });
+  with(root, "animation", [&](const TomlValue& v) { scene.animation = read_animation(reader, v); });
+  if (scene.surfaces.empty()) {
+    throw reader.source().error("", "the scene has no [[surface]]", {0, 0},
+                                "saddle show torus prints a scene");
+  }
+  return scene;
+}
+
+/// What only the whole scene tells: formulas, ranges, nodes.
+void check_scene(const Reader& reader, const Scene& scene) {
+  const Scene resolved = reader.in_place([&] { return resolve(scene); });
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    reader.in_place([&] { check_formulas(resolved, resolved.surfaces[i]); }, surface_prefix(i));
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const SourceText& source) {
+  const TomlValue root = parse_toml(source);
+  Source places(source);
+  Reader reader(places);
+  const Scene scene = read_tables(reader, root);
+  check_scene(reader, scene);
+  return scene;
+}
+
+Scene load_scene(const std::filesystem::path& path) {
+  std::error_code ignored;  // what cannot be looked up is reported by the reading
+  if (!std::filesystem::exists(path, ignored)) {
+    throw Error(Status::Input, "there is no file " + path.string(), {},
+                "saddle list names the surfaces of the gallery");
+  }
+  if (path.extension() == ".png") {
+    const PngText text = read_png(path).text;
+    const auto found = text.find(kSceneKeyword);
+    if (found == text.end()) {
+      throw Error(Status::Input, path.string() + " holds no scene", {},
+                  "pictures that saddle has made do, unless another program saved them again");
+    }
+    return read_scene({path.string(), found->second});
+  }
+  if (std::filesystem::file_size(path, ignored) > kMaxTomlBytes) {
+    throw Error(Status::Input, path.string() + " is larger than 4 MiB", {}, "is this a scene?");
+  }
+  return read_scene({path.string(), read_file(path)});
+}
+
+}  // namespace saddle

@@ -1,0 +1,284 @@
+// One visit of every number of a scene, each with its name and range.
+#include "scene/resolve.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "formula/graph.h"
+#include "formula/scope.h"
+#include "scene/prepare.h"
+#include "scene/values.h"
+
+namespace saddle {
+namespace {
+
+/// Deepest nesting of nodes: a robot has ten.
+constexpr int kMaxNodeDepth = 256;
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// What a number may be, the ends included unless `open`.
+struct Limits {
+  double low = -kNoLimit;
+  double high = kNoLimit;
+  bool open = false;
+
+  bool contain(double value) const {
+    return open ? value > low && value < high : value >= low && value <= high;
+  }
+};
+
+constexpr Limits kAny = {};
+constexpr Limits kNotNegative = {0, kNoLimit};
+constexpr Limits kPositive = {0, kNoLimit, true};
+constexpr Limits kChannel = {0, 1};
+constexpr Limits kHalfTurn = {0, 180};
+constexpr Limits kFieldOfView = {0, 180, true};
+
+std::string describe(const Limits& limits) {
+  const std::string low = format_number(limits.low);
+  if (limits.high == kNoLimit) return limits.open ? "more than " + low : "at least " + low;
+  const std::string high = format_number(limits.high);
+  return limits.open ? "more than " + low + " and less than " + high
+                     : "from " + low + " to " + high;
+}
+
+class Resolver {
+ public:
+  explicit Resolver(const Scene& scene) : scene_(scene) {}
+
+  /// Every number after the first may use t.
+  void set_time(double t) { t_ = t; }
+
+  void number(const std::string& name, Number& number, const Limits& limits) {
+    if (!number.text.empty()) number.value = scope().constant(name, number.text, {}, t_);
+    const std::string text = number.text.empty() ? format_number(number.value) : number.text;
+    const Place place{name, text, {0, text.size()}};
+    const std::string is = number.text.empty() ? "" : "it is " + format_number(number.value);
+    if (!std::isfinite(number.value)) {
+      throw Error(Status::Input, "not a finite number", place, is);
+    }
+    if (!limits.contain(number.value)) {
+      throw Error(Status::Input, "must be " + describe(limits), place, is);
+    }
+  }
+
+  void vector(const std::string& name, Vector& v) {
+    number(name, v.x, kAny);
+    number(name, v.y, kAny);
+    number(name, v.z, kAny);
+  }
+
+  void direction(const std::string& name, Vector& v) {
+    vector(name, v);
+    if (dvec3(v) != dvec3(0)) return;
+    throw Error(Status::Input, "a direction needs a length", {name, {}, {}},
+                "one of its three numbers must not be 0");
+  }
+
+  void color(const std::string& name, Color& c, const Limits& limits) {
+    number(name, c.r, limits);
+    number(name, c.g, limits);
+    number(name, c.b, limits);
+    number(name, c.a, kChannel);
+  }
+
+ private:
+  /// Parsed when the first expression wants it: most scenes have none.
+  Scope& scope() {
+    if (!scope_) scope_.emplace(graph_, constant_names(scene_));
+    return *scope_;
+  }
+
+  const Scene& scene_;
+  Graph graph_;
+  std::optional<Scope> scope_;
+  std::optional<double> t_;
+};
+
+void resolve_material(Resolver& resolver, const std::string& prefix, Material& material) {
+  resolver.color(prefix + "diffuse", material.diffuse, kNotNegative);
+  resolver.color(prefix + "specular", material.specular, kNotNegative);
+  resolver.number(prefix + "shininess", material.shininess, kNotNegative);
+  if (material.ambient) resolver.color(prefix + "ambient", *material.ambient, kNotNegative);
+  resolver.color(prefix + "emission", material.emission, kNotNegative);
+}
+
+void resolve_node(Resolver& resolver, SceneNode& node) {
+  const std::string prefix = node_prefix(node);
+  for (Transform& step : node.transform) {
+    switch (step.kind) {
+      case Transform::Kind::Translate:
+        resolver.vector(prefix + "translate", step.vector);
+        break;
+      case Transform::Kind::Rotate:
+        resolver.number(prefix + "rotate", step.angle, kAny);
+        resolver.direction(prefix + "rotate", step.vector);
+        break;
+      case Transform::Kind::Scale:
+        resolver.vector(prefix + "scale", step.vector);
+        break;
+    }
+  }
+}
+
+void resolve_attenuation(Resolver& resolver, const std::string& prefix, Attenuation& a) {
+  const std::string name = prefix + "attenuation";
+  resolver.number(name, a.constant, kNotNegative);
+  resolver.number(name, a.linear, kNotNegative);
+  resolver.number(name, a.quadratic, kNotNegative);
+  if (a.constant == 0 && a.linear == 0 && a.quadratic == 0) {
+    throw Error(Status::Input, "one of the three must be more than 0", {name, {}, {}},
+                "for example attenuation = [1, 0, 0]");
+  }
+  if (a.range) resolver.number(prefix + "range", *a.range, kPositive);
+}
+
+void resolve_spot(Resolver& resolver, const std::string& prefix, Spot& spot) {
+  resolver.direction(prefix + "spot: direction", spot.direction);
+  resolver.number(prefix + "cutoff", spot.cutoff, kHalfTurn);
+  resolver.number(prefix + "exponent", spot.exponent, kNotNegative);
+  if (!spot.inner) return;
+  resolver.number(prefix + "inner", *spot.inner, kHalfTurn);
+  if (*spot.inner <= spot.cutoff) return;
+  throw Error(
+      Status::Input, "the inner angle is larger than the cutoff", {prefix + "inner", {}, {}},
+      "all is lit up to inner, nothing from cutoff on: cutoff is " + format_number(spot.cutoff));
+}
+
+void resolve_light(Resolver& resolver, const std::string& prefix, Light& light) {
+  resolver.number(prefix + "enabled", light.enabled, kAny);
+  if (light.directional) {
+    resolver.direction(prefix + "direction", light.position);
+  } else {
+    resolver.vector(prefix + "position", light.position);
+  }
+  resolver.color(prefix + (light.specular ? "diffuse" : "color"), light.color, kNotNegative);
+  if (light.specular) resolver.color(prefix + "specular", *light.specular, kNotNegative);
+  resolver.color(prefix + "ambient", light.ambient, kNotNegative);
+  resolve_attenuation(resolver, prefix, light.attenuation);
+  if (light.spot) resolve_spot(resolver, prefix, *light.spot);
+}
+
+void resolve_camera(Resolver& resolver, Camera& camera) {
+  resolver.direction("view", camera.view);
+  resolver.direction("up", camera.up);
+  if (camera.target) resolver.vector("target", *camera.target);
+  if (camera.distance) resolver.number("distance", *camera.distance, kPositive);
+  resolver.number("fov", camera.fov, kFieldOfView);
+}
+
+void resolve_slider(Resolver& resolver, Slider& slider) {
+  resolver.number(slider.name + ": min", slider.min, kAny);
+  resolver.number(slider.name + ": max", slider.max, kAny);
+  if (slider.min < slider.max) return;
+  throw Error(Status::Input, "min must be less than max", {slider.name + ": max", {}, {}});
+}
+
+void resolve_animation(Resolver& resolver, Animation& animation) {
+  resolver.number("animation: t", animation.from, kAny);
+  resolver.number("animation: t", animation.to, kAny);
+  resolver.number("fps", animation.fps, kPositive);
+}
+
+/// Nodes by their names.
+class NodeNames {
+ public:
+  explicit NodeNames(const std::vector<SceneNode>& nodes) {
+    for (const SceneNode& node : nodes) {
+      if (nodes_.emplace(node.name, &node).second) continue;
+      throw Error(Status::Input, "a second node is called '" + node.name + "'",
+                  {node_prefix(node) + "name", node.name, {0, node.name.size()}},
+                  "give each its own name");
+    }
+    for (const SceneNode& node : nodes) check_chain(node);
+  }
+
+  /// Throws Error (Input) unless a node has the name; `also` are names that would do, too.
+  void check(const std::string& place, const std::string& name,
+             std::vector<std::string> also = {}) const {
+    if (nodes_.contains(name)) return;
+    for (const auto& [known, node] : nodes_) also.push_back(known);
+    std::string hint = also.empty() ? "the scene has no [[node]]" : "known:";
+    for (const std::string& known : also) hint += " " + known;
+    if (const auto nearest = nearest_name(name, also)) hint += "; did you mean '" + *nearest + "'?";
+    throw Error(Status::Input, "no node is called '" + name + "'", {place, name, {0, name.size()}},
+                hint);
+  }
+
+ private:
+  void check_chain(const SceneNode& start) const {
+    std::string path = start.name;
+    const Place place{node_prefix(start) + "in", start.in, {0, start.in.size()}};
+    int depth = 0;
+    for (const SceneNode* node = &start; !node->in.empty(); node = nodes_.at(node->in)) {
+      check(node_prefix(*node) + "in", node->in);
+      path += " -> " + node->in;
+      if (node->in == start.name) {
+        throw Error(Status::Input, "a node that is in itself: " + path, place, "break the circle");
+      }
+      if (++depth <= kMaxNodeDepth) continue;
+      throw Error(Status::Input, "nodes in each other more than 256 deep", place);
+    }
+  }
+
+  std::map<std::string, const SceneNode*> nodes_;
+};
+
+void check_nodes(const Scene& scene) {
+  const NodeNames names(scene.nodes);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    for (const std::string& name : scene.surfaces[i].in) {
+      names.check(surface_prefix(i) + "in", name);
+    }
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const std::string& frame = scene.lights[i].frame;
+    if (frame != "eye" && frame != "world") {
+      names.check(light_prefix(i) + "frame", frame, {"eye", "world"});
+    }
+  }
+}
+
+}  // namespace
+
+std::string surface_prefix(std::size_t index) {
+  return "surface " + std::to_string(index + 1) + ": ";
+}
+
+std::string light_prefix(std::size_t index) {
+  return "light " + std::to_string(index + 1) + ": ";
+}
+
+std::string node_prefix(const SceneNode& node) {
+  return "node " + node.name + ": ";
+}
+
+Scene resolve(Scene scene) {
+  check_nodes(scene);
+  const Scene written = scene;
+  Resolver resolver(written);
+  resolver.number("t", scene.t, kAny);
+  resolver.set_time(scene.t);
+  resolver.color("background", scene.background, kChannel);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const std::string prefix = surface_prefix(i);
+    resolve_material(resolver, prefix + "front: ", scene.surfaces[i].front);
+    resolve_material(resolver, prefix + "back: ", scene.surfaces[i].back);
+  }
+  for (SceneNode& node : scene.nodes) resolve_node(resolver, node);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    resolve_light(resolver, light_prefix(i), scene.lights[i]);
+  }
+  resolve_camera(resolver, scene.camera);
+  for (Slider& slider : scene.sliders) resolve_slider(resolver, slider);
+  if (scene.animation) resolve_animation(resolver, *scene.animation);
+  return scene;
+}
+
+}  // namespace saddle

@@ -1,0 +1,20 @@
+// From the expressions of a scene to the numbers that they are at a moment.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace saddle {
+
+/// The scene with the value of every Number filled in, at its moment t. Throws Error (Input) that
+/// names the number ("light 2: cutoff"): anything wrong with its expression, not finite, out of its
+/// range; a direction of length 0; a node that is missing, there twice, or in itself.
+Scene resolve(Scene scene);
+
+/// What a part of the scene is called in messages, and before the name of each of its numbers.
+std::string surface_prefix(std::size_t index);   // "surface 1: "
+std::string light_prefix(std::size_t index);     // "light 1: "
+std::string node_prefix(const SceneNode& node);  // "node wheel: "
+
+}  // namespace saddle

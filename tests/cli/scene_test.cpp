@@ -1,0 +1,107 @@
+// Scene files and pictures that open again.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/file.h"
+#include "cli/program.h"
+
+namespace saddle {
+namespace {
+
+class SceneFiles : public ProgramTest {
+ protected:
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+  std::string content(const std::string& name) const { return read_file(path(name)); }
+  /// Runs that must succeed.
+  void make(const std::vector<std::string>& arguments) {
+    const Outcome run = saddle(arguments);
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+};
+
+TEST_F(SceneFiles, GiveTheSamePictureToTheBit) {
+  const std::vector<std::string> formulas = {"z=a*sin(u)*cos(w)", "a=0.1+0.2", "w=v+t", "u=-3:pi"};
+  const std::vector<std::string> options = {"-s",
+                                            "90x70",
+                                            "--view",
+                                            "1,-2,0.3",
+                                            "--fov",
+                                            "25",
+                                            "--background",
+                                            "#10203040",
+                                            "--grid",
+                                            "7x0",
+                                            "--flip",
+                                            "--t",
+                                            "1/3",
+                                            "-q",
+                                            "--tolerance",
+                                            "0.3px",
+                                            "--antialias",
+                                            "3",
+                                            "--front",
+                                            "tomato",
+                                            "--normal-tolerance",
+                                            "7"};
+  std::vector<std::string> first = formulas;
+  first.insert(first.end(), options.begin(), options.end());
+  first.insert(first.end(), {"-o", "a.png", "-o", "a.toml"});
+  make(first);
+  make({"a.toml", "-q", "-o", "b.png", "-o", "b.toml"});
+  EXPECT_EQ(content("a.png"), content("b.png"));
+  EXPECT_EQ(content("a.toml"), content("b.toml"));
+}
+
+TEST_F(SceneFiles, OpenPicturesAgainAsTheyWere) {
+  make({"torus", "r=0.5", "-s", "64x48", "--samples", "12x8", "--antialias", "1", "-o", "a.png"});
+  make({"a.png", "-o", "b.png"});
+  EXPECT_EQ(content("a.png"), content("b.png"));
+}
+
+TEST_F(SceneFiles, TakeOtherParametersAndOptions) {
+  write("s.toml", "[params]\nR = 2\n[[surface]]\nz = \"R*u\"\n");
+  make({"s.toml", "R=3", "--fov", "40", "-o", "t.toml"});
+  EXPECT_EQ(content("t.toml"),
+            "[params]\nR = 3\n\n[[surface]]\nz = \"R*u\"\n\n[camera]\nfov = 40\n");
+  const std::string error = error_of(saddle({"s.toml", "r=3", "-o", "t.png"}), 2);
+  EXPECT_NE(error.find("did you mean 'R'?"), std::string::npos) << error;
+}
+
+TEST_F(SceneFiles, AreWhatShowPrints) {
+  const Outcome shown = saddle({"show", "torus"});
+  write("torus.toml", shown.out);
+  make({"torus.toml", "-s", "64x48", "-o", "a.png"});
+  make({"torus", "-s", "64x48", "-o", "b.png"});
+  EXPECT_EQ(content("a.png"), content("b.png"));
+}
+
+TEST_F(SceneFiles, SayWhereTheyAreWrong) {
+  write("s.toml", "[[surface]]\nz = \"cos(u)*foo(v)\"\n");
+  EXPECT_EQ(error_of(saddle({"s.toml", "-o", "a.png"}), 2).substr(0, 83),
+            "saddle: s.toml:2:13: z: unknown name 'foo'\n"
+            "  z = \"cos(u)*foo(v)\"\n"
+            "              ^~~\n");
+  EXPECT_FALSE(exists("a.png"));
+}
+
+TEST_F(SceneFiles, AreRefusedWhenTheyAreNone) {
+  EXPECT_NE(error_of(saddle({"none.toml", "-o", "a.png"}), 2).find("there is no file none.toml"),
+            std::string::npos);
+  write("not.png", "nothing");
+  error_of(saddle({"not.png", "-o", "a.png"}), 2);
+  write("junk", std::string("\x7f\x45LF\x00\x01", 6));
+  error_of(saddle({"junk", "-o", "a.png"}), 2);
+  EXPECT_EQ(files(), (std::vector<std::string>{"junk", "not.png"}));
+}
+
+TEST_F(SceneFiles, GoToStandardOutput) {
+  const Outcome run = saddle({"z=u", "-o", "-", "--format", "toml"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, "[[surface]]\nz = \"u\"\n");
+}
+
+}  // namespace
+}  // namespace saddle
