@@ -45,6 +45,7 @@ void add_output_options(CLI::App& app, CommandLine& line) {
          "--threshold", [&line](Text text) { line.threshold = parse_share("--threshold", text); })
       ->needs(reference);
   add_text_option(app, "--report", line.report);
+  app.add_flag("--strict", line.strict);
 }
 
 void add_picture_options(CLI::App& app, CommandLine& line) {
@@ -173,10 +174,23 @@ void check_no_options(const CLI::App& app, const std::string& verb) {
   }
 }
 
+/// `check` writes no pictures and no meshes.
+void check_no_outputs(const CommandLine& line) {
+  if (line.outputs.empty() && line.format.empty() && line.reference.empty()) return;
+  throw Error(Status::Input, "saddle check writes no pictures and no meshes", {},
+              "its report goes to a file with --report FILE");
+}
+
 void take_verb(const CLI::App& app, const std::string& first, CommandLine& line) {
-  if (first != "list" && first != "show") return;
-  check_no_options(app, first);
-  line.command = first == "list" ? CommandLine::Command::List : CommandLine::Command::Show;
+  if (first == "check") {
+    check_no_outputs(line);
+    line.command = CommandLine::Command::Check;
+  } else if (first == "list" || first == "show") {
+    check_no_options(app, first);
+    line.command = first == "list" ? CommandLine::Command::List : CommandLine::Command::Show;
+  } else {
+    return;
+  }
   line.arguments.erase(line.arguments.begin());
 }
 

@@ -13,7 +13,7 @@ namespace saddle {
 inline constexpr double kDefaultThreshold = 0.04;
 
 struct CommandLine {
-  enum class Command { Graph, List, Show, Help, Functions, Version };
+  enum class Command { Graph, Check, List, Show, Help, Functions, Version };
 
   Command command = Command::Graph;
   std::vector<std::string> arguments;  ///< assignments and names, without a verb
@@ -24,6 +24,7 @@ struct CommandLine {
   double threshold = kDefaultThreshold;
   unsigned threads = 0;  ///< 0: all
   std::string report;
+  bool strict = false;  ///< warnings are failures
   bool quiet = false;
   bool verbose = false;
 };

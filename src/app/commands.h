@@ -13,6 +13,9 @@ using Clock = std::chrono::steady_clock;
 /// Machine if the picture differs from the reference by more than the threshold.
 void run_graph(const CommandLine& line, Clock::time_point start);
 
+/// What is true of the surface, in words on standard output, and as a report. Throws Error.
+void run_check(const CommandLine& line, Clock::time_point start);
+
 /// Prints the names of the gallery, each with its description.
 void run_list(const CommandLine& line);
 

@@ -1,7 +1,6 @@
 // saddle FORMULAS or NAME: check the outputs, prepare, tessellate once, write everything, report.
 #include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <thread>
 
@@ -9,10 +8,7 @@
 #include "app/commands.h"
 #include "app/outputs.h"
 #include "app/reference.h"
-#include "app/report.h"
-#include "app/standard_output.h"
-#include "app/tessellate.h"
-#include "base/file.h"
+#include "app/run_report.h"
 #include "base/image_png.h"
 #include "render/picture.h"
 #include "scene/scene_file.h"
@@ -20,40 +16,11 @@
 namespace saddle {
 namespace {
 
-double since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-/// What there is to say about a surface goes into the report.
-Mesh file(Tessellation tessellation, RunReport& report) {
-  report.times.parse += tessellation.parse_ms;
-  report.times.compile += tessellation.compile_ms;
-  report.times.tessellate += tessellation.tessellate_ms;
-  std::ranges::move(tessellation.warnings, std::back_inserter(report.warnings));
-  report.surfaces.push_back(std::move(tessellation.report));
-  return std::move(tessellation.mesh);
-}
-
 Image draw(const Scene& scene, std::span<const Mesh> meshes, RunReport& report) {
   Rendering rendering = render(scene, meshes, scene.picture);
   report.times.render = rendering.times;
   report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer};
   return std::move(rendering.image);
-}
-
-void print_warnings(const RunReport& report) {
-  for (const std::string& warning : report.warnings) {
-    std::cerr << "saddle: warning: " << warning << '\n';
-  }
-}
-
-void send_report(const std::string& path, const RunReport& report) {
-  const auto write = [&report](std::ostream& out) { write_report(out, report); };
-  if (path == "-") {
-    write_standard_output(write);
-  } else if (!path.empty()) {
-    write_file_whole(path, write);
-  }
 }
 
 Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
@@ -81,7 +48,12 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   for (const SurfaceSpec& spec : scene.surfaces) {
     meshes.push_back(file(tessellate(scene, spec, purpose, line.threads), report));
   }
-  if (!line.quiet) print_warnings(report);
+  print_warnings(line, report);
+  if (line.strict && !report.warnings.empty()) {
+    report.times.total = since(start);
+    send_report(line.report, report);  // it has the warnings
+    fail_on_warnings(report);
+  }
   Image image;
   if (purpose.picture) image = draw(scene, meshes, report);
 

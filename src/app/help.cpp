@@ -9,6 +9,7 @@ std::string help_text() {
   saddle NAME=EXPRESSION... [options]                  graph formulas
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
+  saddle check FORMULAS or GALLERY-NAME [options]      what is true of the surface, no picture
   saddle list                                          names of the built-in surfaces
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
 
@@ -28,6 +29,7 @@ Output
       --reference FILE  compare the picture with a PNG; exit 1 and write FILE.diff.png if it differs
       --threshold E     largest error that passes: 1 - SSIM, 0 to 1 (default 0.04)
       --report FILE     the run's report as JSON; - is standard output
+      --strict          warnings are failures: exit 2, and no output but the report
 Camera
       --view X,Y,Z      direction from the target toward the eye (default 2,-3,1.5)
       --up X,Y,Z        direction that points up (default 0,0,1)

@@ -19,6 +19,8 @@ void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
   switch (line.command) {
     case Command::Graph:
       return saddle::run_graph(line, start);
+    case Command::Check:
+      return saddle::run_check(line, start);
     case Command::List:
       return saddle::run_list(line);
     case Command::Show:

@@ -39,30 +39,76 @@ Json efficiency(const SurfaceReport& s) {
   return number(static_cast<double>(s.triangles) / s.mesh.least_triangles);
 }
 
+Json ends(double low, double high) {
+  return {number(low), number(high)};
+}
+
+Json extremes(const Extremes& e) {
+  return e.empty() ? Json(nullptr) : ends(e.low, e.high);
+}
+
+/// `normal` is the one limit of the normal, `normals` are the limits from all sides.
+Json singular_places(const std::vector<SingularPlace>& places) {
+  Json list = Json::array();
+  for (const SingularPlace& place : places) {
+    Json normals = Json::array();
+    for (const dvec3& normal : place.normals) normals.push_back(vector(normal));
+    list.push_back({{"u", number(place.uv.x)},
+                    {"v", number(place.uv.y)},
+                    {"position", vector(place.position)},
+                    {"normal", normals.size() == 1 ? normals[0] : Json(nullptr)},
+                    {"normals", normals}});
+  }
+  return list;
+}
+
+/// What `saddle check` adds to a surface's report.
+void add_facts(const SurfaceReport& s, Json& json) {
+  const Facts& facts = *s.facts;
+  const Topology& t = facts.topology;
+  json["singular_points"] = singular_places(facts.singular);
+  json["domain"] = {{"u", ends(facts.domain.u0, facts.domain.u1)},
+                    {"v", ends(facts.domain.v0, facts.domain.v1)}};
+  json["proved_defined_fraction"] = number(facts.defined.yes);
+  json["proved_undefined_fraction"] = number(facts.defined.no);
+  json["euler_number"] = t.euler_number;
+  json["components"] = t.components;
+  json["closed"] = t.is_closed();
+  json["open_edges"] = t.open_edges;
+  json["boundary_loops"] = t.boundary_loops;
+  json["area"] = number(facts.measures.area);
+  json["volume"] = encloses_volume(facts) ? number(facts.measures.volume) : Json(nullptr);
+  json["gauss_curvature"] = extremes(facts.measures.gauss);
+  json["mean_curvature"] = extremes(facts.measures.mean);
+  json["least_triangles"] = number(s.mesh.least_triangles);
+}
+
 Json surface(const SurfaceReport& s) {
   std::vector<dvec2> singular;
   for (const SingularPoint& point : s.mesh.singular_points) singular.push_back(point.uv);
-  return {{"name", s.name},
-          {"cells", s.mesh.cells},
-          {"triangles", s.triangles},
-          {"vertices", s.vertices},
-          {"evaluations", s.mesh.evaluations},
-          {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
-          {"tolerance", s.mesh.tolerance ? number(*s.mesh.tolerance) : Json(nullptr)},
-          {"max_error", number(s.mesh.max_error)},
-          {"max_normal_error", number(s.mesh.max_normal_error)},
-          {"undefined_fraction", number(s.mesh.undefined_fraction)},
-          {"efficiency", efficiency(s)},
-          {"singular_points", places(singular)},
-          {"singular_points_count", s.mesh.singular_point_count},
-          {"poles", places(s.mesh.poles)},
-          {"poles_count", s.mesh.pole_count},
-          {"jumps", places(s.mesh.jumps)},
-          {"jumps_count", s.mesh.jump_count},
-          {"closed_u", closing(s.mesh.closed_u)},
-          {"closed_v", closing(s.mesh.closed_v)},
-          {"orientable", s.mesh.orientable},
-          {"certified", s.mesh.certified}};
+  Json json = {{"name", s.name},
+               {"cells", s.mesh.cells},
+               {"triangles", s.triangles},
+               {"vertices", s.vertices},
+               {"evaluations", s.mesh.evaluations},
+               {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
+               {"tolerance", s.mesh.tolerance ? number(*s.mesh.tolerance) : Json(nullptr)},
+               {"max_error", number(s.mesh.max_error)},
+               {"max_normal_error", number(s.mesh.max_normal_error)},
+               {"undefined_fraction", number(s.mesh.undefined_fraction)},
+               {"efficiency", efficiency(s)},
+               {"singular_points", places(singular)},
+               {"singular_points_count", s.mesh.singular_point_count},
+               {"poles", places(s.mesh.poles)},
+               {"poles_count", s.mesh.pole_count},
+               {"jumps", places(s.mesh.jumps)},
+               {"jumps_count", s.mesh.jump_count},
+               {"closed_u", closing(s.mesh.closed_u)},
+               {"closed_v", closing(s.mesh.closed_v)},
+               {"orientable", s.mesh.orientable},
+               {"certified", s.mesh.certified}};
+  if (s.facts) add_facts(s, json);
+  return json;
 }
 
 Json times(const RunTimes& t) {
@@ -87,6 +133,10 @@ std::int64_t peak_memory_bytes() {
 }
 
 }  // namespace
+
+bool encloses_volume(const Facts& facts) {
+  return facts.topology.is_closed() && facts.topology.orientable;
+}
 
 void write_report(std::ostream& out, const RunReport& report) {
   Json json = {{"version", version()}, {"surfaces", Json::array()}};

@@ -8,6 +8,7 @@
 
 #include "mesh/mesh.h"
 #include "render/picture.h"
+#include "study/facts.h"
 
 namespace saddle {
 
@@ -17,7 +18,11 @@ struct SurfaceReport {
   std::size_t vertices = 0;  ///< corners
   Bounds bounds;
   MeshReport mesh;
+  std::optional<Facts> facts;  ///< of `saddle check`
 };
+
+/// Whether the mesh has an inside.
+bool encloses_volume(const Facts& facts);
 
 /// Milliseconds.
 struct RunTimes {

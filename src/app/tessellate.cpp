@@ -121,8 +121,8 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   result.compile_ms = prepared.compile_ms;
   result.tessellate_ms = passed.count();
   result.warnings = mesh_warnings(spec.name, mesh, prepared.surface.domain);
-  result.report = {spec.name, mesh.mesh.triangles.size(), mesh.mesh.position.size(),
-                   mesh.mesh.bounds, std::move(mesh.report)};
+  result.report = {spec.name,        mesh.mesh.triangles.size(), mesh.mesh.position.size(),
+                   mesh.mesh.bounds, std::move(mesh.report),     {}};
   result.mesh = std::move(mesh.mesh);
   return result;
 }

@@ -23,8 +23,22 @@ std::string range(const char* name, double low, double high) {
   return std::string(name) + " = " + number(low) + ":" + number(high);
 }
 
-/// Where the surface is defined: the box around the mesh's parameters, if it is smaller than the
-/// domain, else only that it is in places.
+std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
+  return number(100 * grid_mesh.report.undefined_fraction) +
+         " % of the domain is undefined and left out, " + where_defined(grid_mesh.mesh, domain);
+}
+
+std::string plural(std::size_t count, const std::string& one, const std::string& many) {
+  return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
+}
+
+std::string off_by(const MeshReport& report) {
+  return " off by up to " + number(report.max_error) + " (the tolerance is " +
+         number(report.tolerance.value_or(0)) + ")";
+}
+
+}  // namespace
+
 std::string where_defined(const Mesh& mesh, const Domain& domain) {
   dvec2 low = mesh.uv.front();
   dvec2 high = low;
@@ -41,22 +55,6 @@ std::string where_defined(const Mesh& mesh, const Domain& domain) {
   const std::string v = whole_v ? "" : range("v", low.y, high.y);
   return "at least outside of " + u + (u.empty() || v.empty() ? "" : ", ") + v;
 }
-
-std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
-  return number(100 * grid_mesh.report.undefined_fraction) +
-         " % of the domain is undefined and left out, " + where_defined(grid_mesh.mesh, domain);
-}
-
-std::string plural(std::size_t count, const std::string& one, const std::string& many) {
-  return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
-}
-
-std::string off_by(const MeshReport& report) {
-  return " off by up to " + number(report.max_error) + " (the tolerance is " +
-         number(report.tolerance.value_or(0)) + ")";
-}
-
-}  // namespace
 
 std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
                                        const Domain& domain) {

@@ -13,4 +13,8 @@ namespace saddle {
 std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
                                        const Domain& domain);
 
+/// Where the surface is defined: the box around the mesh's parameters, if it is smaller than the
+/// domain, else only that it is in places.
+std::string where_defined(const Mesh& mesh, const Domain& domain);
+
 }  // namespace saddle

@@ -1,0 +1,50 @@
+#include "app/run_report.h"
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+
+#include "app/standard_output.h"
+#include "base/error.h"
+#include "base/file.h"
+
+namespace saddle {
+
+double since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+Mesh file(Tessellation tessellation, RunReport& report) {
+  report.times.parse += tessellation.parse_ms;
+  report.times.compile += tessellation.compile_ms;
+  report.times.tessellate += tessellation.tessellate_ms;
+  std::ranges::move(tessellation.warnings, std::back_inserter(report.warnings));
+  report.surfaces.push_back(std::move(tessellation.report));
+  return std::move(tessellation.mesh);
+}
+
+void print_warnings(const CommandLine& line, const RunReport& report) {
+  if (line.quiet) return;
+  for (const std::string& warning : report.warnings) {
+    std::cerr << "saddle: warning: " << warning << '\n';
+  }
+}
+
+void send_report(const std::string& path, const RunReport& report) {
+  const auto write = [&report](std::ostream& out) { write_report(out, report); };
+  if (path == "-") {
+    write_standard_output(write);
+  } else if (!path.empty()) {
+    write_file_whole(path, write);
+  }
+}
+
+void fail_on_warnings(const RunReport& report) {
+  const std::size_t count = report.warnings.size();
+  if (count == 0) return;
+  throw Error(Status::Input,
+              "--strict: " + (count == 1 ? "a warning" : std::to_string(count) + " warnings"), {},
+              "the first: " + report.warnings.front());
+}
+
+}  // namespace saddle

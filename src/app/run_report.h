@@ -1,0 +1,25 @@
+// What commands do with what they found out.
+#pragma once
+
+#include "app/commands.h"
+#include "app/report.h"
+#include "app/tessellate.h"
+
+namespace saddle {
+
+/// Milliseconds since then.
+double since(Clock::time_point begin);
+
+/// What there is to say about a surface goes into the report.
+Mesh file(Tessellation tessellation, RunReport& report);
+
+/// To standard error, unless --quiet.
+void print_warnings(const CommandLine& line, const RunReport& report);
+
+/// To a file, or to standard output for "-"; nothing for no name.
+void send_report(const std::string& path, const RunReport& report);
+
+/// --strict: throws Error (Input) if there was a warning.
+void fail_on_warnings(const RunReport& report);
+
+}  // namespace saddle

@@ -1,0 +1,58 @@
+#include "study/defined_share.h"
+
+#include <algorithm>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "eval/enclose.h"
+
+namespace saddle {
+
+namespace {
+
+struct Box {
+  dvec2 low, high;  ///< in parts of the domain
+  double area() const { return (high.x - low.x) * (high.y - low.y); }
+};
+
+Defined defined(std::span<const Interval> position) {
+  Defined all = Defined::Yes;
+  for (const Interval& coordinate : position) all = std::min(all, coordinate.defined);
+  return all;
+}
+
+}  // namespace
+
+DefinedShare prove_defined(const Surface& surface, std::size_t boxes) {
+  const Domain& d = surface.domain;
+  const auto range = [](double first, double last, double low, double high) {
+    const double a = first * (1 - low) + last * low;
+    const double b = first * (1 - high) + last * high;
+    return Interval{std::min(a, b), std::max(a, b)};
+  };
+  Enclosure enclosure(surface.bounds);
+  std::vector<Interval> outputs(surface.bounds.outputs.size());
+  DefinedShare share;
+  std::deque<Box> undecided = {{dvec2(0), dvec2(1)}};
+  for (std::size_t k = 0; k < boxes && !undecided.empty(); ++k) {
+    const Box box = undecided.front();
+    undecided.pop_front();
+    enclosure(range(d.u0, d.u1, box.low.x, box.high.x), range(d.v0, d.v1, box.low.y, box.high.y),
+              outputs);
+    const Defined found = defined(std::span<const Interval>(outputs).first(3));
+    if (found == Defined::Yes) share.yes += box.area();
+    if (found == Defined::No) share.no += box.area();
+    if (found != Defined::Maybe) continue;
+    Box a = box;
+    Box b = box;
+    const int axis = box.high.x - box.low.x >= box.high.y - box.low.y ? 0 : 1;
+    a.high[axis] = b.low[axis] = 0.5 * (box.low[axis] + box.high[axis]);
+    undecided.push_back(a);
+    undecided.push_back(b);
+  }
+  share.everywhere = undecided.empty() && share.no == 0;
+  return share;
+}
+
+}  // namespace saddle

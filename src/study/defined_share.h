@@ -1,0 +1,21 @@
+// How much of a surface's domain is proved to be defined, and how much is proved not to be.
+#pragma once
+
+#include <cstddef>
+
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// Shares of the domain's area; what is left of 1 is undecided.
+struct DefinedShare {
+  double yes = 0;
+  double no = 0;
+  bool everywhere = false;  ///< no point is undefined or undecided
+};
+
+/// Halves boxes of parameters, the largest first, until each is decided or `boxes` were looked at.
+/// For a surface of second order.
+DefinedShare prove_defined(const Surface& surface, std::size_t boxes);
+
+}  // namespace saddle

@@ -1,0 +1,35 @@
+// What is true of a surface besides what its mesh tells: for `saddle check`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/topology.h"
+#include "study/defined_share.h"
+#include "study/measures.h"
+
+namespace saddle {
+
+/// A singular point and the limits of the unit normal there, from the sides that have one: one
+/// limit if they agree, none if no side has one.
+struct SingularPlace {
+  dvec2 uv;
+  dvec3 position;
+  std::vector<dvec3> normals;
+};
+
+struct Facts {
+  Domain domain;
+  DefinedShare defined;
+  Topology topology;
+  Measures measures;
+  std::vector<SingularPlace> singular;  ///< those of the mesh's report
+};
+
+/// For a surface of second order and its mesh, all of it or what is left in a box.
+Facts gather_facts(const Surface& surface, const Mesh& mesh, const MeshReport& report,
+                   bool is_clipped, unsigned threads);
+
+}  // namespace saddle

@@ -1,0 +1,197 @@
+#include "study/measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// Triangles whose points are evaluated together: some MB.
+constexpr std::size_t kBlock = 4096;
+/// An integral over a triangle that differs from the flat triangle's by more than this share is
+/// spoilt by a derivative that goes to infinity; the flat one is then the better.
+constexpr double kSpoilt = 0.1;
+/// |r_u x r_v| below this part of |r_u| |r_v|, and tangents below this part of the usual, cost
+/// curvatures more than half of their digits.
+constexpr double kWellConditioned = 1e-3;
+constexpr double kShortTangent = 1e-5;
+/// Stretches of the domain in each direction and points of Gauss's rule in each: 256 x 256 points.
+constexpr std::size_t kStretches = 64;
+constexpr std::array<double, 2> kGaussPlaces = {0.33998104358485626, 0.86113631159405258};
+constexpr std::array<double, 2> kGaussWeights = {0.65214515486254614, 0.34785484513745386};
+
+/// Corner weights and weight of a point of Radon's rule.
+struct Node {
+  std::array<double, 3> corners;
+  double weight;
+};
+
+std::array<Node, 7> radon_rule() {
+  const double root = std::sqrt(15.0);
+  std::array<Node, 7> nodes{};
+  nodes[0] = {{1.0 / 3, 1.0 / 3, 1.0 / 3}, 9.0 / 40};
+  const auto add = [&](std::size_t first, double near, double weight) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Node& node = nodes[first + k];
+      node = {{near, near, near}, weight};
+      node.corners[k] = 1 - 2 * near;
+    }
+  };
+  add(1, (6 - root) / 21, (155 - root) / 1200);
+  add(4, (6 + root) / 21, (155 + root) / 1200);
+  return nodes;
+}
+
+/// Places in [first, last] and their weights, which add up to its length.
+struct Rule {
+  std::vector<double> places, weights;
+};
+
+Rule gauss_rule(double first, double last) {
+  Rule rule;
+  const double half = 0.5 / kStretches;
+  for (std::size_t k = 0; k < kStretches; ++k) {
+    const double middle = (static_cast<double>(k) + 0.5) / kStretches;
+    const auto add = [&](double place, double weight) {
+      const double part = middle + half * place;
+      rule.places.push_back(first * (1 - part) + last * part);
+      rule.weights.push_back(half * weight * std::fabs(last - first));
+    };
+    add(-kGaussPlaces[1], kGaussWeights[1]);
+    add(-kGaussPlaces[0], kGaussWeights[0]);
+    add(kGaussPlaces[0], kGaussWeights[0]);
+    add(kGaussPlaces[1], kGaussWeights[1]);
+  }
+  return rule;
+}
+
+/// The median length of a tangent.
+double usual_length(const std::vector<SurfacePoint>& points, dvec3 SurfacePoint::*tangent) {
+  std::vector<double> lengths;
+  for (const SurfacePoint& p : points) {
+    if (is_finite(p.*tangent)) lengths.push_back(safe_length(p.*tangent));
+  }
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+class Measurer {
+ public:
+  Measurer(const Surface& surface, const Mesh& mesh, unsigned threads)
+      : surface_(surface), mesh_(mesh), threads_(threads), centre_(mesh.bounds.centre()) {}
+
+  Measures run(bool is_whole) {
+    integrate_triangles();
+    if (is_whole) integrate_domain();
+    add_curvatures();
+    return result_;
+  }
+
+ private:
+  /// Keeps what the triangles say if the two do not agree: an integrand that goes to infinity.
+  void integrate_domain() {
+    const Domain& d = surface_.domain;
+    const Rule u = gauss_rule(d.u0, d.u1);
+    const Rule v = gauss_rule(d.v0, d.v1);
+    const std::vector<SurfacePoint> points =
+        evaluate_on_grid(surface_, u.places, v.places, threads_);
+    result_.evaluations += points.size();
+    double area = 0;
+    double volume = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const double weight = u.weights[k % u.places.size()] * v.weights[k / u.places.size()];
+      const dvec3 across = glm::cross(points[k].r_u, points[k].r_v);
+      area += weight * glm::length(across);
+      volume += weight * glm::dot(points[k].position - centre_, across) / 3;
+    }
+    if (!(std::fabs(area - result_.area) <= kSpoilt * result_.area) || !std::isfinite(volume))
+      return;
+    result_.area = area;
+    result_.volume = surface_.flip ? -volume : volume;
+  }
+
+  void integrate_triangles() {
+    for (std::size_t begin = 0; begin < mesh_.triangles.size(); begin += kBlock) {
+      integrate(std::span(mesh_.triangles)
+                    .subspan(begin, std::min(kBlock, mesh_.triangles.size() - begin)));
+    }
+  }
+
+  void integrate(std::span<const Triangle> triangles) {
+    std::vector<dvec2> uv;
+    uv.reserve(triangles.size() * rule_.size());
+    for (const Triangle& t : triangles) {
+      for (const Node& node : rule_) {
+        dvec2 place(0);
+        for (std::size_t k = 0; k < 3; ++k) place += node.corners[k] * mesh_.uv[t[k]];
+        uv.push_back(place);
+      }
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+    result_.evaluations += points.size();
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      add(triangles[k], std::span(points).subspan(k * rule_.size(), rule_.size()));
+    }
+  }
+
+  void add(const Triangle& t, std::span<const SurfacePoint> points) {
+    const dvec3 a = mesh_.position[t[0]] - centre_;
+    const dvec3 flat_area =
+        0.5 * glm::cross(mesh_.position[t[1]] - centre_ - a, mesh_.position[t[2]] - centre_ - a);
+    const double flat = glm::length(flat_area);
+    const dvec2 side = mesh_.uv[t[1]] - mesh_.uv[t[0]];
+    const dvec2 other = mesh_.uv[t[2]] - mesh_.uv[t[0]];
+    const double size = 0.5 * (side.x * other.y - side.y * other.x);
+    double area = 0;
+    double volume = 0;
+    for (std::size_t k = 0; k < rule_.size(); ++k) {
+      const dvec3 across = glm::cross(points[k].r_u, points[k].r_v);
+      area += rule_[k].weight * std::fabs(size) * glm::length(across);
+      volume += rule_[k].weight * size * glm::dot(points[k].position - centre_, across) / 3;
+    }
+    const bool usable = std::fabs(area - flat) <= kSpoilt * flat && std::isfinite(volume);
+    result_.area += usable ? area : flat;
+    result_.volume += usable ? volume : glm::dot(a, flat_area) / 3;
+  }
+
+  void add_curvatures() {
+    const std::vector<SurfacePoint> points = evaluate(surface_, mesh_.uv, threads_);
+    const std::vector<Curvature> curvatures = evaluate_curvature(surface_, mesh_.uv, threads_);
+    result_.evaluations += points.size();
+    const double usual_u = usual_length(points, &SurfacePoint::r_u);
+    const double usual_v = usual_length(points, &SurfacePoint::r_v);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const double size_u = safe_length(points[k].r_u);
+      const double size_v = safe_length(points[k].r_v);
+      const dvec3 across = glm::cross(points[k].r_u / size_u, points[k].r_v / size_v);
+      if (!(glm::length(across) > kWellConditioned)) continue;
+      if (size_u < kShortTangent * usual_u || size_v < kShortTangent * usual_v) continue;
+      if (std::isfinite(curvatures[k].gauss)) result_.gauss.add(curvatures[k].gauss);
+      if (std::isfinite(curvatures[k].mean)) result_.mean.add(curvatures[k].mean);
+    }
+  }
+
+  const Surface& surface_;
+  const Mesh& mesh_;
+  unsigned threads_;
+  dvec3 centre_;  // volumes are taken around it, which keeps their digits far from the origin
+  std::array<Node, 7> rule_ = radon_rule();
+  Measures result_;
+};
+
+}  // namespace
+
+Measures measure_surface(const Surface& surface, const Mesh& mesh, bool is_whole,
+                         unsigned threads) {
+  return Measurer(surface, mesh, threads).run(is_whole);
+}
+
+}  // namespace saddle

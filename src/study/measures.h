@@ -1,0 +1,36 @@
+// Area, volume and curvatures of a surface, from its derivatives.
+#pragma once
+
+#include <limits>
+
+#include "mesh/mesh.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// The smallest and the largest of some numbers.
+struct Extremes {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return low > high; }
+  void add(double x) {
+    low = x < low ? x : low;
+    high = x > high ? x : high;
+  }
+};
+
+struct Measures {
+  double area = 0;
+  double volume = 0;  ///< inside of a closed surface; negative if its back is outside
+  Extremes gauss;  ///< curvatures where the surface is regular, at the points that were looked at
+  Extremes mean;
+  std::size_t evaluations = 0;
+};
+
+/// Integrals over the domain by Gauss's rule, if `is_whole`: the mesh covers all of it. Else over
+/// each triangle of parameters by a rule that is exact for polynomials of degree 5. For a surface
+/// of second order. Source: J. Radon, "Zur mechanischen Kubatur", 1948.
+Measures measure_surface(const Surface& surface, const Mesh& mesh, bool is_whole, unsigned threads);
+
+}  // namespace saddle

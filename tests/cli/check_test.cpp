@@ -1,0 +1,124 @@
+// saddle check and --strict.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace saddle {
+namespace {
+
+using Json = nlohmann::json;
+
+class CheckCommand : public ProgramTest {
+ protected:
+  std::string words(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "check");
+    const Outcome run = saddle(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.out;
+  }
+  Json facts(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "check");
+    arguments.insert(arguments.end(), {"--report", "-"});
+    const Outcome run = saddle(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(run.out)["surfaces"][0];
+  }
+  Json written(const std::string& name) const {
+    std::ifstream in(path(name));
+    return Json::parse(in);
+  }
+  static bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+};
+
+TEST_F(CheckCommand, SaysWhatIsTrueOfASphere) {
+  const std::string text = words({"sphere"});
+  for (const char* part :
+       {"domain      u = 0:6.28319, v = -1.5708:1.5708", "everywhere (proved)", "poles       none",
+        "is the point (0, 0, 1) with the normal (0, 0, 1)", "u = 0 and u = 6.28319 join",
+        "sides       two", "Euler number 2 (a sphere), closed", "area        12.5664",
+        "volume      4.18879", "Gauss 1 to 1, mean -1 to -1", "times the least possible",
+        "nothing hides between the samples (proved)"}) {
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(CheckCommand, NamesTheKindOfSurface) {
+  EXPECT_TRUE(contains(words({"torus"}), "(a torus), closed"));
+  EXPECT_TRUE(contains(words({"cylinder"}), "(a band), 2 edges"));
+  EXPECT_TRUE(contains(words({"z=u*v"}), "(a disc), one edge"));
+  EXPECT_TRUE(contains(words({"mobius"}), "(a Moebius band), one edge"));
+  EXPECT_TRUE(contains(words({"klein-bottle"}), "(a Klein bottle), closed"));
+  EXPECT_TRUE(contains(words({"costa"}), "(a torus with 3 holes), 3 edges"));
+  EXPECT_TRUE(contains(words({"mobius"}), "one: the surface is not orientable"));
+  EXPECT_TRUE(contains(words({"mobius"}), "join reversed"));
+}
+
+TEST_F(CheckCommand, TellsPlacesAlongALineAsOne) {
+  EXPECT_TRUE(contains(words({"z=1/u"}), ": u = 0, v = -1:1\n"));
+  EXPECT_TRUE(contains(words({"z=floor(v/2+0.3)"}), ": u = -1:1, v = -0.6\n"));
+}
+
+TEST_F(CheckCommand, ReportsFactsAsJson) {
+  const Json sphere = facts({"sphere"});
+  EXPECT_EQ(sphere["euler_number"], 2);
+  EXPECT_EQ(sphere["components"], 1);
+  EXPECT_EQ(sphere["closed"], true);
+  EXPECT_EQ(sphere["open_edges"], 0);
+  EXPECT_EQ(sphere["boundary_loops"], 0);
+  EXPECT_EQ(sphere["proved_defined_fraction"], 1);
+  EXPECT_EQ(sphere["proved_undefined_fraction"], 0);
+  EXPECT_NEAR(sphere["area"].get<double>(), 12.566370614359172, 1e-10);
+  EXPECT_NEAR(sphere["volume"].get<double>(), 4.18879020478639, 1e-10);
+  EXPECT_NEAR(sphere["gauss_curvature"][1].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(sphere["mean_curvature"][0].get<double>(), -1, 1e-9);
+  EXPECT_EQ(sphere["domain"]["u"][0], 0);
+  EXPECT_GT(sphere["least_triangles"], 1000);
+  EXPECT_NEAR(sphere["singular_points"][0]["normal"][2].get<double>(), -1, 1e-9);
+  const Json band = facts({"mobius"});
+  EXPECT_EQ(band["orientable"], false);
+  EXPECT_TRUE(band["volume"].is_null());
+  EXPECT_EQ(band["boundary_loops"], 1);
+}
+
+TEST_F(CheckCommand, PrintsEitherWordsOrJsonOnStandardOutput) {
+  const Outcome both = saddle({"check", "torus", "--report", "r.json"});
+  EXPECT_TRUE(contains(both.out, "Euler number 0"));
+  EXPECT_EQ(written("r.json")["surfaces"][0]["euler_number"], 0);
+}
+
+TEST_F(CheckCommand, IsAVerbOnlyAsTheFirstArgument) {
+  EXPECT_TRUE(contains(error_of(saddle({"torus", "check", "--report", "-"}), 2), "'check'"));
+}
+
+TEST_F(CheckCommand, WritesNothingElse) {
+  EXPECT_TRUE(contains(error_of(saddle({"check", "torus", "-o", "a.png"}), 2), "no pictures"));
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(CheckCommand, SaysThatThereIsNothing) {
+  error_of(saddle({"check", "z=sqrt(-1-u^2)"}), 3);
+  error_of(saddle({"check"}), 2);
+}
+
+TEST_F(CheckCommand, StrictFailsOnWarningsAndWritesTheReportAlone) {
+  const std::vector<std::string> hole = {"z=sqrt(u)", "-o",       "a.png",
+                                         "--strict",  "--report", "r.json"};
+  const std::string message = error_of(saddle(hole), 2);
+  EXPECT_TRUE(contains(message, "--strict: a warning")) << message;
+  EXPECT_TRUE(contains(message, "50 % of the domain is undefined")) << message;
+  EXPECT_EQ(files(), std::vector<std::string>{"r.json"});
+  EXPECT_EQ(written("r.json")["warnings"].size(), 1U);
+  EXPECT_EQ(saddle({"torus", "-o", "b.ply", "--strict"}).status, 0);
+  const Outcome checked = saddle({"check", "mobius", "--strict"});
+  EXPECT_EQ(checked.status, 2);
+  EXPECT_TRUE(contains(checked.out, "Moebius band")) << "the facts are told all the same";
+}
+
+}  // namespace
+}  // namespace saddle

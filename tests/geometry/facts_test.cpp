@@ -1,0 +1,106 @@
+// What `saddle check` measures and proves, against closed forms.
+#include "study/facts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/gallery_samples.h"
+#include "mesh/adaptive_mesh.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+Facts facts_of(const Scene& scene) {
+  const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
+  AdaptiveOptions options;
+  options.clip = scene.clip.box;
+  options.tolerance = [](const Probe& probe) -> Tolerance {
+    const double eps = 1e-3 * probe.bounds().diagonal();
+    return [eps](const dvec3&) { return eps; };
+  };
+  const GridMesh mesh = mesh_within_tolerance(surface, options).value();
+  return gather_facts(surface, mesh.mesh, mesh.report, scene.clip.box.has_value(), 1);
+}
+
+void expect_measures(const Facts& facts, double area, double volume, double share) {
+  EXPECT_NEAR(facts.measures.area, area, share * area);
+  EXPECT_NEAR(facts.measures.volume, volume, share * std::fabs(volume));
+}
+
+TEST(Facts, AreaAndVolumeOfSmoothClosedSurfacesHaveTwelveDigits) {
+  expect_measures(facts_of(scene_of("sphere", {"r=2"})), 16 * kPi, 32 * kPi / 3, 1e-12);
+  expect_measures(facts_of(scene_of("torus")), 4 * kPi * kPi * 2 * 0.8, 2 * kPi * kPi * 2 * 0.64,
+                  1e-12);
+}
+
+TEST(Facts, AreaOfOpenAndOneSidedSurfacesIsThatOfTheFormula) {
+  EXPECT_NEAR(facts_of(scene_of("cylinder")).measures.area, 4 * kPi, 1e-11);
+  const double waist = 1.2 + std::sinh(1.2) * std::cosh(1.2);
+  EXPECT_NEAR(facts_of(scene_of("catenoid")).measures.area, 2 * kPi * waist, 1e-11);
+}
+
+TEST(Facts, VolumeIsNegativeWhereTheBackIsOutside) {
+  expect_measures(facts_of(scene_of("sphere", {"u=2*pi:0"})), 4 * kPi, -4 * kPi / 3, 1e-12);
+}
+
+TEST(Facts, AreaOfWhatIsPartlyUndefinedIsThatOfTheMeshAndBetter) {
+  Scene scene = scene_of("paraboloid");
+  SurfaceSpec& spec = scene.surfaces.at(0);
+  spec.x = "u";
+  spec.y = "v";
+  spec.z = "0*sqrt(1-u^2-v^2)";
+  spec.u = {"-1.2", "1.2"};
+  spec.v = {"-1.2", "1.2"};
+  EXPECT_NEAR(facts_of(scene).measures.area, kPi, 4e-3 * kPi);  // the rim within the tolerance
+}
+
+TEST(Facts, CurvaturesAreThoseOfTheClosedForms) {
+  const Measures sphere = facts_of(scene_of("sphere", {"r=2"})).measures;
+  EXPECT_NEAR(sphere.gauss.low, 0.25, 1e-9);
+  EXPECT_NEAR(sphere.gauss.high, 0.25, 1e-9);
+  EXPECT_NEAR(sphere.mean.low, -0.5, 1e-9);  // it bends away from its front
+  const Measures torus = facts_of(scene_of("torus")).measures;
+  EXPECT_NEAR(torus.gauss.high, 1 / (0.8 * 2.8), 1e-9);
+  EXPECT_NEAR(torus.gauss.low, -1 / (0.8 * 1.2), 1e-2);  // between two lines of the mesh
+  const Measures cusp = facts_of(scene_of("pseudosphere")).measures;
+  EXPECT_NEAR(cusp.gauss.low, -1, 1e-6);
+  EXPECT_NEAR(cusp.gauss.high, -1, 1e-6);
+}
+
+TEST(Facts, SingularPlacesHaveTheLimitsOfTheirSides) {
+  for (const SingularPlace& pole : facts_of(scene_of("sphere")).singular) {
+    ASSERT_EQ(pole.normals.size(), 1U);
+    EXPECT_NEAR(glm::distance(pole.normals[0], dvec3(0, 0, pole.uv.y > 0 ? 1 : -1)), 0, 1e-9);
+    EXPECT_NEAR(glm::distance(pole.position, pole.normals[0]), 0, 1e-12);
+  }
+  const Facts edge = facts_of(scene_of("cuspidal-edge"));
+  ASSERT_FALSE(edge.singular.empty());
+  for (const SingularPlace& place : edge.singular) {
+    ASSERT_EQ(place.normals.size(), 2U);  // the sheets are tangent, their fronts opposite
+    EXPECT_NEAR(glm::distance(place.normals[0], -place.normals[1]), 0, 1e-9);
+  }
+}
+
+TEST(Facts, WhereItIsDefinedIsProvedAsFarAsBoxesGo) {
+  const auto proved = [](const std::string& z) {
+    return prove_defined(surface_from_text("u", "v", z, {}, {}, Order::Second), 20000);
+  };
+  EXPECT_TRUE(proved("exp(u)*sin(v)").everywhere);
+  EXPECT_EQ(proved("exp(u)*sin(v)").yes, 1);
+  EXPECT_EQ(proved("sqrt(-1-u*u)").no, 1);
+  const DefinedShare half = proved("sqrt(u)");
+  EXPECT_FALSE(half.everywhere);
+  EXPECT_NEAR(half.no, 0.5, 1e-3);
+  EXPECT_NEAR(half.yes, 0.5, 1e-3);
+  const DefinedShare disc = proved("sqrt(1-u*u-v*v)");
+  EXPECT_LE(disc.yes, kPi / 4);
+  EXPECT_GE(disc.yes, kPi / 4 - 0.02);
+  EXPECT_LE(disc.no, 1 - kPi / 4);
+  EXPECT_FALSE(proved("2*u*v/(u^2+v^2)").everywhere);  // but for a point
+}
+
+}  // namespace
+}  // namespace saddle
