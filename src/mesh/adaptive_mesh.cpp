@@ -10,6 +10,7 @@
 #include "mesh/clip.h"
 #include "mesh/crossings.h"
 #include "mesh/degenerate.h"
+#include "mesh/joins.h"
 #include "mesh/leaf_mesh.h"
 #include "mesh/measure.h"
 #include "mesh/refine.h"
@@ -298,9 +299,18 @@ class Mesher {
     reached_limit_ = reached_limit_ || refinement.reached_limit;
     auto& leaves = mesh_.leaves;
     leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
-    mirror_seams(seams_, options_.threads, grid_, lattice_);
-    join_poles(std::span(leaves).subspan(mesh_.deviations.size()), grid_, lattice_);
+    Points points(grid_.mesh);
+    mirror_seams(seams_, options_.threads, grid_, lattice_, points);
+    points.settle();
     std::vector<std::size_t> changed = follow_crossings(crossing_options(false), leaves, lattice_);
+    if (lattice_.has_crossings() && (seams_.u.closed || seams_.v.closed)) {
+      mirror_crossings(seams_, crossing_options(false), grid_, lattice_);
+      const auto more = follow_crossings(crossing_options(false), leaves, lattice_);
+      changed.insert(changed.end(), more.begin(), more.end());
+      join_crossings(seams_, grid_, lattice_, points);
+    }
+    join_poles(std::span(leaves).subspan(mesh_.deviations.size()), grid_, lattice_, points);
+    points.settle();
     std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.deviations.size(); });
     const std::vector<std::size_t> fresh = numbers(mesh_.deviations.size(), leaves.size());
     changed.insert(changed.end(), fresh.begin(), fresh.end());

@@ -167,13 +167,24 @@ class Finder {
         const bool is_there = found[k].ends[end] == lattice_.mesh().uv[sides[k][end]];
         beside[end] = is_there ? sides[k][end] : next++;
       }
-      // A vertex that is there already keeps its place.
-      const std::size_t kept = beside[1] == sides[k][1] ? 1 : 0;
-      if (kind == Cut::Crease) lattice_.join(beside[kept], beside[1 - kept]);
-      lattice_.share_place(beside[kept], beside[1 - kept]);
+      const std::uint32_t kept = place_to_keep(sides[k], beside);
+      for (const std::uint32_t vertex : beside) {
+        if (vertex == kept) continue;
+        if (kind == Cut::Crease) lattice_.join(kept, vertex);
+        lattice_.share_place(kept, vertex);
+      }
       lattice_.set_crossing(sides[k][0], sides[k][1],
                             Crossing{kind, sides[k][0], beside[0], beside[1]});
     }
+  }
+
+  /// The vertex in whose place a cut is: an end of its side, if it is within rounding of that.
+  std::uint32_t place_to_keep(const Side& side, const std::array<std::uint32_t, 2>& beside) const {
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (lattice_.place_between(beside[end]) == lattice_.place_between(side[end]))
+        return side[end];
+    }
+    return beside[0];
   }
 
   const CrossingOptions& options_;

@@ -200,6 +200,16 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
   sides_[key(a, b)] = crossing;
 }
 
+std::vector<std::array<std::uint32_t, 2>> Lattice::crossed_sides() const {
+  std::vector<std::array<std::uint32_t, 2>> result;
+  for (const auto& [key, crossing] : sides_) {
+    if (crossing)
+      result.push_back({static_cast<std::uint32_t>(key >> 32U), static_cast<std::uint32_t>(key)});
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
 std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned threads) {
   const auto first = static_cast<std::uint32_t>(used_.size());
   std::vector<double> u;
@@ -224,6 +234,11 @@ std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned thr
   return first;
 }
 
+void Lattice::join(std::uint32_t from, std::uint32_t to) {
+  grid_.mesh.position[to] = grid_.mesh.position[from];
+  grid_.mesh.point[to] = grid_.mesh.point[from];
+}
+
 void Lattice::share_place(std::uint32_t from, std::uint32_t to) {
   places_between_.at(to) = place_between(from);
 }
@@ -245,18 +260,11 @@ void Lattice::join_pole(std::uint32_t vertex) {
       on_u ? LatticePlace{a.u, a.v + kCellUnit} : LatticePlace{a.u + kCellUnit, a.v};
   const std::uint32_t root = root_vertex(a);
   const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[root_vertex(b)];
-  if (ends_meet && is_one_point(grid_, root, vertex)) unite(root, vertex);
-}
-
-void Lattice::join(std::uint32_t first, std::uint32_t second) {
-  Mesh& mesh = grid_.mesh;
-  mesh.position[second] = mesh.position[first];
-  mesh.point[second] = mesh.point[first];
-}
-
-void Lattice::unite(std::uint32_t first, std::uint32_t second) {
-  join(first, second);
-  regular_[first] = regular_[second] = 0;
+  if (!ends_meet || !is_one_point(grid_, root, vertex)) return;
+  grid_.mesh.position[vertex] = grid_.mesh.position[root];
+  grid_.mesh.point[vertex] = grid_.mesh.point[root];
+  make_singular(root);
+  make_singular(vertex);
 }
 
 }  // namespace saddle

@@ -128,8 +128,12 @@ class Lattice {
   /// Files what was found, or that nothing was.
   void set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing);
   bool has_crossings() const { return has_crossings_; }
+  /// The sides that are cut, by their ends.
+  std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
   /// New vertices between neighbours, with consecutive numbers; the number of the first.
   std::uint32_t add_between(std::span<const Between> places, unsigned threads);
+  /// Makes the new vertex `to` one point with another, at its position.
+  void join(std::uint32_t from, std::uint32_t to);
   /// Gives a vertex between neighbours, a few digits from another one, the same place.
   void share_place(std::uint32_t from, std::uint32_t to);
 
@@ -142,10 +146,7 @@ class Lattice {
     regular_[vertex] = 1;
   }
 
-  /// Makes two vertices one point, at the place of the first.
-  void join(std::uint32_t first, std::uint32_t second);
-  /// The same, and a singular one.
-  void unite(std::uint32_t first, std::uint32_t second);
+  void make_singular(std::uint32_t vertex) { regular_[vertex] = 0; }
 
   /// The place of a vertex that is not between neighbours.
   LatticePlace place(std::uint32_t vertex) const;

@@ -67,20 +67,6 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
   return views;
 }
 
-/// Where the side of the domain that vertices lie on meets the other: the place that is one point
-/// with `place`, or nothing.
-std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, LatticePlace place) {
-  const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
-  const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
-  if (seams.u.closed && (place.u == 0 || place.u == end_u)) {
-    return LatticePlace{end_u - place.u, seams.u.partner(place.v, end_v)};
-  }
-  if (seams.v.closed && (place.v == 0 || place.v == end_v)) {
-    return LatticePlace{seams.v.partner(place.u, end_u), end_v - place.v};
-  }
-  return std::nullopt;
-}
-
 /// Chains of vertices, interrupted where the surface is.
 class Chains {
  public:
@@ -206,37 +192,6 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   }
   result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
   return result;
-}
-
-void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lattice) {
-  // The corners of the domain may have two partners; they are root vertices, and welded.
-  const std::size_t count = lattice.size();
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (auto vertex = static_cast<std::uint32_t>(grid.vertex_count()); vertex < count; ++vertex) {
-    if (!lattice.is_used(vertex)) continue;
-    const std::optional<LatticePlace> other = partner(seams, grid, lattice.place(vertex));
-    if (!other) continue;
-    const std::uint32_t twin = lattice.vertex(*other);
-    lattice.use(twin);
-    pairs.push_back({std::min(vertex, twin), std::max(vertex, twin)});
-  }
-  lattice.evaluate(threads);
-  for (const auto& [first, second] : pairs) {
-    grid.mesh.position[second] = grid.mesh.position[first];
-    grid.mesh.point[second] = grid.mesh.point[first];
-  }
-}
-
-void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice) {
-  for (const Leaf& leaf : leaves) {
-    for (const auto& [a, b] : sides_of(leaf, lattice)) {
-      if (!lattice.is_defined(a) || !lattice.is_defined(b)) continue;
-      if (grid.mesh.point[a] == grid.mesh.point[b] || !is_one_point(grid, a, b)) continue;
-      // The name of the point that comes first stays, whatever the order of the leaves.
-      const bool a_first = grid.mesh.point[a] < grid.mesh.point[b];
-      lattice.unite(a_first ? a : b, a_first ? b : a);
-    }
-  }
 }
 
 std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,

@@ -1,4 +1,4 @@
-// From the leaves of a refined grid to triangles, seams and lines.
+// From the leaves of a refined grid to triangles and lines.
 #pragma once
 
 #include <array>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "mesh/outline.h"
-#include "mesh/weld.h"
 
 namespace saddle {
 
@@ -46,14 +45,6 @@ class SingularCorners {
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
                                  const SingularCorners& singular, const Grid& grid,
                                  const Lattice& lattice);
-
-/// Puts the vertices in use on one side of each seam into use on the other, and makes both one
-/// point with bitwise equal positions. Root vertices are welded already.
-void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lattice);
-
-/// Makes neighbours on the sides of leaves that are at the same place one singular point: poles
-/// that no line of the root grid goes through.
-void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice);
 
 /// Lines of constant u and v through vertices, those of even_lines(), which are lines of the grid.
 /// They are interrupted where the surface is.

@@ -112,10 +112,10 @@ class Cutter {
     Polygon& whole = runs_.front().polygon;
     const std::vector<std::uint32_t> points = singular_points(whole, lattice_);
     if (cuts_ + points.size() != 2) return;
+    const auto& point = lattice_.mesh().point;
+    if (cuts_ == 1 && point[creases_.front().corner] == points.back()) return;  // it only ends here
     if (cuts_ == 0) start_after(points[0], whole);
-    const auto is_there = [&](const PolygonCorner& c) {
-      return lattice_.mesh().point[c.corner] == points.back();
-    };
+    const auto is_there = [&](const PolygonCorner& c) { return point[c.corner] == points.back(); };
     const auto first = std::ranges::find_if(whole, is_there);
     const auto last = std::find_if(whole.rbegin(), whole.rend(), is_there).base() - 1;
     Run rest{{last, whole.end()}};

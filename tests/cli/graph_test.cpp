@@ -303,7 +303,8 @@ TEST_F(GraphCommand, DrawsHeightFieldsThatAreNearlyUpright) {
 }
 
 TEST_F(GraphCommand, WarnsOfAMeshThatIsNotAllowedToBeFineEnough) {
-  const Outcome run = small({"z=sin(1/u)", "--max-triangles", "2000", "--report", "-"});
+  const Outcome run =
+      saddle({"z=sin(1/u)", "-s", "64x48", "--max-triangles", "2000", "--report", "-"});
   EXPECT_TRUE(contains(run.err, "the limit of triangles stopped refinement, the mesh is off by"))
       << run.err;
 }
