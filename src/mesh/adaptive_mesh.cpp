@@ -8,6 +8,7 @@
 
 #include "mesh/certify.h"
 #include "mesh/clip.h"
+#include "mesh/corners.h"
 #include "mesh/crossings.h"
 #include "mesh/degenerate.h"
 #include "mesh/joins.h"
@@ -32,6 +33,8 @@ constexpr double kAllCovered = 1e-12;
 constexpr std::size_t kMaxBoxes = 50'000;
 /// A special function over a box takes as long as so many boxes of a usual formula.
 constexpr std::size_t kSpecialCost = 20;
+/// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
+constexpr double kOpposite = -0.9999;
 /// More lines than this each way cannot be numbered by a lattice.
 constexpr std::size_t kMaxLines = 60000;
 
@@ -219,7 +222,7 @@ class Mesher {
     follow_crossings(crossing_options(true), mesh_.leaves, lattice_);
   }
 
-  /// Lists where the sides of leaves are cut by jumps and poles.
+  /// Lists where the sides of leaves are cut by jumps and poles, and by cusps, which are singular.
   void list_cuts(MeshReport& report) const {
     if (!lattice_.has_crossings()) return;
     std::set<Side> seen;
@@ -227,14 +230,28 @@ class Mesher {
       if (!leaf.on_rim && !leaf.is_split) continue;
       for (const Side& side : sides_of(leaf, lattice_)) {
         const auto crossing = lattice_.crossing(side[0], side[1]);
-        const bool counts =
-            crossing && (crossing->kind == Cut::Jump || crossing->kind == Cut::Pole);
-        if (!counts || !seen.insert(side).second) continue;
-        const bool pole = crossing->kind == Cut::Pole;
-        auto& list = pole ? report.poles : report.jumps;
-        (pole ? report.pole_count : report.jump_count) += 1;
-        if (list.size() < kMaxListed) list.push_back(grid_.mesh.uv[crossing->beside_first]);
+        if (crossing && seen.insert(side).second) list_cut(*crossing, report);
       }
+    }
+  }
+
+  void list_cut(const Crossing& crossing, MeshReport& report) const {
+    const auto& n = grid_.mesh.normal;
+    const dvec2& uv = grid_.mesh.uv[crossing.beside_first];
+    switch (crossing.kind) {
+      case Cut::Rim:
+        return;
+      case Cut::Jump:
+        ++report.jump_count;
+        if (report.jumps.size() < kMaxListed) report.jumps.push_back(uv);
+        return;
+      case Cut::Pole:
+        ++report.pole_count;
+        if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
+        return;
+      case Cut::Crease:
+        if (glm::dot(n[crossing.beside_first], n[crossing.beside_second]) < kOpposite)
+          add_singular_point(uv, report);
     }
   }
 
