@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "base/error.h"
 #include "base/nearest.h"
@@ -166,10 +167,17 @@ std::vector<std::string> plain_arguments(const CLI::App& app) {
   return arguments;
 }
 
-/// `list` and `show` take no options: none would do anything.
-void check_no_options(const CLI::App& app, const std::string& verb) {
+/// A verb takes no options that would do nothing.
+void check_options(const CLI::App& app, const std::string& verb) {
+  // What a chart compares, and the look of its exact image, are not for options to choose.
+  const std::vector<std::string> of_graph_alone = {
+      "--reference", "--threshold", "--report", "--strict",  "--grid",       "--samples",
+      "--tolerance", "--front",     "--back",   "--verbose", "--background",
+  };
   for (const CLI::Option* option : app.get_options()) {
+    const auto names_option = [&](const std::string& name) { return option->check_name(name); };
     if (option->count() == 0) continue;
+    if (verb == "chart" && std::ranges::none_of(of_graph_alone, names_option)) continue;
     throw Error(Status::Input, "saddle " + verb + " takes no option " + option->get_name());
   }
 }
@@ -182,15 +190,19 @@ void check_no_outputs(const CommandLine& line) {
 }
 
 void take_verb(const CLI::App& app, const std::string& first, CommandLine& line) {
-  if (first == "check") {
+  using Command = CommandLine::Command;
+  static const std::map<std::string, Command> kVerbs = {{"check", Command::Check},
+                                                        {"chart", Command::Chart},
+                                                        {"list", Command::List},
+                                                        {"show", Command::Show}};
+  const auto verb = kVerbs.find(first);
+  if (verb == kVerbs.end()) return;
+  if (verb->second == Command::Check) {
     check_no_outputs(line);
-    line.command = CommandLine::Command::Check;
-  } else if (first == "list" || first == "show") {
-    check_no_options(app, first);
-    line.command = first == "list" ? CommandLine::Command::List : CommandLine::Command::Show;
   } else {
-    return;
+    check_options(app, first);
   }
+  line.command = verb->second;
   line.arguments.erase(line.arguments.begin());
 }
 

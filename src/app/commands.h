@@ -16,6 +16,10 @@ void run_graph(const CommandLine& line, Clock::time_point start);
 /// What is true of the surface, in words on standard output, and as a report. Throws Error.
 void run_check(const CommandLine& line, Clock::time_point start);
 
+/// Measures the methods on one surface and writes what each costs and how exact it is. Throws
+/// Error: Machine if a chart is to be drawn and gnuplot is missing.
+void run_chart(const CommandLine& line);
+
 /// Prints the names of the gallery, each with its description.
 void run_list(const CommandLine& line);
 

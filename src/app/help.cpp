@@ -10,6 +10,8 @@ std::string help_text() {
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
   saddle check FORMULAS or GALLERY-NAME [options]      what is true of the surface, no picture
+  saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
+                                                       this surface: .svg .png .csv
   saddle list                                          names of the built-in surfaces
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
 

@@ -21,6 +21,8 @@ void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
       return saddle::run_graph(line, start);
     case Command::Check:
       return saddle::run_check(line, start);
+    case Command::Chart:
+      return saddle::run_chart(line);
     case Command::List:
       return saddle::run_list(line);
     case Command::Show:

@@ -22,6 +22,7 @@ struct AdaptiveOptions {
   /// 0: none. They are among the mesh's edges.
   int lines_u = 16;
   int lines_v = 16;
+  bool certify = true;   ///< prove that nothing hides between samples, as far as that goes
   unsigned threads = 0;  ///< 0: all
 };
 

@@ -58,25 +58,6 @@ Ends range_values(Graph& graph, Scope& scope, const std::string& name, const Ran
   return result;
 }
 
-/// The formulas of a surface as nodes of u and v.
-struct Formulas {
-  Coordinates r;
-  Domain domain;
-};
-
-Formulas parse_formulas(Graph& graph, const Scene& scene, const SurfaceSpec& spec) {
-  if (spec.z.empty()) {
-    throw Error(Status::Input, "z has no formula", {},
-                "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
-  }
-  Scope scope(graph, surface_definitions(scene, spec));
-  const Ends u = range_values(graph, scope, "u", spec.u);
-  const Ends v = range_values(graph, scope, "v", spec.v);
-  const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
-  const std::vector<NodeId> bound = scope.bind(coordinates, scene.t);
-  return {{bound[0], bound[1], bound[2]}, {u.min, u.max, v.min, v.max}};
-}
-
 }  // namespace
 
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
@@ -87,23 +68,32 @@ std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpe
   return names;
 }
 
-PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Order order) {
-  const auto start = Clock::now();
-  Graph graph;
-  const auto [r, domain] = parse_formulas(graph, scene, spec);
-  const auto parsed = Clock::now();
-
-  PreparedSurface result;
-  const bool flip = spec.flip != runs_backwards(domain);
-  result.surface = make_surface(graph, r, domain, flip, order);
-  result.parse_ms = milliseconds(start, parsed);
-  result.compile_ms = milliseconds(parsed, Clock::now());
+BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
+  if (spec.z.empty()) {
+    throw Error(Status::Input, "z has no formula", {},
+                "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
+  }
+  BoundSurface result;
+  Scope scope(result.graph, surface_definitions(scene, spec));
+  const Ends u = range_values(result.graph, scope, "u", spec.u);
+  const Ends v = range_values(result.graph, scope, "v", spec.v);
+  const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
+  const std::vector<NodeId> bound = scope.bind(coordinates, scene.t);
+  result.r = {bound[0], bound[1], bound[2]};
+  result.domain = {u.min, u.max, v.min, v.max};
+  result.flip = spec.flip != runs_backwards(result.domain);
   return result;
 }
 
-void check_formulas(const Scene& scene, const SurfaceSpec& spec) {
-  Graph graph;
-  parse_formulas(graph, scene, spec);
+PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Order order) {
+  const auto start = Clock::now();
+  BoundSurface bound = bind_surface(scene, spec);
+  const auto parsed = Clock::now();
+  PreparedSurface result;
+  result.surface = make_surface(bound.graph, bound.r, bound.domain, bound.flip, order);
+  result.parse_ms = milliseconds(start, parsed);
+  result.compile_ms = milliseconds(parsed, Clock::now());
+  return result;
 }
 
 std::vector<Definition> constant_names(const Scene& scene) {

@@ -1,6 +1,7 @@
 // From the formulas of a scene to a surface that can be evaluated.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,20 +14,27 @@ namespace saddle {
 /// All that has a name in the formulas: the scene's definitions and the surface's own x, y and z.
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec);
 
+/// The formulas of a surface in u and v alone, and where they are drawn.
+struct BoundSurface {
+  Graph graph;
+  std::array<NodeId, 3> r = {};  ///< x, y, z
+  Domain domain;
+  bool flip = false;  ///< the front is where r_v x r_u points
+};
+
+/// Parses surface `spec` of `scene` at the scene's time. Throws Error (Input): anything wrong with
+/// a formula, a range that is empty, not finite or not constant, a surface without a z.
+BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec);
+
 struct PreparedSurface {
   Surface surface;
   double parse_ms = 0;    ///< text to graph
   double compile_ms = 0;  ///< derivatives and tapes
 };
 
-/// Parses and compiles surface `spec` of `scene` at the scene's time. Throws Error (Input):
-/// anything wrong with a formula, a range that is empty, not finite or not constant, a surface
-/// without a z.
+/// bind_surface() and make_surface().
 PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec,
                                 Order order = Order::First);
-
-/// Throws what prepare_surface() would about the formulas and ranges of `spec`, in less time.
-void check_formulas(const Scene& scene, const SurfaceSpec& spec);
 
 /// What constant expressions of the scene may use: its definitions, which may use x, y and z of its
 /// (last) surface.

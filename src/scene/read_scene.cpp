@@ -622,7 +622,7 @@ Scene read_tables(Reader& reader, const TomlValue& root) {
 void check_scene(const Reader& reader, const Scene& scene) {
   const Scene resolved = reader.in_place([&] { return resolve(scene); });
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    reader.in_place([&] { check_formulas(resolved, resolved.surfaces[i]); }, surface_prefix(i));
+    reader.in_place([&] { bind_surface(resolved, resolved.surfaces[i]); }, surface_prefix(i));
   }
 }
 

@@ -17,7 +17,7 @@ std::string write_scene(const Scene& scene);
 
 /// The scene that a scene file holds, checked as a whole: formulas, numbers, nodes. Throws Error
 /// (Input) with file, line and column: no TOML, an unknown key, a wrong type, or anything that
-/// resolve() and check_formulas() find.
+/// resolve() and bind_surface() find.
 Scene read_scene(const SourceText& source);
 
 /// read_scene() of a TOML file, or of the scene in a PNG. Throws Error (Input) also for a file that

@@ -15,12 +15,11 @@ namespace {
 void mesh_entry(benchmark::State& state, const GalleryEntry& entry) {
   const Scene scene = gallery_scene(entry);
   const Surface surface = prepare_surface(scene, scene.surfaces.front(), Order::Second).surface;
-  const CommandLine line;
   AdaptiveOptions options;
   options.tolerance = [&](const Probe& probe) {
-    return tolerance_of(line, scene, {.picture = true}, probe);
+    return tolerance_of(scene, {.picture = true}, probe);
   };
-  options.normal_tolerance = line.normal_tolerance;
+  options.normal_tolerance = scene.mesh.normal_tolerance;
   options.threads = 1;
   std::optional<GridMesh> mesh;
   for (auto _ : state) mesh = mesh_within_tolerance(surface, options);

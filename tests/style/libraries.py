@@ -4,9 +4,10 @@ import re
 
 import tree
 
-# What is included -> where it may be.
+# What is included -> where it may be. muparser is the language's grammar in the parser, and in the
+# study a method that others are compared with.
 HOMES = {
-    r"muParser\w*\.h": r"src/formula/parser\.cpp|tests/.*",
+    r"muParser\w*\.h": r"src/formula/parser\.cpp|src/study/muparser_method\.cpp|tests/.*",
     r"CLI/.*": r"src/app/cli\.cpp",
     r"GL/osmesa\.h": r"src/render/context_osmesa\.cpp",
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",

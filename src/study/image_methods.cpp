@@ -1,0 +1,106 @@
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/adaptive_mesh.h"
+#include "render/context.h"
+#include "render/picture_in_tiles.h"
+#include "study/exact_image.h"
+#include "study/methods.h"
+#include "study/number_text.h"
+
+namespace saddle {
+namespace {
+
+const std::array<double, 7> kTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125};
+constexpr double kUsual = 0.5;  // pixels
+const std::array<int, 4> kSamples = {1, 2, 3, 4};
+/// A method whose picture takes longer is not asked for a better one.
+constexpr double kPatience = 1500;  // milliseconds
+
+/// The scene as the exact image has it.
+Scene plain_scene(const Subject& subject) {
+  Scene scene;
+  scene.surfaces = {subject.spec};
+  scene.surfaces[0].front = kFrontMaterial;
+  scene.surfaces[0].back = kBackMaterial;
+  scene.camera = subject.scene.camera;
+  return scene;
+}
+
+class ImageStudy {
+ public:
+  explicit ImageStudy(const Subject& subject)
+      : subject_(subject),
+        scene_(plain_scene(subject)),
+        exact_(draw_exactly(subject)),
+        context_(make_osmesa_context()) {}
+
+  std::vector<Measurement> measure() {
+    compile_shaders();
+    for (const double pixels : kTolerances) {
+      if (!add("per pixel", number_text(pixels) + " px", pixels, subject_.antialias)) break;
+    }
+    for (const int n : kSamples) {
+      const std::string setting = std::to_string(n) + "x" + std::to_string(n);
+      if (!add("supersampling", setting, kUsual, n)) break;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// From the tapes to the picture; what a run does once, context and shaders, is there.
+  bool add(const char* method, const std::string& setting, double pixels, int antialias) {
+    Image image;
+    std::size_t triangles = 0;
+    const auto draw = [&] {
+      const std::optional<GridMesh> mesh = tessellate(pixels);
+      if (!mesh) return;
+      triangles = mesh->mesh.triangles.size();
+      renderer_.set_mesh(0, mesh->mesh);
+      image = draw_image(renderer_, scene_, subject_.camera,
+                         {subject_.width, subject_.height, antialias});
+    };
+    const Timing time = time_repeatedly(draw);
+    if (triangles == 0) return false;
+    result_.push_back(
+        {Panel::Image, method, setting, time, rms_error(image, exact_), "rms", {}, triangles});
+    return time.median < kPatience;
+  }
+
+  void compile_shaders() {
+    renderer_.set_mesh(0, mesh_on_grid(subject_.surface, {8, 8, 0, 0, 1}).mesh);
+    draw_image(renderer_, scene_, subject_.camera, {64, 48, 1});
+  }
+
+  std::optional<GridMesh> tessellate(double pixels) const {
+    AdaptiveOptions options;
+    const double length = pixels * subject_.pixel;
+    options.tolerance = [length](const Probe&) {
+      return [length](const dvec3&) { return length; };
+    };
+    options.normal_tolerance = subject_.normal_tolerance;
+    options.max_triangles = subject_.max_triangles;
+    options.clip = subject_.clip;
+    options.lines_u = 0;
+    options.lines_v = 0;
+    options.threads = subject_.threads;
+    return mesh_within_tolerance(subject_.surface, options);
+  }
+
+  const Subject& subject_;
+  Scene scene_;
+  ExactImage exact_;
+  std::unique_ptr<Context> context_;
+  Renderer renderer_;  // after the context that it lives in
+  std::vector<Measurement> result_;
+};
+
+}  // namespace
+
+std::vector<Measurement> measure_images(const Subject& subject) {
+  return ImageStudy(subject).measure();
+}
+
+}  // namespace saddle

@@ -1,0 +1,52 @@
+#include "study/measurement.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+namespace saddle {
+namespace {
+
+/// Repetitions stop when there are as many, and as much time has been spent, as the first pair
+/// says, or when one of the second is reached.
+constexpr std::size_t kEnough = 9;
+constexpr double kEnoughTime = 120;  // milliseconds
+constexpr std::size_t kMost = 101;
+constexpr double kMostTime = 1000;
+
+}  // namespace
+
+Timing time_repeatedly(const std::function<void()>& work) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> times;
+  double total = 0;
+  while (times.size() < kMost && total < kMostTime &&
+         (times.size() < kEnough || total < kEnoughTime)) {
+    const auto begin = Clock::now();
+    work();
+    times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    total += times.back();
+  }
+  if (times.size() > 2) times.erase(times.begin());  // the first finds caches and memory cold
+  std::ranges::sort(times);
+  const std::size_t last = times.size() - 1;
+  return {times[last / 2], times[last / 4], times[last - last / 4]};
+}
+
+const char* panel_name(Panel panel) {
+  static constexpr std::array kNames = {"evaluation", "normals", "mesh", "image"};
+  return kNames[static_cast<std::size_t>(panel)];
+}
+
+void mark_pareto(std::vector<Measurement>& measurements) {
+  for (Measurement& m : measurements) {
+    const auto beats = [&m](const Measurement& other) {
+      if (other.panel != m.panel || other.is_limit) return false;
+      const bool no_worse = other.time.median <= m.time.median && other.error <= m.error;
+      return no_worse && (other.time.median < m.time.median || other.error < m.error);
+    };
+    m.pareto = !m.is_limit && std::ranges::none_of(measurements, beats);
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,335 @@
+#include "study/mesh_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "study/triangle_tree.h"
+
+namespace saddle {
+namespace {
+
+/// The domain is cut into so many tiles each way; of each the true surface is looked at in a random
+/// point, and in that of kScan x kScan points at which its neighbours are farthest from straight.
+constexpr int kTiles = 64;
+constexpr int kScan = 12;
+/// Points on each edge of the domain.
+constexpr int kEdgePoints = 256;
+
+/// The worst points are moved to where they are worse: so many, in so many steps.
+constexpr std::size_t kClimbers = 32;
+constexpr int kClimbs = 14;
+
+/// Triangles of which points are taken: all, or the largest and some at random.
+constexpr std::size_t kLargest = 1024;
+constexpr std::size_t kAtRandom = 8192;
+
+/// Steps of descent from a point of the mesh to the surface; and how many of the farthest points
+/// try again from the nearest of the points that are known of the surface.
+constexpr int kDescents = 12;
+constexpr std::size_t kSecondTries = 256;
+constexpr int kSecondRounds = 16;
+/// Steps of their search, directions of a round, and what becomes of a step that helped or not.
+constexpr std::size_t kSearches = 60;
+constexpr std::size_t kWays = 8;
+constexpr double kLonger = 1.5;
+constexpr double kShorter = 0.6;
+
+constexpr std::size_t kChunk = 64;
+constexpr std::uint64_t kSeed = 0x5eed;
+
+bool is_inside(const std::optional<Bounds>& box, const dvec3& p) {
+  if (!box) return true;
+  for (int k = 0; k < 3; ++k) {
+    if (p[k] < box->low[k] || p[k] > box->high[k]) return false;
+  }
+  return true;
+}
+
+dvec2 at_share(const Domain& d, const dvec2& share) {
+  return {d.u0 + (d.u1 - d.u0) * share.x, d.v0 + (d.v1 - d.v0) * share.y};
+}
+
+dvec2 random_pair(std::size_t k) {
+  return {random_unit(kSeed + 2 * k), random_unit(kSeed + 2 * k + 1)};
+}
+
+/// Of the scanned points of each tile the one where the surface bends most, as parameters.
+void append_bends(const Subject& subject, std::vector<dvec2>& uv) {
+  constexpr int kSide = kTiles * kScan;
+  std::vector<dvec2> scan;
+  for (int j = 0; j < kSide; ++j) {
+    for (int i = 0; i < kSide; ++i) {
+      const dvec2 share = (dvec2(i, j) + random_pair(scan.size())) / static_cast<double>(kSide);
+      scan.push_back(at_share(subject.bound.domain, share));
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(subject.surface, scan, subject.threads);
+  const auto bend = [&](int i, int j, int di, int dj) {
+    const auto p = [&](int k) {
+      return points[static_cast<std::size_t>(j + k * dj) * kSide + i + k * di].position;
+    };
+    const double height = glm::length(p(-1) - 2.0 * p(0) + p(1));
+    return std::isfinite(height) ? height : 0.0;
+  };
+  for (int tile = 0; tile < kTiles * kTiles; ++tile) {
+    std::size_t worst = 0;
+    double most = -1;
+    for (int k = 0; k < kScan * kScan; ++k) {
+      const int i = std::clamp(tile % kTiles * kScan + k % kScan, 1, kSide - 2);
+      const int j = std::clamp(tile / kTiles * kScan + k / kScan, 1, kSide - 2);
+      const double height = std::max(bend(i, j, 1, 0), bend(i, j, 0, 1));
+      if (height <= most) continue;
+      most = height;
+      worst = static_cast<std::size_t>(j) * kSide + i;
+    }
+    uv.push_back(scan[worst]);
+  }
+}
+
+std::vector<dvec2> places(const Subject& subject) {
+  std::vector<dvec2> uv;
+  append_bends(subject, uv);
+  for (int tile = 0; tile < kTiles * kTiles; ++tile) {
+    const dvec2 share = (dvec2(tile % kTiles, tile / kTiles) + random_pair(uv.size())) /
+                        static_cast<double>(kTiles);
+    uv.push_back(at_share(subject.bound.domain, share));
+  }
+  for (int k = 0; k <= kEdgePoints; ++k) {
+    const double s = static_cast<double>(k) / kEdgePoints;
+    for (const dvec2& share : {dvec2(s, 0), dvec2(s, 1), dvec2(0, s), dvec2(1, s)}) {
+      uv.push_back(at_share(subject.bound.domain, share));
+    }
+  }
+  return uv;
+}
+
+/// The indices of the `count` largest, the largest first.
+std::vector<std::size_t> largest(const std::vector<double>& values, std::size_t count) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  count = std::min(count, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+  order.resize(count);
+  return order;
+}
+
+std::vector<double> distances(const TriangleTree& tree, const std::vector<dvec3>& points,
+                              unsigned threads) {
+  std::vector<double> result(points.size());
+  parallel_chunks(points.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      result[k] = is_finite(points[k]) ? tree.distance(points[k]) : 0;
+    }
+  });
+  return result;
+}
+
+dvec2 in_domain(const Domain& d, const dvec2& uv) {
+  const auto [u0, u1] = std::minmax(d.u0, d.u1);
+  const auto [v0, v1] = std::minmax(d.v0, d.v1);
+  return {std::clamp(uv.x, u0, u1), std::clamp(uv.y, v0, v1)};
+}
+
+/// A point of a mesh on its way down to the surface.
+struct Descent {
+  dvec3 from;
+  dvec2 uv;
+  SurfacePoint at;
+  double distance = std::numeric_limits<double>::infinity();
+  double damping =
+      1e-6;  ///< Levenberg's and Marquardt's, as a share of the normal equations' trace
+};
+
+/// Where the next step leads: the least squares of r(u, v) = from, within the domain.
+dvec2 step(const Descent& d, const Domain& domain) {
+  const dvec3 gap = d.from - d.at.position;
+  double a = glm::dot(d.at.r_u, d.at.r_u);
+  double b = glm::dot(d.at.r_u, d.at.r_v);
+  double c = glm::dot(d.at.r_v, d.at.r_v);
+  const dvec2 right(glm::dot(d.at.r_u, gap), glm::dot(d.at.r_v, gap));
+  a *= 1 + d.damping;
+  c *= 1 + d.damping;
+  const double determinant = a * c - b * b;
+  const dvec2 move = dvec2(c * right.x - b * right.y, a * right.y - b * right.x) / determinant;
+  return in_domain(domain, d.uv + move);
+}
+
+void descend(const Subject& subject, std::vector<Descent>& points) {
+  std::vector<dvec2> uv(points.size());
+  for (int round = 0; round <= kDescents; ++round) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      uv[k] = round == 0 ? points[k].uv : step(points[k], subject.bound.domain);
+      if (!std::isfinite(uv[k].x) || !std::isfinite(uv[k].y)) uv[k] = points[k].uv;
+    }
+    const std::vector<SurfacePoint> there = evaluate(subject.surface, uv, subject.threads);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      Descent& d = points[k];
+      const double distance = glm::distance(there[k].position, d.from);
+      if (distance < d.distance) {
+        d.uv = uv[k];
+        d.at = there[k];
+        d.distance = distance;
+        d.damping *= 0.1;
+      } else {
+        d.damping = std::max(10 * d.damping, 1e-3);
+      }
+    }
+  }
+}
+
+/// The same by trying directions at random: at a rim tangents may be infinite, and of no use.
+void search(const Subject& subject, std::vector<Descent>& points) {
+  const Domain& domain = subject.bound.domain;
+  const dvec2 size = glm::abs(dvec2(domain.u1 - domain.u0, domain.v1 - domain.v0));
+  std::vector<double> reach(points.size(), 1.0 / kTiles);
+  for (std::size_t round = 0; round < kSearches; ++round) {
+    std::vector<dvec2> tries;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const double turn = random_unit(kSeed + round * points.size() + k);
+      for (std::size_t way = 0; way < kWays; ++way) {
+        const double angle = 2 * std::numbers::pi * (static_cast<double>(way) + turn) / kWays;
+        const dvec2 step = reach[k] * size * dvec2(std::cos(angle), std::sin(angle));
+        tries.push_back(in_domain(domain, points[k].uv + step));
+      }
+    }
+    const std::vector<SurfacePoint> there = evaluate(subject.surface, tries, subject.threads);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      Descent& d = points[k];
+      const double before = d.distance;
+      for (std::size_t i = k * kWays; i < (k + 1) * kWays; ++i) {
+        const double distance = glm::distance(there[i].position, d.from);
+        if (!(distance < d.distance)) continue;
+        d.uv = tries[i];
+        d.distance = distance;
+      }
+      reach[k] *= d.distance < before ? kLonger : kShorter;
+    }
+  }
+}
+
+/// The middles of some triangles and of their edges.
+std::vector<Descent> mesh_points(const Mesh& mesh, const std::optional<Bounds>& clip) {
+  std::vector<std::size_t> chosen;
+  const std::size_t count = mesh.triangles.size();
+  if (count <= kLargest + kAtRandom) {
+    chosen.resize(count);
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  } else {
+    std::vector<double> sizes;
+    for (const Triangle& t : mesh.triangles) {
+      sizes.push_back(glm::distance(mesh.position[t[0]], mesh.position[t[1]]) +
+                      glm::distance(mesh.position[t[1]], mesh.position[t[2]]));
+    }
+    chosen = largest(sizes, kLargest);
+    for (std::size_t k = 0; k < kAtRandom; ++k) {
+      chosen.push_back(
+          static_cast<std::size_t>(random_unit(kSeed + k) * static_cast<double>(count)));
+    }
+  }
+  constexpr std::array<dvec3, 4> kWeights = {dvec3(1.0 / 3), dvec3(0.5, 0.5, 0), dvec3(0, 0.5, 0.5),
+                                             dvec3(0.5, 0, 0.5)};
+  std::vector<Descent> points;
+  for (const std::size_t k : chosen) {
+    const Triangle& t = mesh.triangles[k];
+    for (const dvec3& w : kWeights) {
+      Descent d;
+      d.from = w.x * mesh.position[t[0]] + w.y * mesh.position[t[1]] + w.z * mesh.position[t[2]];
+      d.uv = w.x * mesh.uv[t[0]] + w.y * mesh.uv[t[1]] + w.z * mesh.uv[t[2]];
+      if (is_inside(clip, d.from)) points.push_back(d);
+    }
+  }
+  return points;
+}
+
+/// A descent from the nearest of the known points of the surface, if that is nearer.
+Descent from_nearest(const Descent& d, const std::vector<dvec2>& uv,
+                     const std::vector<dvec3>& points) {
+  const auto from_it = [&](const dvec3& p) { return glm::distance(p, d.from); };
+  const auto nearest = std::ranges::min_element(points, {}, from_it);
+  if (nearest == points.end() || from_it(*nearest) > d.distance) return d;
+  Descent result;
+  result.from = d.from;
+  result.uv = uv[static_cast<std::size_t>(nearest - points.begin())];
+  return result;
+}
+
+}  // namespace
+
+MeshDistance::MeshDistance(const Subject& subject) : subject_(subject) {
+  const std::vector<dvec2> uv = places(subject);
+  const std::vector<TruePosition> truth = subject.truth.positions(uv, subject.threads);
+  for (std::size_t k = 0; k < uv.size(); ++k) {
+    if (!is_finite(truth[k].value) || !is_inside(subject.clip, truth[k].value)) continue;
+    uv_.push_back(uv[k]);
+    points_.push_back(truth[k].value);
+  }
+}
+
+double MeshDistance::operator()(const Mesh& mesh) const {
+  return std::max(from_surface(mesh), from_mesh(mesh));
+}
+
+double MeshDistance::from_surface(const Mesh& mesh) const {
+  const TriangleTree tree(mesh);
+  const std::vector<double> found = distances(tree, points_, subject_.threads);
+  const std::vector<std::size_t> worst = largest(found, kClimbers);
+  std::vector<dvec2> at;
+  std::vector<double> heights;
+  for (const std::size_t k : worst) {
+    at.push_back(uv_[k]);
+    heights.push_back(found[k]);
+  }
+  const Domain& d = subject_.bound.domain;
+  dvec2 reach = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)) / static_cast<double>(kTiles);
+  constexpr std::array<dvec2, 4> kAxes = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
+  for (int round = 0; round < kClimbs; ++round, reach *= 0.6) {
+    std::vector<dvec2> tries;
+    for (const dvec2& uv : at) {
+      for (const dvec2& axis : kAxes) {
+        tries.push_back(in_domain(d, uv + axis * reach));
+      }
+    }
+    std::vector<dvec3> positions;
+    for (const SurfacePoint& p : evaluate(subject_.surface, tries, subject_.threads)) {
+      const bool counts = is_finite(p.position) && is_inside(subject_.clip, p.position);
+      positions.push_back(counts ? p.position : dvec3(std::nan("")));
+    }
+    const std::vector<double> there = distances(tree, positions, subject_.threads);
+    for (std::size_t k = 0; k < there.size(); ++k) {
+      if (there[k] <= heights[k / kAxes.size()]) continue;
+      heights[k / kAxes.size()] = there[k];
+      at[k / kAxes.size()] = tries[k];
+    }
+  }
+  return heights.empty() ? 0 : std::ranges::max(heights);
+}
+
+double MeshDistance::from_mesh(const Mesh& mesh) const {
+  std::vector<Descent> points = mesh_points(mesh, subject_.clip);
+  descend(subject_, points);
+  std::vector<double> left;  // distances of points that have not been looked at twice
+  for (const Descent& d : points) left.push_back(d.distance);
+  double worst = 0;
+  for (int round = 0; round < kSecondRounds; ++round) {
+    std::vector<Descent> again;
+    for (const std::size_t k : largest(left, kSecondTries)) {
+      if (left[k] <= worst) break;
+      again.push_back(from_nearest(points[k], uv_, points_));
+      left[k] = 0;
+    }
+    if (again.empty()) break;
+    descend(subject_, again);
+    search(subject_, again);
+    for (const Descent& d : again) worst = std::max(worst, d.distance);
+  }
+  return left.empty() ? worst : std::max(worst, std::ranges::max(left));
+}
+
+}  // namespace saddle

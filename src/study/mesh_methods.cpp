@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/adaptive_mesh.h"
+#include "mesh/clip.h"
+#include "mesh/tidy.h"
+#include "study/mesh_distance.h"
+#include "study/methods.h"
+#include "study/number_text.h"
+
+namespace saddle {
+namespace {
+
+const std::array<int, 7> kGrids = {8, 16, 32, 64, 128, 256, 512};
+/// In pixels, from what everybody sees to what nobody does.
+const std::array<double, 9> kTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
+/// A method whose mesh takes longer is not asked for a finer one.
+constexpr double kPatience = 1500;  // milliseconds
+
+class MeshStudy {
+ public:
+  explicit MeshStudy(const Subject& subject) : subject_(subject), distance_(subject) {}
+
+  std::vector<Measurement> measure() {
+    for (const int n : kGrids) {
+      const std::string text = std::to_string(n) + "x" + std::to_string(n);
+      if (!add("uniform", text, {}, [&] { return uniform(n); })) break;
+    }
+    for (const bool certify : {false, true}) {
+      for (const double pixels : kTolerances) {
+        const char* const method = certify ? "adaptive certified" : "adaptive";
+        if (!add(method, number_text(pixels) + " px", pixels,
+                 [&] { return adaptive(pixels, certify); })) {
+          break;
+        }
+      }
+    }
+    add_limit();
+    return std::move(result_);
+  }
+
+ private:
+  /// False if the method has taken too long, or has no mesh.
+  template <class F>
+  bool add(const char* method, const std::string& setting, std::optional<double> promise, F make) {
+    std::optional<GridMesh> mesh;
+    Timing time;
+    try {
+      time = time_repeatedly([&] { mesh = make(); });
+    } catch (const Error& error) {
+      if (error.status() != Status::Nothing) throw;
+      return true;  // a coarse grid may miss all of the surface
+    }
+    if (!mesh) return false;
+    least_ = std::max(least_, promise ? mesh->report.least_triangles * *promise : 0);
+    const double error = distance_(mesh->mesh) / subject_.pixel;
+    result_.push_back(
+        {Panel::Mesh, method, setting, time, error, "px", promise, mesh->mesh.triangles.size()});
+    return time.median < kPatience;
+  }
+
+  std::optional<GridMesh> uniform(int n) const {
+    GridMesh mesh = mesh_on_grid(subject_.surface, {n, n, 0, 0, subject_.threads});
+    if (subject_.clip) {
+      clip_mesh(*subject_.clip, mesh.mesh);
+      keep_used_corners(mesh.mesh);
+    }
+    return mesh;
+  }
+
+  std::optional<GridMesh> adaptive(double pixels, bool certify) const {
+    AdaptiveOptions options;
+    const double length = pixels * subject_.pixel;
+    options.tolerance = [length](const Probe&) {
+      return [length](const dvec3&) { return length; };
+    };
+    options.max_triangles = subject_.max_triangles;
+    options.clip = subject_.clip;
+    options.lines_u = 0;
+    options.lines_v = 0;
+    options.certify = certify;
+    options.threads = subject_.threads;
+    return mesh_within_tolerance(subject_.surface, options);
+  }
+
+  /// What a mesher would take that made the least number of triangles, each at the least cost of
+  /// those measured.
+  void add_limit() {
+    if (!(least_ > 0)) return;
+    double cheapest = HUGE_VAL;  // milliseconds for a triangle
+    for (const Measurement& m : result_) {
+      if (m.triangles == 0) continue;
+      cheapest = std::min(cheapest, m.time.median / static_cast<double>(m.triangles));
+    }
+    for (const double pixels : kTolerances) {
+      const double triangles = least_ / pixels;
+      const double time = cheapest * triangles;
+      result_.push_back({Panel::Mesh,
+                         "least triangles",
+                         number_text(pixels) + " px",
+                         {time, time, time},
+                         pixels,
+                         "px",
+                         {},
+                         static_cast<std::size_t>(std::ceil(triangles)),
+                         true});
+    }
+  }
+
+  const Subject& subject_;
+  MeshDistance distance_;
+  double least_ = 0;  ///< triangles at a tolerance of one pixel, at least
+  std::vector<Measurement> result_;
+};
+
+}  // namespace
+
+std::vector<Measurement> measure_meshes(const Subject& subject) {
+  return MeshStudy(subject).measure();
+}
+
+}  // namespace saddle

@@ -1,0 +1,115 @@
+#include "study/triangle_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace saddle {
+namespace {
+
+constexpr std::uint32_t kLeafSize = 4;
+
+double square(const dvec3& a) {
+  return glm::dot(a, a);
+}
+
+/// The square of the distance of a triangle's nearest point, by the region that `p` is over.
+double square_distance(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c) {
+  const dvec3 ab = b - a;
+  const dvec3 ac = c - a;
+  const double d1 = glm::dot(ab, p - a);
+  const double d2 = glm::dot(ac, p - a);
+  if (d1 <= 0 && d2 <= 0) return square(p - a);
+  const double d3 = glm::dot(ab, p - b);
+  const double d4 = glm::dot(ac, p - b);
+  if (d3 >= 0 && d4 <= d3) return square(p - b);
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return square(p - (a + d1 / (d1 - d3) * ab));
+  const double d5 = glm::dot(ab, p - c);
+  const double d6 = glm::dot(ac, p - c);
+  if (d6 >= 0 && d5 <= d6) return square(p - c);
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return square(p - (a + d2 / (d2 - d6) * ac));
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) {
+    return square(p - (b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)));
+  }
+  const double sum = va + vb + vc;
+  return square(p - (a + vb / sum * ab + vc / sum * ac));
+}
+
+double square_distance(const dvec3& p, const Bounds& box) {
+  return square(glm::max(glm::max(box.low - p, p - box.high), dvec3(0)));
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(const Mesh& mesh) : mesh_(mesh), order_(mesh.triangles.size()) {
+  std::iota(order_.begin(), order_.end(), 0U);
+  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+}
+
+void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
+  const auto middle_of = [this](std::uint32_t triangle) {
+    const Triangle& t = mesh_.triangles[triangle];
+    return mesh_.position[t[0]] + mesh_.position[t[1]] + mesh_.position[t[2]];
+  };
+  const std::size_t self = nodes_.size();
+  nodes_.emplace_back();
+  Bounds middles;
+  for (std::uint32_t k = first; k < last; ++k) {
+    for (const std::uint32_t corner : mesh_.triangles[order_[k]]) {
+      nodes_[self].box.add(mesh_.position[corner]);
+    }
+    middles.add(middle_of(order_[k]));
+  }
+  if (last - first <= kLeafSize) {
+    nodes_[self].first = first;
+    nodes_[self].count = last - first;
+    return;
+  }
+  const dvec3 size = middles.size();
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::uint32_t half = first + (last - first) / 2;
+  std::nth_element(
+      order_.begin() + first, order_.begin() + half, order_.begin() + last,
+      [&](std::uint32_t s, std::uint32_t t) { return middle_of(s)[axis] < middle_of(t)[axis]; });
+  build(first, half);
+  nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
+  build(half, last);
+}
+
+double TriangleTree::distance(const dvec3& p) const {
+  double best = std::numeric_limits<double>::infinity();
+  if (nodes_.empty()) return best;
+  struct Visit {
+    std::size_t node;
+    double from;  // square of the distance of its box
+  };
+  std::array<Visit, 64> stack{};  // halves of halves: as deep as the logarithm of the count
+  std::size_t depth = 0;
+  stack[depth++] = {0, square_distance(p, nodes_[0].box)};
+  while (depth > 0) {
+    const Visit visit = stack[--depth];
+    if (visit.from >= best) continue;
+    const Node& node = nodes_[visit.node];
+    if (node.count > 0) {
+      for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+        const Triangle& t = mesh_.triangles[order_[k]];
+        best = std::min(best, square_distance(p, mesh_.position[t[0]], mesh_.position[t[1]],
+                                              mesh_.position[t[2]]));
+      }
+      continue;
+    }
+    Visit near = {visit.node + 1, square_distance(p, nodes_[visit.node + 1].box)};
+    Visit far = {node.first, square_distance(p, nodes_[node.first].box)};
+    if (far.from < near.from) std::swap(near, far);
+    stack[depth++] = far;
+    stack[depth++] = near;
+  }
+  return std::sqrt(best);
+}
+
+}  // namespace saddle

@@ -1,0 +1,34 @@
+// The distance of points from many triangles: a tree of boxes. On purpose no part of what meshes
+// measure themselves with.
+// Source: C. Ericson, "Real-time collision detection", 2005, 5.1.5 and chapter 6.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace saddle {
+
+class TriangleTree {
+ public:
+  explicit TriangleTree(const Mesh& mesh);
+
+  /// The distance of the nearest triangle; infinite if there is none.
+  double distance(const dvec3& p) const;
+
+ private:
+  struct Node {
+    Bounds box;
+    std::uint32_t first =
+        0;  ///< leaf: of its triangles; else: its second child (the first follows)
+    std::uint32_t count = 0;  ///< leaf: triangles; else 0
+  };
+  void build(std::uint32_t first, std::uint32_t last);
+
+  const Mesh& mesh_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace saddle

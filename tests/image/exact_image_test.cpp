@@ -1,0 +1,95 @@
+// The exact image against geometry, and pictures against it.
+#include "study/exact_image.h"
+
+#include <gtest/gtest.h>
+
+#include "image/lighting_reference.h"
+#include "mesh/grid_mesh.h"
+#include "render/picture_in_tiles.h"
+#include "study_subject.h"
+
+namespace saddle {
+namespace {
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+
+Scene sphere() {
+  Scene scene =
+      scene_of("cos(u)*cos(v)", "sin(u)*cos(v)", "sin(v)", {"0", "2*pi"}, {"-pi/2", "pi/2"});
+  scene.camera.view = dvec3(0, 0, 1);
+  scene.camera.up = dvec3(0, 1, 0);
+  scene.camera.target = dvec3(0);
+  scene.camera.distance = 5;
+  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  return scene;
+}
+
+ExactImage exact_image(const Scene& scene) {
+  Subject subject(scene, scene.surfaces[0]);
+  subject.width = kWidth;
+  subject.height = kHeight;
+  const Bounds bounds{dvec3(-1), dvec3(1)};
+  subject.camera = fit_camera(scene.camera, bounds, static_cast<double>(kWidth) / kHeight);
+  return draw_exactly(subject);
+}
+
+TEST(ExactImage, OfASphereIsThatOfTheRaysThatMeetIt) {
+  const Scene scene = sphere();
+  const ExactImage image = exact_image(scene);
+  int compared = 0;
+  for (int y = 5; y < kHeight; y += 6) {
+    for (int x = 5; x < kWidth; x += 6) {
+      const Sight sight = sight_through(scene.camera, kWidth, kHeight, x, y);
+      const dvec3 centre(0, 0, -5);
+      const dvec3 p = meet_sphere(sight, centre, 1, false);
+      const dvec3 color = image.color[static_cast<std::size_t>(y) * kWidth + x];
+      if (!is_finite(p)) continue;
+      if (glm::dot(p - centre, -sight.along) < 0.6) continue;
+      const dvec3 expected =
+          lit_color({p, p - centre, -sight.along}, kFrontMaterial, default_lights());
+      // A pixel is 1/50 of the radius: its mean is off its middle by a curvature's worth of that.
+      EXPECT_LT(glm::distance(color, expected), 2e-3) << x << " " << y;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50);
+}
+
+TEST(ExactImage, IsTheSameForEveryParametrisation) {
+  Scene by_angles = sphere();
+  by_angles.surfaces[0].v = {"0", "pi/2"};
+  Scene by_height = sphere();
+  by_height.surfaces[0].x = "u";
+  by_height.surfaces[0].y = "v";
+  by_height.surfaces[0].z = "sqrt(1-u^2-v^2)";  // with a rim
+  by_height.surfaces[0].u = by_height.surfaces[0].v = {};
+  by_angles.camera.view = by_height.camera.view = dvec3(2, -3, 1.5);
+  const ExactImage a = exact_image(by_angles);
+  const ExactImage b = exact_image(by_height);
+  double largest = 0;
+  for (std::size_t k = 0; k < a.color.size(); ++k) {
+    largest = std::max(largest, glm::distance(a.color[k], b.color[k]));
+  }
+  // At the silhouette a sample or two of 64 may fall to the other side.
+  EXPECT_LT(largest, 0.08);
+  EXPECT_GT(glm::length(a.color[a.color.size() / 2 + kWidth / 2]), 0.1);
+}
+
+TEST(ExactImage, IsWhatFinerPicturesComeNearerTo) {
+  const Scene scene = sphere();
+  const ExactImage exact = exact_image(scene);
+  const Surface surface = prepare_surface(scene, scene.surfaces[0]).surface;
+  const auto error_of = [&](int cells, int antialias) {
+    const Mesh mesh = mesh_on_grid(surface, {cells, cells, 0, 0, 0}).mesh;
+    return rms_error(render(scene, std::span(&mesh, 1), {kWidth, kHeight, antialias}).image, exact);
+  };
+  const double fine = error_of(200, 4);
+  // Half a level of rounding in most pixels is 1.1e-3; the edges add as much.
+  EXPECT_LT(fine, 3e-3);
+  EXPECT_GT(error_of(200, 1), 1.5 * fine);
+  EXPECT_GT(error_of(16, 4), 4 * fine);
+}
+
+}  // namespace
+}  // namespace saddle

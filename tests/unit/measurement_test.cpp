@@ -1,0 +1,68 @@
+#include "study/measurement.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "study/chart.h"
+
+namespace saddle {
+namespace {
+
+Measurement point(double milliseconds, double error, Panel panel = Panel::Mesh) {
+  Measurement m;
+  m.panel = panel;
+  m.method = "m";
+  m.setting = "s";
+  m.time = {milliseconds, milliseconds, milliseconds};
+  m.error = error;
+  m.unit = "px";
+  return m;
+}
+
+std::vector<bool> fronts(std::vector<Measurement> measurements) {
+  mark_pareto(measurements);
+  std::vector<bool> result;
+  for (const Measurement& m : measurements) result.push_back(m.pareto);
+  return result;
+}
+
+TEST(ParetoFront, IsWhatNothingBeatsInBothTimeAndError) {
+  EXPECT_EQ(fronts({point(1, 9), point(2, 9), point(3, 4), point(4, 5), point(9, 1)}),
+            (std::vector{true, false, true, false, true}));
+}
+
+TEST(ParetoFront, HoldsEqualsAndLooksAtEachPanelAlone) {
+  EXPECT_EQ(fronts({point(1, 1), point(1, 1), point(2, 2, Panel::Image)}),
+            (std::vector{true, true, true}));
+}
+
+TEST(ParetoFront, LeavesLimitsOutAndIsNotBeatenByThem) {
+  std::vector<Measurement> points = {point(1, 1), point(0.1, 0.1)};
+  points[1].is_limit = true;
+  EXPECT_EQ(fronts(points), (std::vector{true, false}));
+}
+
+TEST(ChartTable, HasARowForEachMeasurement) {
+  std::vector<Measurement> rows = {point(1.5, 0.25), point(2, 3, Panel::Normals)};
+  rows[0].promise = 0.5;
+  rows[0].triangles = 12;
+  rows[0].pareto = true;
+  std::ostringstream out;
+  write_csv(out, rows);
+  EXPECT_EQ(out.str(),
+            "panel,method,setting,milliseconds,error,unit,promise,triangles,pareto\n"
+            "mesh,m,s,1.5,0.25,px,0.5,12,1\n"
+            "normals,m,s,2,3,px,,,0\n");
+}
+
+TEST(RepeatedTiming, IsAMedianBetweenItsQuartiles) {
+  int runs = 0;
+  const Timing time = time_repeatedly([&runs] { ++runs; });
+  EXPECT_GE(runs, 9);
+  EXPECT_LE(time.low, time.median);
+  EXPECT_LE(time.median, time.high);
+}
+
+}  // namespace
+}  // namespace saddle
