@@ -8,8 +8,10 @@
 
 #include "mesh/certify.h"
 #include "mesh/clip.h"
+#include "mesh/corners.h"
+#include "mesh/crossings.h"
 #include "mesh/degenerate.h"
-#include "mesh/jumps.h"
+#include "mesh/joins.h"
 #include "mesh/leaf_mesh.h"
 #include "mesh/measure.h"
 #include "mesh/refine.h"
@@ -31,6 +33,8 @@ constexpr double kAllCovered = 1e-12;
 constexpr std::size_t kMaxBoxes = 50'000;
 /// A special function over a box takes as long as so many boxes of a usual formula.
 constexpr std::size_t kSpecialCost = 20;
+/// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
+constexpr double kOpposite = -0.9999;
 /// More lines than this each way cannot be numbered by a lattice.
 constexpr std::size_t kMaxLines = 60000;
 
@@ -149,6 +153,7 @@ class Mesher {
     std::size_t boxes = boxes_for(surface_.bounds);  // left for proofs
     for (int round = 0; round < kRounds; ++round) {
       std::vector<Leaf> failed = take_failed();
+      if (failed.empty() && measure_singular()) failed = take_failed();
       if (failed.empty() && options_.certify) failed = take_suspects(boxes);
       if (failed.empty()) break;
       add(failed);
@@ -159,15 +164,18 @@ class Mesher {
   /// The mesh; nothing if none of its triangles has any area.
   std::optional<GridMesh> take(GridMesh result) {
     MeshReport& report = result.report;
-    cut_breaks(report);
+    cut_poles();
+    list_cuts(report);
     const auto& leaves = mesh_.leaves;
     const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
-    LeafTriangles triangles = triangulate_leaves(leaves, singular, grid_, lattice_);
-    verifier_.measure(mesh_, singular.leaves(), triangles);
+    measure(singular.leaves(), singular);
+    LeafTriangles triangles =
+        triangulate_leaves(leaves, numbers(0, leaves.size()), singular, grid_, lattice_);
     for (std::size_t k = 0; k < leaves.size(); ++k) {
-      if (leaves[k].is_cut || is_clipped(leaves[k])) continue;
+      if (triangles.of(k).empty() || is_clipped(leaves[k])) continue;
       const double known = leaves[k].known_error * tolerance_of(leaves[k]);
       report.max_error = std::max({report.max_error, mesh_.deviations[k].distance, known});
+      if (diameter(leaves[k]) <= kVisible * tolerance_of(leaves[k])) continue;
       report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
     }
     if (triangles.all.empty()) return std::nullopt;
@@ -180,12 +188,8 @@ class Mesher {
     report.closed_v = seams_.v.name();
     report.evaluations += grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
     grid_.mesh.triangles = std::move(triangles.all);
-    grid_.mesh.lines = leaf_lines(grid_, lattice_, leaves, options_.lines_u, options_.lines_v);
+    grid_.mesh.lines = leaf_lines(grid_, lattice_, options_.lines_u, options_.lines_v);
     if (options_.clip) clip_mesh(*options_.clip, grid_.mesh);
-    for (const dvec2& uv : lattice_.poles_on_rims()) {
-      ++report.pole_count;
-      if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
-    }
     keep_used_corners(grid_.mesh);
     result.mesh = std::move(grid_.mesh);
     return result;
@@ -198,41 +202,57 @@ class Mesher {
     return weld(grid_);
   }
 
-  /// Leaves out the leaves with a side across which the surface jumps or goes to infinity: they
-  /// would be walls. Looked at are the sides of leaves that halving did not help.
-  void cut_breaks(MeshReport& report) {
+  CrossingOptions crossing_options(bool poles) const {
+    return {refining_.tolerance, poles, options_.threads};
+  }
+
+  /// Looks for poles on the sides of leaves that halving did not help: they would be walls.
+  void cut_poles() {
+    if (reached_limit_) return;
     std::set<Side> suspects;
-    double delta = std::numeric_limits<double>::infinity();
     for (const Leaf& leaf : mesh_.leaves) {
       if (!leaf.given_up || leaf.on_rim || !(leaf.known_error > 1)) continue;
-      delta = std::min(delta, tolerance_of(leaf));
-      const std::vector<Side> sides = sides_of(leaf, lattice_);
-      suspects.insert(sides.begin(), sides.end());
+      for (const Side& side : sides_of(leaf, lattice_)) {
+        if (!lattice_.crossing(side[0], side[1])) suspects.insert(side);
+      }
     }
-    if (suspects.empty() || reached_limit_) return;
-    const std::set<Side> broken = find_broken({suspects.begin(), suspects.end()}, delta, report);
-    if (broken.empty()) return;
-    for (Leaf& leaf : mesh_.leaves) {
-      leaf.is_cut = std::ranges::any_of(sides_of(leaf, lattice_),
-                                        [&](const Side& side) { return broken.contains(side); });
+    if (suspects.empty()) return;
+    const std::vector<Side> sides(suspects.begin(), suspects.end());
+    find_crossings(sides, crossing_options(true), lattice_);
+    follow_crossings(crossing_options(true), mesh_.leaves, lattice_);
+  }
+
+  /// Lists where the sides of leaves are cut by jumps and poles, and by cusps, which are singular.
+  void list_cuts(MeshReport& report) const {
+    if (!lattice_.has_crossings()) return;
+    std::set<Side> seen;
+    for (const Leaf& leaf : mesh_.leaves) {
+      if (!leaf.on_rim && !leaf.is_split) continue;
+      for (const Side& side : sides_of(leaf, lattice_)) {
+        const auto crossing = lattice_.crossing(side[0], side[1]);
+        if (crossing && seen.insert(side).second) list_cut(*crossing, report);
+      }
     }
   }
 
-  std::set<Side> find_broken(const std::vector<Side>& sides, double delta, MeshReport& report) {
-    std::vector<std::array<dvec2, 2>> lines;
-    lines.reserve(sides.size());
-    for (const auto& [a, b] : sides) lines.push_back({grid_.mesh.uv[a], grid_.mesh.uv[b]});
-    const std::vector<Found> found = find_breaks(surface_, lines, delta, options_.threads);
-    std::set<Side> broken;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (found[k].kind == Break::None) continue;
-      broken.insert(sides[k]);
-      const bool pole = found[k].kind == Break::Pole;
-      auto& list = pole ? report.poles : report.jumps;
-      (pole ? report.pole_count : report.jump_count) += 1;
-      if (list.size() < kMaxListed) list.push_back(found[k].uv);
+  void list_cut(const Crossing& crossing, MeshReport& report) const {
+    const auto& n = grid_.mesh.normal;
+    const dvec2& uv = grid_.mesh.uv[crossing.beside_first];
+    switch (crossing.kind) {
+      case Cut::Rim:
+        return;
+      case Cut::Jump:
+        ++report.jump_count;
+        if (report.jumps.size() < kMaxListed) report.jumps.push_back(uv);
+        return;
+      case Cut::Pole:
+        ++report.pole_count;
+        if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
+        return;
+      case Cut::Crease:
+        if (glm::dot(n[crossing.beside_first], n[crossing.beside_second]) < kOpposite)
+          add_singular_point(uv, report);
     }
-    return broken;
   }
 
   /// The share of the domain that no leaf covers, and of leaves on the rim what their triangles
@@ -296,11 +316,44 @@ class Mesher {
     reached_limit_ = reached_limit_ || refinement.reached_limit;
     auto& leaves = mesh_.leaves;
     leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
-    mirror_seams(seams_, options_.threads, grid_, lattice_);
-    join_poles(leaves, grid_, lattice_);
-    fit_rims(leaves, options_.threads, lattice_);
-    draft_ = triangulate_leaves(leaves, SingularCorners(), grid_, lattice_);
-    verifier_.measure(mesh_, numbers(mesh_.deviations.size(), leaves.size()), draft_);
+    Points points(grid_.mesh);
+    mirror_seams(seams_, options_.threads, grid_, lattice_, points);
+    points.settle();
+    std::vector<std::size_t> changed = follow_crossings(crossing_options(false), leaves, lattice_);
+    if (lattice_.has_crossings() && (seams_.u.closed || seams_.v.closed)) {
+      mirror_crossings(seams_, crossing_options(false), grid_, lattice_);
+      const auto more = follow_crossings(crossing_options(false), leaves, lattice_);
+      changed.insert(changed.end(), more.begin(), more.end());
+      join_crossings(seams_, grid_, lattice_, points);
+    }
+    join_poles(std::span(leaves).subspan(mesh_.deviations.size()), grid_, lattice_, points);
+    points.settle();
+    std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.deviations.size(); });
+    const std::vector<std::size_t> fresh = numbers(mesh_.deviations.size(), leaves.size());
+    changed.insert(changed.end(), fresh.begin(), fresh.end());
+    measure(changed, SingularCorners());
+  }
+
+  void measure(std::span<const std::size_t> which, const SingularCorners& singular) {
+    verifier_.measure(mesh_, which,
+                      triangulate_leaves(mesh_.leaves, which, singular, grid_, lattice_));
+  }
+
+  /// Measures the leaves with singular corners with the limits of their normals, which are not kept
+  /// until no leaf changes any more. False if there are none.
+  bool measure_singular() {
+    if (!lattice_.has_singular()) return false;
+    Mesh& mesh = grid_.mesh;
+    const std::size_t count = mesh.position.size();
+    MeshReport unused;
+    const SingularCorners singular(surface_, mesh_.leaves, lattice_, options_.threads, grid_,
+                                   unused);
+    measure(singular.leaves(), singular);
+    mesh.position.resize(count);
+    mesh.normal.resize(count);
+    mesh.uv.resize(count);
+    mesh.point.resize(count);
+    return true;
   }
 
   /// Takes leaves out for which `parts` has something in their place.
@@ -343,12 +396,18 @@ class Mesher {
         certify(surface_, grid_, lattice_, mesh_.leaves, refining_.tolerance, boxes);
     certified_ = proof.complete && proof.suspects.empty();
     std::vector<dvec2> middles;
-    for (const Suspect& suspect : proof.suspects) middles.push_back(suspect.middle);
+    std::vector<std::size_t> suspected;
+    for (const Suspect& suspect : proof.suspects) {
+      middles.push_back(suspect.middle);
+      suspected.push_back(suspect.leaf);
+    }
+    const LeafTriangles triangles =
+        triangulate_leaves(mesh_.leaves, suspected, SingularCorners(), grid_, lattice_);
     const std::vector<SurfacePoint> points = evaluate(surface_, middles, options_.threads);
     std::map<std::size_t, std::vector<Suspect>> guilty;  // by leaf
     for (std::size_t k = 0; k < points.size(); ++k) {
       const std::size_t leaf = proof.suspects[k].leaf;
-      const Deviation d = deviation(grid_, draft_.of(leaf), points[k], surface_.flip);
+      const Deviation d = deviation(grid_, triangles.of(k), middles[k], points[k], surface_.flip);
       Deviation& worst = mesh_.deviations[leaf];
       worst.distance = std::max(worst.distance, d.distance);
       if (is_clipped(mesh_.leaves[leaf])) continue;
@@ -371,7 +430,6 @@ class Mesher {
   Lattice lattice_;
   Verifier verifier_;
   Measured mesh_;
-  LeafTriangles draft_;  // without the corners of singular vertices
   bool reached_limit_ = false;
   bool certified_ = false;
 };

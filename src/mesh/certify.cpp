@@ -136,8 +136,8 @@ class Certifier {
 
   void prove_leaf(std::size_t index) {
     const Leaf& leaf = leaves_[index];
-    if (leaf.on_rim) {
-      result_.complete = false;  // nothing is proved about rims
+    if (leaf.on_rim || leaf.is_split) {
+      result_.complete = false;  // nothing is proved about rims, jumps and creases
       return;
     }
     const dvec2 size = size_of(leaf);

@@ -18,12 +18,10 @@ namespace {
 /// and the mean is off by its square.
 constexpr double kNear = 1e-6;
 constexpr double kAgree = 1e-4;
-/// A surface that goes so many times the extent of its samples away on its way to the rim has a
-/// pole there, and no rim.
-constexpr double kPole = 3;
-/// Bisections of a side that the rim crosses: a side is at most 2^10 times as long as its distance
-/// from 0, so that doubles between its ends run out.
-constexpr int kHalvings = 62;
+
+/// A place between two vertices that is this near to one of them, beside their distance, counts as
+/// the same: what lies between is a sliver made of rounding.
+constexpr double kBeside = 1e-9;
 
 std::uint64_t key_of(LatticePlace place) {
   return (std::uint64_t{place.u} << 32U) | place.v;
@@ -191,65 +189,63 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
   }
 }
 
-std::uint32_t Lattice::rim(std::uint32_t a, std::uint32_t b) const {
-  return rims_.at(rim_key(a, b));
+std::optional<Crossing> Lattice::crossing(std::uint32_t a, std::uint32_t b) const {
+  if (!has_crossings_) return std::nullopt;
+  const auto found = sides_.find(key(a, b));
+  return found == sides_.end() ? std::nullopt : found->second;
 }
 
-void Lattice::fit_rims(std::span<const std::array<std::uint32_t, 2>> pairs, unsigned threads) {
-  std::vector<dvec2> inside;   // the last that is known to be defined
-  std::vector<dvec2> outside;  // the first that is known not to be
-  for (const auto& [a, b] : pairs) {
-    inside.push_back(grid_.mesh.uv[is_defined(a) ? a : b]);
-    outside.push_back(grid_.mesh.uv[is_defined(a) ? b : a]);
+void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing) {
+  has_crossings_ = has_crossings_ || crossing;
+  sides_[key(a, b)] = crossing;
+}
+
+std::vector<std::array<std::uint32_t, 2>> Lattice::crossed_sides() const {
+  std::vector<std::array<std::uint32_t, 2>> result;
+  for (const auto& [key, crossing] : sides_) {
+    if (crossing)
+      result.push_back({static_cast<std::uint32_t>(key >> 32U), static_cast<std::uint32_t>(key)});
   }
-  std::vector<dvec2> middles(pairs.size());
-  for (int halving = 0; halving < kHalvings; ++halving) {
-    for (std::size_t k = 0; k < pairs.size(); ++k) middles[k] = 0.5 * inside[k] + 0.5 * outside[k];
-    const std::vector<SurfacePoint> points = saddle::evaluate(surface_, middles, threads);
-    evaluations_ += points.size();
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      (is_finite(points[k].position) ? inside : outside)[k] = middles[k];
-    }
-  }
+  std::ranges::sort(result);
+  return result;
+}
+
+std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned threads) {
+  const auto first = static_cast<std::uint32_t>(used_.size());
   std::vector<double> u;
   std::vector<double> v;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto number = static_cast<std::uint32_t>(used_.size());
-    const auto [a, b] = pairs[k];
-    const dvec2 from = grid_.mesh.uv[a];
-    const dvec2 whole = grid_.mesh.uv[b] - from;
-    const dvec2 part = inside[k] - from;
-    const double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
-    rims_[rim_key(a, b)] = number;
-    rim_places_[number] = glm::mix(place_between(a), place_between(b), share);
+  for (const Between& between : places) {
+    const dvec2 from = grid_.mesh.uv[between.a];
+    const dvec2 whole = grid_.mesh.uv[between.b] - from;
+    const dvec2 part = between.uv - from;
+    double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
+    if (share < kBeside || share > 1 - kBeside) share = std::round(share);
+    places_between_[static_cast<std::uint32_t>(used_.size())] =
+        glm::mix(place_between(between.a), place_between(between.b), share);
     places_.push_back({});
     used_.push_back(0);
     regular_.push_back(1);
     defined_.push_back(1);
-    u.push_back(inside[k].x);
-    v.push_back(inside[k].y);
+    u.push_back(between.uv.x);
+    v.push_back(between.uv.y);
   }
   append(u, v, threads);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto [a, b] = pairs[k];
-    const std::uint32_t rim = rims_.at(rim_key(a, b));
-    const dvec3 off = grid_.mesh.position[rim] - grid_.mesh.position[is_defined(a) ? a : b];
-    if (!(glm::length(off) <= kPole * grid_.mesh.bounds.diagonal())) defined_[rim] = 0;
-  }
   evaluated_ = used_.size();
+  return first;
 }
 
-std::vector<dvec2> Lattice::poles_on_rims() const {
-  std::vector<dvec2> poles;
-  for (auto vertex = static_cast<std::uint32_t>(grid_.vertex_count()); vertex < size(); ++vertex) {
-    if (is_on_rim(vertex) && !is_defined(vertex)) poles.push_back(grid_.mesh.uv[vertex]);
-  }
-  return poles;
+void Lattice::join(std::uint32_t from, std::uint32_t to) {
+  grid_.mesh.position[to] = grid_.mesh.position[from];
+  grid_.mesh.point[to] = grid_.mesh.point[from];
+}
+
+void Lattice::share_place(std::uint32_t from, std::uint32_t to) {
+  places_between_.at(to) = place_between(from);
 }
 
 dvec2 Lattice::place_between(std::uint32_t vertex) const {
-  const auto found = rim_places_.find(vertex);
-  if (found != rim_places_.end()) return found->second;
+  const auto found = places_between_.find(vertex);
+  if (found != places_between_.end()) return found->second;
   const LatticePlace p = place(vertex);
   return {p.u, p.v};
 }
@@ -264,14 +260,11 @@ void Lattice::join_pole(std::uint32_t vertex) {
       on_u ? LatticePlace{a.u, a.v + kCellUnit} : LatticePlace{a.u + kCellUnit, a.v};
   const std::uint32_t root = root_vertex(a);
   const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[root_vertex(b)];
-  if (ends_meet && is_one_point(grid_, root, vertex)) unite(root, vertex);
-}
-
-void Lattice::unite(std::uint32_t first, std::uint32_t second) {
-  Mesh& mesh = grid_.mesh;
-  mesh.position[second] = mesh.position[first];
-  mesh.point[second] = mesh.point[first];
-  regular_[first] = regular_[second] = 0;
+  if (!ends_meet || !is_one_point(grid_, root, vertex)) return;
+  grid_.mesh.position[vertex] = grid_.mesh.position[root];
+  grid_.mesh.point[vertex] = grid_.mesh.point[root];
+  make_singular(root);
+  make_singular(vertex);
 }
 
 }  // namespace saddle

@@ -30,7 +30,7 @@ struct Leaf {
   bool on_rim = false;              ///< not defined at all of its samples
   std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals
-  bool is_cut = false;              ///< the surface jumps or goes to infinity in it: it is left out
+  bool is_split = false;            ///< a jump, a pole or a crease goes through it
   bool given_up = false;            ///< halving does not help, or is not allowed
   float known_error = 0;            ///< what its tests found, in tolerances
   float strictness = 1;  ///< how much worse fresh samples found an ancestor than its tests had
@@ -42,6 +42,32 @@ struct Leaf {
   std::array<LatticePlace, 4> corners() const {
     return {low, LatticePlace{high.u, low.v}, high, LatticePlace{low.u, high.v}};
   }
+};
+
+/// What is between two neighbours on a side of a leaf.
+enum class Cut : std::uint8_t {
+  Rim,     ///< one of them is not defined
+  Jump,    ///< the surface jumps
+  Pole,    ///< it goes to infinity
+  Crease,  ///< its normal jumps
+};
+
+/// Where a side is cut, and the last vertices on either side of the cut. At a rim they are one; at
+/// a pole there are none; at a crease they are one point, and differ in their normals.
+struct Crossing {
+  Cut kind;
+  std::uint32_t first;  ///< the neighbour with the smaller number
+  std::uint32_t beside_first, beside_second;
+
+  std::uint32_t beside(std::uint32_t neighbour) const {
+    return neighbour == first ? beside_first : beside_second;
+  }
+};
+
+/// A place between two vertices.
+struct Between {
+  std::uint32_t a, b;
+  dvec2 uv;
 };
 
 /// From place to vertex: open addressing, since a mesh asks for its vertices millions of times.
@@ -95,28 +121,41 @@ class Lattice {
   /// Whether the position is finite.
   bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }
 
-  /// The vertex on the rim of the surface between two vertices of which one is defined: the last
-  /// one that is, to the last digit. There is one after fit_rims() with these two. It counts as not
-  /// defined if the surface goes to infinity there.
-  std::uint32_t rim(std::uint32_t a, std::uint32_t b) const;
-  bool has_rim(std::uint32_t a, std::uint32_t b) const { return rims_.contains(rim_key(a, b)); }
-  /// Where rims go to infinity.
-  std::vector<dvec2> poles_on_rims() const;
-  /// Finds rims between pairs of vertices, by bisection along the straight line in (u, v).
-  void fit_rims(std::span<const std::array<std::uint32_t, 2>> pairs, unsigned threads);
+  /// Where the side between two neighbours is cut, if that has been found.
+  std::optional<Crossing> crossing(std::uint32_t a, std::uint32_t b) const;
+  /// Whether it has been looked for.
+  bool is_searched(std::uint32_t a, std::uint32_t b) const { return sides_.contains(key(a, b)); }
+  /// Files what was found, or that nothing was.
+  void set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing);
+  bool has_crossings() const { return has_crossings_; }
+  /// The sides that are cut, by their ends.
+  std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
+  /// New vertices between neighbours, with consecutive numbers; the number of the first.
+  std::uint32_t add_between(std::span<const Between> places, unsigned threads);
+  /// Makes the new vertex `to` one point with another, at its position.
+  void join(std::uint32_t from, std::uint32_t to);
+  /// Gives a vertex between neighbours, a few digits from another one, the same place.
+  void share_place(std::uint32_t from, std::uint32_t to);
 
   /// Whether there is a direction of r_u x r_v.
   bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
+  bool has_singular() const { return std::ranges::find(regular_, 0) != regular_.end(); }
+  /// Gives a vertex of one side of the surface the limit of the normals there.
+  void set_normal(std::uint32_t vertex, const dvec3& normal) {
+    grid_.mesh.normal[vertex] = normal;
+    regular_[vertex] = 1;
+  }
 
-  /// Makes two vertices one singular point, at the place of the first.
-  void unite(std::uint32_t first, std::uint32_t second);
+  void make_singular(std::uint32_t vertex) { regular_[vertex] = 0; }
 
-  /// The place of a vertex that is not on a rim.
+  /// The place of a vertex that is not between neighbours.
   LatticePlace place(std::uint32_t vertex) const;
   /// The same of any vertex, in units that need not be whole.
   dvec2 place_between(std::uint32_t vertex) const;
-  bool is_on_rim(std::uint32_t vertex) const { return rim_places_.contains(vertex); }
   std::size_t size() const { return used_.size(); }
+
+  const Surface& surface() const { return surface_; }
+  const Mesh& mesh() const { return grid_.mesh; }
 
   /// Calls f(vertex) for the vertices in use on the straight way from `from` (included) to `to`
   /// (not included), which is a side of a leaf or of a cell of the root grid.
@@ -144,7 +183,7 @@ class Lattice {
     return place.u % kCellUnit == 0 && place.v % kCellUnit == 0;
   }
   std::uint32_t root_vertex(LatticePlace place) const;
-  static std::uint64_t rim_key(std::uint32_t a, std::uint32_t b) {
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
   }
   /// Appends the surface at (u[i], v[i]) to the mesh.
@@ -161,8 +200,9 @@ class Lattice {
   std::vector<std::uint8_t> used_;
   std::vector<std::uint8_t> regular_;
   std::vector<std::uint8_t> defined_;
-  std::unordered_map<std::uint64_t, std::uint32_t> rims_;
-  std::unordered_map<std::uint32_t, dvec2> rim_places_;
+  std::unordered_map<std::uint64_t, std::optional<Crossing>> sides_;  // by their ends
+  std::unordered_map<std::uint32_t, dvec2> places_between_;
+  bool has_crossings_ = false;
   std::size_t used_count_;
   std::size_t evaluated_;  // vertices that have been computed
   std::size_t evaluations_ = 0;

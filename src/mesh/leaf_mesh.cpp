@@ -13,54 +13,12 @@ namespace saddle {
 
 namespace {
 
-using Polygon = std::vector<PolygonCorner>;
+/// A leaf has at most one piece more than crossings, of which more than a few are cut no further.
+constexpr std::size_t kMostPieces = 64;
 
-/// The vertices in use around a leaf, counter-clockwise in (u, v), defined or not.
-Polygon outline(const Leaf& leaf, const Lattice& lattice) {
-  Polygon polygon;
-  const auto corners = leaf.corners();
-  for (std::size_t k = 0; k < 4; ++k) {
-    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
-      polygon.push_back({vertex, lattice.place_between(vertex)});
-    });
-  }
-  return polygon;
-}
-
-/// What of a leaf is defined, as polygons: each run of defined vertices of its outline, and the
-/// vertices on the rim at both ends.
-std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
-  if (leaf.is_cut) return {};
-  const Polygon whole = outline(leaf, lattice);
-  const auto defined = [&](std::size_t k) { return lattice.is_defined(whole[k].corner); };
-  std::size_t first = 0;  // an undefined vertex
-  while (first < whole.size() && defined(first)) ++first;
-  if (first == whole.size()) return {whole};
-  std::vector<Polygon> result;
-  for (std::size_t step = 1; step <= whole.size(); ++step) {
-    const std::size_t k = (first + step) % whole.size();
-    const std::size_t before = (k + whole.size() - 1) % whole.size();
-    const auto add_rim = [&] {
-      const std::uint32_t rim = lattice.rim(whole[before].corner, whole[k].corner);
-      result.back().push_back({rim, lattice.place_between(rim)});
-    };
-    if (defined(k) && !defined(before)) {
-      result.emplace_back();
-      add_rim();
-    }
-    if (defined(k)) result.back().push_back(whole[k]);
-    if (!defined(k) && defined(before)) add_rim();
-  }
-  // A piece that goes to infinity is left out.
-  std::erase_if(result, [&](const Polygon& piece) {
-    const auto is_far = [&](const PolygonCorner& c) { return !lattice.is_defined(c.corner); };
-    return piece.size() < 3 || std::ranges::any_of(piece, is_far);
-  });
-  return result;
-}
-
-std::uint64_t key_of(std::size_t leaf, std::uint32_t vertex) {
-  return (std::uint64_t{leaf} << 32U) | vertex;
+std::uint64_t key_of(std::size_t leaf, std::size_t piece, std::uint32_t vertex) {
+  const std::uint64_t owner = leaf * kMostPieces + std::min(piece, kMostPieces - 1);
+  return (owner << 32U) | vertex;
 }
 
 /// The normal of a leaf's face on its front; zero if it has no area.
@@ -86,18 +44,22 @@ dvec2 middle(const Grid& grid, std::span<const PolygonCorner> polygon) {
 struct View {
   std::uint32_t vertex;
   std::size_t leaf;
-  dvec3 face;    ///< the normal of the leaf's face
-  dvec2 inside;  ///< parameters in the midst of what of the leaf is defined
+  std::size_t piece;  ///< which of the leaf's
+  dvec3 face;         ///< the normal of the leaf's face
+  dvec2 inside;       ///< parameters in the midst of what of the leaf is defined
 };
 
 std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
                                  const Lattice& lattice) {
   std::vector<View> views;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    for (const Polygon& polygon : pieces(leaves[leaf], lattice)) {
+    const std::vector<Polygon> polygons = pieces(leaves[leaf], lattice);
+    for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
+      const Polygon& polygon = polygons[piece];
       for (const PolygonCorner& corner : polygon) {
         if (lattice.is_regular(corner.corner)) continue;
-        views.push_back({corner.corner, leaf, face_normal(grid, polygon), middle(grid, polygon)});
+        views.push_back(
+            {corner.corner, leaf, piece, face_normal(grid, polygon), middle(grid, polygon)});
       }
     }
   }
@@ -105,48 +67,14 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
   return views;
 }
 
-/// Where the side of the domain that vertices lie on meets the other: the place that is one point
-/// with `place`, or nothing.
-std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, LatticePlace place) {
-  const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
-  const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
-  if (seams.u.closed && (place.u == 0 || place.u == end_u)) {
-    return LatticePlace{end_u - place.u, seams.u.partner(place.v, end_v)};
-  }
-  if (seams.v.closed && (place.v == 0 || place.v == end_v)) {
-    return LatticePlace{seams.v.partner(place.u, end_u), end_v - place.v};
-  }
-  return std::nullopt;
-}
-
-/// Sides of leaves that are cut, which no line may follow.
-class CutSides {
- public:
-  CutSides(std::span<const Leaf> leaves, const Lattice& lattice) {
-    for (const Leaf& leaf : leaves) {
-      if (!leaf.is_cut) continue;
-      const auto sides = sides_of(leaf, lattice);
-      sides_.insert(sides.begin(), sides.end());
-    }
-  }
-  bool contains(std::uint32_t a, std::uint32_t b) const {
-    return sides_.contains({std::min(a, b), std::max(a, b)});
-  }
-
- private:
-  std::set<Side> sides_;
-};
-
 /// Chains of vertices, interrupted where the surface is.
 class Chains {
  public:
-  Chains(const Grid& grid, const Lattice& lattice, std::span<const Leaf> leaves)
-      : point_(grid.mesh.point), lattice_(lattice), cut_(leaves, lattice) {}
+  Chains(const Grid& grid, const Lattice& lattice) : point_(grid.mesh.point), lattice_(lattice) {}
 
   /// Goes on to the next vertex of a line, defined or not.
   void go_to(std::uint32_t vertex) {
-    if (before_ && cut_.contains(*before_, vertex)) interrupt();
-    if (before_ && lattice_.has_rim(*before_, vertex)) append(lattice_.rim(*before_, vertex));
+    if (before_) cross(*before_, vertex);
     if (lattice_.is_defined(vertex)) {
       append(vertex);
     } else {
@@ -161,6 +89,16 @@ class Chains {
   std::vector<std::vector<std::uint32_t>> take() { return std::move(chains_); }
 
  private:
+  /// Goes to the next vertex by way of what is between.
+  void cross(std::uint32_t from, std::uint32_t to) {
+    const std::optional<Crossing> crossing = lattice_.crossing(from, to);
+    if (!crossing) return;
+    if (crossing->kind == Cut::Pole) return interrupt();
+    append(crossing->beside(from));
+    if (crossing->kind == Cut::Jump) interrupt();
+    append(crossing->beside(to));
+  }
+
   void append(std::uint32_t vertex) {
     const bool repeats = !chain_.empty() && point_[chain_.back()] == point_[vertex];
     if (!repeats) chain_.push_back(vertex);
@@ -172,7 +110,6 @@ class Chains {
 
   const Array<std::uint32_t>& point_;
   const Lattice& lattice_;
-  CutSides cut_;
   std::optional<std::uint32_t> before_;
   std::vector<std::uint32_t> chain_;
   std::vector<std::vector<std::uint32_t>> chains_;
@@ -192,17 +129,6 @@ std::vector<std::size_t> indices(const std::vector<double>& lines, int count) {
 }
 
 }  // namespace
-
-std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
-  const Polygon polygon = outline(leaf, lattice);
-  std::vector<Side> sides;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const std::uint32_t a = polygon[k].corner;
-    const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
-    sides.push_back({std::min(a, b), std::max(a, b)});
-  }
-  return sides;
-}
 
 SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> leaves,
                                  const Lattice& lattice, unsigned threads, Grid& grid,
@@ -224,7 +150,7 @@ SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> l
     report.evaluations += static_cast<std::size_t>(limits[k].evaluations);
     if (!limits[k].normal) mark_without_limit(report);
     const dvec3 normal = limits[k].normal.value_or(view.face);
-    corners_[key_of(view.leaf, view.vertex)] =
+    corners_[key_of(view.leaf, view.piece, view.vertex)] =
         static_cast<std::uint32_t>(corners.find_or_add(normal));
     leaves_.push_back(view.leaf);
   }
@@ -232,22 +158,26 @@ SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> l
   leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());
 }
 
-std::uint32_t SingularCorners::corner(std::size_t leaf, std::uint32_t vertex) const {
-  const auto found = corners_.find(key_of(leaf, vertex));
+std::uint32_t SingularCorners::corner(std::size_t leaf, std::size_t piece,
+                                      std::uint32_t vertex) const {
+  const auto found = corners_.find(key_of(leaf, piece, vertex));
   return found == corners_.end() ? vertex : found->second;
 }
 
-LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCorners& singular,
-                                 const Grid& grid, const Lattice& lattice) {
+LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
+                                 const SingularCorners& singular, const Grid& grid,
+                                 const Lattice& lattice) {
   LeafTriangles result;
-  result.all.reserve(2 * leaves.size());
-  result.first.reserve(leaves.size() + 1);
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+  result.all.reserve(2 * which.size());
+  result.first.reserve(which.size() + 1);
+  for (const std::size_t leaf : which) {
     result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
-    for (Polygon& polygon : pieces(leaves[leaf], lattice)) {
+    std::vector<Polygon> polygons = pieces(leaves[leaf], lattice);
+    for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
+      Polygon& polygon = polygons[piece];
       std::vector<std::uint32_t> points;
       for (PolygonCorner& corner : polygon) {
-        corner.corner = singular.corner(leaf, corner.corner);
+        corner.corner = singular.corner(leaf, piece, corner.corner);
         points.push_back(grid.mesh.point[corner.corner]);
       }
       result.expected += triangles_between(points);
@@ -264,54 +194,9 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, const SingularCor
   return result;
 }
 
-void mirror_seams(const Seams& seams, unsigned threads, Grid& grid, Lattice& lattice) {
-  // The corners of the domain may have two partners; they are root vertices, and welded.
-  const std::size_t count = lattice.size();
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (auto vertex = static_cast<std::uint32_t>(grid.vertex_count()); vertex < count; ++vertex) {
-    if (!lattice.is_used(vertex)) continue;
-    const std::optional<LatticePlace> other = partner(seams, grid, lattice.place(vertex));
-    if (!other) continue;
-    const std::uint32_t twin = lattice.vertex(*other);
-    lattice.use(twin);
-    pairs.push_back({std::min(vertex, twin), std::max(vertex, twin)});
-  }
-  lattice.evaluate(threads);
-  for (const auto& [first, second] : pairs) {
-    grid.mesh.position[second] = grid.mesh.position[first];
-    grid.mesh.point[second] = grid.mesh.point[first];
-  }
-}
-
-void fit_rims(std::span<const Leaf> leaves, unsigned threads, Lattice& lattice) {
-  std::vector<Side> pairs;
-  std::set<Side> seen;
-  for (const Leaf& leaf : leaves) {
-    if (!leaf.on_rim) continue;
-    for (const auto& [a, b] : sides_of(leaf, lattice)) {
-      if (lattice.is_defined(a) == lattice.is_defined(b) || lattice.has_rim(a, b)) continue;
-      if (seen.insert({a, b}).second) pairs.push_back({a, b});
-    }
-  }
-  if (!pairs.empty()) lattice.fit_rims(pairs, threads);
-}
-
-void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice) {
-  for (const Leaf& leaf : leaves) {
-    for (const auto& [a, b] : sides_of(leaf, lattice)) {
-      if (!lattice.is_defined(a) || !lattice.is_defined(b)) continue;
-      if (grid.mesh.point[a] == grid.mesh.point[b] || !is_one_point(grid, a, b)) continue;
-      // The name of the point that comes first stays, whatever the order of the leaves.
-      const bool a_first = grid.mesh.point[a] < grid.mesh.point[b];
-      lattice.unite(a_first ? a : b, a_first ? b : a);
-    }
-  }
-}
-
 std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
-                                                   std::span<const Leaf> leaves, int lines_u,
-                                                   int lines_v) {
-  Chains chains(grid, lattice, leaves);
+                                                   int lines_u, int lines_v) {
+  Chains chains(grid, lattice);
   const auto follow = [&](std::size_t cells, auto place_of) {
     const auto go_to = [&](std::uint32_t vertex) { chains.go_to(vertex); };
     for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), go_to);

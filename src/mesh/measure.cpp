@@ -59,6 +59,17 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   return best;
 }
 
+/// How deep (u, v) is in a triangle: its least weight there; negative outside.
+double depth_in(const Grid& grid, const Triangle& t, const dvec2& uv) {
+  const auto& at = grid.mesh.uv;
+  const auto area = [](const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; };
+  const double whole = area(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
+  const auto weight = [&](std::size_t a, std::size_t b) {
+    return area(at[t[a]] - uv, at[t[b]] - uv) / whole;
+  };
+  return std::min({weight(0, 1), weight(1, 2), weight(2, 0)});
+}
+
 class Measurer {
  public:
   Measurer(const Surface& surface, const Grid& grid, std::span<const std::size_t> opened,
@@ -76,7 +87,7 @@ class Measurer {
     parallel_chunks(points.size(), kCellChunk, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const std::size_t cell = cells[k / kPlaces.size()];
-        errors[k] = deviation(grid_, grid_.triangles(cell), points[k], surface_.flip);
+        errors[k] = deviation(grid_, grid_.triangles(cell), uv[k], points[k], surface_.flip);
       }
     });
     MeasuredError largest{0, 0, points.size()};
@@ -164,25 +175,28 @@ class Measurer {
 
 }  // namespace
 
-Deviation deviation(const Grid& grid, std::span<const Triangle> triangles,
+Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip) {
   const dvec3 p = grid.local_scale * point.position;
-  Nearest nearest;
+  double distance = std::numeric_limits<double>::infinity();
   dvec3 interpolated(0);
+  double deepest = -std::numeric_limits<double>::infinity();
   for (const Triangle& triangle : triangles) {
     const std::array<dvec3, 3> corners = {grid.local(triangle[0]), grid.local(triangle[1]),
                                           grid.local(triangle[2])};
-    const Nearest candidate = nearest_on_triangle(corners, p);
-    if (!(candidate.distance < nearest.distance)) continue;
-    nearest = candidate;
+    const Nearest nearest = nearest_on_triangle(corners, p);
+    distance = std::min(distance, nearest.distance);
+    const double depth = depth_in(grid, triangle, uv);
+    if (!(depth > deepest)) continue;
+    deepest = depth;
     interpolated = dvec3(0);
     for (int k = 0; k < 3; ++k) {
       interpolated += nearest.weights[k] * grid.mesh.normal[triangle[static_cast<std::size_t>(k)]];
     }
   }
-  if (!std::isfinite(nearest.distance)) return {};  // undefined there
+  if (!std::isfinite(distance)) return {};  // undefined there
   const auto exact = unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), flip);
-  return {nearest.distance / grid.local_scale, exact ? degrees_between(*exact, interpolated) : 0};
+  return {distance / grid.local_scale, exact ? degrees_between(*exact, interpolated) : 0};
 }
 
 MeasuredError measure_error(const Surface& surface, const Grid& grid,

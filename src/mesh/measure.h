@@ -13,7 +13,9 @@ struct Deviation {
   double distance = 0;  ///< in units of length; 0 where the surface is undefined
   double degrees = 0;   ///< of exact and interpolated normal; 0 where there is none
 };
-Deviation deviation(const Grid& grid, std::span<const Triangle> triangles,
+/// `point` is at (u, v). Its distance is from the nearest triangle; its normal is compared with
+/// that of the triangle over (u, v), since near a cusp the other sheet may be as near.
+Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip);
 
 struct MeasuredError {

@@ -73,7 +73,8 @@ struct MeshReport {
   bool reached_limit = false;                  ///< more triangles were not allowed
   bool certified = false;                      ///< proved that nothing hides between samples
   double max_error = 0;                        ///< largest measured distance of mesh and surface
-  double max_normal_error = 0;                 ///< degrees: interpolated against exact normal
+  double max_normal_error = 0;                 ///< degrees: interpolated against exact normal, in
+                                               ///< cells larger than the tolerance
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000
   std::size_t singular_point_count = 0;
   std::vector<dvec2> poles;  ///< where the surface goes to infinity and was cut, at most 1000

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/clip.h"
+#include "mesh/crossings.h"
 #include "mesh/triangulate.h"
 
 namespace saddle {
@@ -22,10 +23,15 @@ constexpr double kMaxSpread = 40;
 constexpr double kHelps = 0.8;
 constexpr std::uint8_t kMaxInVain = 14;
 /// The same for normals, which do not settle at points where sheets meet.
-constexpr std::uint8_t kMaxTurnedInVain = 4;
-/// Halvings of a root cell that the rim crosses, to begin with and at most.
+constexpr std::uint8_t kMaxTurnedInVain = 14;
+/// After every so many halvings in vain, of distances and of normals, a leaf's sides are looked at
+/// for jumps and creases. A leaf halved the wrong way once is no better for it, either.
+constexpr std::uint8_t kLookAfter = 3;
+constexpr std::uint8_t kLookAfterTurned = 2;
+/// Halvings of a root cell that the rim crosses, to begin with, and of one in which a cut is more
+/// than one line, at most.
 constexpr int kRimHalvings = 4;
-constexpr int kMostRimHalvings = 14;
+constexpr int kMostCutHalvings = 14;
 
 /// How bad a leaf is along u, along v and at its centre; 1 is just good enough. Errors fall with
 /// the square of a leaf's size and angles with the size itself: the square of an angle's share is
@@ -41,6 +47,7 @@ struct Scores {
 struct Verdict {
   Scores distance;
   Scores turn;
+  bool is_folded = false;  ///< the normals at two corners face opposite ways
 };
 
 Scores worse(const Scores& a, const Scores& b) {
@@ -74,6 +81,7 @@ class Judge {
     }
     const std::size_t first = cut_from(corner);
     judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
+    verdict.is_folded = normals_count && has_opposed(corner);
     if (normals_count && spread(corner) > kMaxSpread) {
       const double u = turn(corner[0], corner[1]) + turn(corner[3], corner[2]);
       const double v = turn(corner[0], corner[3]) + turn(corner[1], corner[2]);
@@ -121,6 +129,15 @@ class Judge {
   double turn(std::uint32_t a, std::uint32_t b) const {
     if (!is_regular(a) || !is_regular(b)) return 0;
     return turn_of_line(degrees_between(mesh_.normal[a], mesh_.normal[b]));
+  }
+
+  bool has_opposed(const std::array<std::uint32_t, 4>& corner) const {
+    const auto& n = mesh_.normal;
+    // The products with a normal of no direction, which is zero, are not negative.
+    for (std::size_t k = 1; k < 4; ++k) {
+      if (glm::dot(n[corner[0]], n[corner[k]]) < 0) return true;
+    }
+    return glm::dot(n[corner[1]], n[corner[3]]) < 0;
   }
 
   double spread(const std::array<std::uint32_t, 4>& corner) const {
@@ -215,6 +232,13 @@ std::uint8_t count_in_vain(std::uint8_t before, double score, double parent_scor
                                                        : static_cast<std::uint8_t>(before + 1);
 }
 
+/// A candidate that was judged.
+struct Judged {
+  Candidate candidate;
+  Samples samples;
+  Verdict verdict;
+};
+
 class Refiner {
  public:
   Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
@@ -226,16 +250,24 @@ class Refiner {
     samples.reserve(candidates.size());
     for (const Candidate& c : candidates) samples.push_back(request_samples(c.leaf, lattice_));
     lattice_.evaluate(options_.threads);
-    std::vector<Candidate> next;
+    next_.clear();
+    std::vector<Judged> doubtful;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       const int defined = count_defined(lattice_, samples[k]);
-      if (defined == 9) {
-        judge(candidates[k], samples[k], next);
-      } else if (defined > 0) {
-        judge_rim(candidates[k], next);
-      }  // what is defined nowhere is no part of the mesh
+      if (defined == 0) continue;  // what is defined nowhere is no part of the mesh
+      if (defined < 9) {
+        judge_rim(candidates[k]);
+        continue;
+      }
+      Judged judged = judge(candidates[k], samples[k]);
+      if (judged.verdict.is_folded || is_doubtful(judged.candidate.leaf)) {
+        doubtful.push_back(judged);
+      } else {
+        settle(judged);
+      }
     }
-    candidates = std::move(next);
+    look_for_cuts(doubtful);
+    std::swap(candidates, next_);
   }
 
   Refinement take() { return std::move(result_); }
@@ -253,39 +285,85 @@ class Refiner {
     return is_beyond(*options_.clip, positions);
   }
 
-  /// Halves a leaf that the rim crosses until the rim is nearly straight in it; what remains to be
-  /// done fresh samples tell.
-  void judge_rim(const Candidate& candidate, std::vector<Candidate>& next) {
-    Leaf leaf = candidate.leaf;
-    leaf.on_rim = true;
+  /// Halves a leaf that is cut until the cut is nearly straight in it; what remains to be done
+  /// fresh samples tell. The halves do not know yet what cuts them.
+  void judge_cut(const Candidate& candidate, Leaf leaf, int wanted_halvings) {
     const bool full = lattice_.is_full(options_.max_triangles);
     const int done = halvings(leaf);
-    const auto halves = done < kRimHalvings && !full
+    const auto halves = done < wanted_halvings && !full
                             ? halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_)
                             : std::nullopt;
     if (!halves) {
-      leaf.given_up = done >= kMostRimHalvings || full;
+      leaf.given_up = done >= kMostCutHalvings || full;
       result_.leaves.push_back(leaf);
       return;
     }
     for (Leaf half : *halves) {
       half.on_rim = false;
-      next.push_back({half, candidate.parent_distance, candidate.parent_turn});
+      next_.push_back({half, candidate.parent_distance, candidate.parent_turn});
     }
   }
 
-  /// Keeps a leaf, or appends its halves to `next`.
-  void judge(const Candidate& candidate, const Samples& samples, std::vector<Candidate>& next) {
+  void judge_rim(const Candidate& candidate) {
     Leaf leaf = candidate.leaf;
-    if (is_clipped(samples)) {
-      result_.leaves.push_back(leaf);
-      return;
+    leaf.on_rim = true;
+    judge_cut(candidate, leaf, kRimHalvings);
+  }
+
+  /// Whether a leaf's sides are to be looked at.
+  static bool is_doubtful(const Leaf& leaf) {
+    const auto is_due = [](std::uint8_t in_vain, std::uint8_t period) {
+      return in_vain > 0 && in_vain % period == 0;
+    };
+    return leaf.is_split || is_due(leaf.in_vain, kLookAfter) ||
+           is_due(leaf.turned_in_vain, kLookAfterTurned);
+  }
+
+  void look_for_cuts(std::span<Judged> doubtful) {
+    std::vector<Side> sides;
+    for (const Judged& judged : doubtful) {
+      const std::vector<Side> more = unsearched_sides(judged.candidate.leaf, lattice_);
+      sides.insert(sides.end(), more.begin(), more.end());
     }
-    const Verdict verdict = judge_.score(leaf, samples.corner, samples.side, samples.centre);
-    const double distance = verdict.distance.worst() * leaf.strictness;
-    const double turn = verdict.turn.worst() * leaf.strictness;
+    std::ranges::sort(sides);
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+    find_crossings(sides, {options_.tolerance, false, options_.threads}, lattice_);
+    std::vector<bool> is_through(doubtful.size());  // before halves put new vertices on the sides
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+      Leaf& leaf = doubtful[k].candidate.leaf;
+      const CutCount cuts = count_cuts(leaf, lattice_);
+      is_through[k] = cuts.is_through();
+      leaf.is_split = cuts.crossings > 0 || (doubtful[k].verdict.is_folded && is_through[k]);
+    }
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+      const auto& [candidate, samples, verdict] = doubtful[k];
+      if (candidate.leaf.is_split) {
+        judge_cut(candidate, candidate.leaf, is_through[k] ? 0 : kMostCutHalvings);
+      } else {
+        settle(doubtful[k]);
+      }
+    }
+  }
+
+  /// What the samples say of a leaf.
+  Judged judge(const Candidate& candidate, const Samples& samples) const {
+    Judged judged{candidate, samples, {}};
+    if (is_clipped(samples)) return judged;
+    Leaf& leaf = judged.candidate.leaf;
+    judged.verdict = judge_.score(leaf, samples.corner, samples.side, samples.centre);
+    const double distance = judged.verdict.distance.worst() * leaf.strictness;
+    const double turn = judged.verdict.turn.worst() * leaf.strictness;
     leaf.in_vain = count_in_vain(leaf.in_vain, distance, candidate.parent_distance);
     leaf.turned_in_vain = count_in_vain(leaf.turned_in_vain, turn, candidate.parent_turn);
+    return judged;
+  }
+
+  /// Keeps a leaf, or goes on with its halves.
+  void settle(const Judged& judged) {
+    Leaf leaf = judged.candidate.leaf;
+    const Verdict& verdict = judged.verdict;
+    const double distance = verdict.distance.worst() * leaf.strictness;
+    const double turn = verdict.turn.worst() * leaf.strictness;
     const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain;
     const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain;
     std::optional<std::array<Leaf, 2>> halves;
@@ -295,7 +373,7 @@ class Refiner {
       const Scores scores = !is_turned ? verdict.distance
                             : !is_far  ? verdict.turn
                                        : worse(verdict.distance, verdict.turn);
-      if (!full) halves = halve(leaf, judge_.splits_u(scores, samples.corner), lattice_);
+      if (!full) halves = halve(leaf, judge_.splits_u(scores, judged.samples.corner), lattice_);
     }
     if (!halves) {
       leaf.given_up = distance > 1 || turn > 1;
@@ -303,13 +381,14 @@ class Refiner {
       result_.leaves.push_back(leaf);
       return;
     }
-    for (const Leaf& half : *halves) next.push_back({half, distance, turn});
+    for (const Leaf& half : *halves) next_.push_back({half, distance, turn});
   }
 
   const RefineOptions& options_;
   const Grid& grid_;
   Lattice& lattice_;
   Judge judge_;
+  std::vector<Candidate> next_;
   Refinement result_;
 };
 

@@ -15,7 +15,7 @@ namespace saddle {
 /// The normals of a leaf that is no larger than this part of the tolerance do not matter: it is
 /// smaller than what may be missing. At a point where sheets meet they turn however often it is
 /// halved.
-inline constexpr double kVisible = 1;
+inline constexpr double kVisible = 2;
 
 /// An angle between normals but for their signs: across a cusp the normal jumps to its opposite
 /// while the tangent plane goes on, and no halving mends that.

@@ -117,9 +117,9 @@ CellCorners gather(const Grid& grid, const std::array<std::uint32_t, 4>& corners
 }  // namespace
 
 std::size_t triangles_between(std::vector<std::uint32_t> points) {
-  std::sort(points.begin(), points.end());
-  const auto different = std::unique(points.begin(), points.end()) - points.begin();
-  return different > 2 ? static_cast<std::size_t>(different) - 2 : 0;
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  while (points.size() > 1 && points.front() == points.back()) points.pop_back();
+  return points.size() > 2 ? points.size() - 2 : 0;
 }
 
 bool is_collapsed(const Grid& grid, const Triangle& t) {

@@ -20,7 +20,7 @@ void triangulate(Grid& grid, std::span<const OpenCell> cells);
 std::vector<Triangle> cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners);
 
 /// Triangles of a polygon whose corners are these points of the surface: two fewer than it has
-/// different points.
+/// corners at which it goes on to another point.
 std::size_t triangles_between(std::vector<std::uint32_t> points);
 
 /// Whether a triangle of corners has no area: two are one point, or it is flat within rounding.

@@ -20,8 +20,8 @@ class Verifier {
   Verifier(const Surface& surface, const Grid& grid, const Lattice& lattice, unsigned threads)
       : surface_(surface), grid_(grid), lattice_(lattice), threads_(threads) {}
 
-  /// Measures some leaves of a mesh from their triangles: the largest deviation of each on a few
-  /// points at random, which are the same whenever it is measured.
+  /// Measures some leaves of a mesh from their triangles, of which there are as many: the largest
+  /// deviation of each on a few points at random, which are the same whenever it is measured.
   void measure(Measured& mesh, std::span<const std::size_t> which, const LeafTriangles& triangles);
 
   std::size_t evaluations() const { return evaluations_; }
@@ -29,6 +29,8 @@ class Verifier {
  private:
   void append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
                       std::vector<dvec2>& uv) const;
+  Deviation deviation_of(const Leaf& leaf, std::span<const Triangle> triangles, const dvec2& uv,
+                         const SurfacePoint& point) const;
 
   const Surface& surface_;
   const Grid& grid_;

@@ -5,6 +5,8 @@
 
 #include <glm/vector_relational.hpp>
 
+#include "mesh/points.h"
+
 namespace saddle {
 
 namespace {
@@ -15,39 +17,6 @@ constexpr double kJoinFraction = 1e-9;
 /// They are one point only if they are also this much closer than the grid's steps beside them. It
 /// keeps a surface apart whose diagonal is that of a spike (tan near its pole: 1e16).
 constexpr double kJoinStep = 1e-3;
-
-/// Which vertices are one point: sets with the smallest member as the name of each, a tree in
-/// mesh.point.
-class Points {
- public:
-  explicit Points(Array<std::uint32_t>& point) : point_(point) {}
-
-  void unite(std::size_t a, std::size_t b) {
-    const std::uint32_t root_a = find(static_cast<std::uint32_t>(a));
-    const std::uint32_t root_b = find(static_cast<std::uint32_t>(b));
-    point_[std::max(root_a, root_b)] = std::min(root_a, root_b);
-    united_.push_back(a);
-    united_.push_back(b);
-  }
-
-  /// Names every vertex's set in its place and gives it its first vertex's position.
-  void settle(Array<dvec3>& position) {
-    for (const std::size_t vertex : united_) {
-      const std::uint32_t first = find(static_cast<std::uint32_t>(vertex));
-      point_[vertex] = first;
-      position[vertex] = position[first];
-    }
-  }
-
- private:
-  std::uint32_t find(std::uint32_t a) {
-    while (point_[a] != a) a = point_[a] = point_[point_[a]];
-    return a;
-  }
-
-  Array<std::uint32_t>& point_;
-  std::vector<std::size_t> united_;
-};
 
 /// Whether all of a box (in local units) is one point: by the tolerance, or within rounding. Each
 /// coordinate has its own extent: heights of 1e9 do not make one of what is apart in x.
@@ -195,14 +164,14 @@ Seams weld(Grid& grid) {
   const std::size_t nu = grid.cells_u;
   const std::size_t nv = grid.cells_v;
 
-  Points points(grid.mesh.point);
+  Points points(grid.mesh);
   Seams seams;
   collapse_poles(grid, columns);
   collapse_poles(grid, rows);
   seams.u = join_edges(grid, {columns[0], columns[1], columns[nu]}, points);
   seams.v = join_edges(grid, {rows[0], rows[1], rows[nv]}, points);
   join_equal_neighbours(grid, points);
-  points.settle(grid.mesh.position);
+  points.settle();
   return seams;
 }
 

@@ -55,15 +55,6 @@ std::optional<ScaledCross> scaled_cross(const SurfacePoint& point) {
   return ScaledCross{glm::cross(point.r_u / size_u, point.r_v / size_v), size_u, size_v};
 }
 
-/// The direction of r_u x r_v, however short; nothing where it has none.
-std::optional<dvec3> direction(const SurfacePoint& point) {
-  const std::optional<ScaledCross> cross = scaled_cross(point);
-  if (!cross) return std::nullopt;
-  const double length = glm::length(cross->vector);
-  if (!(length > 0)) return std::nullopt;
-  return cross->vector / length;
-}
-
 /// The entry of Richardson's tableau that agrees best with the two it was made from.
 struct Extrapolation {
   dvec3 value{0};
@@ -89,7 +80,7 @@ std::optional<dvec3> extrapolate(std::span<const SurfacePoint> path) {
   std::array<dvec3, kHighestPower + 1> previous{};
   std::array<dvec3, kHighestPower + 1> row{};
   for (std::size_t i = 0; i < path.size() && best.change > kConverged; ++i) {
-    const std::optional<dvec3> normal = direction(path[i]);
+    const std::optional<dvec3> normal = normal_direction(path[i]);
     if (!normal) break;
     normals.push_back(*normal);
     row[0] = *normal;
@@ -128,6 +119,14 @@ double safe_length(const dvec3& a) {
   if (!is_finite(a)) return std::numeric_limits<double>::infinity();
   const double size = largest_component(a);
   return size > 0 ? size * glm::length(a / size) : 0;
+}
+
+std::optional<dvec3> normal_direction(const SurfacePoint& point) {
+  const std::optional<ScaledCross> cross = scaled_cross(point);
+  if (!cross) return std::nullopt;
+  const double length = glm::length(cross->vector);
+  if (!(length > 0)) return std::nullopt;
+  return cross->vector / length;
 }
 
 std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, double scale_v,

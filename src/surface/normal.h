@@ -19,6 +19,9 @@ inline constexpr double kDegenerateCross = 1e-7;
 std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, double scale_v,
                                  bool flip);
 
+/// The direction of r_u x r_v, however short it is; nothing where it has none.
+std::optional<dvec3> normal_direction(const SurfacePoint& point);
+
 /// |a|, also where its square would overflow or vanish; infinite where `a` is not finite.
 double safe_length(const dvec3& a);
 

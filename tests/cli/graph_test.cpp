@@ -302,9 +302,11 @@ TEST_F(GraphCommand, DrawsHeightFieldsThatAreNearlyUpright) {
   EXPECT_GT(report["triangles"], 700);  // of 800; some in the middle have no area beside 1e9
 }
 
-TEST_F(GraphCommand, WarnsOfAMeshThatMissesWhatIsBetweenItsSamples) {
-  const Outcome run = saddle({"z=abs(u-v)", "-s", "64x48", "--report", "-"});
-  EXPECT_TRUE(contains(run.err, "warning: surface: the mesh is off by up to")) << run.err;
+TEST_F(GraphCommand, WarnsOfAMeshThatIsNotAllowedToBeFineEnough) {
+  const Outcome run =
+      saddle({"z=sin(1/u)", "-s", "64x48", "--max-triangles", "2000", "--report", "-"});
+  EXPECT_TRUE(contains(run.err, "the limit of triangles stopped refinement, the mesh is off by"))
+      << run.err;
 }
 
 TEST_F(GraphCommand, WarnsOfTrianglesThatDoublesCannotHold) {

@@ -113,7 +113,7 @@ class Locator {
   double nearest(const SurfacePoint& point) const {
     Grid grid;
     grid.mesh = mesh_;
-    return deviation(grid, mesh_.triangles, point, false).distance;
+    return deviation(grid, mesh_.triangles, dvec2(0), point, false).distance;
   }
 
  private:

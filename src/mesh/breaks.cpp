@@ -1,0 +1,142 @@
+#include "mesh/breaks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mesh/corners.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings at most: doubles between two parameters run out before, except next to 0, where what
+/// is left of the line is then 1e-30 of it.
+constexpr int kMaxHalvings = 100;
+/// A pole's gap is so many times as large at the end as at the beginning.
+constexpr double kPoleGrowth = 50;
+/// Where lines are halved: a little off their middles, which are the places where a formula for
+/// half of a range has its cusps, and no normal.
+constexpr double kShare = 0.498;
+
+/// A line on its way.
+struct Search {
+  Line ends;
+  std::array<dvec3, 2> at_ends;
+  double first_gap = 0;
+  bool done = false;
+  Found found;
+};
+
+void finish(Search& search, Break kind) {
+  search.done = true;
+  search.found = {kind, search.ends};
+}
+
+/// What a gap is that no halving has closed.
+Break at_last_digits(const Search& search) {
+  const double gap = glm::distance(search.at_ends[0], search.at_ends[1]);
+  return gap > kPoleGrowth * search.first_gap ? Break::Pole : Break::Jump;
+}
+
+/// Goes on with the half whose gap is larger.
+void advance(Search& search, const dvec2& middle, const dvec3& at_middle, double delta) {
+  if (middle == search.ends[0] || middle == search.ends[1]) {
+    return finish(search, at_last_digits(search));
+  }
+  if (!is_finite(at_middle)) return finish(search, Break::Pole);
+  const double first = glm::distance(search.at_ends[0], at_middle);
+  const double second = glm::distance(at_middle, search.at_ends[1]);
+  if (std::max(first, second) < delta) return finish(search, Break::None);
+  const std::size_t replaced = first >= second ? 1 : 0;
+  search.ends[replaced] = middle;
+  search.at_ends[replaced] = at_middle;
+}
+
+/// At the very place of a jump a formula may have a value of its own, as sign(0) is 0. It belongs
+/// to neither side: an end that is far from the next place outward goes there. If that is far from
+/// the one after it, too, the surface goes to infinity.
+template <class F>
+void look_outward(const Surface& surface, std::span<Search> searches, double delta,
+                  unsigned threads, F value) {
+  std::vector<Search*> jumps;
+  std::vector<dvec2> uv;
+  for (Search& search : searches) {
+    if (search.found.kind != Break::Jump) continue;
+    jumps.push_back(&search);
+    const dvec2 step = search.ends[1] - search.ends[0];
+    for (const double steps : {1.0, 2.0}) {
+      uv.push_back(search.ends[0] - steps * step);
+      uv.push_back(search.ends[1] + steps * step);
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  for (std::size_t k = 0; k < jumps.size(); ++k) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const std::size_t next = 4 * k + end;
+      const dvec3 outward = value(points[next]);
+      if (!(glm::distance(outward, jumps[k]->at_ends[end]) >= delta)) continue;
+      jumps[k]->found.ends[end] = uv[next];
+      const bool goes_on = glm::distance(value(points[next + 2]), outward) >= delta;
+      if (goes_on) jumps[k]->found.kind = Break::Pole;
+    }
+  }
+}
+
+/// `value`: the vector that may jump, of a point of the surface.
+template <class F>
+std::vector<Found> search_lines(const Surface& surface, std::span<const Line> lines, double delta,
+                                unsigned threads, F value) {
+  std::vector<dvec2> uv;
+  for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
+  const std::vector<SurfacePoint> at_ends = evaluate(surface, uv, threads);
+  std::vector<Search> searches(lines.size());
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    Search& search = searches[k];
+    search.ends = lines[k];
+    search.at_ends = {value(at_ends[2 * k]), value(at_ends[2 * k + 1])};
+    search.first_gap = glm::distance(search.at_ends[0], search.at_ends[1]);
+    search.done = !is_finite(search.at_ends[0]) || !is_finite(search.at_ends[1]);
+    if (!search.done) open.push_back(k);
+  }
+  for (int halving = 0; halving < kMaxHalvings && !open.empty(); ++halving) {
+    uv.clear();
+    for (const std::size_t k : open) {
+      const Line& ends = searches[k].ends;
+      uv.push_back(ends[0] + kShare * (ends[1] - ends[0]));
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      advance(searches[open[i]], uv[i], value(points[i]), delta);
+    }
+    std::erase_if(open, [&](std::size_t k) { return searches[k].done; });
+  }
+  for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k]));
+  look_outward(surface, searches, delta, threads, value);
+  std::vector<Found> result(searches.size());
+  std::ranges::transform(searches, result.begin(), &Search::found);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
+                               unsigned threads) {
+  return search_lines(surface, lines, delta, threads,
+                      [](const SurfacePoint& point) { return point.position; });
+}
+
+std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
+                                unsigned threads) {
+  const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto normal = [&](const SurfacePoint& point) {
+    return normal_direction(point).value_or(dvec3(kNan));
+  };
+  return search_lines(surface, lines, chord, threads, normal);
+}
+
+}  // namespace saddle

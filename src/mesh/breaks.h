@@ -1,0 +1,37 @@
+// Tells jumps and poles from steep slopes, and creases from bends, along straight lines in the
+// (u, v) plane.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace saddle {
+
+enum class Break : std::uint8_t { None, Jump, Pole };
+
+/// A straight line of parameters.
+using Line = std::array<dvec2, 2>;
+
+/// What is found on a line, and between which neighbours in double precision.
+struct Found {
+  Break kind = Break::None;
+  Line ends{dvec2(0), dvec2(0)};  ///< the first is the one nearer to the line's first end
+};
+
+/// Follows the larger half of the gap between the positions at the ends of each line until both
+/// halves are below `delta`, which shows that the surface is continuous there, or the parameters
+/// have run out of digits: then it jumps, or goes to infinity if the gap has grown on the way.
+/// Nothing is found on a line with an end where the surface is not defined.
+std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
+                               unsigned threads);
+
+/// The same of unit normals: where they jump by more than kCreaseDegrees the surface has a crease,
+/// or, if to their opposites, a cusp.
+std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
+                                unsigned threads);
+
+}  // namespace saddle

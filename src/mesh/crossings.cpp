@@ -1,0 +1,233 @@
+#include "mesh/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "mesh/breaks.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// A surface that goes so many times the extent of its samples away on its way to the rim has a
+/// pole there, and no rim.
+constexpr double kPole = 3;
+/// Bisections of a side that the rim crosses: a side is at most 2^10 times as long as its distance
+/// from 0, so that doubles between its ends run out.
+constexpr int kHalvings = 62;
+
+class Finder {
+ public:
+  Finder(const CrossingOptions& options, Lattice& lattice) : options_(options), lattice_(lattice) {}
+
+  void look_at(std::span<const Side> sides) {
+    std::vector<Side> rims;
+    std::vector<Side> inner;
+    for (const Side& side : sides) {
+      const bool first = lattice_.is_defined(side[0]);
+      const bool second = lattice_.is_defined(side[1]);
+      if (first != second) {
+        rims.push_back(side);
+      } else if (first) {
+        inner.push_back(side);
+      }
+      lattice_.set_crossing(side[0], side[1], std::nullopt);
+    }
+    if (!rims.empty()) fit_rims(rims);
+    if (!inner.empty()) find_creases_in(find_jumps_in(inner));
+  }
+
+ private:
+  Line line(const Side& side) const {
+    return {lattice_.mesh().uv[side[0]], lattice_.mesh().uv[side[1]]};
+  }
+
+  /// Bisects sides of which one end is defined, to the last place that is.
+  void fit_rims(std::span<const Side> sides) {
+    std::vector<Line> ends;  // the last place known to be defined, the first known not to be
+    for (const Side& side : sides) {
+      ends.push_back(line(side));
+      if (!lattice_.is_defined(side[0])) std::swap(ends.back()[0], ends.back()[1]);
+    }
+    std::vector<dvec2> middles(sides.size());
+    for (int halving = 0; halving < kHalvings; ++halving) {
+      std::ranges::transform(ends, middles.begin(),
+                             [](const Line& l) { return 0.5 * l[0] + 0.5 * l[1]; });
+      const auto points = evaluate(lattice_.surface(), middles, options_.threads);
+      for (std::size_t k = 0; k < sides.size(); ++k) {
+        ends[k][is_finite(points[k].position) ? 0 : 1] = middles[k];
+      }
+    }
+    std::vector<Between> places;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      places.push_back({sides[k][0], sides[k][1], ends[k][0]});
+    }
+    const std::uint32_t first = lattice_.add_between(places, options_.threads);
+    const Mesh& mesh = lattice_.mesh();
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const auto rim = static_cast<std::uint32_t>(first + k);
+      const auto [a, b] = sides[k];
+      const dvec3 off = mesh.position[rim] - mesh.position[lattice_.is_defined(a) ? a : b];
+      const bool near = glm::length(off) <= kPole * mesh.bounds.diagonal();
+      lattice_.set_crossing(a, b, Crossing{near ? Cut::Rim : Cut::Pole, a, rim, rim});
+    }
+  }
+
+  /// Returns the sides along which the surface is continuous.
+  std::vector<Side> find_jumps_in(std::span<const Side> sides) {
+    double delta = std::numeric_limits<double>::infinity();
+    std::vector<Line> lines;
+    for (const Side& side : sides) {
+      lines.push_back(line(side));
+      delta = std::min(delta, options_.tolerance(lattice_.mesh().position[side[0]]));
+    }
+    const auto found = find_breaks(lattice_.surface(), lines, delta, options_.threads);
+    std::vector<Side> continuous;
+    std::vector<Side> jumping;
+    std::vector<Found> jumps;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      switch (found[k].kind) {
+        case Break::None:
+          continuous.push_back(sides[k]);
+          break;
+        case Break::Jump:
+          jumping.push_back(sides[k]);
+          jumps.push_back(found[k]);
+          break;
+        case Break::Pole:
+          if (options_.poles) add_pole(sides[k], found[k]);
+      }
+    }
+    add_pairs(Cut::Jump, jumping, jumps);
+    return continuous;
+  }
+
+  void find_creases_in(std::vector<Side> sides) {
+    // At a singular point the normal is no sign of a crease.
+    std::erase_if(sides, [&](const Side& side) {
+      return !lattice_.is_regular(side[0]) || !lattice_.is_regular(side[1]);
+    });
+    if (sides.empty()) return;
+    std::vector<Line> lines;
+    for (const Side& side : sides) lines.push_back(line(side));
+    const auto found = find_creases(lattice_.surface(), lines, options_.threads);
+    std::vector<Side> creased;
+    std::vector<Found> creases;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (found[k].kind == Break::None) continue;
+      creased.push_back(sides[k]);
+      creases.push_back(found[k]);
+    }
+    add_pairs(Cut::Crease, creased, creases);
+  }
+
+  void add_pole(const Side& side, const Found& found) {
+    const std::array places = {Between{side[0], side[1], 0.5 * (found.ends[0] + found.ends[1])}};
+    const std::uint32_t vertex = lattice_.add_between(places, options_.threads);
+    lattice_.set_crossing(side[0], side[1], Crossing{Cut::Pole, side[0], vertex, vertex});
+  }
+
+  /// Beside a cusp the normal's digits are rounding: it takes the one-sided limit along the side.
+  /// `places`: those of the vertices from number `first`.
+  void approach(std::span<const Between> places, const std::vector<bool>& is_beside_a,
+                std::uint32_t first) {
+    std::vector<Approach> approaches;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const std::uint32_t neighbour = is_beside_a[k] ? places[k].a : places[k].b;
+      approaches.push_back({places[k].uv, lattice_.mesh().uv[neighbour]});
+    }
+    const auto limits = limit_normals(lattice_.surface(), approaches, options_.threads);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (limits[k].normal)
+        lattice_.set_normal(static_cast<std::uint32_t>(first + k), *limits[k].normal);
+    }
+  }
+
+  /// Vertices on either side of each cut; those that are the ends of sides are there already.
+  void add_pairs(Cut kind, std::span<const Side> sides, std::span<const Found> found) {
+    const auto& uv = lattice_.mesh().uv;
+    std::vector<Between> places;
+    std::vector<bool> is_beside_a;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      for (std::size_t end = 0; end < 2; ++end) {
+        if (found[k].ends[end] == uv[sides[k][end]]) continue;
+        places.push_back({sides[k][0], sides[k][1], found[k].ends[end]});
+        is_beside_a.push_back(end == 0);
+      }
+    }
+    const std::uint32_t first = lattice_.add_between(places, options_.threads);
+    if (kind == Cut::Crease) approach(places, is_beside_a, first);
+    std::uint32_t next = first;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      std::array<std::uint32_t, 2> beside{};
+      for (std::size_t end = 0; end < 2; ++end) {
+        const bool is_there = found[k].ends[end] == lattice_.mesh().uv[sides[k][end]];
+        beside[end] = is_there ? sides[k][end] : next++;
+      }
+      const std::uint32_t kept = place_to_keep(sides[k], beside);
+      for (const std::uint32_t vertex : beside) {
+        if (vertex == kept) continue;
+        if (kind == Cut::Crease) lattice_.join(kept, vertex);
+        lattice_.share_place(kept, vertex);
+      }
+      lattice_.set_crossing(sides[k][0], sides[k][1],
+                            Crossing{kind, sides[k][0], beside[0], beside[1]});
+    }
+  }
+
+  /// The vertex in whose place a cut is: an end of its side, if it is within rounding of that.
+  std::uint32_t place_to_keep(const Side& side, const std::array<std::uint32_t, 2>& beside) const {
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (lattice_.place_between(beside[end]) == lattice_.place_between(side[end]))
+        return side[end];
+    }
+    return beside[0];
+  }
+
+  const CrossingOptions& options_;
+  Lattice& lattice_;
+};
+
+/// Whether something other than the rim cuts a side of a leaf.
+bool is_crossed(const Leaf& leaf, const Lattice& lattice) {
+  return std::ranges::any_of(sides_of(leaf, lattice), [&](const Side& side) {
+    const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
+    return crossing && crossing->kind != Cut::Rim;
+  });
+}
+
+}  // namespace
+
+void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
+  Finder(options, lattice).look_at(sides);
+}
+
+std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice) {
+  std::vector<Side> sides = sides_of(leaf, lattice);
+  std::erase_if(sides, [&](const Side& side) { return lattice.is_searched(side[0], side[1]); });
+  return sides;
+}
+
+std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::span<Leaf> leaves,
+                                          Lattice& lattice) {
+  std::vector<std::size_t> split;
+  while (true) {
+    std::set<Side> sides;
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+      Leaf& leaf = leaves[k];
+      if (!leaf.is_split && lattice.has_crossings() && is_crossed(leaf, lattice)) {
+        leaf.is_split = true;
+        split.push_back(k);
+      }
+      if (!leaf.on_rim && !leaf.is_split) continue;
+      for (const Side& side : unsearched_sides(leaf, lattice)) sides.insert(side);
+    }
+    if (sides.empty()) return split;
+    find_crossings(std::vector<Side>(sides.begin(), sides.end()), options, lattice);
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,29 @@
+// Finds where the sides of leaves are cut: at the rim of the surface, at jumps, poles and creases.
+#pragma once
+
+#include <span>
+
+#include "mesh/density.h"
+#include "mesh/outline.h"
+
+namespace saddle {
+
+struct CrossingOptions {
+  Tolerance tolerance;
+  /// Whether poles are cut too. A leaf is cut away with its pole: only small ones may be.
+  bool poles = false;
+  unsigned threads = 0;
+};
+
+/// Looks at sides and files in the lattice what is found.
+void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);
+
+/// Looks at the sides of a leaf that have not been looked at.
+std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice);
+
+/// Looks at all sides of leaves that are on the rim, or that a crossing leads into, so that what is
+/// cut is cut through. Returns the numbers of the leaves that this has split.
+std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::span<Leaf> leaves,
+                                          Lattice& lattice);
+
+}  // namespace saddle

@@ -1,0 +1,123 @@
+#include "mesh/joins.h"
+
+#include <optional>
+
+namespace saddle {
+
+namespace {
+
+/// Where the side of the domain that vertices lie on meets the other: the place that is one point
+/// with `place`, or nothing.
+std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, LatticePlace place) {
+  const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
+  const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
+  if (seams.u.closed && (place.u == 0 || place.u == end_u)) {
+    return LatticePlace{end_u - place.u, seams.u.partner(place.v, end_v)};
+  }
+  if (seams.v.closed && (place.v == 0 || place.v == end_v)) {
+    return LatticePlace{seams.v.partner(place.u, end_u), end_v - place.v};
+  }
+  return std::nullopt;
+}
+
+/// The ends of a side on a seam, and their partners.
+struct SeamSide {
+  Side side;
+  Side other;  ///< not in order: other[k] is the partner of side[k]
+};
+
+/// The sides on seams that are cut.
+std::vector<SeamSide> crossed_seam_sides(const Seams& seams, const Grid& grid,
+                                         const Lattice& lattice) {
+  std::vector<SeamSide> result;
+  for (const Side& side : lattice.crossed_sides()) {
+    SeamSide both{side, {}};
+    const LatticePlace a = lattice.place(side[0]);
+    const LatticePlace b = lattice.place(side[1]);
+    if (a.u != b.u && a.v != b.v) continue;
+    bool is_on_seam = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto place = partner(seams, grid, lattice.place(side[k]));
+      const auto vertex = place ? lattice.used_vertex(*place) : std::nullopt;
+      is_on_seam = is_on_seam && vertex;
+      if (vertex) both.other[k] = *vertex;
+    }
+    // Both ends are on a seam; the side is, if its partners are as far apart.
+    const LatticePlace c = lattice.place(both.other[0]);
+    const LatticePlace d = lattice.place(both.other[1]);
+    const bool along_u = a.v == b.v;
+    const auto length = [&](const LatticePlace& p, const LatticePlace& q) {
+      const auto [low, high] = along_u ? std::minmax(p.u, q.u) : std::minmax(p.v, q.v);
+      return high - low;
+    };
+    if (is_on_seam && length(a, b) == length(c, d)) result.push_back(both);
+  }
+  return result;
+}
+
+}  // namespace
+
+void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, Lattice& lattice,
+                  Points& points) {
+  // The corners of the domain may have two partners; they are root vertices, and welded.
+  const std::size_t count = lattice.size();
+  std::vector<Side> pairs;
+  for (auto vertex = static_cast<std::uint32_t>(grid.vertex_count()); vertex < count; ++vertex) {
+    if (!lattice.is_used(vertex)) continue;
+    const std::optional<LatticePlace> other = partner(seams, grid, lattice.place(vertex));
+    if (!other) continue;
+    const std::uint32_t twin = lattice.vertex(*other);
+    lattice.use(twin);
+    pairs.push_back({vertex, twin});
+  }
+  lattice.evaluate(threads);
+  for (const auto& [a, b] : pairs) points.unite(a, b);
+}
+
+void mirror_crossings(const Seams& seams, const CrossingOptions& options, const Grid& grid,
+                      Lattice& lattice) {
+  std::vector<Side> sides;
+  for (const SeamSide& both : crossed_seam_sides(seams, grid, lattice)) {
+    const auto [a, b] = std::minmax(both.other[0], both.other[1]);
+    if (!lattice.is_searched(a, b)) sides.push_back({a, b});
+  }
+  if (!sides.empty()) find_crossings(sides, options, lattice);
+}
+
+void join_crossings(const Seams& seams, const Grid& grid, const Lattice& lattice, Points& points) {
+  for (const SeamSide& both : crossed_seam_sides(seams, grid, lattice)) {
+    const auto crossing = lattice.crossing(both.side[0], both.side[1]);
+    const auto other = lattice.crossing(both.other[0], both.other[1]);
+    if (!other || other->kind != crossing->kind || other->kind == Cut::Pole) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::uint32_t a = crossing->beside(both.side[k]);
+      const std::uint32_t b = other->beside(both.other[k]);
+      if (is_one_point(grid, a, b)) points.unite(a, b);
+    }
+  }
+}
+
+void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice, Points& points) {
+  const auto at_one_place = [&](std::uint32_t a, std::uint32_t b) {
+    return lattice.is_defined(a) && lattice.is_defined(b) &&
+           grid.mesh.point[a] != grid.mesh.point[b] && is_one_point(grid, a, b);
+  };
+  for (const Leaf& leaf : leaves) {
+    for (const auto& [a, b] : sides_of(leaf, lattice)) {
+      if (!at_one_place(a, b)) continue;
+      points.unite(a, b);
+      lattice.make_singular(a);
+      lattice.make_singular(b);
+    }
+    if (!leaf.is_split) continue;
+    for (const Polygon& piece : pieces(leaf, lattice)) {
+      for (std::size_t k = 0; k < piece.size(); ++k) {
+        const std::uint32_t a = piece[k].corner;
+        const std::uint32_t b = piece[(k + 1) % piece.size()].corner;
+        if (at_one_place(a, b)) points.unite(a, b);
+      }
+    }
+  }
+}
+
+}  // namespace saddle

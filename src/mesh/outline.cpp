@@ -1,0 +1,187 @@
+#include "mesh/outline.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace saddle {
+
+namespace {
+
+/// The vertices in use around a leaf, counter-clockwise in (u, v), defined or not.
+Polygon outline(const Leaf& leaf, const Lattice& lattice) {
+  Polygon polygon;
+  const auto corners = leaf.corners();
+  for (std::size_t k = 0; k < 4; ++k) {
+    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
+      polygon.push_back({vertex, lattice.place_between(vertex)});
+    });
+  }
+  return polygon;
+}
+
+/// The different points of the surface at the singular vertices of a polygon.
+std::vector<std::uint32_t> singular_points(const Polygon& polygon, const Lattice& lattice) {
+  std::vector<std::uint32_t> points;
+  for (const PolygonCorner& corner : polygon) {
+    const std::uint32_t point = lattice.mesh().point[corner.corner];
+    if (lattice.is_regular(corner.corner) || std::ranges::count(points, point) > 0) continue;
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// A run of vertices between two cuts of the outline.
+struct Run {
+  Polygon polygon;
+  bool goes_far = false;  ///< to a pole
+};
+
+/// Cuts an outline at its crossings.
+class Cutter {
+ public:
+  Cutter(const Polygon& whole, const Lattice& lattice) : whole_(whole), lattice_(lattice) {
+    for (std::size_t k = 0; k < whole.size(); ++k) go_on(k);
+  }
+
+  /// `folded`: a crease goes through the leaf, from crossing to crossing or singular point.
+  std::vector<Polygon> take(bool folded) {
+    // A crease that ends here leaves the leaf whole; a jump that does would be a wall.
+    if (cuts_ == 1 && jumps_ > 0) return {};
+    if (cuts_ > 0) join_ends();
+    if (folded && cuts_ < 2) cut_at_singular_points();
+    std::vector<Polygon> result;
+    for (Run& run : runs_) {
+      if (!run.goes_far) add(std::move(run.polygon), result);
+    }
+    if (creases_.size() >= 3) add(std::move(creases_), result);
+    return result;
+  }
+
+ private:
+  void append(std::uint32_t vertex) {
+    runs_.back().polygon.push_back({vertex, lattice_.place_between(vertex)});
+  }
+
+  void cut() {
+    ++cuts_;
+    runs_.emplace_back();
+  }
+
+  /// Appends the k-th vertex, and what lies between it and the next.
+  void go_on(std::size_t k) {
+    const std::uint32_t a = whole_[k].corner;
+    const std::uint32_t b = whole_[(k + 1) % whole_.size()].corner;
+    if (lattice_.is_defined(a)) {
+      runs_.back().polygon.push_back(whole_[k]);
+    } else {
+      cut();
+    }
+    const std::optional<Crossing> crossing = lattice_.crossing(a, b);
+    if (!crossing) return;
+    const bool far = crossing->kind == Cut::Pole;
+    if (lattice_.is_defined(a)) {
+      runs_.back().goes_far = runs_.back().goes_far || far;
+      if (!far) append(crossing->beside(a));
+    }
+    if (crossing->kind == Cut::Jump) ++jumps_;
+    if (crossing->kind == Cut::Crease) creases_.push_back({crossing->beside(a), place(*crossing)});
+    cut();
+    if (lattice_.is_defined(b)) {
+      runs_.back().goes_far = far;
+      if (!far) append(crossing->beside(b));
+    }
+  }
+
+  dvec2 place(const Crossing& crossing) const {
+    return lattice_.place_between(crossing.beside_first);
+  }
+
+  /// The outline is closed: its first run goes on where its last one ends.
+  void join_ends() {
+    Run last = std::move(runs_.back());
+    runs_.pop_back();
+    Run& first = runs_.front();
+    last.polygon.insert(last.polygon.end(), first.polygon.begin(), first.polygon.end());
+    first.polygon = std::move(last.polygon);
+    first.goes_far = first.goes_far || last.goes_far;
+  }
+
+  /// Where the crease ends in one singular point, or goes from one to another: a vertex as good as
+  /// on it.
+  void cut_at_singular_points() {
+    Polygon& whole = runs_.front().polygon;
+    const std::vector<std::uint32_t> points = singular_points(whole, lattice_);
+    if (cuts_ + points.size() != 2) return;
+    const auto& point = lattice_.mesh().point;
+    if (cuts_ == 1 && point[creases_.front().corner] == points.back()) return;  // it only ends here
+    if (cuts_ == 0) start_after(points[0], whole);
+    const auto is_there = [&](const PolygonCorner& c) { return point[c.corner] == points.back(); };
+    const auto first = std::ranges::find_if(whole, is_there);
+    const auto last = std::find_if(whole.rbegin(), whole.rend(), is_there).base() - 1;
+    Run rest{{last, whole.end()}};
+    whole.erase(first + 1, whole.end());
+    runs_.push_back(std::move(rest));
+  }
+
+  /// Rotates a polygon so that it begins and ends at a point.
+  void start_after(std::uint32_t point, Polygon& polygon) const {
+    const auto is_there = [&](const PolygonCorner& c) {
+      return lattice_.mesh().point[c.corner] == point;
+    };
+    const auto elsewhere = std::ranges::find_if_not(polygon, is_there);
+    std::ranges::rotate(polygon, elsewhere);  // what is there is now inside or at the end
+    const auto end = std::find_if(polygon.rbegin(), polygon.rend(), is_there).base();
+    std::ranges::rotate(polygon, end);
+    polygon.insert(polygon.begin(), polygon.back());
+  }
+
+  /// A crossing beside a vertex is that vertex: it is there twice.
+  static void add(Polygon polygon, std::vector<Polygon>& result) {
+    const auto same = [](const PolygonCorner& a, const PolygonCorner& b) {
+      return a.corner == b.corner || a.place == b.place;
+    };
+    polygon.erase(std::unique(polygon.begin(), polygon.end(), same), polygon.end());
+    while (polygon.size() > 1 && same(polygon.front(), polygon.back())) polygon.pop_back();
+    if (polygon.size() >= 3) result.push_back(std::move(polygon));
+  }
+
+  const Polygon& whole_;
+  const Lattice& lattice_;
+  std::vector<Run> runs_{1};
+  Polygon creases_;  // where creases cross the sides
+  std::size_t cuts_ = 0;
+  std::size_t jumps_ = 0;
+};
+
+}  // namespace
+
+std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
+  const Polygon whole = outline(leaf, lattice);
+  if (!lattice.has_crossings() && !leaf.on_rim && !leaf.is_split) return {whole};
+  return Cutter(whole, lattice).take(leaf.is_split);
+}
+
+std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
+  const Polygon polygon = outline(leaf, lattice);
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::uint32_t a = polygon[k].corner;
+    const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+    sides.push_back({std::min(a, b), std::max(a, b)});
+  }
+  return sides;
+}
+
+CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
+  CutCount count;
+  for (const Side& side : sides_of(leaf, lattice)) {
+    const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
+    if (!crossing) continue;
+    ++count.crossings;
+    if (crossing->kind != Cut::Crease) count.only_creases = false;
+  }
+  count.singular_points = singular_points(outline(leaf, lattice), lattice).size();
+  return count;
+}
+
+}  // namespace saddle

@@ -1,0 +1,158 @@
+// Where a surface jumps, is creased or has a cusp, the mesh is cut along it: both sides are there,
+// each with its own normals, and nothing is between them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mesh/adaptive_mesh.h"
+#include "mesh_checks.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+constexpr double kTolerance = 1e-3;  // of the diagonal
+constexpr double kThousandthDegree = 1e-3 * kPi / 180;
+
+GridMesh mesh_of(const char* x, const char* y, const char* z, const Domain& domain) {
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe& probe) -> Tolerance {
+    const double eps = kTolerance * probe.bounds().diagonal();
+    return [eps](const dvec3&) { return eps; };
+  };
+  options.normal_tolerance = 3;
+  return mesh_within_tolerance(surface_from_text(x, y, z, domain, {}, Order::Second), options)
+      .value();
+}
+
+GridMesh height_field(const char* z) {
+  return mesh_of("u", "v", z, {-1, 1, -1, 1});
+}
+
+double area_in_uv(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const dvec2 a = mesh.uv[t[1]] - mesh.uv[t[0]];
+    const dvec2 b = mesh.uv[t[2]] - mesh.uv[t[0]];
+    sum += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  return sum;
+}
+
+dvec2 middle_in_uv(const Mesh& mesh, const Triangle& t) {
+  return (mesh.uv[t[0]] + mesh.uv[t[1]] + mesh.uv[t[2]]) / 3.0;
+}
+
+/// The largest angle, in radians, between the normal of a corner and what `exact` says it is on the
+/// side of the surface that the triangle is on.
+template <class F>
+double worst_normal(const Mesh& mesh, F exact) {
+  double worst = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) {
+      const dvec3 n = glm::normalize(exact(mesh.uv[corner], middle_in_uv(mesh, t)));
+      worst = std::max(worst, std::acos(std::clamp(glm::dot(n, mesh.normal[corner]), -1.0, 1.0)));
+    }
+  }
+  return worst;
+}
+
+TEST(Jumps, AreCutWithoutLosingAnything) {
+  for (const char* z : {"floor(3*u)", "floor(2*u+v)", "sign(u-0.5)", "(u^2+v^2<0.5)?1:0"}) {
+    const GridMesh result = height_field(z);
+    EXPECT_GT(result.report.jump_count, 0U) << z;
+    EXPECT_NEAR(area_in_uv(result.mesh), 4, 1e-6) << z;
+    for (const Triangle& t : result.mesh.triangles) {
+      const double height = result.mesh.position[t[0]].z;
+      ASSERT_EQ(result.mesh.position[t[1]].z, height) << z;
+      ASSERT_EQ(result.mesh.position[t[2]].z, height) << z;
+    }
+  }
+}
+
+TEST(Jumps, DoNotShowTheValueAtTheVeryPlaceOfTheJump) {
+  for (const char* z : {"sign(u)", "sign(u-0.5)", "sign(u-v)"}) {
+    for (const dvec3& p : height_field(z).mesh.position) ASSERT_EQ(std::fabs(p.z), 1) << z;
+  }
+}
+
+TEST(Jumps, MayEndInsideOfTheSurface) {
+  const GridMesh result = height_field("atan2(v,u)");
+  EXPECT_GT(result.report.jump_count, 0U);
+  EXPECT_EQ(result.report.pole_count, 0U);
+  EXPECT_GT(area_in_uv(result.mesh), 4 * 0.9999);
+  for (const Triangle& t : result.mesh.triangles) {
+    for (const std::uint32_t corner : t) {
+      if (middle_in_uv(result.mesh, t).x > 0) continue;
+      const bool above = middle_in_uv(result.mesh, t).y > 0;
+      ASSERT_EQ(result.mesh.position[corner].z > 0, above);
+    }
+  }
+}
+
+TEST(Creases, AreEdgesOfTheMeshWithANormalOnEitherSide) {
+  const GridMesh result = height_field("abs(u-0.3*v)");
+  const auto exact = [](const dvec2&, const dvec2& inside) {
+    const double sign = inside.x > 0.3 * inside.y ? 1 : -1;
+    return dvec3(-sign, 0.3 * sign, 1);
+  };
+  EXPECT_LT(worst_normal(result.mesh, exact), kThousandthDegree);
+  EXPECT_EQ(euler_number(result.mesh), 1);
+  EXPECT_LT(result.mesh.triangles.size(), 1500U);  // 450 without the crease
+  EXPECT_LT(result.report.max_error, 1e-12);
+}
+
+TEST(Creases, GoThroughVerticesOfTheMesh) {
+  for (const char* z : {"abs(u-v)", "abs(u+1/3)"}) {  // u = -1/3 is a grid line
+    const GridMesh result = height_field(z);
+    for (const Triangle& t : result.mesh.triangles) {
+      const dvec3 face = glm::normalize(doubled_area(result.mesh, t));
+      for (const std::uint32_t corner : t) {
+        ASSERT_GT(glm::dot(face, result.mesh.normal[corner]), 1 - 1e-12) << z;
+      }
+    }
+    EXPECT_EQ(euler_number(result.mesh), 1) << z;
+  }
+}
+
+TEST(Creases, MayBeCurved) {
+  const GridMesh result = height_field("abs(u^2+v^2-0.5)");
+  const auto exact = [](const dvec2& uv, const dvec2& inside) {
+    const double sign = glm::dot(inside, inside) > 0.5 ? 1 : -1;
+    return dvec3(-2 * sign * uv, 1);
+  };
+  EXPECT_LT(worst_normal(result.mesh, exact), kThousandthDegree);
+  EXPECT_EQ(euler_number(result.mesh), 1);
+}
+
+TEST(Cusps, HaveTheOneSidedLimitsOfTheirNormals) {
+  const GridMesh result = mesh_of("u", "(v-0.1)^2", "(v-0.1)^3", {-1, 1, -1, 1});
+  const auto exact = [](const dvec2& uv, const dvec2& inside) {
+    return dvec3(0, -3 * (uv.y - 0.1), 2) * (inside.y > 0.1 ? 1.0 : -1.0);
+  };
+  EXPECT_LT(worst_normal(result.mesh, exact), kThousandthDegree);
+  EXPECT_EQ(triangles_against_normals(result.mesh), 0U);
+  EXPECT_EQ(euler_number(result.mesh), 1);
+}
+
+TEST(Cusps, ThatAreCurvedAreCutToo) {
+  // The swallowtail's cusps are where u + 6 v^2 = 0; its normal is along (1, v, v^2) everywhere.
+  const GridMesh result = mesh_of("u*v^2+3*v^4", "-2*u*v-4*v^3", "u", {-2, 2, -0.8, 0.8});
+  for (std::size_t k = 0; k < result.mesh.uv.size(); ++k) {
+    const dvec2 uv = result.mesh.uv[k];
+    if (glm::length(uv) < 0.1) continue;  // two cusps end in the one cell around the middle
+    const double beyond = uv.x + 6 * uv.y * uv.y;
+    const double cosine =
+        glm::dot(glm::normalize(dvec3(1, uv.y, uv.y * uv.y)), result.mesh.normal[k]);
+    const bool on_cusp = std::fabs(beyond) < 1e-12;
+    ASSERT_GT(on_cusp ? std::fabs(cosine) : std::copysign(1.0, beyond) * cosine, 1 - 1e-12);
+  }
+  EXPECT_LT(result.report.max_normal_error, 3);
+  EXPECT_EQ(euler_number(result.mesh), 1);
+}
+
+}  // namespace
+}  // namespace saddle
