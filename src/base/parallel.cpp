@@ -9,16 +9,21 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace saddle {
 namespace {
+
+/// Of the Abandonable that lives on this thread; without one it is never asked to stop.
+thread_local std::stop_token wanted_no_longer;
 
 /// What the threads of one loop share.
 struct Loop {
   std::size_t count;
   std::size_t chunk;
   const std::function<void(std::size_t, std::size_t)>& body;
+  std::stop_token abandoned;
   std::atomic<std::size_t> next{0};  ///< number of the chunk that nobody has taken yet
   std::mutex mutex{};
   std::exception_ptr first_exception{};
@@ -27,6 +32,7 @@ struct Loop {
 };
 
 void run_chunk(Loop& loop, std::size_t index) {
+  if (loop.abandoned.stop_requested()) throw Abandoned();
   const std::size_t begin = index * loop.chunk;
   loop.body(begin, begin + std::min(loop.chunk, loop.count - begin));
 }
@@ -45,6 +51,15 @@ void run_chunks(Loop& loop) noexcept {
 
 }  // namespace
 
+Abandonable::Abandonable(std::stop_token token) {
+  assert(!wanted_no_longer.stop_possible());
+  wanted_no_longer = std::move(token);
+}
+
+Abandonable::~Abandonable() {
+  wanted_no_longer = {};
+}
+
 unsigned available_threads() {
   cpu_set_t set;
   CPU_ZERO(&set);
@@ -58,7 +73,7 @@ unsigned available_threads() {
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                      const std::function<void(std::size_t begin, std::size_t end)>& body) {
   assert(chunk > 0);
-  Loop loop{.count = count, .chunk = chunk, .body = body};
+  Loop loop{.count = count, .chunk = chunk, .body = body, .abandoned = wanted_no_longer};
   const std::size_t chunks = loop.chunks();
   const unsigned wanted = chunks <= 1 ? 1 : threads == 0 ? available_threads() : threads;
   {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <functional>
+#include <stop_token>
 
 namespace saddle {
 
@@ -12,6 +14,22 @@ namespace saddle {
 /// machine's). The first exception thrown by a body is rethrown here once all threads have ended.
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Thrown by parallel_chunks() when its work is no longer wanted.
+class Abandoned : public std::exception {
+ public:
+  const char* what() const noexcept override { return "abandoned"; }
+};
+
+/// While it lives, loops that are started on this thread end with Abandoned, at the next chunk,
+/// once `token` is asked to stop. For work that a user can supersede by typing on. One at a time.
+class Abandonable {
+ public:
+  explicit Abandonable(std::stop_token token);
+  ~Abandonable();
+  Abandonable(const Abandonable&) = delete;
+  Abandonable& operator=(const Abandonable&) = delete;
+};
 
 /// Threads that `0` stands for: what the process may run on, at least 1.
 unsigned available_threads();

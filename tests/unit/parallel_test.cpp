@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <utility>
@@ -117,6 +118,23 @@ TEST(AvailableThreads, CountTheProcessorsThatTheProcessMayUse) {
   ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
   EXPECT_EQ(available_threads(), 1u);
   ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+}
+
+TEST(Abandonable, EndsLoopsOfItsThreadOnceItIsAskedTo) {
+  std::stop_source source;
+  int chunks = 0;
+  const auto count_and_stop = [&](std::size_t, std::size_t) {
+    if (++chunks == 3) source.request_stop();
+  };
+  {
+    const Abandonable abandonable(source.get_token());
+    EXPECT_THROW(parallel_chunks(100, 1, 1, count_and_stop), Abandoned);
+    EXPECT_EQ(chunks, 3);
+    EXPECT_THROW(parallel_chunks(100, 1, 1, count_and_stop), Abandoned) << "a later loop";
+    EXPECT_EQ(chunks, 3);
+  }
+  parallel_chunks(10, 1, 1, count_and_stop);
+  EXPECT_EQ(chunks, 13) << "nobody asks any more";
 }
 
 }  // namespace
