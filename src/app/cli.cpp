@@ -240,8 +240,12 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   parse_with_cli11(app, argc, argv);
   line.arguments = plain_arguments(app);
   if (help) {
-    const bool functions = line.arguments == std::vector<std::string>{"functions"};
-    line.command = functions ? CommandLine::Command::Functions : CommandLine::Command::Help;
+    const auto asks = [&](const char* page) {
+      return line.arguments == std::vector<std::string>{page};
+    };
+    line.command = asks("functions") ? CommandLine::Command::Functions
+                   : asks("keys")    ? CommandLine::Command::Keys
+                                     : CommandLine::Command::Help;
   } else if (version) {
     line.command = CommandLine::Command::Version;
   } else if (argc > 1) {

@@ -13,7 +13,7 @@ namespace saddle {
 inline constexpr double kDefaultThreshold = 0.04;
 
 struct CommandLine {
-  enum class Command { Graph, Check, Chart, List, Show, Help, Functions, Version };
+  enum class Command { Graph, Check, Chart, List, Show, Help, Functions, Keys, Version };
 
   Command command = Command::Graph;
   std::vector<std::string> arguments;  ///< assignments and names, without a verb

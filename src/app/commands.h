@@ -13,6 +13,9 @@ using Clock = std::chrono::steady_clock;
 /// Machine if the picture differs from the reference by more than the threshold.
 void run_graph(const CommandLine& line, Clock::time_point start);
 
+/// Formulas in a window. Throws Error; Machine if there is no display.
+void run_view(const CommandLine& line);
+
 /// What is true of the surface, in words on standard output, and as a report. Throws Error.
 void run_check(const CommandLine& line, Clock::time_point start);
 

@@ -7,10 +7,12 @@
 #include "app/cli.h"
 #include "app/commands.h"
 #include "app/help.h"
+#include "app/outputs.h"
 #include "app/standard_output.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "formula/language.h"
+#include "view/keys.h"
 
 namespace {
 
@@ -18,7 +20,7 @@ void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
   using Command = saddle::CommandLine::Command;
   switch (line.command) {
     case Command::Graph:
-      return saddle::run_graph(line, start);
+      return saddle::wants_viewer(line) ? saddle::run_view(line) : saddle::run_graph(line, start);
     case Command::Check:
       return saddle::run_check(line, start);
     case Command::Chart:
@@ -31,6 +33,8 @@ void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
       return saddle::print(saddle::help_text());
     case Command::Functions:
       return saddle::print(saddle::language_help());
+    case Command::Keys:
+      return saddle::print(saddle::key_help());
     case Command::Version:
       return saddle::print(saddle::version_text());
   }

@@ -106,11 +106,11 @@ void check_names_differ(const CommandLine& line, const std::vector<Output>& outp
 
 }  // namespace
 
+bool wants_viewer(const CommandLine& line) {
+  return line.outputs.empty() && line.report.empty() && line.reference.empty();
+}
+
 std::vector<Output> checked_outputs(const CommandLine& line) {
-  if (line.outputs.empty() && line.report.empty() && line.reference.empty()) {
-    throw Error(Status::Input, "nothing says what to make of it", {},
-                "name an output: -o FILE.png (there is no viewer yet)");
-  }
   const auto fallback = checked_format(line.format);
   check_format_is_used(line);
   std::vector<Output> outputs;

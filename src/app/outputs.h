@@ -18,6 +18,9 @@ struct Output {
   Format format = Format::Png;
 };
 
+/// Nothing is to be written: the command line asks for the viewer.
+bool wants_viewer(const CommandLine& line);
+
 /// The outputs of the command line, checked before anything is computed. Throws Error: Input for
 /// an unknown extension, a terminal, two things for standard output; Machine for a path that
 /// cannot be written, the report's included.

@@ -22,6 +22,10 @@ class Context {
   Context() = default;
 };
 
+/// Loads the functions of a context that somebody else made current, a window's: `address` finds
+/// one by its name. Throws Error (Machine) if it is older than OpenGL 3.3.
+void load_gl_functions(void (*(*address)(const char* name))());
+
 /// Off-screen Mesa. Its library is loaded here and only here, when a picture is wanted. Throws
 /// Error (Machine) that names what is missing and the package that has it.
 std::unique_ptr<Context> make_osmesa_context();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <new>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace saddle {
 namespace {
 
 constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
+constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
 
 /// In units of the scene. From farther away a point light's direction is the
 /// same everywhere to a float's precision, and the square of its distance must not overflow.
@@ -99,7 +101,13 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
   }
 }
 
-void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport) {
+void Renderer::keep_meshes(std::size_t count) {
+  if (count >= meshes_.size()) return;
+  meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(count), meshes_.end());
+}
+
+void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
+                    const Look& look) {
   assert(meshes_.size() == scene.surfaces.size());
   Bounds bounds;
   for (const GpuMesh& mesh : meshes_) bounds.add(mesh.bounds());
@@ -116,8 +124,13 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
   clear(scene.background);
   glEnable(GL_DEPTH_TEST);
-  draw_surfaces(scene, views, unit, n);
-  draw_lines(views, n);
+  draw_surfaces(scene, views, unit, n, look);
+  if (look.lines) draw_lines(views, n);
+  if (marks_) {
+    View view(camera, marks_->frame(), unit);
+    view.model_to_clip = to_rect * view.model_to_clip;
+    draw_marks(view, n);
+  }
   check_gl();
 }
 
@@ -144,7 +157,7 @@ bool Renderer::has_lines() const {
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
 /// the line may lie from the line itself, and half a sample more.
 void Renderer::draw_surfaces(const Scene& scene, const std::vector<View>& views, double unit,
-                             int line_width) {
+                             int line_width, const Look& look) {
   Program& program = surface_program(scene);
   program.use();
   set_lights(program, scene.lights, unit);
@@ -152,6 +165,8 @@ void Renderer::draw_surfaces(const Scene& scene, const std::vector<View>& views,
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0.5F * static_cast<float>(line_width + 1), 1);
   }
+  if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glLineWidth(static_cast<float>(line_width));
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     program.set("model_to_clip", views[i].model_to_clip);
     program.set("model_to_eye", views[i].model_to_eye);
@@ -159,6 +174,7 @@ void Renderer::draw_surfaces(const Scene& scene, const std::vector<View>& views,
     program.check_all_set();
     meshes_[i].draw_triangles();
   }
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -175,6 +191,19 @@ void Renderer::draw_lines(const std::vector<View>& views, int line_width) {
     program.check_all_set();
     meshes_[i].draw_lines();
   }
+}
+
+/// They may stand out of the box that the camera's near and far planes enclose.
+void Renderer::draw_marks(const View& view, int line_width) {
+  Program& program = line_program();
+  program.use();
+  program.set("line_color", kMarkColor);
+  program.set("model_to_clip", view.model_to_clip);
+  program.check_all_set();
+  glLineWidth(static_cast<float>(line_width));
+  glEnable(GL_DEPTH_CLAMP);
+  marks_->draw_lines();
+  glDisable(GL_DEPTH_CLAMP);
 }
 
 }  // namespace saddle

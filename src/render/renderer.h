@@ -26,6 +26,12 @@ struct Viewport {
   int per_side = 1;  ///< samples per pixel and side
 };
 
+/// What a viewer can change about a picture without changing the scene.
+struct Look {
+  bool lines = true;       ///< the surfaces' grid lines
+  bool wireframe = false;  ///< the edges of the triangles in place of the triangles
+};
+
 /// Needs the same current context from the first to the last of its calls.
 class Renderer {
  public:
@@ -33,9 +39,17 @@ class Renderer {
   /// Surfaces get their first mesh in order.
   void set_mesh(std::size_t surface, const Mesh& mesh);
 
+  /// Takes the meshes from the `count`th on away.
+  void keep_meshes(std::size_t count);
+
+  /// Uploads lines that are no part of the scene, in place of the last ones.
+  void set_marks(const Mesh& marks) { marks_.emplace(marks); }
+  void remove_marks() { marks_.reset(); }
+
   /// Draws all meshes, with the materials of their surfaces. Throws Error (Machine) for what
   /// OpenGL reports, and if there is no memory.
-  void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport);
+  void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
+            const Look& look = {});
 
  private:
   struct View;
@@ -44,10 +58,12 @@ class Renderer {
   Program& line_program();
   bool has_lines() const;
   void draw_surfaces(const Scene& scene, const std::vector<View>& views, double unit,
-                     int line_width);
+                     int line_width, const Look& look);
   void draw_lines(const std::vector<View>& views, int line_width);
+  void draw_marks(const View& view, int line_width);
 
   std::vector<GpuMesh> meshes_;
+  std::optional<GpuMesh> marks_;
   std::map<std::string, Program> surface_programs_;  // by the text of the fragment shader
   std::optional<Program> line_program_;
 };

@@ -15,6 +15,10 @@ class Target {
   /// Throws Error (Machine) if OpenGL cannot draw into as much.
   Target(int width, int height);
 
+  /// What is drawn from now on goes into it.
+  void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get()); }
+  void bind_for_reading() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get()); }
+
   /// Waits for drawing to end and fills `rect` of `image` with the means of per_side x per_side
   /// samples, the lowest and leftmost pixel's first sample being (x, y), from the lower left.
   /// `opaque`: all alphas are known to be 255.

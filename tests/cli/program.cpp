@@ -40,6 +40,8 @@ Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesys
   const pid_t child = fork();
   if (child == 0) {
     if (chdir(folder.c_str()) != 0) _exit(126);
+    unsetenv("DISPLAY");  // no window opens
+    unsetenv("WAYLAND_DISPLAY");
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
     execv(argv[0], argv.data());

@@ -52,6 +52,12 @@ TEST_F(Usage, HelpListsTheFormulaLanguage) {
   }
 }
 
+TEST_F(Usage, HelpListsTheKeysOfTheViewer) {
+  const Outcome run = saddle({"--help", "keys"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(contains(run.out, "Escape")) << run.out;
+}
+
 TEST_F(Usage, RefusesWhatWouldBeIgnored) {
   EXPECT_TRUE(contains(refusal({"z=u", "z=v", "-o", "a.png"}), "'z' is given twice"));
   EXPECT_TRUE(
@@ -92,7 +98,9 @@ TEST_F(Usage, TakesVerbsOnlyAsTheFirstArgument) {
 
 TEST_F(Usage, WantsASurfaceAndAnOutput) {
   EXPECT_TRUE(contains(refusal({}), "no surface given"));
-  EXPECT_TRUE(contains(refusal({"torus"}), "-o FILE.png"));
+  const std::string no_window = error_of(saddle({"torus"}), 1);  // tests have no display
+  EXPECT_TRUE(contains(no_window, "no window can be opened")) << no_window;
+  EXPECT_TRUE(contains(no_window, "-o FILE.png"));
   EXPECT_TRUE(contains(refusal({"torus", "sphere", "-o", "a.png"}), "two scenes"));
 }
 

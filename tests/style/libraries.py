@@ -12,6 +12,8 @@ HOMES = {
     r"GL/osmesa\.h": r"src/render/context_osmesa\.cpp",
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",
     r"toml\+\+/.*": r"src/scene/toml\.cpp",
+    r"GLFW/.*|backends/imgui.*": r"src/view/window\.cpp",
+    r"imgui.*": r"src/view/(window|panel|overlay)\.cpp",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')

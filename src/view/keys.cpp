@@ -1,0 +1,59 @@
+#include "view/keys.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace saddle {
+namespace {
+
+constexpr std::array kTable{
+    KeyBinding{Action::Grid, "g", "grid lines on or off"},
+    KeyBinding{Action::Wireframe, "w", "triangles as wires"},
+    KeyBinding{Action::Normals, "n", "normals"},
+    KeyBinding{Action::Flip, "f", "swap front and back"},
+    KeyBinding{Action::NextLights, "l", "next light setup: three lights, at the eye, from above"},
+    KeyBinding{Action::Orthographic, "o", "orthographic or perspective"},
+    KeyBinding{Action::Turntable, "t", "turn on a table, which keeps up up, or on a ball"},
+    KeyBinding{Action::AlongX, "x", "look along x; again: from the other side"},
+    KeyBinding{Action::AlongY, "y", "look along y"},
+    KeyBinding{Action::AlongZ, "z", "look along z"},
+    KeyBinding{Action::Fit, "Home", "fit the surface into the picture"},
+    KeyBinding{Action::Play, "Space", "play or stop t"},
+    KeyBinding{Action::Coarser, "[", "coarser mesh: twice the tolerance"},
+    KeyBinding{Action::Finer, "]", "finer mesh: half the tolerance"},
+    KeyBinding{Action::SavePicture, "s", "save a PNG"},
+    KeyBinding{Action::SaveScene, "S", "save the scene with this camera"},
+    KeyBinding{Action::CopyCommand, "c", "copy the scene as a command line"},
+    KeyBinding{Action::CopyScene, "C", "copy the scene as a scene file"},
+    KeyBinding{Action::Undo, "Ctrl-z", "undo an edit"},
+    KeyBinding{Action::Redo, "Ctrl-y", "do it again"},
+    KeyBinding{Action::Reload, "r", "reload"},
+    KeyBinding{Action::Panel, "Tab", "panel on or off"},
+    KeyBinding{Action::Help, "F1", "this help"},
+    KeyBinding{Action::Quit, "q", "quit"},
+    KeyBinding{Action::Quit, "Escape", "quit"},
+};
+
+}  // namespace
+
+std::span<const KeyBinding> key_table() {
+  return kTable;
+}
+
+const KeyBinding* find_key(std::string_view name) {
+  const auto found = std::ranges::find(kTable, name, &KeyBinding::name);
+  return found == kTable.end() ? nullptr : &*found;
+}
+
+std::string key_help() {
+  std::string text;
+  for (const KeyBinding& key : kTable) {
+    std::string name = key.name;
+    name.resize(10, ' ');
+    text += name + key.help + "\n";
+  }
+  return text;
+}
+
+}  // namespace saddle

@@ -1,0 +1,52 @@
+// The keys of the viewer: one table for the program, its help and its page.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace saddle {
+
+enum class Action {
+  Grid,
+  Wireframe,
+  Normals,
+  Flip,
+  NextLights,
+  Orthographic,
+  Turntable,
+  AlongX,
+  AlongY,
+  AlongZ,
+  Fit,
+  Play,
+  Coarser,
+  Finer,
+  SavePicture,
+  SaveScene,
+  CopyCommand,
+  CopyScene,
+  Undo,
+  Redo,
+  Reload,
+  Panel,
+  Help,
+  Quit,
+};
+
+/// A key, as GLFW numbers it and as people call it. Keys that type a character are known by the
+/// character, wherever the keyboard has it; the others by the key.
+struct KeyBinding {
+  Action action;
+  const char* name;  ///< "g", "Home", "Ctrl-z"
+  const char* help;
+};
+
+std::span<const KeyBinding> key_table();
+
+/// What a character, or a special key with its name, does; nullptr: nothing.
+const KeyBinding* find_key(std::string_view name);
+
+/// The table as text, a line each.
+std::string key_help();
+
+}  // namespace saddle

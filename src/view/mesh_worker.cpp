@@ -1,0 +1,107 @@
+#include "view/mesh_worker.h"
+
+#include <chrono>
+#include <new>
+#include <utility>
+
+#include "base/parallel.h"
+
+namespace saddle {
+namespace {
+
+/// A preview that takes longer is not worth waiting for while the user types on.
+constexpr std::chrono::milliseconds kPatience{150};
+
+Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail) {
+  Meshed result;
+  try {
+    for (result.guilty = 0; result.guilty < scene.surfaces.size(); ++result.guilty) {
+      result.surfaces.push_back(
+          std::make_shared<const SurfaceMesh>(tessellate(scene, result.guilty, detail)));
+    }
+  } catch (const Error& error) {
+    result.error = error;
+  } catch (const std::bad_alloc&) {
+    result.error = Error(Status::Machine, "not enough memory for this mesh", {},
+                         "a coarser tolerance needs less");
+  }
+  if (result.error) result.surfaces.clear();
+  return result;
+}
+
+}  // namespace
+
+MeshWorker::MeshWorker(Tessellate tessellate, std::function<void()> wake)
+    : tessellate_(std::move(tessellate)),
+      wake_(std::move(wake)),
+      thread_([this](const std::stop_token& end) { run(end); }) {}
+
+void MeshWorker::wish(Scene scene, bool preview_first) {
+  const auto now = Clock::now();
+  {
+    const std::lock_guard lock(mutex_);
+    next_ = {std::move(scene), preview_first, now};
+    if (working_ && !(previewing_ && now - begun_ < kPatience)) current_.request_stop();
+  }
+  changed_.notify_one();
+}
+
+std::optional<Meshed> MeshWorker::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(result_, std::nullopt);
+}
+
+bool MeshWorker::is_busy() const {
+  const std::lock_guard lock(mutex_);
+  return working_ || next_;
+}
+
+void MeshWorker::run(const std::stop_token& end) {
+  const std::stop_callback stop_work(end, [this] {
+    const std::lock_guard lock(mutex_);
+    current_.request_stop();
+  });
+  while (true) {
+    std::unique_lock lock(mutex_);
+    working_ = false;
+    if (!changed_.wait(lock, end, [this] { return next_.has_value(); })) return;
+    Wish wish = *std::exchange(next_, std::nullopt);
+    working_ = true;
+    previewing_ = wish.preview;
+    begun_ = Clock::now();
+    current_ = std::stop_source();
+    if (end.stop_requested()) return;
+    const Abandonable abandonable(current_.get_token());
+    lock.unlock();
+    try {
+      work(std::move(wish));
+    } catch (const Abandoned&) {
+      // The newer wish is waiting.
+    }
+  }
+}
+
+void MeshWorker::work(Wish wish) {
+  if (wish.preview) {
+    Meshed preview = mesh_all(tessellate_, wish.scene, Detail::Preview);
+    preview.preview = true;
+    // An error may be that of the coarse mesh; the other one will tell.
+    if (!preview.error) deliver(std::move(preview), wish);
+    const std::lock_guard lock(mutex_);
+    if (next_) return;
+    previewing_ = false;
+  }
+  deliver(mesh_all(tessellate_, wish.scene, Detail::Full), wish);
+}
+
+void MeshWorker::deliver(Meshed result, const Wish& wish) {
+  result.scene = wish.scene;
+  result.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - wish.time).count();
+  {
+    const std::lock_guard lock(mutex_);
+    result_ = std::move(result);
+  }
+  wake_();
+}
+
+}  // namespace saddle

@@ -1,0 +1,320 @@
+#include "view/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "scene/prepare.h"
+#include "scene/resolve.h"
+
+namespace saddle {
+namespace {
+
+/// How long the camera must rest before the mesh is made for where it is, and the change of its
+/// distance that is not waited for: the mesh's tolerance is off by as much.
+constexpr std::chrono::milliseconds kRest{150};
+constexpr double kMuchNearer = 1.5;
+
+/// While t plays there are at most so many steps a second: that of most displays.
+constexpr std::chrono::microseconds kStep{16'667};
+
+Light shining(const dvec3& position, double brightness) {
+  Light light;
+  light.position = position;
+  light.color = {brightness, brightness, brightness};
+  return light;
+}
+
+/// The setups after the scene's own.
+std::vector<Light> light_setup(int number) {
+  if (number == 1) return {shining({0, 0, 0}, 1)};
+  Light above = shining({0, 1, 0.3}, 0.9);
+  above.directional = true;
+  return {above, shining({0, 0, 0}, 0.2)};
+}
+constexpr int kLightSetups = 3;  // with the scene's own
+
+/// The camera changes what a tolerance in pixels is.
+bool sees_another_size(const Camera& a, const Camera& b) {
+  return a.distance.has_value() != b.distance.has_value() ||
+         (a.distance && double(*a.distance) != double(*b.distance)) ||
+         a.target.has_value() != b.target.has_value() ||
+         (a.target && dvec3(*a.target) != dvec3(*b.target)) || a.ortho != b.ortho;
+}
+
+}  // namespace
+
+std::string describe(const PickedPoint& picked) {
+  const SurfacePlace& p = picked.place;
+  std::ostringstream text;
+  text.precision(9);
+  text << picked.surface << ": u " << p.uv.x << " v " << p.uv.y << " x " << p.position.x << " y "
+       << p.position.y << " z " << p.position.z;
+  if (p.normal) {
+    text << " normal " << p.normal->x << ' ' << p.normal->y << ' ' << p.normal->z;
+  }
+  text << " gauss " << p.curvature.gauss << " mean " << p.curvature.mean;
+  return text.str();
+}
+
+Model::Model(ViewerSetup setup, std::function<void()> wake)
+    : table_up(setup.scene.camera.up),
+      scene_(std::move(setup.scene)),
+      reload_(std::move(setup.reload)),
+      tessellate_(setup.tessellate),
+      worker_(std::move(setup.tessellate), std::move(wake)) {
+  own_lights_ = scene_.lights;
+  wish(true);
+}
+
+Scene Model::drawn_scene() const {
+  Scene drawn = scene_;
+  if (drawn.surfaces.size() != good_.surfaces.size()) drawn.surfaces = good_.scene.surfaces;
+  drawn.surfaces.resize(good_.surfaces.size());  // to none before the first mesh is there
+  return drawn;
+}
+
+Grip Model::grip() const {
+  Bounds bounds = bounds_;
+  if (bounds.empty()) bounds.add(dvec3(0));
+  const dvec3 target = camera_target(scene_.camera, bounds);
+  const dvec2 pixels = size();
+  return {scene_.camera,
+          fit_camera(scene_.camera, bounds, pixels.x / pixels.y, surface_radius(target)), pixels};
+}
+
+dvec2 Model::size() const {
+  return {scene_.picture.width, scene_.picture.height};
+}
+
+void Model::resize(const dvec2& size) {
+  scene_.picture.width = static_cast<int>(size.x);
+  scene_.picture.height = static_cast<int>(size.y);
+  refine_at_ = Clock::now() + kRest;
+}
+
+void Model::change_look(Scene scene) {
+  history_.record(scene_, "");
+  scene_ = std::move(scene);
+}
+
+double Model::surface_radius(const dvec3& centre) const {
+  if (radius_ && radius_->first == centre) return radius_->second;
+  double radius = 0;
+  for (const auto& surface : good_.surfaces) {
+    for (const dvec3& p : surface->mesh.position) {
+      radius = std::max(radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
+    }
+  }
+  radius_ = {centre, radius};
+  return radius;
+}
+
+void Model::edit(Scene scene, const std::string& what) {
+  history_.record(scene_, what);
+  scene_ = std::move(scene);
+  wish(true);
+}
+
+void Model::undo() {
+  if (auto scene = history_.undo(scene_)) {
+    scene->camera = scene_.camera;
+    scene->picture = scene_.picture;
+    scene_ = std::move(*scene);
+    wish(true);
+  }
+}
+
+void Model::redo() {
+  if (auto scene = history_.redo(scene_)) {
+    scene->camera = scene_.camera;
+    scene->picture = scene_.picture;
+    scene_ = std::move(*scene);
+    wish(true);
+  }
+}
+
+void Model::open(Scene scene) {
+  scene.picture = scene_.picture;
+  own_lights_ = scene.lights;
+  light_setup_ = 0;
+  table_up = scene.camera.up;
+  picked_.reset();
+  edit(std::move(scene), "");
+}
+
+void Model::look_through(const Camera& camera) {
+  const bool refine = sees_another_size(camera, meshed_camera_);
+  scene_.camera = camera;
+  if (!refine) return;
+  refine_at_ = Clock::now() + kRest;
+  if (!camera.distance || !meshed_camera_.distance) return;
+  const double nearer = *meshed_camera_.distance / *camera.distance;
+  if (nearer > kMuchNearer && !worker_.is_busy()) wish(false);
+}
+
+void Model::set_time(double t) {
+  scene_.t = t;
+  wish(true);
+}
+
+/// A formula that is wrong is for the worker to find; a number that is, is found here.
+void Model::wish(bool preview_first) {
+  try {
+    scene_ = resolve(scene_);
+  } catch (const Error& error) {
+    error_ = error;
+    guilty_ = scene_.surfaces.size();
+    return;
+  }
+  meshed_camera_ = scene_.camera;
+  refine_at_.reset();
+  worker_.wish(scene_, preview_first);
+}
+
+bool Model::take_result() {
+  auto result = worker_.take();
+  if (!result) return false;
+  error_ = result->error;
+  guilty_ = result->guilty;
+  if (!error_) show(std::move(*result));
+  return true;
+}
+
+void Model::show(Meshed meshed) {
+  good_ = std::move(meshed);
+  bounds_ = {};
+  for (const auto& surface : good_.surfaces) bounds_.add(surface->mesh.bounds);
+  radius_.reset();
+}
+
+void Model::mesh_now(const Scene& scene) {
+  Meshed meshed;
+  meshed.scene = scene;
+  const auto begin = Clock::now();
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    meshed.surfaces.push_back(
+        std::make_shared<const SurfaceMesh>(tessellate_(scene, i, Detail::Full)));
+  }
+  meshed.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  show(std::move(meshed));
+}
+
+void Model::pass(Clock::time_point now) {
+  if (refine_at_ && now >= *refine_at_) wish(false);
+  if (!playing) {
+    last_tick_.reset();
+    return;
+  }
+  if (last_tick_ && now - *last_tick_ < kStep) return;
+  const double passed = last_tick_ ? std::chrono::duration<double>(now - *last_tick_).count() : 0;
+  last_tick_ = now;
+  const Animation animation = scene_.animation.value_or(Animation{});
+  const double length = animation.to - animation.from;
+  const double t = scene_.t - animation.from + speed * passed;
+  set_time(animation.from + t - std::floor(t / length) * length);
+}
+
+std::optional<Model::Clock::time_point> Model::next_pass() const {
+  if (playing) return last_tick_ ? *last_tick_ + kStep : Clock::now();
+  return refine_at_;
+}
+
+dvec3 Model::under(const dvec2& pixel) const {
+  const Grip now = grip();
+  std::vector<const Mesh*> meshes;
+  for (const auto& surface : good_.surfaces) meshes.push_back(&surface->mesh);
+  const Ray ray = ray_through(now, pixel);
+  const auto hit = first_hit(meshes, ray);
+  return hit ? ray.origin + hit->distance * ray.direction : point_on_target_plane(now, pixel);
+}
+
+void Model::pick(const dvec2& pixel) {
+  picked_.reset();
+  std::vector<const Mesh*> meshes;
+  for (const auto& surface : good_.surfaces) meshes.push_back(&surface->mesh);
+  const Ray ray = ray_through(grip(), pixel);
+  const auto hit = first_hit(meshes, ray);
+  if (!hit) return;
+  const SurfaceSpec& spec = good_.scene.surfaces[hit->mesh];
+  const Surface surface = prepare_surface(good_.scene, spec, Order::Second).surface;
+  picked_ = {spec.name, place_on_surface(surface, ray, *hit)};
+}
+
+Scene Model::scene_to_save() const {
+  Scene scene = scene_;
+  if (!grid) {
+    for (SurfaceSpec& spec : scene.surfaces) spec.grid_u = spec.grid_v = 0;
+  }
+  return scene;
+}
+
+void Model::next_lights() {
+  if (light_setup_ == 0) own_lights_ = scene_.lights;
+  light_setup_ = (light_setup_ + 1) % kLightSetups;
+  scene_.lights = light_setup_ == 0 ? own_lights_ : light_setup(light_setup_);
+}
+
+bool Model::act(Action action) {
+  Scene changed = scene_;
+  switch (action) {
+    case Action::Grid:
+      grid = !grid;
+      return true;
+    case Action::Wireframe:
+      wireframe = !wireframe;
+      return true;
+    case Action::Flip:
+      for (SurfaceSpec& spec : changed.surfaces) spec.flip = !spec.flip;
+      edit(std::move(changed), "");
+      return true;
+    case Action::NextLights:
+      next_lights();
+      return true;
+    case Action::Orthographic:
+      changed.camera.ortho = !changed.camera.ortho;
+      look_through(changed.camera);
+      return true;
+    case Action::Turntable:
+      turntable = !turntable;
+      return true;
+    case Action::AlongX:
+    case Action::AlongY:
+    case Action::AlongZ:
+      look_through(
+          seen_along(scene_.camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)));
+      return true;
+    case Action::Fit:
+      look_through(fit_again(scene_.camera));
+      return true;
+    case Action::Play:
+      playing = !playing;
+      return true;
+    case Action::Coarser:
+    case Action::Finer: {
+      ToleranceValue tolerance = scene_.mesh.tolerance.value_or(ToleranceValue{0.5, true});
+      tolerance.value *= action == Action::Finer ? 0.5 : 2;
+      changed.mesh.tolerance = tolerance;
+      edit(std::move(changed), "tolerance");
+      return true;
+    }
+    case Action::Undo:
+      undo();
+      return true;
+    case Action::Redo:
+      redo();
+      return true;
+    case Action::Reload: {
+      Scene scene = reload_();
+      scene.camera = scene_.camera;
+      open(std::move(scene));
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace saddle

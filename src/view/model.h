@@ -1,0 +1,128 @@
+// What the viewer knows, without window and OpenGL: the scene that is edited, the meshes that are
+// shown, and what keys and hands do to them.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/scene.h"
+#include "view/controls.h"
+#include "view/history.h"
+#include "view/keys.h"
+#include "view/mesh_worker.h"
+#include "view/pick.h"
+
+namespace saddle {
+
+/// A point that was picked, and the surface it is on.
+struct PickedPoint {
+  std::string surface;
+  SurfacePlace place;
+};
+
+/// The point in a line: u, v, x, y, z, the normal and the curvatures.
+std::string describe(const PickedPoint& picked);
+
+/// What the program gives to the viewer.
+struct ViewerSetup {
+  Scene scene;
+  Tessellate tessellate;
+  std::function<Scene()> reload;  ///< the scene anew, from where it came from
+  bool verbose = false;           ///< say at the end what it took
+};
+
+class Model {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `wake`: called from another thread when a mesh is there.
+  Model(ViewerSetup setup, std::function<void()> wake);
+
+  // What is shown. `scene` is as it is edited, right or wrong; `drawn_scene` has its looks, and one
+  // surface for each of the meshes.
+  const Scene& scene() const { return scene_; }
+  Scene drawn_scene() const;
+  const std::vector<std::shared_ptr<const SurfaceMesh>>& meshes() const { return good_.surfaces; }
+  const Meshed& last_good() const { return good_; }
+  const std::optional<Error>& error() const { return error_; }
+  std::size_t guilty() const { return guilty_; }
+  const std::optional<PickedPoint>& picked() const { return picked_; }
+  bool is_meshing() const { return worker_.is_busy(); }
+
+  // The picture, in pixels.
+  dvec2 size() const;
+  void resize(const dvec2& size);
+  Grip grip() const;
+  /// Length of the diagonal of what is shown.
+  double surface_size() const { return bounds_.diagonal(); }
+
+  // Editing. A scene that differs from the last one; `what` names the thing for undo().
+  void edit(Scene scene, const std::string& what);
+  void end_edit() { history_.end_edit(); }
+  void undo();
+  void redo();
+  /// In place of the scene; can be undone.
+  void open(Scene scene);
+  /// Lights and colours: the meshes stay.
+  void change_look(Scene scene);
+
+  // The camera is no edit.
+  void look_through(const Camera& camera);
+  void set_time(double t);
+  /// Finds and keeps the point of a surface under a pixel; nothing there: forgets the last one.
+  void pick(const dvec2& pixel);
+  /// The point of a mesh under a pixel, or of the plane through the target.
+  dvec3 under(const dvec2& pixel) const;
+
+  /// Does what concerns the scene and what is shown of it; false: it is none of the model's.
+  bool act(Action action);
+
+  /// Takes what the worker has; true if the picture is another.
+  bool take_result();
+  /// Meshes on this thread, for exactly this scene, and shows that. Throws Error.
+  void mesh_now(const Scene& scene);
+  /// Time goes by: t if it plays, a finer mesh some time after the camera has moved.
+  void pass(Clock::time_point now);
+  /// When pass() wants to be called next, at the latest.
+  std::optional<Clock::time_point> next_pass() const;
+
+  /// The scene as it is to be saved: with the camera and what keys have changed.
+  Scene scene_to_save() const;
+
+  bool grid = true;
+  bool wireframe = false;
+  bool turntable = false;
+  bool playing = false;
+  double speed = 1;  ///< of t, in its own units per second
+  dvec3 table_up{0, 0, 1};
+
+ private:
+  void wish(bool preview_first);
+  void show(Meshed meshed);
+  double surface_radius(const dvec3& centre) const;
+  void next_lights();
+
+  Scene scene_;
+  std::function<Scene()> reload_;
+  History history_;
+  Meshed good_;  // the last one without an error
+  std::optional<Error> error_;
+  std::size_t guilty_ = 0;
+  std::optional<PickedPoint> picked_;
+  Bounds bounds_;  ///< of the meshes
+  int light_setup_ = 0;
+  std::vector<Light> own_lights_;
+  Camera meshed_camera_;
+  std::optional<Clock::time_point> refine_at_;
+  std::optional<Clock::time_point> last_tick_;
+  mutable std::optional<std::pair<dvec3, double>> radius_;  ///< around the last centre asked for
+  Tessellate tessellate_;
+  MeshWorker worker_;  // the last member: it ends first
+};
+
+}  // namespace saddle

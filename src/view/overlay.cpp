@@ -1,0 +1,51 @@
+#include "view/overlay.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace saddle {
+namespace {
+
+constexpr ImU32 kMarkColor = IM_COL32(255, 80, 60, 255);
+constexpr ImU32 kMarkRim = IM_COL32(0, 0, 0, 255);
+
+void show_text(const char* id, const std::string& text, const ImVec2& place, const ImVec2& pivot) {
+  if (text.empty()) return;
+  ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoSavedSettings;
+  if (ImGui::Begin(id, nullptr, kFlags)) ImGui::TextUnformatted(text.c_str());
+  ImGui::End();
+}
+
+}  // namespace
+
+void show_overlay(const Overlay& overlay) {
+  const auto left = static_cast<float>(overlay.left);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float middle = (left + size.x) / 2;
+  show_text("message", overlay.message, {middle, size.y - ImGui::GetFontSize()}, {0.5F, 1});
+  show_text("help", overlay.help, {middle, size.y / 2}, {0.5F, 0.5F});
+  if (!overlay.mark) return;
+  const ImVec2 at{left + static_cast<float>(overlay.mark->x), static_cast<float>(overlay.mark->y)};
+  if (at.x < left) return;
+  const float radius = ImGui::GetFontSize() / 4;
+  ImGui::GetBackgroundDrawList()->AddCircleFilled(at, radius + 1.5F, kMarkRim);
+  ImGui::GetBackgroundDrawList()->AddCircleFilled(at, radius, kMarkColor);
+}
+
+bool is_text_wanted() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
+}
+
+bool is_popup_open() {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+void leave_fields() {
+  ImGui::ClearActiveID();
+}
+
+}  // namespace saddle

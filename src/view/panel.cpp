@@ -1,0 +1,312 @@
+#include "view/panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string_view>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include "scene/assignments.h"
+#include "scene/gallery.h"
+#include "scene/values.h"
+
+namespace saddle {
+namespace {
+
+const ImVec4 kWrong{1.0F, 0.45F, 0.4F, 1};
+const ImVec4 kQuiet{0.65F, 0.65F, 0.7F, 1};
+
+/// Characters on each side of a wrong place that are shown of a long line.
+constexpr std::size_t kAround = 12;
+
+/// A plain number and nothing else.
+std::optional<double> plain_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+void wrapped(const ImVec4& color, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+/// The part of the text that is wrong, underlined, with a little around it.
+void show_place(const Place& place) {
+  const std::string& text = place.text;
+  if (text.empty()) return;
+  const std::size_t begin = std::min(place.span.begin, text.size());
+  const std::size_t end = std::clamp(place.span.end, begin, text.size());
+  const std::string before =
+      text.substr(begin - std::min(begin, kAround), std::min(begin, kAround));
+  const std::string wrong = begin < end ? text.substr(begin, end - begin) : " ";
+  ImGui::TextUnformatted(before.c_str());
+  ImGui::SameLine(0, 0);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  ImGui::TextUnformatted(wrong.c_str());
+  ImGui::PopStyleColor();
+  const ImVec2 size = ImGui::CalcTextSize(wrong.c_str());
+  ImGui::GetWindowDrawList()->AddLine({corner.x, corner.y + size.y},
+                                      {corner.x + size.x, corner.y + size.y},
+                                      ImGui::GetColorU32(kWrong), 1.5F);
+  ImGui::SameLine(0, 0);
+  ImGui::TextUnformatted(text.substr(end, kAround).c_str());
+}
+
+void show_error(const Error& error) {
+  show_place(error.place());
+  wrapped(kWrong, error.what());
+  if (!error.hint().empty()) wrapped(kQuiet, error.hint());
+}
+
+/// Whether the error is that of the thing with this name: "x", "u", or "f" of "f(s)".
+bool is_about(const std::optional<Error>& error, const std::string& name) {
+  return error && error->place().name == name;
+}
+
+bool contains(std::string_view text, std::string_view word) {
+  const auto same = [](char a, char b) { return std::tolower(a) == std::tolower(b); };
+  return std::ranges::search(text, word, same).begin() != text.end() || word.empty();
+}
+
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  std::array<char, 160> line{};
+  std::snprintf(line.data(), line.size(), format, values...);
+  return line.data();
+}
+
+}  // namespace
+
+/// A line of text with its label before it; the error, if it is about this, below it.
+bool Panel::field(Model& model, const std::string& name, const char* label, std::string& text) {
+  ImGui::PushID(name.c_str());
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  const bool wrong = is_about(model.error(), name);
+  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
+  const bool changed = ImGui::InputText("##text", &text);
+  if (wrong) ImGui::PopStyleColor();
+  if (ImGui::IsItemDeactivated()) model.end_edit();
+  ImGui::PopID();
+  return changed;
+}
+
+void Panel::show_surface(Model& model, std::size_t index) {
+  Scene scene = model.scene();
+  SurfaceSpec& spec = scene.surfaces[index];
+  ImGui::PushID(static_cast<int>(index));
+  if (scene.surfaces.size() > 1) ImGui::TextUnformatted(spec.name.c_str());
+  const bool guilty = index == model.guilty();
+  const auto formula = [&](const char* name, std::string& text) {
+    if (field(model, name, name, text)) model.edit(scene, spec.name + name);
+    if (guilty && is_about(model.error(), name)) show_error(*model.error());
+  };
+  formula("x", spec.x);
+  formula("y", spec.y);
+  formula("z", spec.z);
+  const auto range = [&](const char* name, Range& ends) {
+    const float half = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetFontSize()) / 2;
+    ImGui::PushID(name);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(name);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(half);
+    bool changed = ImGui::InputText("##min", &ends.min);
+    if (ImGui::IsItemDeactivated()) model.end_edit();
+    ImGui::SameLine();
+    ImGui::TextUnformatted("to");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    changed |= ImGui::InputText("##max", &ends.max);
+    if (ImGui::IsItemDeactivated()) model.end_edit();
+    ImGui::PopID();
+    if (changed) model.edit(scene, spec.name + name);
+    if (guilty && is_about(model.error(), name)) show_error(*model.error());
+  };
+  range("u", spec.u);
+  range("v", spec.v);
+  ImGui::PopID();
+}
+
+/// A definition: a slider if it is a number, its formula otherwise.
+void Panel::show_parameter(Model& model, Scene& scene, std::size_t index) {
+  Definition& definition = scene.definitions[index];
+  const std::string name = display_name(definition);
+  const auto number = definition.is_function ? std::nullopt : plain_number(definition.text);
+  ImGui::PushID(static_cast<int>(index));
+  if (field(model, name, name.c_str(), definition.text)) model.edit(scene, name);
+  if (number) show_slider(model, scene, definition, *number);
+  if (is_about(model.error(), name) || is_about(model.error(), definition.name)) {
+    show_error(*model.error());
+  }
+  ImGui::PopID();
+}
+
+void Panel::show_slider(Model& model, Scene& scene, Definition& definition, double number) {
+  const auto slider = std::ranges::find(scene.sliders, definition.name, &Slider::name);
+  const bool has_ends = slider != scene.sliders.end();
+  // Without ends of its own, to twice the value on both sides of 0.
+  const double reach = std::max(1.0, 2 * std::abs(number));
+  const double low = has_ends ? double(slider->min) : -reach;
+  const double high = has_ends ? double(slider->max) : reach;
+  double value = number;
+  ImGui::SetNextItemWidth(-1);
+  if (has_ends) {
+    if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &low, &high, "")) {
+      definition.text = format_number(value);
+      model.edit(scene, display_name(definition));
+    }
+  } else if (ImGui::DragScalar("##slider", ImGuiDataType_Double, &value,
+                               static_cast<float>(reach / 500), nullptr, nullptr, "drag")) {
+    definition.text = format_number(std::round(value * 1e6) / 1e6);
+    model.edit(scene, display_name(definition));
+  }
+  if (ImGui::IsItemDeactivated()) model.end_edit();
+}
+
+void Panel::show_definitions(Model& model) {
+  for (std::size_t i = 0; i < model.scene().definitions.size(); ++i) {
+    Scene scene = model.scene();
+    show_parameter(model, scene, i);
+  }
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##new", "new: name = formula", &new_definition_,
+                               ImGuiInputTextFlags_EnterReturnsTrue)) {
+    Scene scene = model.scene();
+    refused_.clear();
+    try {
+      assign(scene, new_definition_);
+      model.edit(std::move(scene), "");
+      new_definition_.clear();
+    } catch (const Error& error) {
+      refused_ = error.what();
+    }
+  }
+  if (!refused_.empty()) wrapped(kWrong, refused_);
+}
+
+void Panel::show_gallery(Model& model) {
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##gallery", "gallery ...", ImGuiComboFlags_HeightLarge)) return;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##search", "search", &search_);
+  for (const GalleryEntry& entry : gallery()) {
+    if (!contains(entry.name, search_) && !contains(entry.description, search_)) continue;
+    if (ImGui::Selectable(std::string(entry.name).c_str())) model.open(gallery_scene(entry));
+    if (ImGui::IsItemHovered()) {
+      ImGui::SetTooltip("%s", std::string(entry.description).c_str());
+    }
+  }
+  ImGui::EndCombo();
+}
+
+void Panel::show_time(Model& model) {
+  const Animation animation = model.scene().animation.value_or(Animation{});
+  const double low = animation.from;
+  const double high = animation.to;
+  double t = model.scene().t;
+  if (ImGui::Button(model.playing ? "stop" : "play")) model.act(Action::Play);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderScalar("##t", ImGuiDataType_Double, &t, &low, &high, "t = %.3f")) {
+    model.set_time(t);
+  }
+  constexpr double kSlowest = 0.01;
+  constexpr double kFastest = 100;
+  ImGui::SetNextItemWidth(-1);
+  ImGui::SliderScalar("##speed", ImGuiDataType_Double, &model.speed, &kSlowest, &kFastest,
+                      "speed %.2f", ImGuiSliderFlags_Logarithmic);
+}
+
+void Panel::show_look(Model& model) {
+  ImGui::Checkbox("grid", &model.grid);
+  ImGui::SameLine();
+  ImGui::Checkbox("wires", &model.wireframe);
+  bool ortho = model.scene().camera.ortho;
+  if (ImGui::Checkbox("ortho", &ortho)) model.act(Action::Orthographic);
+  ImGui::SameLine();
+  ImGui::Checkbox("turntable", &model.turntable);
+  for (std::size_t i = 0; i < model.scene().lights.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    bool on = double(model.scene().lights[i].enabled) != 0;
+    if (ImGui::Checkbox(formatted("light %d", static_cast<int>(i + 1)).c_str(), &on)) {
+      Scene scene = model.scene();
+      scene.lights[i].enabled = on ? 1 : 0;
+      model.change_look(std::move(scene));
+    }
+  }
+}
+
+void Panel::show_picked(const Model& model) {
+  if (!model.picked()) return;
+  const auto& [surface, place] = *model.picked();
+  ImGui::Separator();
+  ImGui::TextUnformatted(formatted("u %.6g  v %.6g", place.uv.x, place.uv.y).c_str());
+  const dvec3& p = place.position;
+  wrapped(ImGui::GetStyleColorVec4(ImGuiCol_Text),
+          formatted("x %.6g  y %.6g  z %.6g", p.x, p.y, p.z));
+  if (place.normal) {
+    const dvec3& n = *place.normal;
+    wrapped(kQuiet, formatted("normal %.4f %.4f %.4f", n.x, n.y, n.z));
+  } else {
+    wrapped(kQuiet, "no normal: a singular point");
+  }
+  const Curvature& c = place.curvature;
+  wrapped(kQuiet, formatted("Gauss %.5g  mean %.5g", c.gauss, c.mean));
+  wrapped(kQuiet, formatted("principal %.5g and %.5g", c.largest, c.smallest));
+}
+
+void Panel::show_figures(const Model& model, const Figures& figures) {
+  ImGui::Separator();
+  for (const auto& surface : model.meshes()) {
+    const MeshReport& report = surface->report;
+    wrapped(kQuiet, formatted("%zu triangles, %zu evaluations", surface->mesh.triangles.size(),
+                              report.evaluations));
+    if (report.tolerance) {
+      wrapped(kQuiet, formatted("off by %.2g of %.2g", report.max_error, *report.tolerance));
+    }
+    for (const std::string& warning : surface->warnings) wrapped(kQuiet, warning);
+  }
+  wrapped(kQuiet, formatted("%.1f ms a frame, mesh %.1f ms%s", figures.frame_ms,
+                            model.last_good().milliseconds, model.is_meshing() ? " ..." : ""));
+}
+
+void Panel::show(Model& model, const Figures& figures, double width, double scale) {
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({static_cast<float>(width), ImGui::GetIO().DisplaySize.y});
+  constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar |
+                                      ImGuiWindowFlags_NoNav;
+  ImGui::Begin("panel", nullptr, kFixed);
+  ImGui::PushItemWidth(static_cast<float>(100 * scale));
+  show_gallery(model);
+  for (std::size_t i = 0; i < model.scene().surfaces.size(); ++i) show_surface(model, i);
+  show_definitions(model);
+  // An error that is about no field.
+  if (model.error() && model.error()->place().name.empty()) show_error(*model.error());
+  ImGui::Separator();
+  show_time(model);
+  ImGui::Separator();
+  show_look(model);
+  show_picked(model);
+  show_figures(model, figures);
+  ImGui::PopItemWidth();
+  ImGui::End();
+  changed_ |= ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
+}
+
+}  // namespace saddle

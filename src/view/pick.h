@@ -1,0 +1,37 @@
+// The point of a surface under a pixel.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "mesh/mesh.h"
+#include "surface/surface.h"
+#include "view/controls.h"
+
+namespace saddle {
+
+/// Where a line of sight meets a mesh first.
+struct Hit {
+  std::size_t mesh = 0;
+  double distance = 0;  ///< along the line, from its origin
+  dvec2 uv;             ///< linear in the triangle
+};
+
+/// The nearest hit, if any; from either side of the triangles.
+/// Source: T. Moeller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", 1997.
+std::optional<Hit> first_hit(std::span<const Mesh* const> meshes, const Ray& ray);
+
+/// A point of the surface itself, not of its mesh.
+struct SurfacePlace {
+  dvec2 uv;
+  dvec3 position;
+  std::optional<dvec3> normal;  ///< nothing at a singular point
+  Curvature curvature;          ///< for a surface of second order
+};
+
+/// Where the line of sight meets the surface, near a hit of its mesh: Newton's method in u and v.
+/// If that leads away from the hit, the surface at the hit's u and v.
+SurfacePlace place_on_surface(const Surface& surface, const Ray& ray, const Hit& hit);
+
+}  // namespace saddle

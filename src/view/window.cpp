@@ -1,0 +1,312 @@
+#include "view/window.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include "base/error.h"
+#include "render/context.h"
+
+namespace saddle {
+namespace {
+
+/// Two presses so near and so soon after each other are one double click.
+constexpr double kDoubleClickSeconds = 0.4;
+constexpr double kDoubleClickPixels = 4;
+
+/// The panel's letters, in pixels of the user's.
+constexpr float kFontSize = 15;
+/// Where distributions put a readable font with Greek letters and mathematical signs; without any
+/// of them the panel has ImGui's own small one.
+constexpr std::array kFonts{
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+    "/usr/share/fonts/TTF/DejaVuSans.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
+};
+
+constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display";
+
+[[noreturn]] void fail(const std::string& what) {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  throw Error(Status::Machine, what + (reason != nullptr ? std::string(": ") + reason : ""), {},
+              kWayOut);
+}
+
+Window& of(GLFWwindow* window) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+/// The keys that type no character, as the table calls them.
+std::string special_key(int key, int mods) {
+  if ((mods & GLFW_MOD_CONTROL) != 0) {
+    const char* const name = glfwGetKeyName(key, 0);
+    return name != nullptr ? std::string("Ctrl-") + name : "";
+  }
+  switch (key) {
+    case GLFW_KEY_HOME:
+      return "Home";
+    case GLFW_KEY_SPACE:
+      return "Space";
+    case GLFW_KEY_TAB:
+      return "Tab";
+    case GLFW_KEY_F1:
+      return "F1";
+    case GLFW_KEY_ESCAPE:
+      return "Escape";
+    default:
+      return "";
+  }
+}
+
+/// No larger than the screen.
+std::array<int, 2> fitting_size(int width, int height) {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return {width, height};
+  int x = 0;
+  int y = 0;
+  int most_width = 0;
+  int most_height = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
+  if (most_width <= 0 || most_height <= 0) return {width, height};
+  return {std::min(width, most_width), std::min(height, most_height)};
+}
+
+}  // namespace
+
+Window::Window(const std::string& title, int width, int height) {
+  if (glfwInit() != GLFW_TRUE) fail("no window can be opened");
+  try {
+    make_window(title, width, height);
+    glfwMakeContextCurrent(window_);
+    load_gl_functions(glfwGetProcAddress);
+    glfwSwapInterval(1);
+    listen();
+    start_panel();
+  } catch (...) {
+    glfwTerminate();
+    throw;
+  }
+}
+
+Window::~Window() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  glfwTerminate();
+}
+
+void Window::make_window(const std::string& title, int width, int height) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene has its own
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "saddle");
+  const auto [w, h] = fitting_size(width, height);
+  window_ = glfwCreateWindow(w, h, title.c_str(), nullptr, nullptr);
+  if (window_ == nullptr) fail("no window with OpenGL 3.3 can be opened");
+  float x_scale = 1;
+  float y_scale = 1;
+  glfwGetWindowContentScale(window_, &x_scale, &y_scale);
+  scale_ = std::max(1.0F, x_scale);
+}
+
+void Window::listen() {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
+    Event event;
+    event.kind = action == GLFW_PRESS ? Event::Kind::Press : Event::Kind::Release;
+    event.button = button;
+    event.shift = (mods & GLFW_MOD_SHIFT) != 0;
+    event.mods = mods;
+    of(w).add(event);
+  });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { of(w).add({}); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) {
+    Event event;
+    event.kind = Event::Kind::Scroll;
+    event.notches = notches;
+    of(w).add(event);
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
+    ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    of(w).damaged_ = true;
+  });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    of(w).damaged_ = true;
+  });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).damaged_ = true; });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).damaged_ = true; });
+  listen_to_keys();
+}
+
+void Window::listen_to_keys() {
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
+    Event event;
+    event.kind = Event::Kind::Character;
+    event.code = static_cast<int>(code);
+    if (code > ' ' && code < 0x7F) event.key = static_cast<char>(code);
+    of(w).add(event);
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+    Event event;
+    event.kind = action == GLFW_RELEASE ? Event::Kind::KeyUp : Event::Kind::KeyDown;
+    event.code = key;
+    event.mods = mods;
+    if (action == GLFW_PRESS) event.key = special_key(key, mods);
+    of(w).add(event);
+  });
+}
+
+void Window::start_panel() {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;               // leaves no file behind
+  io.ConfigInputTextCursorBlink = false;  // a frame is drawn when something happens
+  const float size = std::round(kFontSize * static_cast<float>(scale_));
+  ImFontConfig config;
+  static constexpr std::array<ImWchar, 9> kLetters{0x20,   0xFF,   0x370,  0x3FF, 0x2010,
+                                                   0x2044, 0x2200, 0x22FF, 0};
+  const auto font = std::ranges::find_if(kFonts, [](const char* path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored);
+  });
+  if (font != kFonts.end()) {
+    io.Fonts->AddFontFromFileTTF(*font, size, &config, kLetters.data());
+  } else {
+    config.SizePixels = size;
+    io.Fonts->AddFontDefault(&config);
+  }
+  ImGui::StyleColorsDark();
+  ImGui::GetStyle().ScaleAllSizes(static_cast<float>(scale_));
+  ImGui_ImplGlfw_InitForOpenGL(window_, false);  // it hears from listen()
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+void Window::add(Event event) {
+  dvec2 place(0);
+  glfwGetCursorPos(window_, &place.x, &place.y);
+  int width = 1;
+  int height = 1;
+  glfwGetWindowSize(window_, &width, &height);
+  event.place = place * framebuffer_size() / dvec2(std::max(width, 1), std::max(height, 1));
+  if (event.kind == Event::Kind::Press) {
+    const double now = glfwGetTime();
+    event.twice = event.button == 0 && now - last_press_time_ < kDoubleClickSeconds &&
+                  glm::length(event.place - last_press_) < kDoubleClickPixels * scale_;
+    last_press_time_ = event.twice ? -1 : now;
+    last_press_ = event.place;
+  }
+  events_.push_back(std::move(event));
+}
+
+void Window::wait(std::optional<double> seconds) {
+  if (!seconds) {
+    glfwWaitEvents();
+  } else if (*seconds > 0) {
+    glfwWaitEventsTimeout(*seconds);
+  } else {
+    glfwPollEvents();
+  }
+}
+
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+std::vector<Event> Window::take_events() {
+  using Kind = Event::Kind;
+  std::vector<Event> taken;
+  const auto has_taken = [&](auto... kinds) {
+    return std::ranges::any_of(taken, [=](const Event& e) { return ((e.kind == kinds) || ...); });
+  };
+  while (!events_.empty()) {
+    const Event& next = events_.front();
+    const bool is_button = next.kind == Kind::Press || next.kind == Kind::Release;
+    const bool is_key = next.kind == Kind::KeyDown || next.kind == Kind::KeyUp;
+    const auto same_key = [&](const Event& e) {
+      return (e.kind == Kind::KeyDown || e.kind == Kind::KeyUp) && e.code == next.code;
+    };
+    if (has_taken(Kind::Press, Kind::Release)) break;
+    if (is_button && has_taken(Kind::Character, Kind::KeyDown, Kind::KeyUp)) break;
+    // A letter comes with its own key down, which edits nothing.
+    if (is_key && next.kind == Kind::KeyDown && has_taken(Kind::Character)) break;
+    if (is_key && std::ranges::any_of(taken, same_key)) break;
+    tell_panel(next);
+    taken.push_back(next);
+    events_.pop_front();
+  }
+  return taken;
+}
+
+void Window::tell_panel(const Event& event) const {
+  switch (event.kind) {
+    case Event::Kind::Press:
+    case Event::Kind::Release: {
+      const int action = event.kind == Event::Kind::Press ? GLFW_PRESS : GLFW_RELEASE;
+      return ImGui_ImplGlfw_MouseButtonCallback(window_, event.button, action, event.mods);
+    }
+    case Event::Kind::Scroll:
+      return ImGui_ImplGlfw_ScrollCallback(window_, 0, event.notches);
+    case Event::Kind::Character:
+      return ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
+    case Event::Kind::KeyDown:
+    case Event::Kind::KeyUp: {
+      const int action = event.kind == Event::Kind::KeyDown ? GLFW_PRESS : GLFW_RELEASE;
+      return ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, action, event.mods);
+    }
+    case Event::Kind::Move:
+      return;  // the panel looks where the pointer is
+  }
+}
+
+bool Window::is_to_close() const {
+  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+bool Window::take_damage() {
+  return std::exchange(damaged_, false);
+}
+
+dvec2 Window::framebuffer_size() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return {width, height};
+}
+
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::set_clipboard(const std::string& text) {
+  glfwSetClipboardString(window_, text.c_str());
+}
+
+void Window::begin_panel() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Window::end_panel() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::swap() {
+  glfwSwapBuffers(window_);
+}
+
+}  // namespace saddle

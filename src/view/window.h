@@ -1,0 +1,82 @@
+// A window with OpenGL 3.3 and a panel toolkit in it: GLFW and Dear ImGui, started and ended. What
+// happens in the window is collected between two frames.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+struct GLFWwindow;
+
+namespace saddle {
+
+/// What hand and keyboard did. Places are in pixels from the window's upper left.
+struct Event {
+  enum class Kind { Press, Release, Move, Scroll, Character, KeyDown, KeyUp };
+  Kind kind = Kind::Move;
+  dvec2 place{0, 0};   ///< of the pointer
+  int button = 0;      ///< 0 left, 1 right, 2 middle
+  bool shift = false;  ///< held down
+  bool twice = false;  ///< the second press in a row at this place
+  double notches = 0;  ///< of the wheel, away from the hand
+  std::string key;     ///< as in the table of keys; empty: it is not in the table
+  // As GLFW has them, for the panel.
+  int code = 0;
+  int mods = 0;
+};
+
+class Window {
+ public:
+  /// Size in pixels as the user means them: on a display with content scale 2 it gets twice as
+  /// many. Throws Error (Machine) if there is no display or its OpenGL is too old.
+  Window(const std::string& title, int width, int height);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Waits until something happens, or `seconds` have passed; nothing: for ever.
+  void wait(std::optional<double> seconds);
+  /// Makes wait() return; from any thread.
+  static void wake();
+
+  /// What has happened, in order, but no more than what one frame of the panel can tell apart: it
+  /// sees only what is down when it looks. The rest waits for the next frame.
+  std::vector<Event> take_events();
+  bool has_events() const { return !events_.empty(); }
+  bool is_to_close() const;
+  /// The window wants to be painted: it was uncovered or has another size.
+  bool take_damage();
+
+  dvec2 framebuffer_size() const;
+  /// Pixels per unit of the user's.
+  double scale() const { return scale_; }
+
+  void set_title(const std::string& title);
+  void set_clipboard(const std::string& text);
+
+  /// Around what Dear ImGui is told to show.
+  void begin_panel();
+  void end_panel();
+  /// What was drawn comes to the screen.
+  void swap();
+
+ private:
+  void make_window(const std::string& title, int width, int height);
+  void listen();
+  void start_panel();
+  void listen_to_keys();
+  void add(Event event);
+  void tell_panel(const Event& event) const;
+
+  GLFWwindow* window_ = nullptr;
+  double scale_ = 1;
+  std::deque<Event> events_;
+  bool damaged_ = true;
+  double last_press_time_ = -1;
+  dvec2 last_press_{0, 0};
+};
+
+}  // namespace saddle

@@ -1,0 +1,211 @@
+#include "viewer/display.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "base/image_png.h"
+
+namespace saddle {
+namespace {
+
+/// What takes longer than this does not happen. Nothing is timed: tests go on as soon as they can.
+constexpr std::chrono::seconds kPatience{40};
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void redirect(int stream, const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (file < 0 || dup2(file, stream) < 0) _exit(126);
+}
+
+/// Starts a program, with the child's own preparations before that.
+pid_t start(std::vector<std::string> words, const std::function<void()>& prepare) {
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    prepare();
+    execvp(argv[0], argv.data());
+    _exit(127);
+  }
+  return child;
+}
+
+/// The exit status, 128 + the signal that ended it, or -1 while it runs.
+int status_of(pid_t child) {
+  int status = 0;
+  if (waitpid(child, &status, WNOHANG) != child) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void end(pid_t child) {
+  if (child <= 0) return;
+  kill(child, SIGTERM);
+  waitpid(child, nullptr, 0);
+}
+
+bool is_there(const std::string& program) {
+  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+}  // namespace
+
+void ViewerTest::SetUp() {
+  for (const char* program : {"Xvfb", "xdotool", "import"}) {
+    if (!is_there(program)) GTEST_SKIP() << "there is no " << program;
+  }
+  std::string pattern = testing::TempDir() + "saddle-viewer-XXXXXX";
+  folder_ = mkdtemp(pattern.data());
+  const std::filesystem::path number = path("display");
+  server_ =
+      start({"Xvfb", "-displayfd", "1", "-screen", "0", "1200x700x24", "-nolisten", "tcp"}, [&] {
+        redirect(STDOUT_FILENO, number);
+        redirect(STDERR_FILENO, path("xvfb-log"));
+      });
+  ASSERT_TRUE(eventually([&] { return contents(number).ends_with('\n'); })) << "no display";
+  display_ = ":" + contents(number);
+  display_.pop_back();
+}
+
+void ViewerTest::TearDown() {
+  if (viewer_ > 0) end(viewer_);
+  end(server_);
+  if (!folder_.empty()) std::filesystem::remove_all(folder_);
+}
+
+void ViewerTest::open(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), SADDLE_PROGRAM);
+  viewer_ = start(arguments, [&] {
+    setenv("DISPLAY", display_.c_str(), 1);
+    unsetenv("WAYLAND_DISPLAY");
+    if (chdir(folder_.c_str()) != 0) _exit(126);
+    redirect(STDOUT_FILENO, path("out"));
+    redirect(STDERR_FILENO, path("err"));
+  });
+  ASSERT_TRUE(eventually([&] { return yellow_pixels(picture()) > 1000; }))
+      << "no surface is shown; " << standard_error();
+  settled_picture();
+}
+
+int ViewerTest::status() {
+  int result = -1;
+  eventually([&] {
+    result = status_of(viewer_);
+    return result != -1;
+  });
+  if (result != -1) viewer_ = 0;
+  return result;
+}
+
+int ViewerTest::headless(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{SADDLE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const pid_t child = start(words, [&] {
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    if (chdir(folder_.c_str()) != 0) _exit(126);
+    redirect(STDOUT_FILENO, path("out"));
+    redirect(STDERR_FILENO, path("err"));
+  });
+  int result = -1;
+  eventually([&] { return (result = status_of(child)) != -1; });
+  return result;
+}
+
+void ViewerTest::act(const std::string& words) const {
+  const std::string command = "DISPLAY=" + display_ + " xdotool " + words;
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+}
+
+void ViewerTest::click(int x, int y, const std::string& options) {
+  act("mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) +
+      " sleep 0.1 click " + options + " 1");
+}
+
+void ViewerTest::drag(int button, int x0, int y0, int x1, int y1) {
+  const auto at = [](int x, int y) {
+    return " mousemove " + std::to_string(kPanelWidth + x) + " " + std::to_string(y) +
+           " sleep 0.05";
+  };
+  const std::string held = std::to_string(button);
+  act(at(x0, y0) + " mousedown " + held + at((x0 + x1) / 2, (y0 + y1) / 2) + at(x1, y1) +
+      " mouseup " + held);
+}
+
+void ViewerTest::enter_field(int row) const {
+  constexpr int kFirst = 43;  // the middle of the first field, and how far they are apart
+  constexpr int kApart = 25;
+  act("mousemove 200 " + std::to_string(kFirst + row * kApart) +
+      " sleep 0.1 click 1 sleep 0.3 key End sleep 0.1");
+}
+
+Image ViewerTest::screenshot() const {
+  const std::string file = path("screen.png");
+  const std::string command =
+      "DISPLAY=" + display_ + " import -window root -depth 8 png32:" + file + " 2>/dev/null";
+  if (std::system(command.c_str()) != 0) return {};
+  return read_png(file).image;
+}
+
+Image ViewerTest::picture() const {
+  const Image screen = screenshot();
+  if (screen.width < kPanelWidth + 800 || screen.height < 600) return {};
+  Image part(800, 600);
+  for (int y = 0; y < part.height; ++y) {
+    std::copy_n(screen.pixel(kPanelWidth, y), 4 * part.width, part.pixel(0, y));
+  }
+  return part;
+}
+
+bool ViewerTest::eventually(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
+}
+
+Image ViewerTest::settled_picture() const {
+  Image last = picture();
+  int same = 0;
+  eventually([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    Image now = picture();
+    same = now.rgba == last.rgba ? same + 1 : 0;
+    last = std::move(now);
+    return same >= 2;
+  });
+  return last;
+}
+
+std::string ViewerTest::standard_output() const {
+  return contents(path("out"));
+}
+
+std::string ViewerTest::standard_error() const {
+  return contents(path("err"));
+}
+
+int yellow_pixels(const Image& image) {
+  int count = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const std::uint8_t* p = image.rgba.data() + i;
+    count += p[0] > 90 && p[1] > 90 && 2 * p[2] < p[0] + p[1] - 40 ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace saddle

@@ -1,0 +1,63 @@
+// A display of its own for each test, with the viewer on it: real windows, real events.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+
+namespace saddle {
+
+/// Starts Xvfb; skips the test where there is none.
+class ViewerTest : public testing::Test {
+ protected:
+  static constexpr int kPanelWidth = 280;
+
+  void SetUp() override;
+  void TearDown() override;
+
+  /// Starts saddle and waits until its window shows something.
+  void open(std::vector<std::string> arguments);
+  /// Waits for the viewer's end: its exit status, or -1 if it does not end.
+  int status();
+  /// Runs saddle to its end, without a display.
+  int headless(const std::vector<std::string>& arguments);
+
+  /// Feeds words to xdotool: "key g", "mousemove 10 20 click 1".
+  void act(const std::string& words) const;
+  /// Moves and clicks at a pixel of the picture, which begins at the right of the panel.
+  void click(int x, int y, const std::string& options = "");
+  /// Moves with a button held down.
+  void drag(int button, int x0, int y0, int x1, int y1);
+  /// Clicks into the panel's n-th field that takes text (0: x) and goes to its end.
+  void enter_field(int row) const;
+
+  Image screenshot() const;
+  /// The picture at the right of the panel.
+  Image picture() const;
+  /// Whether it becomes true within some seconds.
+  static bool eventually(const std::function<bool()>& condition);
+  /// The picture once it does not change any more.
+  Image settled_picture() const;
+
+  std::string standard_output() const;
+  std::string standard_error() const;
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+
+  std::filesystem::path folder_;
+
+ private:
+  pid_t server_ = 0;
+  pid_t viewer_ = 0;
+  std::string display_;
+};
+
+/// Pixels that are yellow, the colour of a front.
+int yellow_pixels(const Image& image);
+
+}  // namespace saddle
