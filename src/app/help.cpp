@@ -23,7 +23,7 @@ Examples:
   saddle torus r=0.4 -o torus.ply -o torus.png
   saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
 
-Output
+Output (none: a window opens)
   -o, --output FILE     what to write, by extension: .png .ply, .toml (the scene); may be
                         repeated; - is standard output, with --format
       --format EXT      png, ply or toml: for - and for names without an extension
@@ -57,7 +57,8 @@ Computing
       --t T             time, the value of t in formulas (default 0)
       --threads N       worker threads, 1 to 1024 (default: all)
   -q, --quiet           no warnings        -v, --verbose   say what was done and how long it took
-  -h, --help            this text; --help functions lists the formula language
+  -h, --help            this text; --help functions lists the formula language,
+                        --help keys the keys of the viewer
       --version         the version
 )";
 }

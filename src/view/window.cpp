@@ -130,7 +130,10 @@ void Window::listen() {
     event.mods = mods;
     of(w).add(event);
   });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { of(w).add({}); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    of(w).pointer_ = {x, y};
+    of(w).add({});
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) {
     Event event;
     event.kind = Event::Kind::Scroll;
@@ -195,12 +198,10 @@ void Window::start_panel() {
 }
 
 void Window::add(Event event) {
-  dvec2 place(0);
-  glfwGetCursorPos(window_, &place.x, &place.y);
   int width = 1;
   int height = 1;
   glfwGetWindowSize(window_, &width, &height);
-  event.place = place * framebuffer_size() / dvec2(std::max(width, 1), std::max(height, 1));
+  event.place = pointer_ * framebuffer_size() / dvec2(std::max(width, 1), std::max(height, 1));
   if (event.kind == Event::Kind::Press) {
     const double now = glfwGetTime();
     event.twice = event.button == 0 && now - last_press_time_ < kDoubleClickSeconds &&

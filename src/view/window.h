@@ -74,6 +74,7 @@ class Window {
   GLFWwindow* window_ = nullptr;
   double scale_ = 1;
   std::deque<Event> events_;
+  dvec2 pointer_{0, 0};  ///< where events have brought it; GLFW tells where it is by now
   bool damaged_ = true;
   double last_press_time_ = -1;
   dvec2 last_press_{0, 0};

@@ -183,9 +183,9 @@ TEST_F(ViewerTest, SurvivesAnything) {
   auto random_below = [key = std::uint64_t{0}](int end) mutable {
     return static_cast<int>(end * random_unit(key++));
   };
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 2; ++round) {
     std::string words;
-    for (int i = 0; i < 250; ++i) {
+    for (int i = 0; i < 200; ++i) {
       words += "mousemove " + std::to_string(random_below(1080)) + " " +
                std::to_string(random_below(600)) + " " +
                things[random_below(static_cast<int>(things.size()))] + " ";
