@@ -124,10 +124,19 @@ void add_mesh_options(CLI::App& app, CommandLine& line) {
            [](Scene& scene, GridSize cells) { scene.mesh.samples = cells; });
 }
 
+Backend parse_backend(const std::string& option, Text text) {
+  if (text == "osmesa") return Backend::Osmesa;
+  if (text == "egl") return Backend::Egl;
+  throw Error(Status::Input, "no renderer is called '" + text + "'",
+              {option, text, {0, text.size()}}, "known: osmesa egl");
+}
+
 void add_computing_options(CLI::App& app, CommandLine& line) {
   add_edit(
       app, line, "--t", [](Text, Text text) { return text; },
       [](Scene& scene, Text text) { scene.t = finite_constant(scene, "--t", text); });
+  app.add_option_function<std::string>(
+      "--renderer", [&line](Text text) { line.renderer = parse_backend("--renderer", text); });
   app.add_option_function<std::string>("--threads", [&line](Text text) {
     line.threads = static_cast<unsigned>(parse_whole("--threads", text, 1, kMaxThreads));
   });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/context.h"
 #include "scene/scene.h"
 
 namespace saddle {
@@ -22,6 +23,7 @@ struct CommandLine {
   std::vector<std::function<void(Scene&)>> edits;  ///< what options change, in their order
   std::string reference;
   double threshold = kDefaultThreshold;
+  Backend renderer = Backend::Any;
   unsigned threads = 0;  ///< 0: all
   std::string report;
   bool strict = false;  ///< warnings are failures

@@ -16,8 +16,9 @@
 namespace saddle {
 namespace {
 
-Image draw(const Scene& scene, std::span<const Mesh> meshes, RunReport& report) {
-  Rendering rendering = render(scene, meshes, scene.picture);
+Image draw(const CommandLine& line, const Scene& scene, std::span<const Mesh> meshes,
+           RunReport& report) {
+  Rendering rendering = render(scene, meshes, scene.picture, line.renderer);
   report.times.render = rendering.times;
   report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer};
   return std::move(rendering.image);
@@ -42,7 +43,7 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
 
   const Purpose purpose = purpose_of(line, outputs);
   std::jthread preloading;  // OpenGL takes as long to load as a surface to tessellate
-  if (purpose.picture) preloading = std::jthread(preload_renderer);
+  if (purpose.picture) preloading = std::jthread(preload_renderer, line.renderer);
   RunReport report;
   std::vector<Mesh> meshes;
   for (const SurfaceSpec& spec : scene.surfaces) {
@@ -55,7 +56,7 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
     fail_on_warnings(report);
   }
   Image image;
-  if (purpose.picture) image = draw(scene, meshes, report);
+  if (purpose.picture) image = draw(line, scene, meshes, report);
 
   const auto writing = Clock::now();
   const std::string scene_text = write_scene(scene);

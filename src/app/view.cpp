@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/outputs.h"
 #include "app/tessellate.h"
+#include "base/error.h"
 #include "view/viewer.h"
 
 namespace saddle {
@@ -26,6 +27,10 @@ SurfaceMesh mesh_for_viewer(const Scene& scene, std::size_t surface, Detail deta
 
 void run_view(const CommandLine& line) {
   checked_outputs(line);  // for options that have no meaning without an output
+  if (line.renderer != Backend::Any) {
+    throw Error(Status::Input, "the viewer draws with the OpenGL of its display",
+                {"--renderer", "", {}}, "it is for outputs: -o FILE.png");
+  }
   ViewerSetup setup;
   setup.scene = build_scene(line);
   setup.tessellate = [threads = line.threads](const Scene& scene, std::size_t surface,

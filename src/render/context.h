@@ -26,11 +26,21 @@ class Context {
 /// one by its name. Throws Error (Machine) if it is older than OpenGL 3.3.
 void load_gl_functions(void (*(*address)(const char* name))());
 
-/// Off-screen Mesa. Its library is loaded here and only here, when a picture is wanted. Throws
-/// Error (Machine) that names what is missing and the package that has it.
-std::unique_ptr<Context> make_osmesa_context();
+/// Ways to OpenGL without a window.
+enum class Backend {
+  Any,     ///< the first of the others that starts
+  Osmesa,  ///< off-screen Mesa: in software, the same picture on every machine
+  Egl      ///< EGL without a surface: what newer Mesa has left, or a graphics card
+};
 
-/// Loads Mesa's library ahead of time, from any thread; a failure is left for the call above.
+/// Their libraries are loaded here and only here, when a picture is wanted. Throws Error (Machine)
+/// that names what is missing and the package that has it.
+std::unique_ptr<Context> make_context(Backend backend);
+std::unique_ptr<Context> make_osmesa_context();
+std::unique_ptr<Context> make_egl_context();
+
+/// Loads the library of the first back end ahead of time, from any thread; a failure is left for
+/// make_context().
 void preload_osmesa() noexcept;
 
 }  // namespace saddle

@@ -45,12 +45,12 @@ double radius_around(const dvec3& target, std::span<const Mesh> meshes) {
 }
 
 Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
-                       const PictureSettings& options, int tile_samples) {
+                       const PictureSettings& options, int tile_samples, Backend backend) {
   const double aspect = static_cast<double>(options.width) / options.height;
   const FittedCamera camera = fit_to_meshes(scene.camera, meshes, aspect);
   Stopwatch stopwatch;
   Rendering result;
-  const auto context = make_osmesa_context();
+  const auto context = make_context(backend);
   result.renderer = context->name();
   result.times.context = stopwatch.lap();
 
@@ -88,12 +88,12 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
 }
 
 Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
-                          const PictureSettings& options, int tile_samples) {
+                          const PictureSettings& options, int tile_samples, Backend backend) {
   assert(meshes.size() == scene.surfaces.size());
   assert(options.width > 0 && options.height > 0);
   assert(options.antialias >= 1 && options.antialias <= kMaxAntialias);
   try {
-    return draw_picture(scene, meshes, options, tile_samples);
+    return draw_picture(scene, meshes, options, tile_samples, backend);
   } catch (const std::bad_alloc&) {
     throw Error(Status::Machine,
                 "not enough memory for a picture of " + std::to_string(options.width) + "x" +
@@ -102,12 +102,13 @@ Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
   }
 }
 
-Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options) {
-  return render_in_tiles(scene, meshes, options, kTileSamples);
+Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,
+                 Backend backend) {
+  return render_in_tiles(scene, meshes, options, kTileSamples, backend);
 }
 
-void preload_renderer() noexcept {
-  preload_osmesa();
+void preload_renderer(Backend backend) noexcept {
+  if (backend != Backend::Egl) preload_osmesa();
 }
 
 }  // namespace saddle

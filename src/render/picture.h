@@ -7,6 +7,7 @@
 
 #include "base/image.h"
 #include "mesh/mesh.h"
+#include "render/context.h"
 #include "scene/scene.h"
 
 namespace saddle {
@@ -26,10 +27,11 @@ struct Rendering {
 
 /// Draws `meshes[i]` with the materials of `scene.surfaces[i]`. Throws Error: Machine if there is
 /// no OpenGL, or the picture is larger than it can draw; Input for a camera that cannot be.
-Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options);
+Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,
+                 Backend backend = Backend::Any);
 
 /// Loads OpenGL ahead of time: call it in a thread beside tessellation when a picture will be
 /// wanted. It saves render() the loading, and leaves any failure for render() to report.
-void preload_renderer() noexcept;
+void preload_renderer(Backend backend) noexcept;
 
 }  // namespace saddle

@@ -18,6 +18,7 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
 
 /// render(), drawing at most `tile_samples` samples a side at once (see kTileSamples).
 Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
-                          const PictureSettings& options, int tile_samples);
+                          const PictureSettings& options, int tile_samples,
+                          Backend backend = Backend::Any);
 
 }  // namespace saddle

@@ -316,7 +316,7 @@ TEST_F(GraphCommand, WarnsOfTrianglesThatDoublesCannotHold) {
 
 TEST_F(GraphCommand, RefusesADriverThatWouldCrash) {
   setenv("GALLIUM_DRIVER", "nonsense", 1);
-  const Outcome run = small({"z=u", "-o", "a.png"});
+  const Outcome run = small({"z=u", "-o", "a.png", "--renderer", "osmesa"});
   unsetenv("GALLIUM_DRIVER");
   EXPECT_TRUE(contains(error_of(run, 1), "GALLIUM_DRIVER"));
   EXPECT_EQ(files(), Names{});

@@ -33,11 +33,11 @@ TEST_F(Usage, HelpFitsOneScreenAndNamesEveryOption) {
   for (; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100U) << line;
   EXPECT_LE(count, 60);
   for (const char* option :
-       {"-o, --output", "--format",    "-s, --size",    "--view",      "--up",
-        "--target",     "--distance",  "--fov",         "--ortho",     "--background",
-        "--samples",    "--grid",      "--antialias",   "--front",     "--back",
-        "--flip",       "--t ",        "--reference",   "--threshold", "--threads",
-        "--report",     "-q, --quiet", "-v, --verbose", "--version",   "-h, --help"}) {
+       {"-o, --output", "--format",  "-s, --size", "--view",       "--up",        "--target",
+        "--distance",   "--fov",     "--ortho",    "--background", "--samples",   "--grid",
+        "--antialias",  "--front",   "--back",     "--flip",       "--t ",        "--reference",
+        "--threshold",  "--threads", "--renderer", "--report",     "-q, --quiet", "-v, --verbose",
+        "--version",    "-h, --help"}) {
     EXPECT_TRUE(contains(run.out, option)) << option;
   }
   EXPECT_EQ(saddle({"-h"}).out, run.out);
@@ -160,6 +160,7 @@ TEST_F(Usage, RefusesValuesOutOfRange) {
       {"--antialias", "0"},
       {"--antialias", "17"},
       {"--antialias", "2.5"},
+      {"--renderer", "metal"},
       {"--threads", "0"},
       {"--view", "0,0,0"},
       {"--view", "1,2"},

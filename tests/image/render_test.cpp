@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/image_compare.h"
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
 #include "render/context.h"
@@ -343,6 +344,22 @@ TEST(Renderer, ReportsItsNameAndTimes) {
   EXPECT_GT(rendering.times.context, 0);
   EXPECT_GT(rendering.times.upload, 0);
   EXPECT_GT(rendering.times.draw, 0);
+}
+
+TEST(Renderer, DrawsTheSamePictureThroughEgl) {
+  try {
+    make_context(Backend::Egl);
+  } catch (const Error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  const Mesh mesh = torus_mesh(2, 1, {64, 64, 8});
+  const PictureSettings picture{200, 150, 2};
+  const Rendering egl = render(scene_of(1), std::span(&mesh, 1), picture, Backend::Egl);
+  const Rendering osmesa = render(scene_of(1), std::span(&mesh, 1), picture, Backend::Osmesa);
+  EXPECT_EQ(egl.renderer, "egl");
+  EXPECT_EQ(osmesa.renderer, "osmesa");
+  constexpr double kIndistinguishable = 0.01;  // of the scale of compare_images()
+  EXPECT_LT(compare_images(egl.image, osmesa.image).error, kIndistinguishable);
 }
 
 TEST(Renderer, NamesThePackageOfALibraryThatIsMissing) {

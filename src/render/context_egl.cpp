@@ -1,0 +1,116 @@
+// EGL without a surface: Mesa's other way to draw without a display, and on a graphics card if
+// there is one. The only file that knows EGL; its library is loaded at run time.
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "base/error.h"
+#include "render/context.h"
+#include "render/gl.h"
+#include "render/library.h"
+
+namespace saddle {
+namespace {
+
+constexpr std::array kLibraries{"libEGL.so.1", "libEGL.so"};
+const char* const kPackage = "libegl1";
+
+struct Library {
+  decltype(&eglGetPlatformDisplay) get_platform_display;
+  decltype(&eglInitialize) initialize;
+  decltype(&eglTerminate) terminate;
+  decltype(&eglBindAPI) bind_api;
+  decltype(&eglChooseConfig) choose_config;
+  decltype(&eglCreateContext) create_context;
+  decltype(&eglMakeCurrent) make_current;
+  decltype(&eglGetProcAddress) get_proc_address;
+};
+
+Library load_library() {
+  void* library = open_library(kLibraries, "drawing without a window", kPackage);
+  const auto symbol = [&](auto& function, const char* name) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+        library_symbol(library, name, kPackage));
+  };
+  Library result{};
+  symbol(result.get_platform_display, "eglGetPlatformDisplay");
+  symbol(result.initialize, "eglInitialize");
+  symbol(result.terminate, "eglTerminate");
+  symbol(result.bind_api, "eglBindAPI");
+  symbol(result.choose_config, "eglChooseConfig");
+  symbol(result.create_context, "eglCreateContext");
+  symbol(result.make_current, "eglMakeCurrent");
+  symbol(result.get_proc_address, "eglGetProcAddress");
+  return result;
+}
+
+[[noreturn]] void fail(const std::string& what) {
+  throw Error(Status::Machine, what, {},
+              std::string("the packages ") + kPackage + " and libgl1-mesa-dri have what it needs");
+}
+
+class EglContext final : public Context {
+ public:
+  EglContext() : library_(load_library()), display_(open_display(library_), library_.terminate) {
+    make_current(create_context());
+    if (gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) {
+      fail("EGL's OpenGL is older than 3.3");
+    }
+  }
+
+  std::string name() const override { return "egl"; }
+
+ private:
+  static EGLDisplay open_display(const Library& library) {
+    EGLDisplay display =
+        library.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY || library.initialize(display, nullptr, nullptr) != EGL_TRUE) {
+      fail("EGL cannot draw without a display here");
+    }
+    return display;
+  }
+
+  EGLContext create_context() const {
+    constexpr std::array wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    constexpr std::array attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                    3,
+                                    EGL_CONTEXT_MINOR_VERSION,
+                                    3,
+                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                    EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    EGLContext context = EGL_NO_CONTEXT;
+    if (library_.bind_api(EGL_OPENGL_API) == EGL_TRUE &&
+        library_.choose_config(display_.get(), wanted.data(), &config, 1, &count) == EGL_TRUE &&
+        count > 0) {
+      context = library_.create_context(display_.get(), config, EGL_NO_CONTEXT, attributes.data());
+    }
+    if (context == EGL_NO_CONTEXT) fail("EGL cannot make an OpenGL 3.3 core context");
+    return context;
+  }
+
+  void make_current(EGLContext context) const {
+    if (library_.make_current(display_.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, context) !=
+        EGL_TRUE) {
+      fail("EGL cannot draw without a surface here");
+    }
+  }
+
+  Library library_;
+  // Its end is that of the context too.
+  std::unique_ptr<void, decltype(&eglTerminate)> display_;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> make_egl_context() {
+  return std::make_unique<EglContext>();
+}
+
+}  // namespace saddle
