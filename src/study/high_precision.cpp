@@ -6,7 +6,6 @@
 #include <boost/math/special_functions/expm1.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/log1p.hpp>
-#include <boost/math/special_functions/polygamma.hpp>
 #include <limits>
 
 namespace saddle {
@@ -128,6 +127,54 @@ Real exact_bessel_j(int n, const Real& x) {
   return (sums[0] * (cosine + sine) - sums[1] * (sine - cosine)) / mp::sqrt(Real(pi * x));
 }
 
+Real factorial(int n) {
+  Real product = 1;
+  for (int k = 2; k <= n; ++k) product *= k;
+  return product;
+}
+
+/// Bernoulli's numbers B_0, B_2, B_4 ... by their recurrence, in as many digits as it loses.
+std::vector<Real> even_bernoulli_numbers(int count) {
+  std::vector<Huge> all = {Huge(1)};
+  for (int m = 1; m < 2 * count; ++m) {
+    Huge sum = 0;
+    Huge choose = 1;  // m + 1 over k
+    for (int k = 0; k < m; ++k) {
+      sum += choose * all[static_cast<std::size_t>(k)];
+      choose = choose * (m + 1 - k) / (k + 1);
+    }
+    all.push_back(-sum / (m + 1));
+  }
+  std::vector<Real> even;
+  for (std::size_t k = 0; k < all.size(); k += 2) even.emplace_back(all[k]);
+  return even;
+}
+
+/// For x > 0: recurrence up to where the asymptotic series has 50 digits. Boost's own makes a table
+/// when the program starts, which every run would wait for.
+/// Source: NIST Digital Library of Mathematical Functions, 5.11.2 and 5.15.8.
+Real positive_polygamma(int n, const Real& x) {
+  namespace mp = boost::multiprecision;
+  constexpr int kTerms = 32;
+  constexpr int kFar = 60;  // the last term is below 1e-60 there
+  static const std::vector<Real> kBernoulli = even_bernoulli_numbers(kTerms);
+  Real sum = 0;  // of n! / (x + j)^(n + 1) and the series
+  Real y = x;
+  const Real n_factorial = factorial(n);
+  for (; y < kFar; y += 1) sum += n_factorial / mp::pow(y, n + 1);
+  sum += n_factorial / (2 * mp::pow(y, n + 1));
+  Real ratio = factorial(n + 1) / 2;  // (2k + n - 1)! / (2k)!
+  Real power = mp::pow(y, n + 2);
+  for (int k = 1; k < kTerms; ++k) {
+    sum += kBernoulli[static_cast<std::size_t>(k)] * ratio / power;
+    ratio *= Real((2 * k + n) * (2 * k + n + 1)) / ((2 * k + 1) * (2 * k + 2));
+    power *= y * y;
+  }
+  if (n == 0) return mp::log(y) - sum;
+  sum += factorial(n - 1) / mp::pow(y, n);
+  return n % 2 == 0 ? Real(-sum) : sum;
+}
+
 }  // namespace
 
 /// Its power series, good for |x| < 20 with 50 digits, and beyond
@@ -148,19 +195,17 @@ Real sinc_series(int n, const Real& x) {
   return sum;
 }
 
-/// By the reflection formula where x < 0: Boost 1.74 is wrong at -1/2, and loses the parity of the
-/// period far from 0.
+/// By the reflection formula where x < 0.
 Real exact_polygamma(int n, const Real& x) {
-  using boost::math::polygamma;
-  if (x > 0) return polygamma(n, x);
+  if (x > 0) return positive_polygamma(n, x);
   const int sign = n % 2 == 0 ? 1 : -1;
-  const Real mirrored = sign * polygamma(n, Real(1 - x));
+  const Real mirrored = sign * positive_polygamma(n, Real(1 - x));
   const Real rest = x - boost::multiprecision::round(x);
   if (sign > 0 && abs(rest) == Real(0.5)) return mirrored;  // derivatives of pi cot(pi x) are 0
-  if (rest > 0) return mirrored - sign * polygamma(n, Real(1 - rest)) + polygamma(n, rest);
-  const Real step =
-      sign * boost::math::tgamma(Real(n + 1)) / boost::multiprecision::pow(rest, n + 1);
-  return mirrored - sign * polygamma(n, Real(1 - rest)) + polygamma(n, Real(1 + rest)) - step;
+  const Real other = sign * positive_polygamma(n, Real(1 - rest));
+  if (rest > 0) return mirrored - other + positive_polygamma(n, rest);
+  const Real step = sign * factorial(n) / boost::multiprecision::pow(rest, n + 1);
+  return mirrored - other + positive_polygamma(n, Real(1 + rest)) - step;
 }
 
 Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {

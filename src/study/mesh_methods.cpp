@@ -17,6 +17,8 @@ namespace {
 const std::array<int, 7> kGrids = {8, 16, 32, 64, 128, 256, 512};
 /// In pixels, from what everybody sees to what nobody does.
 const std::array<double, 9> kTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
+/// Fewer are no limit worth drawing.
+constexpr double kSomeTriangles = 2;
 /// A method whose mesh takes longer is not asked for a finer one.
 constexpr double kPatience = 1500;  // milliseconds
 
@@ -89,8 +91,8 @@ class MeshStudy {
   /// What a mesher would take that made the least number of triangles, each at the least cost of
   /// those measured.
   void add_limit() {
-    if (!(least_ > 0)) return;
-    double cheapest = HUGE_VAL;  // milliseconds for a triangle
+    if (least_ / kTolerances.back() < kSomeTriangles) return;  // developable, but for rounding
+    double cheapest = HUGE_VAL;                                // milliseconds for a triangle
     for (const Measurement& m : result_) {
       if (m.triangles == 0) continue;
       cheapest = std::min(cheapest, m.time.median / static_cast<double>(m.triangles));
@@ -98,15 +100,16 @@ class MeshStudy {
     for (const double pixels : kTolerances) {
       const double triangles = least_ / pixels;
       const double time = cheapest * triangles;
-      result_.push_back({Panel::Mesh,
-                         "least triangles",
-                         number_text(pixels) + " px",
-                         {time, time, time},
-                         pixels,
-                         "px",
-                         {},
-                         static_cast<std::size_t>(std::ceil(triangles)),
-                         true});
+      Measurement m{Panel::Mesh,
+                    "least triangles",
+                    number_text(pixels) + " px",
+                    {time, time, time},
+                    pixels,
+                    "px",
+                    {}};
+      m.triangles = static_cast<std::size_t>(std::ceil(triangles));
+      m.is_limit = true;
+      result_.push_back(m);
     }
   }
 

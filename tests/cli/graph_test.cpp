@@ -325,18 +325,35 @@ TEST_F(GraphCommand, RefusesADriverThatWouldCrash) {
 TEST_F(GraphCommand, WritesTheSameBytesOnEveryCpuLevel) {
   for (const std::string level : {"sse2", "avx2", "avx512"}) {
     setenv("SADDLE_CPU", level.c_str(), 1);
-    const Outcome run = saddle({"seashell", "-s", "200x150", "-o", level + ".ply"});
+    const Outcome run =
+        saddle({"seashell", "-s", "200x150", "-o", level + ".ply", "-o", level + ".png"});
     unsetenv("SADDLE_CPU");
     if (contains(run.err, "this processor does not have " + level)) {
       EXPECT_EQ(run.status, 2);
     } else {
       EXPECT_EQ(contents(path(level + ".ply")), contents(path("sse2.ply"))) << level;
+      EXPECT_EQ(contents(path(level + ".png")), contents(path("sse2.png"))) << level;
     }
   }
   setenv("SADDLE_CPU", "sse9", 1);
   const Outcome unknown = saddle({"torus", "-o", "a.ply"});
   unsetenv("SADDLE_CPU");
   EXPECT_TRUE(contains(error_of(unknown, 2), "the levels are sse2, avx2 and avx512"));
+}
+
+TEST_F(GraphCommand, WritesTheSameBytesOnAnyNumberOfThreads) {
+  // Smooth; with halved cells; with a pole; with a rim.
+  const std::vector<std::string> formulas = {"z=u*v", "z=exp(-90*(u^2+v^2))", "z=0.1/u",
+                                             "z=sqrt(1-u^2-v^2)"};
+  for (const std::string& formula : formulas) {
+    for (const std::string threads : {"1", "2", "7"}) {
+      saddle({formula, "-s", "200x150", "--threads", threads, "-q", "-o", threads + ".ply", "-o",
+              threads + ".png"});
+      EXPECT_EQ(contents(path(threads + ".ply")), contents(path("1.ply"))) << formula << threads;
+      EXPECT_EQ(contents(path(threads + ".png")), contents(path("1.png"))) << formula << threads;
+    }
+    EXPECT_GT(contents(path("1.ply")).size(), 1000U) << formula;
+  }
 }
 
 TEST_F(GraphCommand, PassesAgainstItsOwnPicture) {

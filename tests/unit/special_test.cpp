@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/special_functions/polygamma.hpp>
 #include <cmath>
 
 #include "study/high_precision.h"
@@ -20,6 +21,16 @@ TEST(Polygamma, AgreesWithFiftyDigits) {
       // Near a zero (1.4616 for digamma) and in the reflection terms cancel: relative to 1 there.
       const double scale = 1 + std::fabs(static_cast<double>(exact));
       EXPECT_NEAR(polygamma(n, x), static_cast<double>(exact), kRoundings * scale) << n << " " << x;
+    }
+  }
+}
+
+TEST(ExactPolygamma, AgreesWithBoostsWhereThatIsRight) {
+  for (int n = 0; n <= 6; ++n) {
+    for (const double x : {1e-6, 0.25, 1.0, 1.4616, 7.0, 59.5, 60.5, 1e4, -0.25, -3.7}) {
+      const Real boosts = boost::math::polygamma(n, Real(x));
+      const Real scale = 1 + abs(boosts);
+      EXPECT_LT(abs(exact_polygamma(n, Real(x)) - boosts) / scale, Real("1e-45")) << n << " " << x;
     }
   }
 }
