@@ -74,4 +74,12 @@ Scene build_scene(const CommandLine& line) {
   return resolve(std::move(scene));
 }
 
+std::string scene_file_of(const CommandLine& line) {
+  const auto is_file = [](const std::string& argument) {
+    return argument.find('=') == std::string::npos && is_scene_file(argument);
+  };
+  const auto found = std::ranges::find_if(line.arguments, is_file);
+  return found == line.arguments.end() ? "" : *found;
+}
+
 }  // namespace saddle

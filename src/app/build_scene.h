@@ -1,6 +1,8 @@
 // From the command line to the Scene it asks for.
 #pragma once
 
+#include <string>
+
 #include "app/cli.h"
 #include "scene/scene.h"
 
@@ -10,5 +12,8 @@ namespace saddle {
 /// options applied, resolved at its moment. Throws Error (Input): no surface or two, an unknown
 /// name, a malformed assignment, anything wrong with a scene file or a number.
 Scene build_scene(const CommandLine& line);
+
+/// The scene file that the command line names; empty if there is none.
+std::string scene_file_of(const CommandLine& line);
 
 }  // namespace saddle

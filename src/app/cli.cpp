@@ -140,6 +140,7 @@ void add_computing_options(CLI::App& app, CommandLine& line) {
   app.add_option_function<std::string>("--threads", [&line](Text text) {
     line.threads = static_cast<unsigned>(parse_whole("--threads", text, 1, kMaxThreads));
   });
+  app.add_flag("--watch", line.watch);
   CLI::Option* const quiet = app.add_flag("-q,--quiet", line.quiet);
   app.add_flag("-v,--verbose", line.verbose)->excludes(quiet);
 }

@@ -23,6 +23,7 @@ struct CommandLine {
   std::vector<std::function<void(Scene&)>> edits;  ///< what options change, in their order
   std::string reference;
   double threshold = kDefaultThreshold;
+  bool watch = false;
   Backend renderer = Backend::Any;
   unsigned threads = 0;  ///< 0: all
   std::string report;

@@ -55,6 +55,7 @@ Mesh
       --samples MxN     a uniform grid of M cells in u by N in v instead (default: off)
 Computing
       --t T             time, the value of t in formulas (default 0)
+      --watch           in the viewer: redraw when the scene file changes
       --renderer NAME   osmesa or egl (default: the first that starts)
       --threads N       worker threads, 1 to 1024 (default: all)
   -q, --quiet           no warnings        -v, --verbose   say what was done and how long it took

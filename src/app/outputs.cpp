@@ -111,6 +111,10 @@ bool wants_viewer(const CommandLine& line) {
 }
 
 std::vector<Output> checked_outputs(const CommandLine& line) {
+  if (line.watch && !wants_viewer(line)) {
+    throw Error(Status::Input, "only the viewer watches a file", {"--watch", "", {}},
+                "leave out --output, --report and --reference");
+  }
   const auto fallback = checked_format(line.format);
   check_format_is_used(line);
   std::vector<Output> outputs;

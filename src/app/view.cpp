@@ -38,6 +38,13 @@ void run_view(const CommandLine& line) {
     return mesh_for_viewer(scene, surface, detail, threads);
   };
   setup.reload = [line] { return build_scene(line); };
+  if (line.watch) {
+    setup.watched = scene_file_of(line);
+    if (setup.watched.empty()) {
+      throw Error(Status::Input, "there is no scene file to watch", {"--watch", "", {}},
+                  "-o FILE.toml writes one");
+    }
+  }
   setup.verbose = line.verbose;
   run_viewer(std::move(setup));
 }

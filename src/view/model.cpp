@@ -95,6 +95,17 @@ void Model::resize(const dvec2& size) {
   refine_at_ = Clock::now() + kRest;
 }
 
+void Model::reload() {
+  try {
+    Scene scene = reload_();
+    scene.camera = scene_.camera;
+    open(std::move(scene));
+  } catch (const Error& error) {
+    error_ = error;
+    guilty_ = scene_.surfaces.size();
+  }
+}
+
 void Model::change_look(Scene scene) {
   history_.record(scene_, "");
   scene_ = std::move(scene);
@@ -306,12 +317,9 @@ bool Model::act(Action action) {
     case Action::Redo:
       redo();
       return true;
-    case Action::Reload: {
-      Scene scene = reload_();
-      scene.camera = scene_.camera;
-      open(std::move(scene));
+    case Action::Reload:
+      reload();
       return true;
-    }
     default:
       return false;
   }

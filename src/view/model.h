@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -33,6 +34,7 @@ struct ViewerSetup {
   Scene scene;
   Tessellate tessellate;
   std::function<Scene()> reload;  ///< the scene anew, from where it came from
+  std::filesystem::path watched;  ///< reload when this file changes; empty: do not
   bool verbose = false;           ///< say at the end what it took
 };
 
@@ -68,6 +70,8 @@ class Model {
   void redo();
   /// In place of the scene; can be undone.
   void open(Scene scene);
+  /// The scene from where it came from, the camera as it is; its error, if it has one, is kept.
+  void reload();
   /// Lights and colours: the meshes stay.
   void change_look(Scene scene);
 

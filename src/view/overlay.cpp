@@ -15,7 +15,12 @@ void show_text(const char* id, const std::string& text, const ImVec2& place, con
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoSavedSettings;
-  if (ImGui::Begin(id, nullptr, kFlags)) ImGui::TextUnformatted(text.c_str());
+  if (ImGui::Begin(id, nullptr, kFlags)) {
+    // Carets and columns want letters of one width: the last font.
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+  }
   ImGui::End();
 }
 

@@ -88,14 +88,20 @@ std::string formatted(const char* format, Values... values) {
 
 }  // namespace
 
-/// A line of text with its label before it; the error, if it is about this, below it.
-bool Panel::field(Model& model, const std::string& name, const char* label, std::string& text) {
-  ImGui::PushID(name.c_str());
+/// Below the field of this name, if the error is about it.
+void Panel::show_error_of(const Model& model, const std::string& name) {
+  if (!is_about(model.error(), name)) return;
+  show_error(*model.error());
+  has_shown_error_ = true;
+}
+
+/// A line of text with its label before it; true if it was changed.
+bool Panel::field(Model& model, const std::string& label, std::string& text, bool wrong) {
+  ImGui::PushID(label.c_str());
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
+  ImGui::TextUnformatted(label.c_str());
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  const bool wrong = is_about(model.error(), name);
   if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
   const bool changed = ImGui::InputText("##text", &text);
   if (wrong) ImGui::PopStyleColor();
@@ -111,8 +117,9 @@ void Panel::show_surface(Model& model, std::size_t index) {
   if (scene.surfaces.size() > 1) ImGui::TextUnformatted(spec.name.c_str());
   const bool guilty = index == model.guilty();
   const auto formula = [&](const char* name, std::string& text) {
-    if (field(model, name, name, text)) model.edit(scene, spec.name + name);
-    if (guilty && is_about(model.error(), name)) show_error(*model.error());
+    const bool wrong = guilty && is_about(model.error(), name);
+    if (field(model, name, text, wrong)) model.edit(scene, spec.name + name);
+    if (guilty) show_error_of(model, name);
   };
   formula("x", spec.x);
   formula("y", spec.y);
@@ -134,7 +141,7 @@ void Panel::show_surface(Model& model, std::size_t index) {
     if (ImGui::IsItemDeactivated()) model.end_edit();
     ImGui::PopID();
     if (changed) model.edit(scene, spec.name + name);
-    if (guilty && is_about(model.error(), name)) show_error(*model.error());
+    if (guilty) show_error_of(model, name);
   };
   range("u", spec.u);
   range("v", spec.v);
@@ -147,11 +154,11 @@ void Panel::show_parameter(Model& model, Scene& scene, std::size_t index) {
   const std::string name = display_name(definition);
   const auto number = definition.is_function ? std::nullopt : plain_number(definition.text);
   ImGui::PushID(static_cast<int>(index));
-  if (field(model, name, name.c_str(), definition.text)) model.edit(scene, name);
+  const bool wrong = is_about(model.error(), name) || is_about(model.error(), definition.name);
+  if (field(model, name, definition.text, wrong)) model.edit(scene, name);
   if (number) show_slider(model, scene, definition, *number);
-  if (is_about(model.error(), name) || is_about(model.error(), definition.name)) {
-    show_error(*model.error());
-  }
+  show_error_of(model, name);
+  if (name != definition.name) show_error_of(model, definition.name);
   ImGui::PopID();
 }
 
@@ -293,11 +300,10 @@ void Panel::show(Model& model, const Figures& figures, double width, double scal
                                       ImGuiWindowFlags_NoNav;
   ImGui::Begin("panel", nullptr, kFixed);
   ImGui::PushItemWidth(static_cast<float>(100 * scale));
+  has_shown_error_ = false;
   show_gallery(model);
   for (std::size_t i = 0; i < model.scene().surfaces.size(); ++i) show_surface(model, i);
   show_definitions(model);
-  // An error that is about no field.
-  if (model.error() && model.error()->place().name.empty()) show_error(*model.error());
   ImGui::Separator();
   show_time(model);
   ImGui::Separator();

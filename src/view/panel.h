@@ -23,6 +23,9 @@ class Panel {
   /// Something was changed that the picture shows, since the last call.
   bool take_change() { return std::exchange(changed_, false); }
 
+  /// The scene's error was that of a field, and is shown there.
+  bool has_shown_error() const { return has_shown_error_; }
+
  private:
   void show_gallery(Model& model);
   void show_surface(Model& model, std::size_t index);
@@ -33,9 +36,11 @@ class Panel {
   void show_look(Model& model);
   void show_picked(const Model& model);
   void show_figures(const Model& model, const Figures& figures);
-  bool field(Model& model, const std::string& name, const char* label, std::string& text);
+  void show_error_of(const Model& model, const std::string& name);
+  bool field(Model& model, const std::string& label, std::string& text, bool wrong);
 
   bool changed_ = false;
+  bool has_shown_error_ = false;
   std::string search_;
   std::string new_definition_;
   std::string refused_;  ///< why the new definition cannot be

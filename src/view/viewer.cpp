@@ -38,6 +38,9 @@ constexpr double kPanelShare = 0.45;
 constexpr double kSmoothMs = 20;
 constexpr std::chrono::milliseconds kRest{120};
 
+/// How often the watched file is looked at.
+constexpr std::chrono::milliseconds kLook{200};
+
 /// Frames after the last event, in which the panel comes to rest.
 constexpr int kSettlingFrames = 3;
 
@@ -48,6 +51,13 @@ constexpr double kNormalLength = 0.03;
 
 double seconds_until(Clock::time_point time) {
   return std::max(0.0, std::chrono::duration<double>(time - Clock::now()).count());
+}
+
+/// The least time there is for a file that is not there just now.
+std::filesystem::file_time_type last_write(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto time = std::filesystem::last_write_time(path, ignored);
+  return ignored ? std::filesystem::file_time_type::min() : time;
 }
 
 /// "torus.png", or the first of "torus-2.png" ... that does not exist.
@@ -79,6 +89,8 @@ class Viewer {
  public:
   explicit Viewer(ViewerSetup setup)
       : verbose_(setup.verbose),
+        watched_(setup.watched),
+        written_(last_write(watched_)),
         window_(setup.scene.title, setup.scene.picture.width + static_cast<int>(kPanelWidth),
                 setup.scene.picture.height),
         model_(std::move(setup), Window::wake) {}
@@ -89,6 +101,7 @@ class Viewer {
       for (const Event& event : window_.take_events()) handle(event);
       if (model_.take_result()) take_meshes();
       model_.pass(Clock::now());
+      look_at_file();
       if (window_.take_damage()) touch();
       paint();
     }
@@ -111,6 +124,7 @@ class Viewer {
     if (const auto next = model_.next_pass()) at_most(*next);
     if (coarse_) at_most(moved_ + kRest);
     if (!message_.empty()) at_most(message_end_);
+    if (!watched_.empty()) at_most(looked_ + kLook);
     return seconds;
   }
 
@@ -284,6 +298,17 @@ class Viewer {
     renderer_.set_marks(marks);
   }
 
+  /// Editors write a file in place or put another one there: its time tells of both.
+  void look_at_file() {
+    if (watched_.empty() || Clock::now() < looked_ + kLook) return;
+    looked_ = Clock::now();
+    const auto written = last_write(watched_);
+    if (written == written_) return;
+    written_ = written;
+    model_.reload();
+    touch();
+  }
+
   // --- what is shown -----------------------------------------------------------------------------
 
   double panel_width() const {
@@ -343,12 +368,19 @@ class Viewer {
     Overlay overlay;
     overlay.left = panel_width();
     overlay.message = message_;
+    // What a field shows is not said twice.
+    if (model_.error() && !(panel_shown_ && panel_.has_shown_error())) {
+      overlay.message = format_error(*model_.error());
+    }
     if (help_shown_) overlay.help = key_help();
     if (model_.picked()) overlay.mark = pixel_of(model_.grip(), model_.picked()->place.position);
     return overlay;
   }
 
   bool verbose_;
+  std::filesystem::path watched_;
+  std::filesystem::file_time_type written_;  ///< when that file was, as far as is known
+  Clock::time_point looked_;
   Window window_;
   Renderer renderer_;
   Canvas canvas_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include <GLFW/glfw3.h>
@@ -23,14 +24,35 @@ constexpr double kDoubleClickPixels = 4;
 
 /// The panel's letters, in pixels of the user's.
 constexpr float kFontSize = 15;
-/// Where distributions put a readable font with Greek letters and mathematical signs; without any
-/// of them the panel has ImGui's own small one.
+/// Where distributions put readable fonts with Greek letters and mathematical signs, for the panel
+/// and for texts in columns; without any of them ImGui's own small one stands in.
 constexpr std::array kFonts{
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
     "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
     "/usr/share/fonts/TTF/DejaVuSans.ttf",
     "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
 };
+constexpr std::array kMonoFonts{
+    "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+    "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
+    "/usr/share/fonts/TTF/DejaVuSansMono.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf",
+};
+
+void add_font(std::span<const char* const> paths, float size) {
+  static constexpr std::array<ImWchar, 9> kLetters{0x20,   0xFF,   0x370,  0x3FF, 0x2010,
+                                                   0x2044, 0x2200, 0x22FF, 0};
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  for (const char* path : paths) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) continue;
+    fonts.AddFontFromFileTTF(path, size, nullptr, kLetters.data());
+    return;
+  }
+  ImFontConfig config;
+  config.SizePixels = size;
+  fonts.AddFontDefault(&config);
+}
 
 constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display";
 
@@ -178,19 +200,8 @@ void Window::start_panel() {
   io.IniFilename = nullptr;               // leaves no file behind
   io.ConfigInputTextCursorBlink = false;  // a frame is drawn when something happens
   const float size = std::round(kFontSize * static_cast<float>(scale_));
-  ImFontConfig config;
-  static constexpr std::array<ImWchar, 9> kLetters{0x20,   0xFF,   0x370,  0x3FF, 0x2010,
-                                                   0x2044, 0x2200, 0x22FF, 0};
-  const auto font = std::ranges::find_if(kFonts, [](const char* path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored);
-  });
-  if (font != kFonts.end()) {
-    io.Fonts->AddFontFromFileTTF(*font, size, &config, kLetters.data());
-  } else {
-    config.SizePixels = size;
-    io.Fonts->AddFontDefault(&config);
-  }
+  add_font(kFonts, size);
+  add_font(kMonoFonts, size);
   ImGui::StyleColorsDark();
   ImGui::GetStyle().ScaleAllSizes(static_cast<float>(scale_));
   ImGui_ImplGlfw_InitForOpenGL(window_, false);  // it hears from listen()

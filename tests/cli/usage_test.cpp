@@ -104,6 +104,12 @@ TEST_F(Usage, WantsASurfaceAndAnOutput) {
   EXPECT_TRUE(contains(refusal({"torus", "sphere", "-o", "a.png"}), "two scenes"));
 }
 
+TEST_F(Usage, WatchesOnlySceneFilesInTheViewer) {
+  EXPECT_TRUE(contains(refusal({"torus", "--watch"}), "no scene file to watch"));
+  EXPECT_TRUE(contains(refusal({"torus", "--watch", "-o", "a.png"}), "only the viewer"));
+  EXPECT_TRUE(contains(refusal({"torus", "--renderer", "egl"}), "OpenGL of its display"));
+}
+
 TEST_F(Usage, NamesTheNearestOption) {
   EXPECT_TRUE(contains(refusal({"torus", "--smaples", "3x3", "-o", "a.png"}), "'--samples'?"));
   EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--thickness", "0.1"}), "unknown option"));

@@ -1,6 +1,7 @@
 // The viewer as a hand finds it, under a display without a screen.
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -155,6 +156,30 @@ TEST_F(ViewerTest, SavesThePictureThatTheSavedSceneGives) {
   EXPECT_EQ(saved.width, 800);
   EXPECT_LT(compare_images(saved, read_png(path("headless.png")).image).error, 0.001);
   EXPECT_LT(compare_images(saved, shown).error, 0.001) << "nor is the window's another";
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
+
+TEST_F(ViewerTest, FollowsTheSceneFile) {
+  const std::string ends = "[[surface]]\nz = \"a*u*v\"\n";
+  write(path("s.toml"), "[params]\na = 1\n" + ends);
+  open({"s.toml", "--watch"});
+  drag(1, 400, 300, 450, 330);
+  const Image before = settled_picture();
+  write(path("s.toml"), "[params]\na = \n" + ends);
+  ASSERT_TRUE(eventually([&] { return differ(picture(), before); })) << "no message";
+  const Image broken = settled_picture();
+  EXPECT_GT(yellow_pixels(broken), yellow_pixels(before) / 2) << "the last picture stays";
+  write(path("s.toml"), "[params]\na = 2\n" + ends);
+  ASSERT_TRUE(eventually([&] { return differ(picture(), broken); }));
+  settled_picture();
+  act("key S");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("saddle.toml")); }));
+  const Scene scene = load_scene(path("saddle.toml"));
+  EXPECT_GT(degrees_between(scene.camera.view, Camera{}.view), 5) << "the camera is kept";
+  EXPECT_EQ(scene.definitions.at(0).text, "2");
 }
 
 TEST_F(ViewerTest, DrawsNothingWhileNothingHappens) {

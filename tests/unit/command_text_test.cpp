@@ -1,0 +1,57 @@
+#include "scene/command_text.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/assignments.h"
+#include "scene/gallery.h"
+
+namespace saddle {
+namespace {
+
+TEST(CommandText, SaysFormulasAndRangesThatAreNotTheDefault) {
+  Scene scene;
+  assign(scene, "z=sin(u)");
+  assign(scene, "u=0:tau");
+  EXPECT_EQ(command_text(scene), "saddle 'z=sin(u)' u=0:tau");
+}
+
+TEST(CommandText, QuotesForAShell) {
+  Scene scene;
+  assign(scene, "z=f(u)");
+  assign(scene, "f(s)=s'");  // no formula, but a text
+  EXPECT_EQ(command_text(scene), R"(saddle 'z=f(u)' 'f(s)=s'\''')");
+}
+
+TEST(CommandText, SaysCameraLookAndSettings) {
+  Scene scene;
+  assign(scene, "z=u");
+  scene.camera.view = dvec3(0, 0, 1);
+  scene.camera.ortho = true;
+  scene.background = {1, 1, 1};
+  scene.surfaces[0].flip = true;
+  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  scene.picture.width = 100;
+  scene.mesh.tolerance = ToleranceValue{0.25, true};
+  EXPECT_EQ(command_text(scene),
+            "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --flip --grid off "
+            "--size 100x600 --tolerance 0.25px");
+}
+
+TEST(CommandText, LeavesToASceneFileWhatOnlyThatCanSay) {
+  Scene scene;
+  assign(scene, "z=u");
+  scene.lights.pop_back();
+  EXPECT_FALSE(command_text(scene));
+  scene = Scene{};
+  scene.surfaces.resize(2);
+  EXPECT_FALSE(command_text(scene));
+}
+
+TEST(CommandText, SaysTheWholeGallery) {
+  for (const GalleryEntry& entry : gallery()) {
+    EXPECT_TRUE(command_text(gallery_scene(entry))) << entry.name;
+  }
+}
+
+}  // namespace
+}  // namespace saddle

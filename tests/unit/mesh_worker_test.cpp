@@ -1,0 +1,120 @@
+// The newest wish counts: what is shown last is what was wished for last.
+#include "view/mesh_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "base/parallel.h"
+
+namespace saddle {
+namespace {
+
+Scene titled(const std::string& title) {
+  Scene scene;
+  scene.title = title;
+  scene.surfaces.resize(1);
+  return scene;
+}
+
+/// Waits for results, which a worker announces.
+class Results {
+ public:
+  void announce() {
+    const std::lock_guard lock(mutex_);
+    ++announced_;
+    changed_.notify_one();
+  }
+  /// The next one that is no preview, of the scene with this title.
+  Meshed wait_for(MeshWorker& worker, const std::string& title) {
+    while (true) {
+      {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return announced_ > 0; });
+        --announced_;
+      }
+      auto result = worker.take();
+      if (result && !result->preview && result->scene.title == title) return std::move(*result);
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int announced_ = 0;
+};
+
+/// Work that only ends by being abandoned.
+void work_for_ever() {
+  while (true) parallel_chunks(1, 1, 1, [](std::size_t, std::size_t) {});
+}
+
+TEST(MeshWorker, MeshesWhatIsWishedForLast) {
+  Results results;
+  std::atomic<int> previews = 0;
+  MeshWorker worker(
+      [&](const Scene&, std::size_t, Detail detail) {
+        previews += detail == Detail::Preview ? 1 : 0;
+        return SurfaceMesh{};
+      },
+      [&] { results.announce(); });
+  for (int i = 0; i < 100; ++i) worker.wish(titled(std::to_string(i)), true);
+  EXPECT_EQ(results.wait_for(worker, "99").surfaces.size(), 1U);
+  EXPECT_GE(previews, 1);
+  EXPECT_LE(previews, 100);
+}
+
+TEST(MeshWorker, AbandonsWhatTakesForEver) {
+  Results results;
+  std::atomic<bool> begun = false;
+  MeshWorker worker(
+      [&](const Scene& scene, std::size_t, Detail) {
+        begun = true;
+        if (scene.title == "endless") work_for_ever();
+        return SurfaceMesh{};
+      },
+      [&] { results.announce(); });
+  worker.wish(titled("endless"), false);
+  while (!begun) std::this_thread::yield();
+  worker.wish(titled("quick"), false);
+  EXPECT_FALSE(results.wait_for(worker, "quick").error);
+}
+
+TEST(MeshWorker, EndsWhileItWorks) {
+  std::atomic<bool> begun = false;
+  {
+    MeshWorker worker(
+        [&](const Scene&, std::size_t, Detail) -> SurfaceMesh {
+          begun = true;
+          work_for_ever();
+          return {};
+        },
+        [] {});
+    worker.wish(titled("endless"), true);
+    while (!begun) std::this_thread::yield();
+  }
+  SUCCEED() << "the destructor returns";
+}
+
+TEST(MeshWorker, TellsWhichSurfaceIsWrong) {
+  Results results;
+  MeshWorker worker(
+      [](const Scene&, std::size_t surface, Detail) -> SurfaceMesh {
+        if (surface == 1) throw Error(Status::Input, "wrong");
+        return {};
+      },
+      [&] { results.announce(); });
+  Scene scene = titled("two");
+  scene.surfaces.resize(2);
+  worker.wish(scene, true);
+  const Meshed result = results.wait_for(worker, "two");
+  ASSERT_TRUE(result.error);
+  EXPECT_EQ(result.guilty, 1U);
+  EXPECT_TRUE(result.surfaces.empty());
+}
+
+}  // namespace
+}  // namespace saddle
