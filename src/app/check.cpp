@@ -2,11 +2,8 @@
 #include "app/build_scene.h"
 #include "app/commands.h"
 #include "app/describe.h"
-#include "app/report.h"
 #include "app/run_report.h"
 #include "app/standard_output.h"
-#include "app/tessellate.h"
-#include "scene/prepare.h"
 
 namespace saddle {
 
@@ -16,11 +13,8 @@ void run_check(const CommandLine& line, Clock::time_point start) {
   std::string words;
   for (const SurfaceSpec& spec : scene.surfaces) {
     const Mesh mesh =
-        file(tessellate(scene, spec, {.picture = false, .mesh = true}, line.threads), report);
-    SurfaceReport& surface = report.surfaces.back();
-    surface.facts = gather_facts(prepare_surface(scene, spec, Order::Second).surface, mesh,
-                                 surface.mesh, scene.clip.box.has_value(), line.threads);
-    words += describe(surface, mesh);
+        file(tessellate(scene, spec, {.mesh = true, .facts = true}, line.threads), report);
+    words += describe(report.surfaces.back(), mesh);
   }
   print_warnings(line, report);
   report.times.total = since(start);

@@ -48,6 +48,8 @@ std::string vector(const dvec3& v, double size) {
 
 /// Parameters this close, as a part of the range, are on one line.
 constexpr double kSameLine = 1e-6;
+/// And this close, of their size, they are the same but for rounding.
+constexpr double kSameParameters = 1e-12;
 /// So many places on a line of constant u or v are told as one.
 constexpr std::size_t kLine = 12;
 /// Places and lines that are told one by one.
@@ -164,8 +166,10 @@ std::string point_and_normal(const std::vector<SingularPlace>& all, const Group&
 // --- lines of the text
 // ----------------------------------------------------------------------------
 
-std::string domain(const Domain& d) {
-  return range("u", d.u0, d.u1) + ", " + range("v", d.v0, d.v1);
+std::string domain(const Facts& facts) {
+  const Domain& d = facts.domain;
+  return range("u", d.u0, d.u1) + ", " +
+         (facts.range_v.empty() ? range("v", d.v0, d.v1) : "v = " + facts.range_v);
 }
 
 std::string defined(const SurfaceReport& s, const Mesh& mesh) {
@@ -268,16 +272,25 @@ std::string describe(const SurfaceReport& s, const Mesh& triangles) {
   const auto line = [&text](const std::string& what, const std::string& said) {
     text += "  " + what + std::string(12 - what.size(), ' ') + said + "\n";
   };
+  // Where v depends on u and its ends meet, many places of the surface have the same u and v.
   std::vector<dvec2> singular;
-  for (const SingularPlace& place : facts.singular) singular.push_back(place.uv);
-  line("domain", domain(facts.domain));
+  std::vector<SingularPlace> distinct;
+  for (const SingularPlace& place : facts.singular) {
+    const auto is_same = [&](const dvec2& uv) {
+      return glm::distance(uv, place.uv) <= kSameParameters * glm::length(place.uv);
+    };
+    if (std::ranges::any_of(singular, is_same)) continue;
+    singular.push_back(place.uv);
+    distinct.push_back(place);
+  }
+  line("domain", domain(facts));
   line("defined", defined(s, triangles));
   line("poles", cuts(s.mesh.poles, s.mesh.pole_count, facts.domain));
   line("jumps", cuts(s.mesh.jumps, s.mesh.jump_count, facts.domain));
-  line("singular",
-       places(singular, s.mesh.singular_point_count, facts.domain, [&](const Group& group) {
-         return point_and_normal(facts.singular, group, s.bounds.diagonal());
-       }));
+  line("singular", places(singular, std::min(s.mesh.singular_point_count, singular.size()),
+                          facts.domain, [&](const Group& group) {
+                            return point_and_normal(distinct, group, s.bounds.diagonal());
+                          }));
   line("seams", seams(s));
   line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
   line("shape", shape(facts.topology));

@@ -16,7 +16,8 @@ std::string help_text() {
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
 
 Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
-(default -1:1); t=VALUE the moment; NAME= a parameter; NAME(ARGUMENTS)= a helper function.
+(default -1:1; the ends of v may depend on u); t=VALUE the moment; NAME= a parameter;
+NAME(ARGUMENTS)= a helper function.
 
 Examples:
   saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png

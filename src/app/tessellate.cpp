@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "app/warnings.h"
@@ -106,23 +108,58 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
   return mesh;
 }
 
+/// Puts the user's (u, v) in place of the surface's parameters wherever a place is named. Returns
+/// the domain in them; the box around the mesh's where v depends on u.
+Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Facts>& facts) {
+  if (surface.v.outputs.empty()) return surface.domain;
+  MeshReport& report = mesh.report;
+  take_user_parameters(surface, mesh.mesh.uv);
+  take_user_parameters(surface, report.poles);
+  take_user_parameters(surface, report.jumps);
+  for (SingularPoint& point : report.singular_points) {
+    take_user_parameters(surface, std::span(&point.uv, 1));
+  }
+  Extremes v;
+  for (const dvec2& uv : mesh.mesh.uv) v.add(uv.y);
+  const Domain domain{surface.domain.u0, surface.domain.u1, v.low, v.high};
+  if (facts) {
+    facts->domain = domain;
+    for (SingularPlace& place : facts->singular) {
+      take_user_parameters(surface, std::span(&place.uv, 1));
+    }
+  }
+  return domain;
+}
+
 }  // namespace
 
 Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                         unsigned threads) {
+  const bool second = purpose.facts || !scene.mesh.samples;
   const PreparedSurface prepared =
-      prepare_surface(scene, spec, scene.mesh.samples ? Order::First : Order::Second);
+      prepare_surface(scene, spec, second ? Order::Second : Order::First);
+  const Surface& surface = prepared.surface;
   const auto begin = std::chrono::steady_clock::now();
-  GridMesh mesh = mesh_as_asked(scene, spec, purpose, prepared.surface, threads);
+  GridMesh mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
   mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   Tessellation result;
   result.parse_ms = prepared.parse_ms;
   result.compile_ms = prepared.compile_ms;
   result.tessellate_ms = passed.count();
-  result.warnings = mesh_warnings(spec.name, mesh, prepared.surface.domain);
-  result.report = {spec.name,        mesh.mesh.triangles.size(), mesh.mesh.position.size(),
-                   mesh.mesh.bounds, std::move(mesh.report),     {}};
+  if (purpose.facts) {
+    const bool is_clipped = scene.clip.box || mesh.report.clip;
+    Facts facts = gather_facts(surface, mesh.mesh, mesh.report, is_clipped, threads);
+    if (!surface.v.outputs.empty()) facts.range_v = spec.v.min + ":" + spec.v.max;
+    result.report.facts = std::move(facts);
+  }
+  const Domain domain = name_parameters(surface, mesh, result.report.facts);
+  result.warnings = mesh_warnings(spec.name, mesh, domain);
+  result.report.name = spec.name;
+  result.report.triangles = mesh.mesh.triangles.size();
+  result.report.vertices = mesh.mesh.position.size();
+  result.report.bounds = mesh.mesh.bounds;
+  result.report.mesh = std::move(mesh.report);
   result.mesh = std::move(mesh.mesh);
   return result;
 }

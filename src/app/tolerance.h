@@ -10,6 +10,7 @@ namespace saddle {
 struct Purpose {
   bool picture = false;
   bool mesh = false;
+  bool facts = false;  ///< what is true of the surface is asked for
 };
 
 /// The tolerance of a surface that is known by a probe, or of what of it is in a box: the stricter

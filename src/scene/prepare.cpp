@@ -4,9 +4,12 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "formula/expression.h"
 #include "formula/graph.h"
 #include "formula/scope.h"
 #include "surface/forms.h"
@@ -20,20 +23,46 @@ double milliseconds(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-/// One end of a range: `part` of `text`, which is the whole range, so that carets point into it.
-double range_end(Graph& graph, Scope& scope, const std::string& name, const std::string& text,
-                 Span part) {
-  const Place place{name, text, part};
-  const NodeId node = scope.parse(name, text, part);
-  if ((graph[node].depends & (kDependsU | kDependsV)) != 0) {
-    throw Error(Status::Input, "a range that depends on u or v cannot be drawn yet", place,
-                "both ends are constant expressions, for example " + name + "=0:2*pi");
+/// The text of a range, so that carets point into all of it, and its ends.
+struct RangeText {
+  std::string name;
+  std::string text;
+  std::array<Span, 2> ends;
+
+  RangeText(std::string parameter, const Range& range)
+      : name(std::move(parameter)), text(range.min + ":" + range.max) {
+    const std::size_t colon = range.min.size();
+    ends = {Span{0, colon}, Span{colon + 1, text.size()}};
   }
-  const double value = scope.constant(name, text, part);
-  if (!std::isfinite(value)) {
-    throw Error(Status::Input, "this end of the range is not a finite number", place);
+  Place place(Span part) const { return {name, text, part}; }
+  Place place() const { return place({0, text.size()}); }
+};
+
+/// Both ends of a range as nodes.
+std::array<NodeId, 2> parse_ends(Scope& scope, const RangeText& range) {
+  return {scope.parse(range.name, range.text, range.ends[0]),
+          scope.parse(range.name, range.text, range.ends[1])};
+}
+
+bool depends(const Graph& graph, NodeId node, Depends on) {
+  return (graph[node].depends & on) != 0;
+}
+
+/// The ends of the range of u depend on nothing, those of v on u at the most.
+void check_dependence(const Graph& graph, const RangeText& range,
+                      const std::array<NodeId, 2>& ends) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Place place = range.place(range.ends[k]);
+    if (range.name == "u" && depends(graph, ends[k], kDependsV)) {
+      throw Error(Status::Input, "the range of u cannot depend on v", place,
+                  "the ends of v may depend on u: swap the two parameters");
+    }
+    if (depends(graph, ends[k], range.name == "u" ? kDependsU : kDependsV)) {
+      throw Error(Status::Input, "the range of " + range.name + " depends on itself", place,
+                  range.name == "u" ? "both ends are constant expressions, for example u=0:2*pi"
+                                    : "its ends may depend on u, for example v=0:sin(u)");
+    }
   }
-  return value;
 }
 
 struct Ends {
@@ -41,21 +70,33 @@ struct Ends {
   double max = 0;
 };
 
-Ends range_values(Graph& graph, Scope& scope, const std::string& name, const Range& range) {
-  const std::string text = range.min + ":" + range.max;
-  const std::size_t colon = range.min.size();
-  const Ends result{range_end(graph, scope, name, text, {0, colon}),
-                    range_end(graph, scope, name, text, {colon + 1, text.size()})};
-  const Place place{name, text, {0, text.size()}};
-  if (result.min == result.max) {
-    throw Error(Status::Input, "the range of " + name + " is empty", place,
-                "its ends must differ, for example " + name + "=0:2*pi");
+Ends constant_ends(Scope& scope, const RangeText& range) {
+  std::array<double, 2> values{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    values[k] = scope.constant(range.name, range.text, range.ends[k]);
+    if (!std::isfinite(values[k])) {
+      throw Error(Status::Input, "this end of the range is not a finite number",
+                  range.place(range.ends[k]));
+    }
   }
-  if (!std::isfinite(result.max - result.min)) {
+  if (values[0] == values[1]) {
+    throw Error(Status::Input, "the range of " + range.name + " is empty", range.place(),
+                "its ends must differ, for example " + range.name + "=0:2*pi");
+  }
+  if (!std::isfinite(values[1] - values[0])) {
     throw Error(Status::Input,
-                "the range of " + name + " is too wide for its length to be a number", place);
+                "the range of " + range.name + " is too wide for its length to be a number",
+                range.place());
   }
-  return result;
+  return {values[0], values[1]};
+}
+
+/// v between ends that depend on u, from the lower one (s = 0) to the upper one (s = 1), both
+/// exact. The part s takes the place of v as a variable of the surface.
+Expression between(Expression a, Expression b) {
+  const Expression s{a.graph, a.graph->variable(kSymbolV)};
+  const Expression in_order = a <= b;
+  return (1 - s) * select(in_order, a, b) + s * select(in_order, b, a);
 }
 
 }  // namespace
@@ -74,13 +115,27 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
                 "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
   }
   BoundSurface result;
-  Scope scope(result.graph, surface_definitions(scene, spec));
-  const Ends u = range_values(result.graph, scope, "u", spec.u);
-  const Ends v = range_values(result.graph, scope, "v", spec.v);
-  const std::array<NodeId, 3> coordinates = {scope.node("x"), scope.node("y"), scope.node("z")};
-  const std::vector<NodeId> bound = scope.bind(coordinates, scene.t);
-  result.r = {bound[0], bound[1], bound[2]};
-  result.domain = {u.min, u.max, v.min, v.max};
+  Graph& graph = result.graph;
+  Scope scope(graph, surface_definitions(scene, spec));
+  const RangeText range_u("u", spec.u);
+  const RangeText range_v("v", spec.v);
+  check_dependence(graph, range_u, parse_ends(scope, range_u));
+  const std::array<NodeId, 2> ends = parse_ends(scope, range_v);
+  check_dependence(graph, range_v, ends);
+  const Ends u = constant_ends(scope, range_u);
+  const std::array<NodeId, 3> xyz = {scope.node("x"), scope.node("y"), scope.node("z")};
+  std::vector<NodeId> r = scope.bind(xyz, scene.t);
+  if (depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU)) {
+    if (ends[0] == ends[1]) throw Error(Status::Input, "the range of v is empty", range_v.place());
+    const std::vector<NodeId> bound = scope.bind(ends, scene.t);
+    result.v = between({&graph, bound[0]}, {&graph, bound[1]}).id;
+    r = substitute(graph, r, {{kSymbolV, *result.v}});
+    result.domain = {u.min, u.max, 0, 1};
+  } else {
+    const Ends v = constant_ends(scope, range_v);
+    result.domain = {u.min, u.max, v.min, v.max};
+  }
+  result.r = {r[0], r[1], r[2]};
   result.flip = spec.flip != runs_backwards(result.domain);
   return result;
 }
@@ -91,6 +146,7 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
   const auto parsed = Clock::now();
   PreparedSurface result;
   result.surface = make_surface(bound.graph, bound.r, bound.domain, bound.flip, order);
+  if (bound.v) result.surface.v = compile(bound.graph, std::array{*bound.v});
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());
   return result;

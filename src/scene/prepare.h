@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,18 @@ namespace saddle {
 /// All that has a name in the formulas: the scene's definitions and the surface's own x, y and z.
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec);
 
-/// The formulas of a surface in u and v alone, and where they are drawn.
+/// The formulas of a surface in u and v alone, and where they are drawn. Where the ends of v depend
+/// on u, the part of the way between them, 0 to 1, takes the place of v.
 struct BoundSurface {
   Graph graph;
   std::array<NodeId, 3> r = {};  ///< x, y, z
+  std::optional<NodeId> v = {};  ///< v itself, where it is not the variable
   Domain domain;
   bool flip = false;  ///< the front is where r_v x r_u points
 };
 
 /// Parses surface `spec` of `scene` at the scene's time. Throws Error (Input): anything wrong with
-/// a formula, a range that is empty, not finite or not constant, a surface without a z.
+/// a formula, a range that is empty, not finite or circular, a surface without a z.
 BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec);
 
 struct PreparedSurface {

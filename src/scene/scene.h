@@ -52,7 +52,7 @@ struct Material {
 inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
 inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
 
-/// `u = MIN:MAX`, both constant expressions.
+/// `u = MIN:MAX`, both constant expressions; those of v may depend on u.
 struct Range {
   std::string min = "-1";
   std::string max = "1";

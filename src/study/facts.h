@@ -22,6 +22,7 @@ struct SingularPlace {
 
 struct Facts {
   Domain domain;
+  std::string range_v;  ///< as it was written, where its ends depend on u
   DefinedShare defined;
   Topology topology;
   Measures measures;

@@ -73,7 +73,7 @@ std::vector<Record> evaluate_records(const Tape& tape, std::span<const dvec2> uv
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
                      Order order) {
   const Tangents tangents = tangents_of(graph, r);
-  Surface surface{domain, flip, {}, {}, {}, {}};
+  Surface surface{domain, flip, {}, {}, {}, {}, {}};
   surface.tangents = compile(graph, tangent_outputs(tangents));
   surface.normals = compile(graph, normal_outputs(graph, tangents));
   if (order == Order::Second) {
@@ -81,6 +81,12 @@ Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain&
     surface.bounds = compile(graph, second_order_outputs(graph, tangents), Powers::Whole);
   }
   return surface;
+}
+
+void take_user_parameters(const Surface& surface, std::span<dvec2> uv) {
+  if (surface.v.outputs.empty()) return;
+  const std::vector<double> v = evaluate_records<double>(surface.v, uv, 1);
+  for (std::size_t i = 0; i < uv.size(); ++i) uv[i].y = v[i];
 }
 
 std::vector<SurfacePoint> evaluate(const Surface& surface, std::span<const dvec2> uv,

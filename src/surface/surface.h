@@ -26,17 +26,23 @@ inline bool runs_backwards(const Domain& domain) {
 enum class Order { First, Second };
 
 struct Surface {
+  /// Of u and v, or of u and s: where the ends of v depend on u, s is the part of the way from the
+  /// lower to the upper one, 0 to 1, and takes the place of v in all that is about the surface.
   Domain domain;
   bool flip = false;  ///< front and back are swapped: the normal is r_v x r_u
   Tape tangents;      ///< tangent_outputs() of surface/forms.h
   Tape normals;       ///< normal_outputs()
   Tape curvatures;    ///< curvature_outputs(); without outputs unless compiled for second order
   Tape bounds;        ///< r, r_u, r_v, r_uu, r_uv, r_vv for enclosures; the same holds
+  Tape v;             ///< v at (u, s); without outputs where v is its own
 };
 
 /// x, y, z: nodes that depend on u and v alone. The derivatives come from the formulas.
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
                      Order order = Order::First);
+
+/// The user's (u, v) in place of the surface's own parameters, (u, s).
+void take_user_parameters(const Surface& surface, std::span<dvec2> uv);
 
 /// A point of a surface with its tangents; components are NaN or infinite where undefined.
 struct SurfacePoint {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "base/error.h"
 #include "scene/assignments.h"
@@ -78,10 +79,53 @@ TEST(Prepare, RefusesRangesThatAreEmptyOrNotFinite) {
   EXPECT_EQ(error_of({"z=u", "v=-1e308:1e308"}).status(), Status::Input);
 }
 
-TEST(Prepare, SaysThatRangesCannotDependOnTheOtherParameterYet) {
-  const Error error = error_of({"z=u", "v=0:sin(u)"});
-  EXPECT_EQ(error.status(), Status::Input);
-  EXPECT_EQ(marked(error), "sin(u)");
+TEST(Prepare, TakesVBetweenEndsThatDependOnU) {
+  const Surface surface = surface_of({"x=u", "y=v", "z=u*v", "u=0:4", "v=u^2:a*u", "a=10"});
+  EXPECT_EQ(surface.domain.v0, 0);
+  EXPECT_EQ(surface.domain.v1, 1);
+  EXPECT_EQ(point_of(surface, {2, 0}), dvec3(2, 4, 8));
+  EXPECT_EQ(point_of(surface, {2, 1}), dvec3(2, 20, 40));
+  EXPECT_EQ(point_of(surface, {2, 0.25}), dvec3(2, 8, 16));
+  std::array uv = {dvec2(2, 0.25), dvec2(3, 1)};
+  take_user_parameters(surface, uv);
+  EXPECT_EQ(uv[0], dvec2(2, 8));
+  EXPECT_EQ(uv[1], dvec2(3, 30));
+}
+
+TEST(Prepare, DifferentiatesThroughEndsThatDependOnU) {
+  const Surface surface = surface_of({"z=u*v^2", "u=0:3", "v=1:2+sin(u)"});
+  // v = 1 + s (1 + sin u), z = u v^2
+  const dvec2 place(0.7, 0.3);
+  const double v = 1 + 0.3 * (1 + std::sin(0.7));
+  const double v_u = 0.3 * std::cos(0.7);
+  const double v_s = 1 + std::sin(0.7);
+  const SurfacePoint p = evaluate(surface, std::array{place})[0];
+  EXPECT_NEAR(glm::distance(p.r_u, dvec3(1, v_u, v * v + 2 * 0.7 * v * v_u)), 0, 1e-15);
+  EXPECT_NEAR(glm::distance(p.r_v, dvec3(0, v_s, 2 * 0.7 * v * v_s)), 0, 1e-15);
+}
+
+TEST(Prepare, TakesEndsThatDependOnUInEitherOrder) {
+  const Surface surface = surface_of({"z=0", "u=-1:1", "v=u:0"});
+  EXPECT_EQ(point_of(surface, {-0.5, 0}).y, -0.5);
+  EXPECT_EQ(point_of(surface, {-0.5, 1}).y, 0);
+  EXPECT_EQ(point_of(surface, {0.5, 0}).y, 0);
+  EXPECT_EQ(point_of(surface, {0.5, 1}).y, 0.5);
+  EXPECT_FALSE(surface.flip);
+}
+
+TEST(Prepare, LeavesParametersOfConstantRangesAlone) {
+  std::array uv = {dvec2(2, 0.25)};
+  take_user_parameters(surface_of({"z=u"}), uv);
+  EXPECT_EQ(uv[0], dvec2(2, 0.25));
+}
+
+TEST(Prepare, RefusesRangesThatDependOnEachOtherOrThemselves) {
+  EXPECT_STREQ(error_of({"z=u", "u=0:v"}).what(), "the range of u cannot depend on v");
+  EXPECT_STREQ(error_of({"z=u", "u=0:w", "w=v^2"}).what(), "the range of u cannot depend on v");
+  EXPECT_STREQ(error_of({"z=u", "u=u:1"}).what(), "the range of u depends on itself");
+  EXPECT_STREQ(error_of({"z=u", "v=u:v"}).what(), "the range of v depends on itself");
+  EXPECT_STREQ(error_of({"z=u", "v=2*u:2*u"}).what(), "the range of v is empty");
+  EXPECT_EQ(marked(error_of({"z=u", "v=0:2*v"})), "2*v");
 }
 
 TEST(Prepare, RefusesRangesThatDependOnTime) {
