@@ -89,6 +89,16 @@ void take_user_parameters(const Surface& surface, std::span<dvec2> uv) {
   for (std::size_t i = 0; i < uv.size(); ++i) uv[i].y = v[i];
 }
 
+void take_own_parameters(const Surface& surface, std::span<dvec2> uv) {
+  if (surface.v.outputs.empty()) return;
+  for (dvec2& place : uv) {
+    std::array ends = {dvec2(place.x, 0), dvec2(place.x, 1)};
+    take_user_parameters(surface, ends);
+    const double length = ends[1].y - ends[0].y;  // v is linear in s
+    place.y = length > 0 ? (place.y - ends[0].y) / length : 0;
+  }
+}
+
 std::vector<SurfacePoint> evaluate(const Surface& surface, std::span<const dvec2> uv,
                                    unsigned threads) {
   return evaluate_records<SurfacePoint>(surface.tangents, uv, threads);

@@ -44,6 +44,9 @@ Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain&
 /// The user's (u, v) in place of the surface's own parameters, (u, s).
 void take_user_parameters(const Surface& surface, std::span<dvec2> uv);
 
+/// The reverse.
+void take_own_parameters(const Surface& surface, std::span<dvec2> uv);
+
 /// A point of a surface with its tangents; components are NaN or infinite where undefined.
 struct SurfacePoint {
   dvec3 position;

@@ -80,20 +80,23 @@ SurfacePlace place_on_surface(const Surface& surface, const Ray& ray, const Hit&
   };
   const Domain& domain = surface.domain;
   const dvec2 reach = kFarAway * glm::abs(dvec2(domain.u1 - domain.u0, domain.v1 - domain.v0));
-  Candidate best = candidate(hit.uv);
+  dvec2 start = hit.uv;
+  take_own_parameters(surface, {&start, 1});
+  Candidate best = candidate(start);
   for (int step = 0; step < kSteps; ++step) {
     const SurfacePoint& p = best.point;
     const glm::dmat2 jacobian(glm::dot(a, p.r_u), glm::dot(b, p.r_u), glm::dot(a, p.r_v),
                               glm::dot(b, p.r_v));
     const Candidate next = candidate(best.uv - glm::inverse(jacobian) * best.off);
-    const bool near = glm::all(glm::lessThanEqual(glm::abs(next.uv - hit.uv), reach));
+    const bool near = glm::all(glm::lessThanEqual(glm::abs(next.uv - start), reach));
     if (!near || !(glm::length(next.off) < glm::length(best.off))) break;  // so is what is NaN
     best = next;
   }
   const auto normal = unit_normal(best.point, safe_length(best.point.r_u),
                                   safe_length(best.point.r_v), surface.flip);
-  return {best.uv, best.point.position, normal,
-          evaluate_curvature(surface, {&best.uv, 1}, 1).front()};
+  const Curvature curvature = evaluate_curvature(surface, {&best.uv, 1}, 1).front();
+  take_user_parameters(surface, {&best.uv, 1});
+  return {best.uv, best.point.position, normal, curvature};
 }
 
 }  // namespace saddle

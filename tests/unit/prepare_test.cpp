@@ -90,6 +90,9 @@ TEST(Prepare, TakesVBetweenEndsThatDependOnU) {
   take_user_parameters(surface, uv);
   EXPECT_EQ(uv[0], dvec2(2, 8));
   EXPECT_EQ(uv[1], dvec2(3, 30));
+  take_own_parameters(surface, uv);
+  EXPECT_EQ(uv[0], dvec2(2, 0.25));
+  EXPECT_EQ(uv[1], dvec2(3, 1));
 }
 
 TEST(Prepare, DifferentiatesThroughEndsThatDependOnU) {
