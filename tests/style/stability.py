@@ -1,0 +1,298 @@
+#!/usr/bin/python3 -B
+"""What saddle does where graphers fail, case by case: runs each, holds it to what must come out,
+and holds docs/STABILITY.md to what did. With --write, makes the page. What a plain grid does is
+measured here, too: 64 x 64 cells over the domain, corners joined by triangles, cells with a corner
+that is no number dropped, normals from central differences. The program is $SADDLE_PROGRAM, or
+build/release/saddle."""
+import json
+import math
+import pathlib
+import struct
+import subprocess
+import tempfile
+
+import tree
+
+N = 64  # cells of the plain grid each way
+GIB = 2**30
+
+
+# --- the plain grid ------------------------------------------------------------------------------
+
+def lines(first, last, n=N):
+    return [first + (last - first) * k / n for k in range(n + 1)]
+
+
+def value(f, *arguments):
+    """f as IEEE arithmetic has it: infinite or NaN where Python raises."""
+    try:
+        return f(*arguments)
+    except OverflowError:
+        return math.inf
+    except (ZeroDivisionError, ValueError):
+        return math.nan
+
+
+def cells(f, u, v):
+    """The four corner heights of each cell of a grid."""
+    heights = [[value(f, a, b) for b in v] for a in u]
+    for i in range(len(u) - 1):
+        for j in range(len(v) - 1):
+            yield (heights[i][j], heights[i + 1][j], heights[i + 1][j + 1], heights[i][j + 1])
+
+
+def dropped(f, u, v):
+    return sum(not all(map(math.isfinite, c)) for c in cells(f, u, v))
+
+
+def walls(f, u, v, height):
+    """Cells that rise by more than `height`."""
+    kept = [c for c in cells(f, u, v) if all(map(math.isfinite, c))]
+    return sum(max(c) - min(c) > height for c in kept)
+
+
+def chord_error(f, u, steps=16):
+    """The largest distance in z of f(u) from the chords between its samples."""
+    worst = 0
+    for a, b in zip(u, u[1:]):
+        fa, fb = value(f, a), value(f, b)
+        for k in range(1, steps):
+            s = k / steps
+            off = abs(value(f, a + (b - a) * s) - (fa * (1 - s) + fb * s))
+            worst = max(worst, off if math.isfinite(off) else 0)
+    return worst
+
+
+def as_float(x):
+    return struct.unpack("f", struct.pack("f", x))[0]
+
+
+def torus(u, v, size=1.0, offset=0.0):
+    ring = 2 + math.cos(v)
+    return [offset + size * ring * math.cos(u), offset + size * ring * math.sin(u),
+            offset + size * math.sin(v)]
+
+
+def number(x):
+    return f"{x:.3g}"
+
+
+def percent(share):
+    return f"{100 * share:.3g} %"
+
+
+# --- saddle --------------------------------------------------------------------------------------
+
+class Run:
+    """One run with a mesh and a report."""
+
+    def __init__(self, arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh, report = pathlib.Path(folder, "a.ply"), pathlib.Path(folder, "a.json")
+            done = subprocess.run([tree.program(), *arguments, "-o", mesh, "--report", report],
+                                  capture_output=True, text=True)
+            self.status, self.said = done.returncode, done.stderr
+            self.report = json.loads(report.read_text()) if report.exists() else None
+            self.surface = self.report["surfaces"][0] if self.report else {}
+            self.corners, self.triangles = read_ply(mesh) if mesh.exists() else ([], [])
+
+    def across(self, side):
+        """Triangles with corners on both sides: side(u, v) is a number for each."""
+        names = [side(c[-2], c[-1]) for c in self.corners]
+        return sum(len({names[k] for k in t} - {None}) > 1 for t in self.triangles)
+
+    def extent(self, axis):
+        low, high = self.surface["bounds"]
+        return high[axis] - low[axis]
+
+    def within(self):
+        tolerance = self.surface["tolerance"]
+        return tolerance is not None and self.surface["max_error"] <= tolerance
+
+    def fulfils(self, condition):
+        """A run that failed has no report to hold to anything."""
+        try:
+            return condition(self)
+        except KeyError:
+            return False
+
+
+def read_ply(path):
+    head, _, body = path.read_bytes().partition(b"end_header\n")
+    kinds, counts = "", []
+    for line in head.decode().splitlines():
+        words = line.split()
+        if words[0] == "element":
+            counts.append(int(words[2]))
+        if words[0] == "property" and words[1] in ("float", "double"):
+            kinds += words[1][0]
+    corner = struct.Struct("<" + kinds)
+    face = struct.Struct("<B3i")
+    middle = counts[0] * corner.size
+    return (list(corner.iter_unpack(body[:middle])),
+            [t[1:] for t in face.iter_unpack(body[middle:middle + counts[1] * face.size])])
+
+
+# --- the cases -----------------------------------------------------------------------------------
+# Each: a title, the arguments, what the plain grid does (measured), what must be true of the run,
+# and what to say about it.
+
+U1 = lines(-1, 1)
+TAU = 2 * math.pi
+
+
+def near(x, expected, share=0.01):
+    return abs(x - expected) <= share * abs(expected)
+
+
+def nothing(run, word):
+    return run.status == 3 and word in run.said
+
+
+CASES = [
+    ("a slope without end", ["z=sin(1/u)", "--max-triangles", "100000"],
+     lambda: f"off by {number(chord_error(lambda u: math.sin(1 / u), U1))}, without a word",
+     lambda r: "limit of triangles" in r.said and len(r.triangles) <= 100000,
+     lambda r: "stops at `--max-triangles` and says how far off it is"),
+    ("poles", ["z=tan(u)", "u=-5:5"],
+     lambda: str(sum(min(c) < -1 and max(c) > 1 for c in cells(
+         lambda u, v: math.tan(u), lines(-5, 5), U1))) + " cells are walls from below to above",
+     lambda r: r.surface["poles_count"] > 0 and "goes to infinity" in r.said
+     and r.across(lambda u, v: math.floor(u / math.pi + 0.5)) == 0,
+     lambda r: "five pieces, no triangle across a pole; clipped to "
+               f"{number(r.extent(2))} high, and said so"),
+    ("poles that cross", ["z=1/(u*v)", "u=-2:2", "v=-2:2"],
+     lambda: str(dropped(lambda u, v: 1 / (u * v), lines(-2, 2), lines(-2, 2)))
+             + f" cells dropped, heights up to {number(1 / (4 / N)**2)}",
+     lambda r: r.surface["poles_count"] > 0
+     and r.across(lambda u, v: None if u * v == 0 else 2 * (u > 0) + (v > 0)) == 0,
+     lambda r: "four pieces, no triangle across an axis; clipped, and said so"),
+    ("a hole that has a limit", ["z=sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", "u=-20:20", "v=-20:20"],
+     lambda: str(dropped(lambda u, v: math.sin(math.hypot(u, v)) / math.hypot(u, v),
+                         lines(-20, 20), lines(-20, 20))) + " cells dropped around the top",
+     lambda r: r.surface["undefined_fraction"] == 0 and near(r.surface["bounds"][1][2], 1, 1e-9),
+     lambda r: f"no hole; the top is at z = {number(r.surface['bounds'][1][2])}"),
+    ("a jump", ["z=sign(u)"],
+     lambda: f"{walls(lambda u, v: (u > 0) - (u < 0), U1, U1, 0.5)} cells are a ramp",
+     lambda r: r.surface["jumps_count"] > 0 and "jumps" in r.said
+     and not any(-1 < c[2] < 1 and c[2] != 0 for c in r.corners)
+     and r.across(lambda u, v: (u > 0) - (u < 0) or None) == 0,
+     lambda r: "two sheets with nothing between them, and said so"),
+    ("a branch cut", ["z=atan2(v,u)"],
+     lambda: f"{walls(lambda u, v: math.atan2(v, u), U1, U1, 5)} cells are walls, 2 pi high",
+     lambda r: r.surface["jumps_count"] > 0
+     and max(abs(r.corners[a][2] - r.corners[b][2]) for t in r.triangles for a in t for b in t) < 5,
+     lambda r: "cut along v = 0, u < 0; no wall"),
+    ("a rim", ["z=sqrt(1-u^2-v^2)", "u=-1.2:1.2", "v=-1.2:1.2"],
+     lambda: percent(1 - sum(all(map(math.isfinite, c)) for c in cells(
+         lambda u, v: math.sqrt(1 - u * u - v * v), lines(-1.2, 1.2), lines(-1.2, 1.2)))
+                     * (2.4 / N)**2 / math.pi) + " of the disc is missing along a jagged edge",
+     lambda r: near(r.surface["undefined_fraction"], 1 - math.pi / 5.76, 0.01) and r.within()
+     and min(c[2] for c in r.corners) < 1e-6,
+     lambda r: "ends on the rim, its lowest corners below z = 1e-6; within tolerance"),
+    ("nothing at all", ["z=sqrt(-1-u^2)"],
+     lambda: "an empty picture", lambda r: nothing(r, "undefined everywhere"),
+     lambda r: "status 3: the surface is undefined everywhere"),
+    ("a curve", ["x=cos(u)", "y=sin(u)", "z=u/4", "u=0:2*pi", "v=0:1"],
+     lambda: f"{2 * N * N} triangles without area, normals 0/0",
+     lambda r: nothing(r, "is a curve"), lambda r: "status 3: the surface is a curve"),
+    ("a point", ["x=1", "y=2", "z=3", "u=0:1", "v=0:1"],
+     lambda: f"{2 * N * N} triangles without area, an empty bounding box",
+     lambda r: nothing(r, "single point"), lambda r: "status 3: a single point, (1, 2, 3)"),
+    ("a line", ["x=u+v", "y=u+v", "z=u+v"],
+     lambda: f"{2 * N * N} triangles without area, normals 0/0",
+     lambda r: nothing(r, "straight line"), lambda r: "status 3: the surface is a straight line"),
+    ("a size of 1e8", [f"{k}=1e8*({f})" for k, f in (
+        ("x", "(2+cos(v))*cos(u)"), ("y", "(2+cos(v))*sin(u)"), ("z", "sin(v)"))] +
+     ["u=0:2*pi", "v=0:2*pi"],
+     lambda: "seams gape by " + number(max(abs(a - b) for a, b in zip(
+         torus(0, 0, 1e8), torus(TAU, 0, 1e8)))) + ": more than a fixed 1e-9",
+     lambda r: r.within() and r.surface["closed_u"] == r.surface["closed_v"] == "join"
+     and r.surface["certified"],
+     lambda r: "as a torus of size 1: closed, within tolerance, certified"),
+    ("a size of 1e-8", [f"{k}=1e-8*({f})" for k, f in (
+        ("x", "(2+cos(v))*cos(u)"), ("y", "(2+cos(v))*sin(u)"), ("z", "sin(v)"))] +
+     ["u=0:2*pi", "v=0:2*pi"],
+     lambda: "all normals are shorter than a fixed 1e-12 and count as none: the longest is "
+             + number(1e-8**2 * max(2 + math.cos(v) for v in lines(0, TAU))),
+     lambda r: r.within() and r.surface["closed_u"] == r.surface["closed_v"] == "join"
+     and r.surface["singular_points_count"] == 0 and r.surface["certified"],
+     lambda r: "as a torus of size 1: closed, within tolerance, certified"),
+    ("far from the origin", [f"{k}=1e7+({f})" for k, f in (
+        ("x", "(2+cos(v))*cos(u)"), ("y", "(2+cos(v))*sin(u)"), ("z", "sin(v)"))] +
+     ["u=0:2*pi", "v=0:2*pi"],
+     lambda: "floats move corners by up to " + number(max(
+         abs(as_float(x) - x) for u in lines(0, TAU) for v in lines(0, TAU)
+         for x in torus(u, v, 1, 1e7))) + " of a size of 6",
+     lambda r: r.within() and near(r.extent(0), 6, 1e-6),
+     lambda r: "doubles in the file, floats around the middle in the picture"),
+    ("a height of 1e43", ["z=exp(u*u)", "u=-10:10"],
+     lambda: str(sum(value(lambda u: math.exp(u * u), u) > 1e-2 * math.exp(100)
+                     for u in lines(-10, 10)))
+             + f" of {N + 1} columns are above a hundredth of the box",
+     lambda r: r.status == 0 and "have no area" in r.said,
+     lambda r: "says that most triangles have no area in doubles"),
+    ("a frequency of the grid's own", ["z=sin(60*u)", "u=0:2*pi", "v=0:2*pi"],
+     lambda: "with 60 cells a flat sheet: heights up to " + number(max(
+         abs(math.sin(60 * u)) for u in lines(0, TAU, 60))),
+     lambda r: r.within() and near(r.extent(2), 2, 1e-3),
+     lambda r: "sixty waves, within tolerance"),
+    ("a spike", ["z=exp(-1e4*((u-0.123)^2+(v+0.321)^2))"],
+     lambda: "the highest sample is " + number(max(
+         math.exp(-1e4 * ((u - .123)**2 + (v + .321)**2)) for u in U1 for v in U1)),
+     lambda r: r.within() and near(r.extent(2), 1, 2e-3),
+     lambda r: f"found: {number(r.extent(2))} high, within tolerance"),
+    ("a spike a hundred times thinner", ["z=exp(-1e6*((u-0.123)^2+(v+0.321)^2))"],
+     lambda: "the highest sample is " + number(max(
+         math.exp(-1e6 * ((u - .123)**2 + (v + .321)**2)) for u in U1 for v in U1)),
+     lambda r: r.within() and near(r.extent(2), 1, 2e-3),
+     lambda r: f"found by interval bounds: {number(r.extent(2))} high, within tolerance"),
+    ("a crease", ["z=abs(u)-abs(v)"],
+     lambda: "normals on it are off by " + number(math.degrees(
+         math.atan(1) - math.atan((abs(2 / N) - abs(-2 / N)) / (4 / N)))) + " degrees",
+     lambda r: r.within() and r.surface["max_error"] < 1e-12
+     and r.surface["max_normal_error"] < 1e-6,
+     lambda r: "mesh edges on it, a normal for each side"),
+    ("a steep slope", ["z=tanh(1e5*u)"],
+     lambda: f"{walls(lambda u, v: math.tanh(1e5 * u), lines(-1, 1.01), U1, 1)} cells are a ramp "
+             f"{number(2.01 / N)} wide",
+     lambda r: r.surface["jumps_count"] == 0 and r.within(),
+     lambda r: "not cut: it is steep, not a jump; within tolerance"),
+    ("a range run backwards", ["z=u*v", "u=1:-1", "v=0:1"],
+     lambda: "front and back change places without a word",
+     lambda r: "runs backwards" in r.said and r.within(),
+     lambda r: "they do, and it says so"),
+    ("an empty range", ["z=u*v", "u=1:1", "v=0:1"],
+     lambda: f"{2 * N * N} triangles without area",
+     lambda r: r.status == 2 and "range of u is empty" in r.said,
+     lambda r: "status 2: the range of u is empty"),
+]
+
+
+def command(arguments):
+    return "`" + " ".join(arguments).replace("|", "\\|") + "`"
+
+
+def table(rows):
+    yield "| case | formula | a plain grid | saddle |\n| --- | --- | --- | --- |\n"
+    for title, arguments, grid, saddle in rows:
+        yield f"| {title} | {command(arguments)} | {grid} | {saddle} |\n"
+    yield "\n"
+
+
+def complaints():
+    rows = []
+    for title, arguments, plain, holds, say in CASES:
+        run = Run(arguments)
+        if not run.fulfils(holds):
+            yield f"{title}: {' '.join(arguments)}: not as it must be, status {run.status}"
+            yield run.said
+            continue
+        if run.report and run.report["peak_memory_bytes"] > GIB:
+            yield f"{title}: took more than 1 GiB"
+        rows.append((title, arguments, plain(), say(run)))
+    if len(rows) == len(CASES):
+        yield from tree.check_page("docs/STABILITY.md", "its own runs", "".join(table(rows)))
+
+
+tree.finish(complaints(), len(CASES), "cases")
