@@ -98,20 +98,30 @@ class Viewer {
   void run() {
     while (!closing_ && !window_.is_to_close()) {
       window_.wait(patience());
+      const auto begin = Clock::now();
       for (const Event& event : window_.take_events()) handle(event);
       if (model_.take_result()) take_meshes();
       model_.pass(Clock::now());
       look_at_file();
       if (window_.take_damage()) touch();
       paint();
+      busy_ += Clock::now() - begin;
     }
-    if (verbose_) {
-      std::cerr << "viewer: " << figures_.frames << " pictures, " << paints_
-                << " frames, the last picture in " << figures_.frame_ms << " ms\n";
-    }
+    if (verbose_) say_what_it_took();
   }
 
  private:
+  void say_what_it_took() const {
+    const auto ms = [](Clock::duration d) {
+      return std::chrono::duration<double, std::milli>(d).count();
+    };
+    std::cerr << "viewer: " << figures_.frames << " pictures, " << paints_ << " frames, "
+              << ms(drawing_) / static_cast<double>(std::max<std::size_t>(1, figures_.frames))
+              << " ms in OpenGL for a picture, " << ms(busy_ - drawing_ - showing_)
+              << " ms outside of it in all, " << 100 * ms(busy_ - drawing_ - showing_) / ms(busy_)
+              << " %\n";
+  }
+
   // --- what happens ------------------------------------------------------------------------------
 
   /// How long the loop may sleep; nothing: until something happens.
@@ -335,9 +345,11 @@ class Viewer {
     }
     show_overlay(overlay());
     if (stale_) draw();
+    const auto begin = Clock::now();
     canvas_.show(static_cast<int>(panel_width()), 0);
     window_.end_panel();
     window_.swap();
+    showing_ += Clock::now() - begin;
     ++paints_;
   }
 
@@ -357,7 +369,9 @@ class Viewer {
     canvas_.draw(renderer_, model_.drawn_scene(), grip.fitted,
                  {.lines = model_.grid, .wireframe = model_.wireframe},
                  static_cast<int>(grip.size.x), static_cast<int>(grip.size.y), per_side_);
-    figures_.frame_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    const auto passed = Clock::now() - begin;
+    drawing_ += passed;
+    figures_.frame_ms = std::chrono::duration<double, std::milli>(passed).count();
     ++figures_.frames;
     stale_ = false;
     rested_ = false;
@@ -387,6 +401,9 @@ class Viewer {
   Panel panel_;
   Figures figures_;
   std::size_t paints_ = 0;
+  Clock::duration busy_{};     ///< from what happened to the screen
+  Clock::duration drawing_{};  ///< of that, pictures
+  Clock::duration showing_{};  ///< and copying them to the window, with the panel
   std::optional<Drag> drag_;
   std::vector<std::shared_ptr<const SurfaceMesh>> uploaded_;
   bool closing_ = false;
