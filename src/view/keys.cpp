@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::array kTable{
     KeyBinding{Action::Grid, "g", "grid lines on or off"},
+    KeyBinding{Action::Axes, "a", "the box around the surface, with ticks"},
     KeyBinding{Action::Wireframe, "w", "triangles as wires"},
     KeyBinding{Action::Normals, "n", "normals"},
     KeyBinding{Action::Flip, "f", "swap front and back"},

@@ -8,6 +8,7 @@ namespace saddle {
 
 enum class Action {
   Grid,
+  Axes,
   Wireframe,
   Normals,
   Flip,

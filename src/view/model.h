@@ -60,6 +60,7 @@ class Model {
   dvec2 size() const;
   void resize(const dvec2& size);
   Grip grip() const;
+  const Bounds& bounds() const { return bounds_; }  ///< of what is shown
   /// Length of the diagonal of what is shown.
   double surface_size() const { return bounds_.diagonal(); }
 

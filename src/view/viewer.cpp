@@ -19,6 +19,7 @@
 #include "render/picture_in_tiles.h"
 #include "scene/command_text.h"
 #include "scene/scene_file.h"
+#include "view/axes.h"
 #include "view/marks.h"
 #include "view/overlay.h"
 #include "view/panel.h"
@@ -246,7 +247,10 @@ class Viewer {
         return;
       case Action::Normals:
         normals_ = !normals_;
-        return mark_normals();
+        return make_marks();
+      case Action::Axes:
+        axes_ = !axes_;
+        return make_marks();
       case Action::CopyCommand: {
         const auto text = command_text(model_.scene_to_save());
         if (text) window_.set_clipboard(*text);
@@ -268,9 +272,11 @@ class Viewer {
     model_.mesh_now(scene);
     take_meshes();
     const Grip grip = model_.grip();
+    renderer_.remove_marks();  // the scene's picture, nothing else
     const Image image = draw_image(
         renderer_, scene, grip.fitted,
         {static_cast<int>(grip.size.x), static_cast<int>(grip.size.y), scene.picture.antialias});
+    make_marks();
     const auto path = free_name(scene.title, ".png");
     write_file_whole(path, [&](std::ostream& out) {
       write_png(out, image, {{kSceneKeyword, write_scene(scene)}});
@@ -294,18 +300,23 @@ class Viewer {
     }
     renderer_.keep_meshes(meshes.size());
     uploaded_ = meshes;
-    mark_normals();
+    make_marks();
     change_picture();
   }
 
-  void mark_normals() {
+  /// Normals and axes, if they are wanted.
+  void make_marks() {
     renderer_.remove_marks();
-    if (!normals_) return;
+    labels_.clear();
+    if (!normals_ && !axes_) return;
     Mesh marks;
-    for (const auto& surface : model_.meshes()) {
-      append_normal_marks(surface->mesh, kNormalLength * model_.surface_size(), marks);
+    if (normals_) {
+      for (const auto& surface : model_.meshes()) {
+        append_normal_marks(surface->mesh, kNormalLength * model_.surface_size(), marks);
+      }
     }
-    renderer_.set_marks(marks);
+    if (axes_) labels_ = append_axes(model_.bounds(), marks);
+    if (!marks.lines.empty()) renderer_.set_marks(marks);
   }
 
   /// Editors write a file in place or put another one there: its time tells of both.
@@ -387,7 +398,16 @@ class Viewer {
       overlay.message = format_error(*model_.error());
     }
     if (help_shown_) overlay.help = key_help();
-    if (model_.picked()) overlay.mark = pixel_of(model_.grip(), model_.picked()->place.position);
+    const Grip grip = model_.grip();
+    for (const AxisLabel& label : labels_) {
+      if (is_in_front(grip, label.place)) {
+        overlay.labels.push_back({pixel_of(grip, label.place), label.text});
+      }
+    }
+    const auto& picked = model_.picked();
+    if (picked && is_in_front(grip, picked->place.position)) {
+      overlay.mark = pixel_of(grip, picked->place.position);
+    }
     return overlay;
   }
 
@@ -410,6 +430,8 @@ class Viewer {
   bool panel_shown_ = true;
   bool help_shown_ = false;
   bool normals_ = false;
+  bool axes_ = false;
+  std::vector<AxisLabel> labels_;
   int to_paint_ = kSettlingFrames;  ///< frames that the window still needs
   bool stale_ = true;               ///< the picture is not what is to be seen
   bool rested_ = false;             ///< the next picture may take its time
