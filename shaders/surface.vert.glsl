@@ -1,21 +1,45 @@
 #version 330 core
-// A corner of a surface: to the screen, and to eye coordinates for lighting. Model coordinates are
-// the mesh's, recentred and scaled to about 1; model_to_eye is a rotation and a translation.
+// A corner of a surface: to the screen, and lit here (PER_VERTEX) or sent on to be lit, in eye
+// coordinates. Model coordinates are the mesh's, recentred and scaled to about 1.
 
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
+layout(location = 1) in vec3 corner_normal;
 
 // Composed in double: the product of two float matrices would lose depth where the eye is far away.
 uniform mat4 model_to_clip;
 uniform mat4 model_to_eye;
+#ifdef NORMAL_MATRIX
+uniform mat3 normal_to_eye;  // where model_to_eye is more than a rotation, a factor and a shift
+#endif
 
+#ifdef PER_VERTEX
+out vec3 front_color;
+#ifdef TWO_SIDED
+out vec3 back_color;
+#endif
+#else
 out vec3 eye_position;
 out vec3 eye_normal;
+#endif
 
 invariant gl_Position;  // the lines' must be the same bits
 
 void main() {
   gl_Position = model_to_clip * vec4(position, 1.0);
-  eye_position = (model_to_eye * vec4(position, 1.0)).xyz;
-  eye_normal = mat3(model_to_eye) * normal;
+  vec3 at = (model_to_eye * vec4(position, 1.0)).xyz;
+#ifdef NORMAL_MATRIX
+  vec3 n = normal_to_eye * corner_normal;
+#else
+  vec3 n = mat3(model_to_eye) * corner_normal;
+#endif
+#ifdef PER_VERTEX
+  n = unit(n);
+  front_color = shade(true, at, n, eye_from(at));
+#ifdef TWO_SIDED
+  back_color = shade(false, at, -n, eye_from(at));
+#endif
+#else
+  eye_position = at;
+  eye_normal = n;
+#endif
 }

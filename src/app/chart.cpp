@@ -98,7 +98,8 @@ void add_picture(const CommandLine& line, Subject& subject) {
   subject.normal_tolerance = scene.mesh.normal_tolerance;
   subject.pixel = report.tolerance.value_or(mesh.mesh.bounds.diagonal() / subject.width);
   subject.clip = report.clip ? report.clip : scene.clip.box;
-  subject.camera = fit_to_meshes(scene.camera, std::span(&mesh.mesh, 1),
+  one_pixel.surfaces = {subject.spec};
+  subject.camera = fit_to_meshes(one_pixel, std::span(&mesh.mesh, 1),
                                  static_cast<double>(subject.width) / subject.height);
 }
 

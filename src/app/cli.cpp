@@ -61,6 +61,10 @@ void add_picture_options(CLI::App& app, CommandLine& line) {
       app, line, "--antialias",
       [](Text name, Text text) { return parse_whole(name, text, 1, kMaxAntialias); },
       [](Scene& scene, int samples) { scene.picture.antialias = samples; });
+  add_edit(app, line, "--shading", parse_shading,
+           [](Scene& scene, Shading shading) { scene.picture.shading = shading; });
+  add_edit(app, line, "--specular", parse_specular,
+           [](Scene& scene, Specular specular) { scene.picture.specular = specular; });
   add_edit(app, line, "--background", parse_color,
            [](Scene& scene, const Color& color) { scene.background = color; });
 }

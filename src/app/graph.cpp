@@ -11,7 +11,6 @@
 #include "app/run_report.h"
 #include "base/image_png.h"
 #include "render/picture.h"
-#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {
@@ -20,7 +19,8 @@ Image draw(const CommandLine& line, const Scene& scene, std::span<const Mesh> me
            RunReport& report) {
   Rendering rendering = render(scene, meshes, scene.picture, line.renderer);
   report.times.render = rendering.times;
-  report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer};
+  report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer,
+                             std::move(rendering.shaders)};
   return std::move(rendering.image);
 }
 
@@ -59,8 +59,7 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   if (purpose.picture) image = draw(line, scene, meshes, report);
 
   const auto writing = Clock::now();
-  const std::string scene_text = write_scene(scene);
-  for (const Output& output : outputs) write_output(output, image, scene_text, meshes);
+  for (const Output& output : outputs) write_output(output, image, scene, meshes);
   report.times.encode = since(writing);
   report.times.total = since(start);
   send_report(line.report, report);

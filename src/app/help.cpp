@@ -45,6 +45,8 @@ Look
                         #rrggbb, #rrggbbaa, a CSS colour name or transparent
       --flip            swap front and back (the front is where r_u x r_v points)
       --grid MxN        lines of constant u and of constant v, or off (default 16x16)
+      --shading HOW     vertex (colours at corners, blended) or pixel (default pixel)
+      --specular HOW    highlights: phong or blinn (default phong)
       --antialias N     samples per pixel and side, 1 to 16; 1 is off (default 2)
 Mesh
       --tolerance T     largest distance of mesh and surface: 0.5px, or 1e-3 of the diagonal of the

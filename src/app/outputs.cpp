@@ -12,6 +12,7 @@
 #include "base/image_png.h"
 #include "base/nearest.h"
 #include "export/ply.h"
+#include "scene/instances.h"
 #include "scene/scene_file.h"
 
 namespace saddle {
@@ -104,6 +105,15 @@ void check_names_differ(const CommandLine& line, const std::vector<Output>& outp
   }
 }
 
+/// The meshes where the scene's nodes have them.
+std::vector<Mesh> placed(const Scene& scene, std::span<const Mesh> meshes) {
+  std::vector<Mesh> result;
+  for (const Instance& instance : instances(scene)) {
+    result.push_back(transformed(meshes[instance.surface], instance.to_world));
+  }
+  return result;
+}
+
 }  // namespace
 
 bool wants_viewer(const CommandLine& line) {
@@ -128,15 +138,15 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   return outputs;
 }
 
-void write_output(const Output& output, const Image& image, const std::string& scene_text,
+void write_output(const Output& output, const Image& image, const Scene& scene,
                   std::span<const Mesh> meshes) {
   const auto write = [&](std::ostream& out) {
     if (output.format == Format::Png) {
-      write_png(out, image, {{kSceneKeyword, scene_text}});
+      write_png(out, image, {{kSceneKeyword, write_scene(scene)}});
     } else if (output.format == Format::Toml) {
-      out << scene_text;
+      out << write_scene(scene);
     } else {
-      write_ply(out, meshes);
+      write_ply(out, placed(scene, meshes));
     }
   };
   if (output.path == "-") {

@@ -8,6 +8,7 @@
 #include "app/cli.h"
 #include "base/image.h"
 #include "mesh/mesh.h"
+#include "scene/scene.h"
 
 namespace saddle {
 
@@ -26,8 +27,8 @@ bool wants_viewer(const CommandLine& line);
 /// cannot be written, the report's included.
 std::vector<Output> checked_outputs(const CommandLine& line);
 
-/// Writes one output. `image` is empty unless it is needed; `scene_text` goes into the PNG.
-void write_output(const Output& output, const Image& image, const std::string& scene_text,
+/// Writes one output. `image` is empty unless it is needed; the scene goes into the PNG.
+void write_output(const Output& output, const Image& image, const Scene& scene,
                   std::span<const Mesh> meshes);
 
 }  // namespace saddle

@@ -38,6 +38,7 @@ struct ImageReport {
   int width = 0;
   int height = 0;
   std::string renderer;
+  std::string shaders;  ///< the surfaces' programs, for --verbose
 };
 
 struct RunReport {

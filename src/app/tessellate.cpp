@@ -83,7 +83,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     Bounds box;
     options.tolerance = [&](const Probe& probe) {
       box = clip_box(probe);
-      return tolerance_of(scene, purpose, probe, options.clip);
+      return tolerance_of(scene, spec, purpose, probe, options.clip);
     };
     options.normal_tolerance = scene.mesh.normal_tolerance;
     options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);

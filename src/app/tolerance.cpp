@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "scene/camera.h"
+#include "scene/instances.h"
 
 namespace saddle {
 namespace {
@@ -39,29 +40,45 @@ Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
   return bounds;
 }
 
-/// The side of a pixel on the nearest part of the surface, in units of length.
-double pixel_size(const Scene& scene, const Probe& probe, const std::optional<Bounds>& clip) {
+/// The side of a pixel on the nearest part of the surface at this place, in the surface's own units
+/// of length.
+double pixel_size(const Scene& scene, const glm::dmat4& place, const Probe& probe,
+                  const std::optional<Bounds>& clip) {
   const Camera& camera = scene.camera;
-  const Bounds bounds = visible(probe, clip);
+  const double stretch = largest_stretch(place);
+  const bool in_world = place == glm::dmat4(1);
+  const Bounds bounds = transformed(visible(probe, clip), place);
   const dvec3 target = camera_target(camera, bounds);
-  const double radius = std::min(
-      probe.radius(target),
-      glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target))));
+  const double to_corner =
+      glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target)));
+  const double radius = in_world ? std::min(probe.radius(target), to_corner) : to_corner;
   const double aspect = static_cast<double>(scene.picture.width) / scene.picture.height;
   const double distance = fit_camera(camera, bounds, aspect, radius).distance;
   const double depth = camera.ortho ? distance : std::max(distance - radius, kNearest * radius);
   const double half_fov = camera.fov / 2 * std::numbers::pi / 180;
-  return 2 * depth * std::tan(half_fov) / scene.picture.height;
+  return 2 * depth * std::tan(half_fov) / scene.picture.height / stretch;
+}
+
+/// The least of all places'.
+double pixel_size(const Scene& scene, const SurfaceSpec& spec, const Probe& probe,
+                  const std::optional<Bounds>& clip) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const glm::dmat4& place : places(scene, spec)) {
+    if (largest_stretch(place) == 0) continue;  // drawn as nothing
+    least = std::min(least, pixel_size(scene, place, probe, clip));
+  }
+  return std::isfinite(least) ? least : visible(probe, clip).diagonal();
 }
 
 }  // namespace
 
-Tolerance tolerance_of(const Scene& scene, const Purpose& purpose, const Probe& probe,
-                       const std::optional<Bounds>& clip) {
+Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                       const Probe& probe, const std::optional<Bounds>& clip) {
   double least = std::numeric_limits<double>::infinity();
   if (!probe.bounds().empty()) {
     for (const auto& [value, pixels] : asked(scene, purpose)) {
-      const double unit = pixels ? pixel_size(scene, probe, clip) : visible(probe, clip).diagonal();
+      const double unit =
+          pixels ? pixel_size(scene, spec, probe, clip) : visible(probe, clip).diagonal();
       least = std::min(least, value * unit);
     }
   }

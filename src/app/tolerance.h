@@ -13,11 +13,11 @@ struct Purpose {
   bool facts = false;  ///< what is true of the surface is asked for
 };
 
-/// The tolerance of a surface that is known by a probe, or of what of it is in a box: the stricter
-/// one of picture and mesh. A picture's pixels are those of the part of the surface that is nearest
-/// to the eye.
-Tolerance tolerance_of(const Scene& scene, const Purpose& purpose, const Probe& probe,
-                       const std::optional<Bounds>& clip = {});
+/// The tolerance of a surface of the scene that is known by a probe, or of what of it is in a box:
+/// the stricter one of picture and mesh. A picture's pixels are those of the part of the surface,
+/// in any of its nodes, that is nearest to the eye.
+Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                       const Probe& probe, const std::optional<Bounds>& clip = {});
 
 /// The box that a surface which goes to infinity is clipped to: in each coordinate the robust
 /// bounds, if the samples go far beyond.

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/error.h"
+#include "mesh/topology.h"
 #include "render/program.h"
 
 namespace saddle {
@@ -75,6 +76,7 @@ ModelFrame model_frame(const Bounds& bounds) {
 GpuMesh::GpuMesh(const Mesh& mesh)
     : bounds_(mesh.bounds),
       frame_(model_frame(mesh.bounds)),
+      hides_its_back_(saddle::hides_its_back(mesh)),
       triangle_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       line_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       vertices_(make_name<GlBuffer>(glGenBuffers)),

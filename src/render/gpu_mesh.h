@@ -23,6 +23,7 @@ class GpuMesh {
 
   const Bounds& bounds() const { return bounds_; }
   const ModelFrame& frame() const { return frame_; }
+  bool hides_its_back() const { return hides_its_back_; }
   bool has_lines() const { return line_indices_ > 0; }
   void draw_triangles() const;
   void draw_lines() const;
@@ -30,6 +31,7 @@ class GpuMesh {
  private:
   Bounds bounds_;
   ModelFrame frame_;  ///< of the bounds
+  bool hides_its_back_;
   GlVertexArray triangle_array_;
   GlVertexArray line_array_;
   GlBuffer vertices_;

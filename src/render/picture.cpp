@@ -34,10 +34,12 @@ class Stopwatch {
 };
 
 /// The distance of the farthest corner; much less than the box's for a torus, say.
-double radius_around(const dvec3& target, std::span<const Mesh> meshes) {
+double radius_around(const dvec3& target, std::span<const Instance> all,
+                     std::span<const Mesh> meshes) {
   double radius = 0;
-  for (const Mesh& mesh : meshes) {
-    for (const dvec3& p : mesh.position) {
+  for (const Instance& instance : all) {
+    for (const dvec3& corner : meshes[instance.surface].position) {
+      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
       radius = std::max(radius, std::hypot(p.x - target.x, p.y - target.y, p.z - target.z));
     }
   }
@@ -47,7 +49,7 @@ double radius_around(const dvec3& target, std::span<const Mesh> meshes) {
 Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
                        const PictureSettings& options, int tile_samples, Backend backend) {
   const double aspect = static_cast<double>(options.width) / options.height;
-  const FittedCamera camera = fit_to_meshes(scene.camera, meshes, aspect);
+  const FittedCamera camera = fit_to_meshes(scene, meshes, aspect);
   Stopwatch stopwatch;
   Rendering result;
   const auto context = make_context(backend);
@@ -60,16 +62,21 @@ Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
 
   result.image = draw_image(renderer, scene, camera, options, tile_samples);
   result.times.draw = stopwatch.lap();
+  result.shaders = renderer.shader_texts();
   return result;
 }
 
 }  // namespace
 
-FittedCamera fit_to_meshes(const Camera& camera, std::span<const Mesh> meshes, double aspect) {
+FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, double aspect) {
+  const std::vector<Instance> all = instances(scene);
   Bounds bounds;
-  for (const Mesh& mesh : meshes) bounds.add(mesh.bounds);
+  for (const Instance& instance : all) {
+    bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
+  }
   if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
-  return fit_camera(camera, bounds, aspect, radius_around(camera_target(camera, bounds), meshes));
+  const double radius = radius_around(camera_target(scene.camera, bounds), all, meshes);
+  return fit_camera(scene.camera, bounds, aspect, radius);
 }
 
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,

@@ -23,6 +23,7 @@ struct Rendering {
   Image image;
   RenderTimes times;
   std::string renderer;  ///< "osmesa" ...
+  std::string shaders;   ///< the programs that were made for the surfaces, as text
 };
 
 /// Draws `meshes[i]` with the materials of `scene.surfaces[i]`. Throws Error: Machine if there is

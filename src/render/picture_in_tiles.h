@@ -9,7 +9,7 @@
 namespace saddle {
 
 /// The camera that render() draws with.
-FittedCamera fit_to_meshes(const Camera& camera, std::span<const Mesh> meshes, double aspect);
+FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, double aspect);
 
 /// Draws a picture off screen, at most `tile_samples` samples a side at once, and reads it back.
 /// Leaves another framebuffer bound than there was.

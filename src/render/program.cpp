@@ -72,7 +72,8 @@ void Program::find_uniforms() {
 }
 
 void Program::check_attributes() const {
-  static const std::map<std::string, GLint> known{{"position", kPosition}, {"normal", kNormal}};
+  static const std::map<std::string, GLint> known{{"position", kPosition},
+                                                  {"corner_normal", kNormal}};
   GLint count = 0;
   glGetProgramiv(program_.get(), GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {
@@ -109,6 +110,11 @@ void Program::set(const std::string& name, const dvec3& value) {
 void Program::set(const std::string& name, const glm::dmat4& value) {
   const glm::mat4 rounded(value);
   glUniformMatrix4fv(location(name), 1, GL_FALSE, &rounded[0][0]);
+}
+
+void Program::set(const std::string& name, const glm::dmat3& value) {
+  const glm::mat3 rounded(value);
+  glUniformMatrix3fv(location(name), 1, GL_FALSE, &rounded[0][0]);
 }
 
 void Program::set(const std::string& name, std::span<const dvec3> values) {

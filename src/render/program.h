@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "base/vec.h"
@@ -28,6 +29,7 @@ class Program {
   void set(const std::string& name, double value);
   void set(const std::string& name, const dvec3& value);
   void set(const std::string& name, const glm::dmat4& value);
+  void set(const std::string& name, const glm::dmat3& value);
   void set(const std::string& name, std::span<const dvec3> values);
 
   /// Throws Error (Machine) if a uniform has never been set.

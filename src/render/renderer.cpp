@@ -1,16 +1,19 @@
-// The order of work: the surfaces, then their lines on top of them.
+// The order of work: the surfaces, once for as many lights as a program holds, then their lines on
+// top of them.
 #include "render/renderer.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <new>
 #include <utility>
 
+#include <glm/matrix.hpp>
+
 #include "base/error.h"
 #include "render/shaders.h"
-#include "render/surface_shader.h"
 
 namespace saddle {
 namespace {
@@ -18,47 +21,73 @@ namespace {
 constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
 constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
 
-/// In units of the scene. From farther away a point light's direction is the
-/// same everywhere to a float's precision, and the square of its distance must not overflow.
-constexpr double kFarthestLight = 1e9;
+/// Columns of a matrix that differ from a rotation's by this share of their length are even enough
+/// for float normals.
+constexpr double kEven = 1e-6;
+
+/// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
+/// it any longer.
+constexpr std::size_t kMostLightsAtOnce = 512;
 
 dvec3 rgb(const Color& color) {
   return {color.r, color.g, color.b};
 }
 
-/// Positions in units of the scene; directions as unit vectors.
-dvec3 light_position(const Light& light, double unit) {
-  const dvec3 position = light.position;
-  const double length = std::hypot(position.x, position.y, position.z);
-  if (light.directional) return length > 0 ? position / length : position;
-  return length > kFarthestLight * unit ? position / length * kFarthestLight : position / unit;
+bool is_black(const Color& color) {
+  return color.r == 0 && color.g == 0 && color.b == 0;
 }
 
-void set_lights(Program& program, const std::vector<Light>& lights, double unit) {
-  std::vector<dvec3> positions;
-  std::vector<dvec3> colors;
-  for (const Light& light : lights) {
-    if (!shines(light)) continue;
-    positions.push_back(light_position(light, unit));
-    colors.push_back(rgb(light.color));
+const Color& ambient(const Material& material) {
+  return material.ambient ? *material.ambient : material.diffuse;
+}
+
+bool same(const Color& a, const Color& b) {
+  return rgb(a) == rgb(b);
+}
+
+bool same(const Material& a, const Material& b) {
+  return same(a.diffuse, b.diffuse) && same(a.specular, b.specular) &&
+         a.shininess == b.shininess.value && same(ambient(a), ambient(b)) &&
+         same(a.emission, b.emission);
+}
+
+/// One side's part of what the program was made for.
+void set_material(Program& program, const std::string& side, const Material& material,
+                  const ShaderNeeds& needs) {
+  const bool lit = !needs.lights.empty();
+  program.set(side + "_diffuse", rgb(material.diffuse));
+  if (lit && needs.specular) {
+    program.set(side + "_specular", rgb(material.specular));
+    program.set(side + "_shininess", material.shininess);
   }
-  if (positions.empty()) return;
-  program.set("light_position", positions);
-  program.set("light_color", colors);
+  if (lit && needs.ambient) program.set(side + "_ambient", rgb(ambient(material)));
+  if (needs.emission) program.set(side + "_emission", rgb(material.emission));
 }
 
-void set_materials(Program& program, const SurfaceSpec& surface) {
-  program.set("front_diffuse", rgb(surface.front.diffuse));
-  program.set("front_specular", rgb(surface.front.specular));
-  program.set("front_shininess", surface.front.shininess);
-  program.set("back_diffuse", rgb(surface.back.diffuse));
-  program.set("back_specular", rgb(surface.back.specular));
-  program.set("back_shininess", surface.back.shininess);
+void add_material_needs(const SurfaceSpec& surface, ShaderNeeds& needs) {
+  needs.specular =
+      !is_black(surface.front.specular) || (needs.two_sided && !is_black(surface.back.specular));
+  needs.two_materials = needs.two_sided && !same(surface.front, surface.back);
+}
+
+bool emits(const SurfaceSpec& surface) {
+  return !is_black(surface.front.emission) || !is_black(surface.back.emission);
+}
+
+/// A rotation times a positive factor, for which normals need no matrix of their own.
+bool is_even(const glm::dmat3& m) {
+  const double length = glm::length(m[0]);
+  const double slack = kEven * length * length;
+  return glm::determinant(m) > 0 && std::abs(glm::dot(m[0], m[1])) <= slack &&
+         std::abs(glm::dot(m[1], m[2])) <= slack && std::abs(glm::dot(m[2], m[0])) <= slack &&
+         std::abs(glm::length(m[1]) - length) <= kEven * length &&
+         std::abs(glm::length(m[2]) - length) <= kEven * length;
 }
 
 void clear(const Color& background) {
-  glClearColor(static_cast<float>(background.r), static_cast<float>(background.g),
-               static_cast<float>(background.b), static_cast<float>(background.a));
+  const auto channel = [](double value) { return static_cast<float>(value); };
+  glClearColor(channel(background.r), channel(background.g), channel(background.b),
+               channel(background.a));
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
@@ -70,25 +99,52 @@ void check_gl() {
               "this is a defect of saddle or of the OpenGL driver; please report it");
 }
 
+/// Of the box's corners, along the view; before the near plane there is nothing to see.
+double nearest_depth(const Bounds& box, const FittedCamera& camera) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 8; ++corner) {
+    dvec3 p;
+    for (int k = 0; k < 3; ++k) p[k] = ((corner >> k) & 1) != 0 ? box.high[k] : box.low[k];
+    const double z = (glm::dmat3(camera.world_to_eye) * (p - camera.target)).z;
+    nearest = std::min(nearest, camera.distance - z);
+  }
+  return nearest;
+}
+
 }  // namespace
 
-/// From a mesh's own coordinates to eye coordinates in units of the scene.
-struct Renderer::View {
-  glm::dmat4 model_to_eye;  // a rotation, a translation and a factor
+/// A mesh that is drawn once, with the way from its coordinates to the screen.
+struct Renderer::Item {
+  std::size_t surface = 0;
+  glm::dmat4 model_to_eye;  // in units of the scene
   glm::dmat4 model_to_clip;
+  glm::dmat3 normal_to_eye;
+  bool even = true;  // normals go as directions do
+  bool mirrored = false;
+  bool two_sided = true;  // back faces can be seen
 
   /// Everything relative to the camera's target, all in double.
-  View(const FittedCamera& camera, const ModelFrame& frame, double unit)
-      : model_to_eye(glm::dmat3(camera.world_to_eye) * (frame.size / unit)),
-        model_to_clip(camera.eye_to_clip) {
-    const dvec3 centre = glm::dmat3(camera.world_to_eye) * (frame.centre - camera.target) -
-                         dvec3(0, 0, camera.distance);
-    model_to_eye[3] = {centre / unit, 1};
+  Item(const Instance& instance, const GpuMesh& mesh, const FittedCamera& camera, double unit)
+      : surface(instance.surface), model_to_clip(camera.eye_to_clip) {
+    const glm::dmat3 rotation(camera.world_to_eye);
+    const glm::dmat3 turned = rotation * glm::dmat3(instance.to_world);
+    const dvec3 centre(instance.to_world * glm::dvec4(mesh.frame().centre, 1));
+    const dvec3 seen = rotation * (centre - camera.target) - dvec3(0, 0, camera.distance);
+    model_to_eye = glm::dmat4(turned * (mesh.frame().size / unit));
+    model_to_eye[3] = {seen / unit, 1};
     for (int column = 0; column < 3; ++column) model_to_clip[column] *= unit;
     // A factor of clip coordinates means nothing; w in units of the scene keeps to a float's range.
     if (model_to_clip[2][3] != 0) model_to_clip /= unit;
     model_to_clip = model_to_clip * model_to_eye;
+    even = is_even(turned);
+    normal_to_eye = normal_matrix(turned);
+    mirrored = glm::determinant(turned) < 0;
+    const Bounds box = transformed(mesh.bounds(), instance.to_world);
+    two_sided = !mesh.hides_its_back() || nearest_depth(box, camera) <= camera.near_plane;
   }
+
+  /// Its transform leaves something to see.
+  bool is_visible() const { return normal_to_eye != glm::dmat3(0); }
 };
 
 void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
@@ -106,40 +162,56 @@ void Renderer::keep_meshes(std::size_t count) {
   meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(count), meshes_.end());
 }
 
+std::vector<Renderer::Item> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
+                                               double unit) const {
+  std::vector<Item> items;
+  for (const Instance& instance : instances(scene)) {
+    const Item item(instance, meshes_[instance.surface], camera, unit);
+    if (item.is_visible()) items.push_back(item);
+  }
+  return items;
+}
+
 void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
                     const Look& look) {
   assert(meshes_.size() == scene.surfaces.size());
   Bounds bounds;
-  for (const GpuMesh& mesh : meshes_) bounds.add(mesh.bounds());
+  for (const Instance& instance : instances(scene)) {
+    bounds.add(transformed(meshes_[instance.surface].bounds(), instance.to_world));
+  }
   const double unit = model_frame(bounds).size;
   const PixelRect& rect = viewport.rect;
   const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
-  std::vector<View> views;
-  for (const GpuMesh& mesh : meshes_) {
-    views.emplace_back(camera, mesh.frame(), unit);
-    views.back().model_to_clip = to_rect * views.back().model_to_clip;
-  }
+  std::vector<Item> items = items_of(scene, camera, unit);
+  for (Item& item : items) item.model_to_clip = to_rect * item.model_to_clip;
+  const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
 
   const int n = viewport.per_side;
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
   clear(scene.background);
   glEnable(GL_DEPTH_TEST);
-  draw_surfaces(scene, views, unit, n, look);
-  if (look.lines) draw_lines(views, n);
+  draw_surfaces(scene, items, lights, n, look);
+  if (look.lines) draw_lines(items, n);
   if (marks_) {
-    View view(camera, marks_->frame(), unit);
-    view.model_to_clip = to_rect * view.model_to_clip;
-    draw_marks(view, n);
+    Item item({}, *marks_, camera, unit);
+    item.model_to_clip = to_rect * item.model_to_clip;
+    draw_marks(item, n);
   }
   check_gl();
 }
 
-Program& Renderer::surface_program(const Scene& scene) {
-  std::string fragment = assemble_shader(shader_source("surface.frag.glsl"), shader_needs(scene));
-  const auto known = surface_programs_.find(fragment);
+Program& Renderer::surface_program(const ShaderNeeds& needs) {
+  const ShaderText text = assemble_surface_shader(needs);
+  const std::string both = text.vertex + text.fragment;
+  const auto known = surface_programs_.find(both);
   if (known != surface_programs_.end()) return known->second;
-  Program program(std::string(shader_source("surface.vert.glsl")), fragment);
-  return surface_programs_.emplace(std::move(fragment), std::move(program)).first->second;
+  return surface_programs_.emplace(both, Program(text.vertex, text.fragment)).first->second;
+}
+
+std::string Renderer::shader_texts() const {
+  std::string all;
+  for (const auto& [text, program] : surface_programs_) all += text;
+  return all;
 }
 
 Program& Renderer::line_program() {
@@ -154,51 +226,103 @@ bool Renderer::has_lines() const {
   return std::ranges::any_of(meshes_, &GpuMesh::has_lines);
 }
 
+std::size_t Renderer::lights_at_once() {
+  if (lights_at_once_ == 0) {
+    GLint vertex = 0;
+    GLint fragment = 0;
+    glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &vertex);
+    glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &fragment);
+    lights_at_once_ =
+        std::min(saddle::lights_at_once(std::min(vertex, fragment)), kMostLightsAtOnce);
+  }
+  return lights_at_once_;
+}
+
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
-/// the line may lie from the line itself, and half a sample more.
-void Renderer::draw_surfaces(const Scene& scene, const std::vector<View>& views, double unit,
+/// the line may lie from the line itself, and half a sample more. Passes after the first add light
+/// to what is in front.
+void Renderer::draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights,
                              int line_width, const Look& look) {
-  Program& program = surface_program(scene);
-  program.use();
-  set_lights(program, scene.lights, unit);
   if (has_lines()) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0.5F * static_cast<float>(line_width + 1), 1);
   }
   if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glLineWidth(static_cast<float>(line_width));
-  for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    program.set("model_to_clip", views[i].model_to_clip);
-    program.set("model_to_eye", views[i].model_to_eye);
-    set_materials(program, scene.surfaces[i]);
-    program.check_all_set();
-    meshes_[i].draw_triangles();
+  const std::size_t most = lights_at_once();
+  draw_pass(scene, items, lights.first(std::min(most, lights.size())), true);
+  if (lights.size() > most) {
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    for (std::size_t begin = most; begin < lights.size(); begin += most) {
+      draw_pass(scene, items, lights.subspan(begin, std::min(most, lights.size() - begin)), false);
+    }
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
   }
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
+void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights lights,
+                         bool first) {
+  ShaderNeeds needs;
+  needs.blinn = scene.picture.specular == Specular::Blinn;
+  needs.per_vertex = scene.picture.shading == Shading::Vertex;
+  needs.orthographic = scene.camera.ortho;
+  add_light_needs(lights, needs);
+  Program* program = nullptr;
+  ShaderNeeds made_for;
+  for (const Item& item : items) {
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    needs.two_sided = item.two_sided;
+    needs.normal_matrix = !item.even;
+    needs.emission = first && emits(surface);  // once, whatever the lights
+    add_material_needs(surface, needs);
+    if (program == nullptr || needs != made_for) {
+      program = &surface_program(needs);
+      program->use();
+      set_lights(*program, lights, needs);
+      made_for = needs;
+    }
+    program->set("model_to_clip", item.model_to_clip);
+    program->set("model_to_eye", item.model_to_eye);
+    if (needs.normal_matrix) program->set("normal_to_eye", item.normal_to_eye);
+    set_material(*program, "front", surface.front, needs);
+    if (needs.two_materials) set_material(*program, "back", surface.back, needs);
+    program->check_all_set();
+    glFrontFace(item.mirrored ? GL_CW : GL_CCW);
+    item.two_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    meshes_[item.surface].draw_triangles();
+  }
+  glFrontFace(GL_CCW);
+  glDisable(GL_CULL_FACE);
+}
+
 /// `line_width` in samples.
-void Renderer::draw_lines(const std::vector<View>& views, int line_width) {
+void Renderer::draw_lines(std::span<const Item> items, int line_width) {
   if (!has_lines()) return;
   Program& program = line_program();
   program.use();
   program.set("line_color", kLineColor);
   glLineWidth(static_cast<float>(line_width));
-  for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    if (!meshes_[i].has_lines()) continue;
-    program.set("model_to_clip", views[i].model_to_clip);
+  for (const Item& item : items) {
+    if (!meshes_[item.surface].has_lines()) continue;
+    program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
-    meshes_[i].draw_lines();
+    meshes_[item.surface].draw_lines();
   }
 }
 
 /// They may stand out of the box that the camera's near and far planes enclose.
-void Renderer::draw_marks(const View& view, int line_width) {
+void Renderer::draw_marks(const Item& item, int line_width) {
   Program& program = line_program();
   program.use();
   program.set("line_color", kMarkColor);
-  program.set("model_to_clip", view.model_to_clip);
+  program.set("model_to_clip", item.model_to_clip);
   program.check_all_set();
   glLineWidth(static_cast<float>(line_width));
   glEnable(GL_DEPTH_CLAMP);

@@ -5,14 +5,18 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "mesh/mesh.h"
 #include "render/gpu_mesh.h"
 #include "render/program.h"
+#include "render/shader_lights.h"
+#include "render/surface_shader.h"
 #include "render/tiles.h"
 #include "scene/camera.h"
+#include "scene/instances.h"
 #include "scene/scene.h"
 
 namespace saddle {
@@ -35,6 +39,9 @@ struct Look {
 /// Needs the same current context from the first to the last of its calls.
 class Renderer {
  public:
+  /// `lights_at_once`: most lights of a pass; 0: as many as the driver has uniforms for.
+  explicit Renderer(std::size_t lights_at_once = 0) : lights_at_once_(lights_at_once) {}
+
   /// Uploads the mesh of scene.surfaces[surface]; a mesh that is there already is replaced.
   /// Surfaces get their first mesh in order.
   void set_mesh(std::size_t surface, const Mesh& mesh);
@@ -46,25 +53,33 @@ class Renderer {
   void set_marks(const Mesh& marks) { marks_.emplace(marks); }
   void remove_marks() { marks_.reset(); }
 
-  /// Draws all meshes, with the materials of their surfaces. Throws Error (Machine) for what
-  /// OpenGL reports, and if there is no memory.
+  /// Draws all meshes of a resolved scene where its nodes have them, with the materials of their
+  /// surfaces. Throws Error (Machine) for what OpenGL reports, and if there is no memory.
   void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
             const Look& look = {});
 
- private:
-  struct View;
+  /// The sources of all programs that were made to draw surfaces, for people to read.
+  std::string shader_texts() const;
 
-  Program& surface_program(const Scene& scene);
+ private:
+  struct Item;
+  using Lights = std::span<const ShaderLight>;
+
+  std::vector<Item> items_of(const Scene& scene, const FittedCamera& camera, double unit) const;
+  Program& surface_program(const ShaderNeeds& needs);
   Program& line_program();
   bool has_lines() const;
-  void draw_surfaces(const Scene& scene, const std::vector<View>& views, double unit,
-                     int line_width, const Look& look);
-  void draw_lines(const std::vector<View>& views, int line_width);
-  void draw_marks(const View& view, int line_width);
+  std::size_t lights_at_once();
+  void draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights, int line_width,
+                     const Look& look);
+  void draw_pass(const Scene& scene, std::span<const Item> items, Lights lights, bool first);
+  void draw_lines(std::span<const Item> items, int line_width);
+  void draw_marks(const Item& item, int line_width);
 
+  std::size_t lights_at_once_ = 0;
   std::vector<GpuMesh> meshes_;
   std::optional<GpuMesh> marks_;
-  std::map<std::string, Program> surface_programs_;  // by the text of the fragment shader
+  std::map<std::string, Program> surface_programs_;  // by their text
   std::optional<Program> line_program_;
 };
 

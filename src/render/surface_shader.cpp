@@ -1,56 +1,130 @@
+// The preprocessor's work, done before the compiler sees the text: what a program of a scene holds
+// can be read, and tested.
 #include "render/surface_shader.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <sstream>
+
+#include "render/shaders.h"
 
 namespace saddle {
 namespace {
 
-bool is_black(const Color& color) {
-  return color.r == 0 && color.g == 0 && color.b == 0;
+/// Longest run of lights of a kind that is written out; a longer one becomes a loop, which compiles
+/// in a moment however many there are.
+constexpr std::size_t kWrittenOut = 8;
+
+std::vector<std::string> names_of(const ShaderNeeds& needs) {
+  std::vector<std::string> names = {"LIGHT_COUNT"};
+  const auto add = [&names](bool needed, const char* name) {
+    if (needed) names.emplace_back(name);
+  };
+  const auto has = [&needs](LightKind kind) {
+    return std::ranges::find(needs.lights, kind) != needs.lights.end();
+  };
+  const bool cone = has(LightKind::Spot) || has(LightKind::SmoothSpot);
+  const bool lit = !needs.lights.empty();
+  add(lit, "LIT");
+  add(has(LightKind::Directional), "DIRECTIONAL");
+  add(has(LightKind::Point), "POINT");
+  add(has(LightKind::Attenuated), "ATTENUATED");
+  add(needs.attenuation, "ATTENUATION");
+  add(has(LightKind::Spot), "SPOT");
+  add(has(LightKind::SmoothSpot), "SMOOTH_SPOT");
+  add(cone, "CONE");
+  add(needs.attenuation || cone, "FADES");
+  add(cone && needs.focus, "FOCUS");
+  add(lit && needs.ambient, "AMBIENT");
+  add(lit && needs.specular, "SPECULAR");
+  add(lit && needs.specular && needs.highlights, "HIGHLIGHTS");
+  add(lit && (needs.specular || (cone && needs.focus)), "POWERS");
+  add(needs.blinn, "BLINN");
+  add(needs.emission, "EMISSION");
+  add(needs.two_sided, "TWO_SIDED");
+  add(needs.two_sided && needs.two_materials, "TWO_MATERIALS");
+  add(needs.per_vertex, "PER_VERTEX");
+  add(needs.orthographic, "ORTHOGRAPHIC");
+  add(needs.normal_matrix, "NORMAL_MATRIX");
+  return names;
 }
 
-bool same(const Color& a, const Color& b) {
-  return a.r == b.r && a.g == b.g && a.b == b.b;
+const char* function_of(LightKind kind) {
+  constexpr std::array kFunctions = {"directional_light", "point_light", "attenuated_light",
+                                     "spot_light", "smooth_spot_light"};
+  return kFunctions[static_cast<std::size_t>(kind)];
 }
 
-bool same(const Material& a, const Material& b) {
-  return same(a.diffuse, b.diffuse) && same(a.specular, b.specular) && a.shininess == b.shininess;
+/// A call for each light.
+std::string calls(const std::vector<LightKind>& lights) {
+  std::string text;
+  for (std::size_t begin = 0; begin < lights.size();) {
+    std::size_t end = begin;
+    while (end < lights.size() && lights[end] == lights[begin]) ++end;
+    const std::string call = std::string("  ") + function_of(lights[begin]) + "(";
+    if (end - begin <= kWrittenOut) {
+      for (std::size_t i = begin; i < end; ++i) text += call + std::to_string(i) + ");\n";
+    } else {
+      text += "  for (int i = " + std::to_string(begin) + "; i < " + std::to_string(end) +
+              "; ++i)" + call + "i);\n";
+    }
+    begin = end;
+  }
+  return text;
+}
+
+std::string source(const char* name) {
+  return std::string(shader_source(name));
+}
+
+void replace(std::string& text, const std::string& what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
+    text.replace(at, what.size(), with);
+  }
+}
+
+/// The lighting of a scene with these lights.
+std::string lighting(const ShaderNeeds& needs, const std::vector<std::string>& names) {
+  std::string text = keep_defined(source("lighting.glsl"), names);
+  text.erase(0, text.find("\n\n") + 1);  // what the names mean is for the file's reader
+  replace(text, "  LIGHTS\n", calls(needs.lights));
+  replace(text, "[LIGHT_COUNT]", "[" + std::to_string(needs.lights.size()) + "]");
+  return text;
 }
 
 }  // namespace
 
-bool shines(const Light& light) {
-  return !is_black(light.color);
+std::string keep_defined(const std::string& text, const std::vector<std::string>& names) {
+  std::string result;
+  std::istringstream lines(text);
+  std::vector<bool> kept;  // of the conditions around a line
+  for (std::string line; std::getline(lines, line);) {
+    const bool if_defined = line.starts_with("#ifdef ");
+    const bool if_not = line.starts_with("#ifndef ");
+    if (if_defined || if_not) {
+      const std::string name = line.substr(line.find(' ') + 1);
+      kept.push_back((std::ranges::find(names, name) != names.end()) == if_defined);
+    } else if (line == "#else") {
+      kept.back() = !kept.back();
+    } else if (line == "#endif") {
+      kept.pop_back();
+    } else if (std::ranges::find(kept, false) == kept.end()) {
+      const bool second_empty = line.empty() && result.ends_with("\n\n");
+      if (!second_empty) result += line + "\n";
+    }
+  }
+  assert(kept.empty());
+  return result;
 }
 
-ShaderNeeds shader_needs(const Scene& scene) {
-  ShaderNeeds needs;
-  needs.orthographic = scene.camera.ortho;
-  for (const Light& light : scene.lights) {
-    if (shines(light)) needs.directional.push_back(light.directional);
-  }
-  for (const SurfaceSpec& surface : scene.surfaces) {
-    needs.specular |= !is_black(surface.front.specular) || !is_black(surface.back.specular);
-    needs.two_materials |= !same(surface.front, surface.back);
-  }
-  return needs;
-}
-
-std::string assemble_shader(std::string_view source, const ShaderNeeds& needs) {
-  const std::size_t first_line = source.find('\n') + 1;
-  assert(source.starts_with("#version") && first_line != 0);
-  std::string text(source.substr(0, first_line));
-  text += "#define LIGHT_COUNT " + std::to_string(needs.directional.size()) + "\n#define LIGHTS";
-  for (std::size_t i = 0; i < needs.directional.size(); ++i) {
-    text += (needs.directional[i] ? " DIRECTIONAL(" : " POINT(") + std::to_string(i) + ")";
-  }
-  text += "\n";
-  if (needs.specular) text += "#define SPECULAR\n";
-  if (needs.two_materials) text += "#define TWO_MATERIALS\n";
-  if (needs.orthographic) text += "#define ORTHOGRAPHIC\n";
-  text += "#line 2\n";  // the compiler's messages name the file's own lines
-  text += source.substr(first_line);
-  return text;
+ShaderText assemble_surface_shader(const ShaderNeeds& needs) {
+  const std::vector<std::string> names = names_of(needs);
+  ShaderText result{keep_defined(source("surface.vert.glsl"), names),
+                    keep_defined(source("surface.frag.glsl"), names)};
+  std::string& lit = needs.per_vertex ? result.vertex : result.fragment;
+  lit.insert(lit.find('\n') + 1, lighting(needs, names));  // after #version
+  return result;
 }
 
 }  // namespace saddle

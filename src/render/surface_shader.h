@@ -1,28 +1,45 @@
-// Which parts of the surface's shader a scene needs, and its text with just those.
+// Which parts of the surface's shaders a scene needs, and their text with just those.
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
 
 namespace saddle {
 
-/// Everything the shader is put together from; what is not here does not change its text.
+/// What a light asks of the shader; each is a function of shaders/lighting.glsl.
+enum class LightKind { Directional, Point, Attenuated, Spot, SmoothSpot };
+
+/// Everything the shaders are put together from; what is not here does not change their text.
 struct ShaderNeeds {
-  std::vector<bool> directional;  ///< one per light: directional, or a point
-  bool specular = false;          ///< some material reflects
-  bool two_materials = false;     ///< some surface's sides differ
+  std::vector<LightKind> lights;  ///< sorted
+  bool attenuation = false;       ///< some light, a spot light perhaps, is weaker from afar
+  bool focus = false;             ///< some cone has an exponent
+  bool ambient = false;           ///< some light has an ambient part
+  bool highlights = false;        ///< some light mirrors in a colour of its own
+  bool specular = false;          ///< the material mirrors
+  bool blinn = false;
+  bool emission = false;       ///< the material shines by itself
+  bool two_sided = true;       ///< back faces can be seen
+  bool two_materials = false;  ///< and look different
+  bool per_vertex = false;
   bool orthographic = false;
+  bool normal_matrix = false;  ///< the model is not only turned, moved and scaled evenly
+
+  bool operator==(const ShaderNeeds&) const = default;
 };
 
-ShaderNeeds shader_needs(const Scene& scene);
+/// Sources of a program.
+struct ShaderText {
+  std::string vertex;
+  std::string fragment;
+};
 
-/// The light adds something: its colour is not black.
-bool shines(const Light& light);
+/// The files of shaders/ with the parts that are needed, and no other.
+ShaderText assemble_surface_shader(const ShaderNeeds& needs);
 
-/// `source` with the constants of `needs` after its first line, which is `#version`.
-std::string assemble_shader(std::string_view source, const ShaderNeeds& needs);
+/// The text without the lines that #ifdef, #ifndef, #else and #endif leave out for these names.
+std::string keep_defined(const std::string& text, const std::vector<std::string>& names);
 
 }  // namespace saddle

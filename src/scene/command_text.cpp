@@ -109,10 +109,12 @@ void add_look(Command& command, const Scene& scene) {
 }
 
 void add_settings(Command& command, const Scene& scene) {
-  const auto& [width, height, antialias] = scene.picture;
+  const auto& [width, height, antialias, shading, specular] = scene.picture;
   const PictureSettings usual;
   if (width != usual.width || height != usual.height) command.option("size", pair(width, height));
   if (antialias != usual.antialias) command.option("antialias", std::to_string(antialias));
+  if (shading == Shading::Vertex) command.option("shading", "vertex");
+  if (specular == Specular::Blinn) command.option("specular", "blinn");
   const MeshSettings& mesh = scene.mesh;
   if (mesh.tolerance) {
     command.option("tolerance",

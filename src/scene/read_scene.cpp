@@ -546,6 +546,14 @@ void read_settings(Reader& reader, const TomlValue& table, Scene& scene) {
   with(table, "antialias", [&](const TomlValue& v) {
     scene.picture.antialias = reader.whole("antialias", v, 1, kMaxAntialias);
   });
+  with(table, "shading", [&](const TomlValue& v) {
+    const std::string text = reader.text("shading", v, "\"vertex\" or \"pixel\"");
+    scene.picture.shading = reader.in_place([&] { return parse_shading("shading", text); });
+  });
+  with(table, "specular", [&](const TomlValue& v) {
+    const std::string text = reader.text("specular", v, "\"phong\" or \"blinn\"");
+    scene.picture.specular = reader.in_place([&] { return parse_specular("specular", text); });
+  });
   with(table, "tolerance", [&](const TomlValue& v) {
     const std::string text = reader.option("tolerance", v, "a length: \"0.5px\", or 1e-3");
     scene.mesh.tolerance = reader.in_place([&] { return parse_tolerance("tolerance", text); });
@@ -579,10 +587,11 @@ Color read_background(Reader& reader, const TomlValue& value) {
 }
 
 Scene read_tables(Reader& reader, const TomlValue& root) {
-  reader.source().check_keys("scene", root,
-                             {"title", "background", "size", "antialias", "tolerance",
-                              "normal-tolerance", "max-triangles", "samples", "clip", "t", "params",
-                              "functions", "surface", "node", "light", "camera", "animation"});
+  reader.source().check_keys(
+      "scene", root,
+      {"title", "background", "size", "antialias", "shading", "specular", "tolerance",
+       "normal-tolerance", "max-triangles", "samples", "clip", "t", "params", "functions",
+       "surface", "node", "light", "camera", "animation"});
   Scene scene;
   with(root, "title",
        [&](const TomlValue& v) { scene.title = reader.text("title", v, "text in quotes"); });

@@ -160,11 +160,19 @@ struct MeshSettings {
 /// Most samples per pixel and side: 256 per pixel are more than eight bits can show.
 inline constexpr int kMaxAntialias = 16;
 
+/// Where the lighting equation is computed.
+enum class Shading { Vertex, Pixel };
+
+/// What a highlight's angle is measured from: the mirrored light, or the half vector.
+enum class Specular { Phong, Blinn };
+
 /// How the picture is made.
 struct PictureSettings {
   int width = 800;  ///< pixels
   int height = 600;
   int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
+  Shading shading = Shading::Pixel;
+  Specular specular = Specular::Phong;
 };
 
 /// The values that the viewer offers for a parameter.

@@ -1,13 +1,16 @@
 // Option values: whole numbers are digits, real ones constant expressions of the formula language.
 #include "scene/values.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "base/error.h"
+#include "base/nearest.h"
 #include "formula/graph.h"
 #include "formula/scope.h"
 #include "scene/color.h"
@@ -76,6 +79,17 @@ Bounds parse_box(const std::string& option, const std::string& text) {
   }
   return box;
 }
+/// The place of a word among those that there are.
+std::size_t choice(const std::string& option, const std::string& text,
+                   const std::vector<std::string>& words) {
+  const auto found = std::ranges::find(words, text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string hint = "one of:";
+  for (const std::string& word : words) hint += " " + word;
+  if (const auto nearest = nearest_name(text, words)) hint += "; did you mean '" + *nearest + "'?";
+  throw Error(Status::Input, "unknown value '" + text + "'", {option, text, whole(text)}, hint);
+}
+
 }  // namespace
 
 std::string format_number(double value) {
@@ -167,6 +181,14 @@ GridSize parse_pair(const std::string& option, const std::string& text, int low,
   }
   return {whole_in(option, text, {0, x}, low, high),
           whole_in(option, text, {x + 1, text.size()}, low, high)};
+}
+
+Shading parse_shading(const std::string& option, const std::string& text) {
+  return static_cast<Shading>(choice(option, text, {"vertex", "pixel"}));
+}
+
+Specular parse_specular(const std::string& option, const std::string& text) {
+  return static_cast<Specular>(choice(option, text, {"phong", "blinn"}));
 }
 
 GridSize parse_samples(const std::string& option, const std::string& text) {

@@ -52,6 +52,12 @@ Clip parse_clip(const std::string& option, const std::string& text);
 /// `MxN`, both from `low` to `high`.
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);
 
+/// `vertex` or `pixel`.
+Shading parse_shading(const std::string& option, const std::string& text);
+
+/// `phong` or `blinn`.
+Specular parse_specular(const std::string& option, const std::string& text);
+
 /// Cells of a uniform grid, `MxN`.
 GridSize parse_samples(const std::string& option, const std::string& text);
 

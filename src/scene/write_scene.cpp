@@ -296,6 +296,8 @@ std::string settings(const MeshSettings& mesh, const PictureSettings& picture) {
   if (picture.antialias != usual.antialias) {
     text += "antialias = " + std::to_string(picture.antialias) + "\n";
   }
+  if (picture.shading == Shading::Vertex) text += "shading = \"vertex\"\n";
+  if (picture.specular == Specular::Blinn) text += "specular = \"blinn\"\n";
   if (mesh.tolerance) {
     const std::string value = format_number(mesh.tolerance->value);
     text += "tolerance = " + (mesh.tolerance->pixels ? toml_string(value + "px") : value) + "\n";

@@ -13,6 +13,8 @@ enum class Action {
   Normals,
   Flip,
   NextLights,
+  ShadeVertices,
+  ShadePixels,
   Orthographic,
   Turntable,
   AlongX,

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "scene/instances.h"
 #include "scene/prepare.h"
 #include "scene/resolve.h"
 
@@ -114,8 +115,9 @@ void Model::change_look(Scene scene) {
 double Model::surface_radius(const dvec3& centre) const {
   if (radius_ && radius_->first == centre) return radius_->second;
   double radius = 0;
-  for (const auto& surface : good_.surfaces) {
-    for (const dvec3& p : surface->mesh.position) {
+  for (const Instance& instance : instances(good_.scene)) {
+    for (const dvec3& corner : good_.surfaces[instance.surface]->mesh.position) {
+      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
       radius = std::max(radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
     }
   }
@@ -197,7 +199,9 @@ bool Model::take_result() {
 void Model::show(Meshed meshed) {
   good_ = std::move(meshed);
   bounds_ = {};
-  for (const auto& surface : good_.surfaces) bounds_.add(surface->mesh.bounds);
+  for (const Instance& instance : instances(good_.scene)) {
+    bounds_.add(transformed(good_.surfaces[instance.surface]->mesh.bounds, instance.to_world));
+  }
   radius_.reset();
 }
 
@@ -283,6 +287,11 @@ bool Model::act(Action action) {
       return true;
     case Action::NextLights:
       next_lights();
+      return true;
+    case Action::ShadeVertices:
+    case Action::ShadePixels:
+      changed.picture.shading = action == Action::ShadeVertices ? Shading::Vertex : Shading::Pixel;
+      change_look(std::move(changed));
       return true;
     case Action::Orthographic:
       changed.camera.ortho = !changed.camera.ortho;

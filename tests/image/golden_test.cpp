@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/image_compare.h"
@@ -37,6 +38,27 @@ std::vector<Golden> golden_pictures() {
       {"hole-where-undefined", "z='sqrt(u*v)' u=-1:1 v=-1:1"},
       {"no-antialiasing", "enneper --antialias 1"},
   };
+  const std::string examples = SADDLE_SOURCE_DIR "/examples/lighting/";
+  for (const auto& [name, arguments] :
+       std::vector<std::pair<std::string, std::string>>{{"viewpoint-cube", "light=1"},
+                                                        {"specular-torus", "light=4"},
+                                                        {"low-resolution", ""},
+                                                        {"low-resolution", "--shading vertex"},
+                                                        {"function-grapher", ""},
+                                                        {"spotlights", ""},
+                                                        {"diskworld", ""},
+                                                        {"diskworld", "--t 5"},
+                                                        {"light-casters", "light=1"},
+                                                        {"diffuse-reflection", "light=3"},
+                                                        {"pedestals", ""},
+                                                        {"spot-edges", "edge=2"}}) {
+    std::string suffix = arguments;
+    for (char& c : suffix) c = c == ' ' || c == '=' ? '-' : c;
+    while (suffix.starts_with('-')) suffix.erase(0, 1);
+    pictures.push_back({"lighting-" + name + (suffix.empty() ? "" : "-" + suffix),
+                        examples + name + ".toml " + arguments +
+                            (name == "low-resolution" ? " -s 400x160" : " -s 200x200")});
+  }
   for (const GalleryEntry& entry : gallery()) {
     pictures.push_back({"gallery-" + std::string(entry.name), std::string(entry.name)});
   }

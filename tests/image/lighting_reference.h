@@ -24,21 +24,57 @@ struct SeenPoint {
   dvec3 to_eye;  ///< unit
 };
 
-/// Phong: N.L of the diffuse colour and (R.V)^s of the specular one for each light in front.
+inline dvec3 rgb(const Color& c) {
+  return {c.r, c.g, c.b};
+}
+
+/// The share of a point light that arrives at distance d.
+inline double arriving(const Attenuation& a, double d) {
+  return 1 / (a.constant + a.linear * d + a.quadratic * d * d);
+}
+
+/// The share of a cone's light along a ray whose cosine with the axis is `c`.
+inline double in_cone(const Spot& spot, double c) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double cutoff = std::cos(spot.cutoff * kDegree);
+  if (c <= cutoff) return 0;
+  const double inner = spot.inner ? std::cos(*spot.inner * kDegree) : cutoff;
+  const double a = inner == cutoff ? 1 : std::clamp((c - cutoff) / (inner - cutoff), 0.0, 1.0);
+  const double edge = spot.falloff == Spot::Falloff::Smooth ? a * a * (3 - 2 * a) : a;
+  return spot.exponent == 0 ? edge : edge * std::pow(std::max(c, 0.0), spot.exponent);
+}
+
+/// attenuation * (ambient + spot * (diffuse + specular)) of one light in eye coordinates.
+inline dvec3 light_from(const Light& light, const SeenPoint& p, const Material& material,
+                        Specular kind) {
+  const dvec3 at = light.position;
+  const dvec3 l = glm::normalize(light.directional ? at : at - p.position);
+  const dvec3 ambient = rgb(light.ambient) * rgb(material.ambient.value_or(material.diffuse));
+  const double attenuation =
+      light.directional ? 1 : arriving(light.attenuation, glm::length(at - p.position));
+  const double spot =
+      light.spot ? in_cone(*light.spot, glm::dot(-l, glm::normalize(dvec3(light.spot->direction))))
+                 : 1;
+  const double n_l = glm::dot(p.normal, l);
+  dvec3 reflected(0);
+  if (n_l > 0) {
+    reflected = n_l * rgb(light.color) * rgb(material.diffuse);
+    const double cosine = kind == Specular::Blinn ? glm::dot(p.normal, glm::normalize(l + p.to_eye))
+                                                  : glm::dot(-glm::reflect(l, p.normal), p.to_eye);
+    if (cosine > 0) {
+      reflected += std::pow(cosine, material.shininess) *
+                   rgb(light.specular.value_or(light.color)) * rgb(material.specular);
+    }
+  }
+  return attenuation * (ambient + spot * reflected);
+}
+
+/// What all lights that are on make of the point.
 inline dvec3 lit_color(const SeenPoint& p, const Material& material,
-                       const std::vector<Light>& lights) {
-  const auto rgb = [](const Color& c) { return dvec3(c.r, c.g, c.b); };
-  dvec3 sum(0);
+                       const std::vector<Light>& lights, Specular kind = Specular::Phong) {
+  dvec3 sum = rgb(material.emission);
   for (const Light& light : lights) {
-    const dvec3 at = light.position;
-    const dvec3 l = glm::normalize(light.directional ? at : at - p.position);
-    const double n_l = glm::dot(p.normal, l);
-    if (n_l <= 0) continue;
-    sum += n_l * rgb(light.color) * rgb(material.diffuse);
-    const dvec3 r = -glm::reflect(l, p.normal);
-    const double r_v = glm::dot(r, p.to_eye);
-    if (r_v > 0)
-      sum += std::pow(r_v, material.shininess) * rgb(light.color) * rgb(material.specular);
+    if (light.enabled != 0) sum += light_from(light, p, material, kind);
   }
   return glm::min(sum, dvec3(1));
 }

@@ -1,4 +1,7 @@
 // Pixels against the lighting equation in double.
+#include <array>
+#include <cmath>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -6,9 +9,12 @@
 
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
-#include "render/picture.h"
-#include "render/shaders.h"
+#include "mesh/grid_mesh.h"
+#include "render/context.h"
+#include "render/picture_in_tiles.h"
 #include "render/surface_shader.h"
+#include "scene/assignments.h"
+#include "scene/prepare.h"
 
 namespace saddle {
 namespace {
@@ -58,11 +64,25 @@ void expect_lit_sphere(const Scene& scene, const Image& image, const Material& m
       const dvec3 n = (inside ? -1.0 : 1.0) * (p - centre);
       if (!(glm::dot(n, -sight.along) > 0.5)) continue;
       const dvec3 v = scene.camera.ortho ? dvec3(0, 0, 1) : -sight.along;
-      expect_pixel(image, x, y, lit_color({p, n, v}, material, scene.lights));
+      expect_pixel(image, x, y,
+                   lit_color({p, n, v}, material, scene.lights, scene.picture.specular));
       ++compared;
     }
   }
   EXPECT_GT(compared, 100);
+}
+
+/// A sphere whose corners know which of them are one point.
+Mesh closed_sphere_mesh() {
+  Scene scene;
+  for (const char* text :
+       {"x=cos(u)*cos(v)", "y=sin(u)*cos(v)", "z=sin(v)", "u=0:2*pi", "v=-pi/2:pi/2"}) {
+    assign(scene, text);
+  }
+  GridOptions grid;
+  grid.cells_u = grid.cells_v = 256;
+  grid.lines_u = grid.lines_v = 0;
+  return mesh_on_grid(prepare_surface(scene, scene.surfaces[0]).surface, grid).mesh;
 }
 
 TEST(Lighting, FollowsTheEquationInPerspective) {
@@ -173,28 +193,276 @@ TEST(Lighting, PullsANormalThatLeansAwayBackToTheViewersSide) {
   expect_pixel(image, x, 110, lit_color({p, n, v}, kFrontMaterial, scene.lights));
 }
 
+/// Every kind of light and material, each alone.
+struct Case {
+  std::string name;
+  std::function<void(Scene&)> change;
+};
+
+Light point_light(const dvec3& position) {
+  return {.position = position, .color = {0.9, 0.8, 0.7}};
+}
+
+Spot cone(double cutoff) {
+  Spot spot;
+  spot.direction = dvec3(0.1, -0.2, -3);
+  spot.cutoff = cutoff;
+  return spot;
+}
+
+std::vector<Case> lighting_cases() {
+  const auto lit_by = [](const Light& light) {
+    return [light](Scene& scene) { scene.lights = {light}; };
+  };
+  std::vector<Case> cases;
+  const auto add = [&](const std::string& name, const Light& light) {
+    cases.push_back({name, lit_by(light)});
+  };
+  Light light = point_light({2, 2, -2});
+  add("point", light);
+  light.attenuation = {0.5, 0.1, 0.05, {}};
+  add("attenuated point", light);
+  light = point_light({2, 1, -3});
+  light.ambient = {0.2, 0.3, 0.1};
+  add("ambient part", light);
+  light.specular = Color{0, 0.9, 0.3};
+  add("a colour of its own for highlights", light);
+  light = point_light({0, 0, -1});
+  light.spot = cone(40);
+  light.spot->inner = 5;
+  add("spot with a linear edge", light);
+  light.spot->falloff = Spot::Falloff::Smooth;
+  light.attenuation = {0, 0.5, 0, {}};
+  light.ambient = {0.1, 0.1, 0.1};
+  add("attenuated spot with a smooth edge", light);
+  light.spot->exponent = 7;
+  add("spot with an exponent", light);
+  for (double cutoff : {90.0, 120.0, 180.0}) {
+    light = point_light({0.5, 0.2, -1});
+    light.spot = cone(cutoff);
+    light.spot->exponent = cutoff == 180 ? 0 : 3;
+    add("spot of half a sphere and more", light);
+  }
+  cases.push_back({"material that glows", [](Scene& scene) {
+                     scene.surfaces[0].front.emission = {0.3, 0, 0.1};
+                   }});
+  cases.push_back({"material with an ambient colour", [](Scene& scene) {
+                     scene.lights[0].ambient = {0.5, 0.5, 0.5};
+                     scene.surfaces[0].front.ambient = Color{0, 0, 1};
+                   }});
+  cases.push_back({"half vectors", [](Scene& scene) { scene.picture.specular = Specular::Blinn; }});
+  cases.push_back({"a light that is off", [](Scene& scene) { scene.lights[0].enabled = 0; }});
+  cases.push_back({"a brighter light than white", [](Scene& scene) {
+                     scene.lights[1].color = {3, 1e300, 0};
+                   }});
+  return cases;
+}
+
+TEST(Lighting, FollowsTheEquationForEveryKindOfLightAndMaterial) {
+  const Mesh mesh = sphere_mesh(dvec3(0), 1, {256, 256, 0});
+  for (const Case& c : lighting_cases()) {
+    SCOPED_TRACE(c.name);
+    Scene scene = lit_scene(5);
+    c.change(scene);
+    expect_lit_sphere(scene, draw(scene, mesh), scene.surfaces[0].front, false);
+  }
+}
+
+TEST(Lighting, IsTheSameInSeveralPasses) {
+  // Each pass rounds to 8 bits: half a level each, and the reference's tolerance.
+  const Mesh mesh = sphere_mesh(dvec3(0), 1, {64, 64, 0});
+  Scene scene = lit_scene(5);
+  scene.lights.clear();
+  for (int i = 0; i < 40; ++i) {
+    Light light = point_light({std::cos(i), std::sin(i), -3});
+    light.color = {0.02, 0.01 * (i % 3), 0.015};
+    if (i % 2 == 0) light.spot = cone(60);
+    if (i % 5 == 0) light.directional = !light.spot;
+    scene.lights.push_back(light);
+  }
+  scene.surfaces[0].front.emission = {0.1, 0, 0};
+  const auto picture = [&](std::size_t lights_at_once) {
+    const auto context = make_osmesa_context();
+    Renderer renderer(lights_at_once);
+    renderer.set_mesh(0, mesh);
+    return draw_image(renderer, scene, fit_to_meshes(scene, std::span(&mesh, 1), 1),
+                      {kHeight, kHeight, 1});
+  };
+  const Image one = picture(100);
+  const Image several = picture(10);
+  int largest = 0;
+  for (std::size_t i = 0; i < one.rgba.size(); ++i) {
+    largest = std::max(largest, std::abs(one.rgba[i] - several.rgba[i]));
+  }
+  EXPECT_GT(one.pixel(kHeight / 2, kHeight / 2)[0], 30);
+  EXPECT_LE(largest, 3);
+}
+
+TEST(Lighting, PerVertexBlendsTheColoursOfCorners) {
+  Scene scene = lit_scene(4);
+  scene.picture.shading = Shading::Vertex;
+  scene.lights = {point_light({0, 0, -3})};
+  const Mesh mesh = plane_mesh(dvec3(0), 1, {1, 1, 0});  // two triangles
+  const dvec3 corner(1, 1, -4);
+  const dvec3 at_corner = lit_color({corner, dvec3(0, 0, 1), glm::normalize(-corner)},
+                                    scene.surfaces[0].front, scene.lights);
+  const Image image = render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
+  expect_pixel(image, kWidth / 2, kHeight / 2, at_corner);  // all corners are alike
+  scene.picture.shading = Shading::Pixel;
+  expect_pixel(render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image, kWidth / 2,
+               kHeight / 2,
+               lit_color({dvec3(0, 0, -4), dvec3(0, 0, 1), dvec3(0, 0, 1)}, scene.surfaces[0].front,
+                         scene.lights));
+}
+
+TEST(Lighting, PerVertexHasBothSides) {
+  for (double sign : {1.0, -1.0}) {
+    Scene scene = lit_scene(4);
+    scene.picture.shading = Shading::Vertex;
+    scene.camera.view = {0, 0, sign};
+    scene.lights = {{.position = {0, 0, 1}, .directional = true, .color = {0.5, 0.5, 0.5}}};
+    const Mesh mesh = plane_mesh(dvec3(0), 1);
+    const Material& side = sign > 0 ? scene.surfaces[0].front : scene.surfaces[0].back;
+    Material diffuse = side;
+    diffuse.specular = {};
+    scene.surfaces[0].front.specular = scene.surfaces[0].back.specular = {};
+    expect_pixel(
+        draw(scene, mesh), kWidth / 2, kHeight / 2,
+        lit_color({dvec3(0, 0, -4), dvec3(0, 0, 1), dvec3(0, 0, 1)}, diffuse, scene.lights));
+  }
+}
+
+/// What would be undefined without a guard: the picture is that of the other light alone.
+TEST(Guards, KeepOneLightFromBlackeningTheOthers) {
+  const Light good = {.position = {0, 0, 1}, .directional = true, .color = {0.5, 0.5, 0.5}};
+  Light at_point = point_light({0, 0, -4});  // where the middle pixel is
+  at_point.attenuation = {0, 1, 0, {}};
+  Light spot_at_point = at_point;
+  spot_at_point.spot = cone(90);
+  spot_at_point.spot->exponent = 0;
+  Light behind = point_light({0, 0, -5});
+  Light spot_from_behind = behind;
+  spot_from_behind.spot = cone(180);
+  Light against_the_eye = {.position = {0, 0, -1}, .directional = true, .color = {1, 1, 1}};
+  const Mesh mesh = plane_mesh(dvec3(0), 1);
+  for (const Light& bad : {at_point, spot_at_point, behind, spot_from_behind, against_the_eye}) {
+    for (Specular specular : {Specular::Phong, Specular::Blinn}) {
+      for (Shading shading : {Shading::Pixel, Shading::Vertex}) {
+        for (double shininess : {0.0, 32.0}) {
+          Scene scene = lit_scene(4);
+          scene.surfaces[0].front.shininess = shininess;
+          scene.lights = {bad, good};
+          scene.picture.specular = specular;
+          scene.picture.shading = shading;
+          const Image image =
+              render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
+          scene.lights = {good};
+          const Image alone =
+              render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
+          const auto* got = image.pixel(kWidth / 2, kHeight / 2);
+          const auto* wanted = alone.pixel(kWidth / 2, kHeight / 2);
+          for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], wanted[c], 1);
+          EXPECT_GT(int{got[0]}, 100);
+        }
+      }
+    }
+  }
+}
+
+TEST(Guards, DrawNormalsOfLengthZeroAsUnlit) {
+  Scene scene = lit_scene(4);
+  scene.surfaces[0].front.emission = {0.2, 0.2, 0.2};
+  Mesh mesh = plane_mesh(dvec3(0), 1);
+  for (dvec3& n : mesh.normal) n = dvec3(0);
+  expect_pixel(draw(scene, mesh), kWidth / 2, kHeight / 2, dvec3(0.2));
+}
+
+TEST(Guards, KeepTheNormalsOfAFlattenedSurface) {
+  Scene scene = lit_scene(4);
+  scene.nodes = {{"flat", "", {{Transform::Kind::Scale, dvec3(1, 1, 0), 0}}}};
+  scene.surfaces[0].in = {"flat"};
+  const Mesh mesh = plane_mesh(dvec3(0), 1);  // which is flat already; the matrix is singular
+  const Image image = draw(scene, mesh);
+  const Sight sight = sight_through(scene.camera, kWidth, kHeight, 180, 110);
+  const dvec3 p = meet_plane(sight, dvec3(0, 0, -4), dvec3(0, 0, 1));
+  expect_pixel(image, 180, 110,
+               lit_color({p, dvec3(0, 0, 1), -sight.along}, kFrontMaterial, scene.lights));
+  scene.nodes[0].transform[0].vector = dvec3(0, 0, 0);
+  expect_pixel(draw(scene, mesh), 180, 110, dvec3(0));  // nothing is left of it
+}
+
+/// Everything of the shader that one directional light and one dull material have no use for.
 TEST(ShaderText, HoldsNoMoreThanOneDirectionalLightNeeds) {
   Scene scene;
   scene.surfaces.resize(1);
   scene.surfaces[0].front = scene.surfaces[0].back = {{1, 1, 1}, {0, 0, 0}, 32};
-  scene.lights = {{{0, 0, 1}, true, {1, 1, 1, 1}}, {{0, 0, 0}, false, {0, 0, 0, 1}}};
-  const std::string text = assemble_shader(shader_source("surface.frag.glsl"), shader_needs(scene));
-  EXPECT_TRUE(text.starts_with(
-      "#version 330 core\n#define LIGHT_COUNT 1\n#define LIGHTS DIRECTIONAL(0)\n#line 2\n"));
-  for (const char* absent : {"for (", "while (", "spot", "attenuation"}) {
-    EXPECT_EQ(text.find(absent), std::string::npos) << absent;
+  scene.lights = {{.position = {0, 0, 1}, .directional = true, .color = {1, 1, 1}},
+                  {.position = {0, 0, 0}, .color = {0, 0, 0}},
+                  {.position = {0, 0, 0}, .color = {1, 1, 1}, .enabled = 0}};
+  const Mesh mesh = plane_mesh(dvec3(0), 1);
+  const std::string text = render(scene, std::span(&mesh, 1), {8, 8, 1}).shaders;
+  EXPECT_NE(text.find("directional_light(0);"), std::string::npos) << text;
+  for (const char* absent :
+       {"for (",     "while (", "spot",  "cone",          "attenuation", "strength",    "specular",
+        "shininess", "pow",     "back_", "ambient",       "emission",    "point_light", "#if",
+        "#define",   "[3]",     "(1)",   "normal_to_eye", "highlight",   "\n\n\n"}) {
+    EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
   }
 }
 
-TEST(ShaderText, NamesEveryLightAndWhatItsScenesMaterialsNeed) {
+TEST(ShaderText, NamesWhatTheSceneHas) {
   Scene scene;
   scene.surfaces.resize(1);
   scene.lights = three_lights();
-  scene.camera.ortho = true;
-  const std::string text = assemble_shader(shader_source("surface.frag.glsl"), shader_needs(scene));
-  EXPECT_TRUE(text.starts_with(
-      "#version 330 core\n#define LIGHT_COUNT 3\n#define LIGHTS POINT(0) DIRECTIONAL(1) "
-      "DIRECTIONAL(2)\n#define SPECULAR\n#define TWO_MATERIALS\n#define ORTHOGRAPHIC\n#line 2\n"));
+  scene.lights[0].spot = cone(20);
+  scene.lights[0].attenuation.linear = 1;
+  scene.nodes = {{"wide", "", {{Transform::Kind::Scale, dvec3(2, 1, 1), 0}}}};
+  scene.surfaces[0].in = {"wide"};
+  const Mesh mesh = plane_mesh(dvec3(0), 1);
+  const std::string text = render(scene, std::span(&mesh, 1), {8, 8, 1}).shaders;
+  for (const char* present :
+       {"directional_light(0);", "directional_light(1);", "spot_light(2);", "light_position[3]",
+        "attenuation", "front_specular", "back_diffuse", "normal_to_eye"}) {
+    EXPECT_NE(text.find(present), std::string::npos) << present << " in\n" << text;
+  }
+  EXPECT_EQ(text.find("smooth_spot_light"), std::string::npos);
+}
+
+TEST(ShaderText, TurnsManyLightsOfAKindIntoALoop) {
+  ShaderNeeds needs;
+  needs.lights.assign(20, LightKind::Point);
+  const ShaderText text = assemble_surface_shader(needs);
+  EXPECT_NE(text.fragment.find("for (int i = 0; i < 20; ++i)  point_light(i);"), std::string::npos);
+}
+
+TEST(ShaderText, HasNoBackWhereNobodyCanSeeIt) {
+  Scene scene = lit_scene(5);
+  const Mesh mesh = closed_sphere_mesh();
+  const auto text = [&] { return render(scene, std::span(&mesh, 1), {8, 8, 1}).shaders; };
+  EXPECT_EQ(text().find("gl_FrontFacing"), std::string::npos);
+  EXPECT_EQ(text().find("back_diffuse"), std::string::npos);
+  scene.camera.distance = 0.5;  // from inside
+  EXPECT_NE(text().find("back_diffuse"), std::string::npos);
+}
+
+TEST(Lighting, IsTheSameWhereBacksAreCulled) {
+  const Scene scene = lit_scene(5);
+  expect_lit_sphere(scene, draw(scene, closed_sphere_mesh()), kFrontMaterial, false);
+}
+
+TEST(Programs, AreMadeOnceForAllThatLooksAlike) {
+  Scene scene;
+  scene.surfaces.resize(3);
+  for (SurfaceSpec& spec : scene.surfaces) spec.back = spec.front;
+  scene.surfaces[2].front.specular = scene.surfaces[2].back.specular = {};
+  const Mesh mesh = plane_mesh(dvec3(0), 1);
+  const std::array meshes{mesh, mesh, mesh};
+  const std::string text = render(scene, meshes, {8, 8, 1}).shaders;
+  std::size_t programs = 0;
+  for (std::size_t at = 0; (at = text.find("out vec4 pixel", at)) != std::string::npos; ++at) {
+    ++programs;
+  }
+  EXPECT_EQ(programs, 2U);
 }
 
 }  // namespace

@@ -1,39 +1,60 @@
 #!/usr/bin/python3 -B
-"""glslangValidator accepts every shader, alone and as the program puts it together: with the
-constants of a scene in front, vertex and fragment shader linked; and the library of functions that
-printed formulas call, as part of a fragment shader."""
+"""glslangValidator accepts every shader, alone and as the program puts it together: with the names
+that a scene needs and the lighting in front, vertex and fragment shader linked; and the libraries of
+functions, as part of a fragment shader."""
 import pathlib
 import subprocess
+import tempfile
 
 import tree
 
-# What the program may define, by the name that a shader asks for with #ifndef.
-VARIANTS = {
-    "LIGHT_COUNT": [
-        ["LIGHT_COUNT=0", "LIGHTS="],
-        ["LIGHT_COUNT=1", "LIGHTS=POINT(0)"],
-        ["LIGHT_COUNT=1", "LIGHTS=DIRECTIONAL(0)", "SPECULAR"],
-        ["LIGHT_COUNT=2", "LIGHTS=POINT(0) DIRECTIONAL(1)", "TWO_MATERIALS"],
-        ["LIGHT_COUNT=2", "LIGHTS=POINT(0) POINT(1)", "SPECULAR", "TWO_MATERIALS",
-         "ORTHOGRAPHIC"],
-    ],
-}
+# Names of shaders/lighting.glsl that a scene may need together, and calls for its lights.
+VARIANTS = [
+    ([], ""),
+    (["LIT", "DIRECTIONAL"], "directional_light(0);"),
+    (["LIT", "POINT", "SPECULAR", "POWERS", "BLINN", "ORTHOGRAPHIC", "TWO_SIDED"],
+     "point_light(0);"),
+    (["LIT", "ATTENUATED", "ATTENUATION", "FADES", "AMBIENT", "EMISSION", "NORMAL_MATRIX"],
+     "attenuated_light(0);"),
+    (["LIT", "SPOT", "SMOOTH_SPOT", "CONE", "FOCUS", "POWERS", "FADES", "AMBIENT", "SPECULAR",
+      "HIGHLIGHTS", "ATTENUATION", "EMISSION", "TWO_SIDED", "TWO_MATERIALS"],
+     "spot_light(0); smooth_spot_light(1);"),
+]
 
 
-def validate(shaders, defines):
-    command = ["glslangValidator", "-l", *(f"-D{define}" for define in defines)]
-    done = subprocess.run(command + [str(tree.ROOT / name) for name in shaders],
-                          capture_output=True, text=True)
-    if done.returncode:
-        yield f"{' '.join(map(str, shaders))} with {defines or 'its defaults'}:\n{done.stdout}"
+def with_lines(text, lines):
+    """The text of a shader with lines after its first, which is #version."""
+    version, rest = text.split("\n", 1)
+    return f"{version}\n{lines}\n{rest}"
+
+
+def validate(name, vertex, fragment):
+    with tempfile.TemporaryDirectory() as folder:
+        files = [pathlib.Path(folder, "a.vert"), pathlib.Path(folder, "a.frag")]
+        for file, text in zip(files, (vertex, fragment)):
+            file.write_text(text)
+        done = subprocess.run(["glslangValidator", "-l", *files], capture_output=True, text=True)
+        if done.returncode:
+            yield f"{name}:\n{done.stdout}"
 
 
 def complaints(fragment):
-    text = (tree.ROOT / fragment).read_text()
-    vertex = fragment.with_name(fragment.name.replace(".frag.", ".vert."))
-    variants = [v for name, vs in VARIANTS.items() if f"#ifndef {name}" in text for v in vs]
-    for defines in [[], *variants]:
-        yield from validate([vertex, fragment], defines)
+    texts = [(tree.ROOT / name).read_text() for name in
+             (fragment.with_name(fragment.name.replace(".frag.", ".vert.")), fragment)]
+    if "shade(" not in texts[1]:
+        yield from validate(fragment, *texts)
+        return
+    lighting = (tree.ROOT / "shaders/lighting.glsl").read_text()
+    yield from validate(fragment, texts[0], with_lines(texts[1], lighting))
+    for names, calls in VARIANTS:
+        defines = "\n".join(["#define LIGHT_COUNT 2", f"#define LIGHTS {calls}",
+                             *(f"#define {name}" for name in names)])
+        yield from validate(f"{fragment} with {names}", with_lines(texts[0], defines),
+                            with_lines(texts[1], f"{defines}\n{lighting}"))
+        per_vertex = f"#define PER_VERTEX\n{defines}"
+        yield from validate(f"{fragment} per vertex with {names}",
+                            with_lines(texts[0], f"{per_vertex}\n{lighting}"),
+                            with_lines(texts[1], per_vertex))
 
 
 def library_complaints(name):
@@ -44,7 +65,7 @@ def library_complaints(name):
         yield f"{name}, one line below its own numbers:\n{done.stdout}"
 
 
-LIBRARIES = [pathlib.Path("shaders/functions.glsl")]
+LIBRARIES = [pathlib.Path("shaders/functions.glsl"), pathlib.Path("shaders/lighting.glsl")]
 shaders = [name for name in tree.files("shaders") if name.suffix == ".glsl"]
 fragments = [name for name in shaders if ".frag." in name.name]
 unpaired = [f"{name}: neither X.vert.glsl nor X.frag.glsl of a pair" for name in shaders

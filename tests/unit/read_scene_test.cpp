@@ -17,6 +17,8 @@ const std::string kEverything = R"toml(title = "Everything"
 background = [0.1, 0.2, 0.3, 0.5]
 size = "320x240"
 antialias = 3
+shading = "vertex"
+specular = "blinn"
 tolerance = "0.25px"
 normal-tolerance = 5
 max-triangles = 1000
@@ -230,6 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"size = 3\n" + kFront, "1:8", "two whole numbers with an x"},
         Malformed{"samples = [100000, 100000]\n" + kFront, "1:11", "more than"},
         Malformed{"antialias = 100\n" + kFront, "1:13", "from 1 to 16"},
+        Malformed{"shading = \"vertx\"\n" + kFront, "1:12", "did you mean 'vertex'?"},
         Malformed{"clip = \"0:1\"\n" + kFront, "1:9", "three ranges"},
         Malformed{"background = \"rde\"\n" + kFront, "1:15", "did you mean 'red'?"},
         Malformed{kFront + "front = [1, 2]", "3:9", "a colour such as"},

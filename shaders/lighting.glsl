@@ -1,0 +1,276 @@
+// The lighting equation in eye coordinates, for the stage that lights: it goes in front of the
+// surface's fragment shader, or, PER_VERTEX, of its vertex shader. The program keeps of it what a
+// scene needs, by these names:
+//   LIT          there are lights: LIGHT_COUNT of them, and LIGHTS, a call for each
+//   DIRECTIONAL, POINT, ATTENUATED, SPOT, SMOOTH_SPOT   there is a light of this kind
+//   ATTENUATION  some light, a spot light perhaps, is weaker from afar
+//   FADES        some light does not arrive in full: ATTENUATED, SPOT or SMOOTH_SPOT
+//   CONE         SPOT or SMOOTH_SPOT; FOCUS: some cone has an exponent
+//   AMBIENT      some light has an ambient part
+//   SPECULAR     some material mirrors; HIGHLIGHTS: light has a colour of its own for that; BLINN
+//   POWERS       SPECULAR or FOCUS
+//   EMISSION     some material shines by itself
+//   TWO_SIDED    back faces are seen; TWO_MATERIALS: they look different
+// Those of the default scene follow, so that this file is valid on its own.
+#ifndef LIGHT_COUNT
+#define LIT
+#define LIGHT_COUNT 3
+#define LIGHTS point_light(0); directional_light(1); directional_light(2);
+#define DIRECTIONAL
+#define POINT
+#define SPECULAR
+#define POWERS
+#define TWO_SIDED
+#define TWO_MATERIALS
+#endif
+
+#ifdef LIT
+uniform vec3 light_position[LIGHT_COUNT];  // of a point light; toward a directional one, unit
+uniform vec3 light_color[LIGHT_COUNT];
+#ifdef HIGHLIGHTS
+uniform vec3 light_highlight[LIGHT_COUNT];
+#endif
+#ifdef AMBIENT
+uniform vec3 light_ambient[LIGHT_COUNT];
+#endif
+#ifdef ATTENUATION
+uniform vec3 light_attenuation[LIGHT_COUNT];  // constant, linear and quadratic
+#endif
+#ifdef CONE
+uniform vec3 spot_direction[LIGHT_COUNT];  // unit
+uniform vec3 spot_edge[LIGHT_COUNT];  // cosine of the cutoff, 1 / width of the edge, exponent
+#endif
+#endif
+
+uniform vec3 front_diffuse;
+#ifdef SPECULAR
+uniform vec3 front_specular;
+uniform float front_shininess;
+#endif
+#ifdef AMBIENT
+uniform vec3 front_ambient;
+#endif
+#ifdef EMISSION
+uniform vec3 front_emission;
+#endif
+#ifdef TWO_MATERIALS
+uniform vec3 back_diffuse;
+#ifdef SPECULAR
+uniform vec3 back_specular;
+uniform float back_shininess;
+#endif
+#ifdef AMBIENT
+uniform vec3 back_ambient;
+#endif
+#ifdef EMISSION
+uniform vec3 back_emission;
+#endif
+#endif
+
+// Zero for a zero vector, which normalize leaves undefined: a light at the shaded point, an eye at
+// it, a normal at a singular point.
+vec3 unit(vec3 w) {
+  float square = dot(w, w);
+  return square > 0.0 ? w * inversesqrt(square) : vec3(0.0);
+}
+
+#ifdef POWERS
+// pow is undefined below 0 and at (0, 0); the least base keeps exponent 0 away from 0 * infinity.
+const float LEAST_BASE = 1e-30;
+#endif
+
+#ifdef LIT
+// The point that is lit.
+vec3 place;
+vec3 normal;
+vec3 to_eye;
+
+// Light that arrives, before the material.
+vec3 diffuse;
+#ifdef SPECULAR
+vec3 specular;
+float shininess;
+#endif
+#ifdef AMBIENT
+vec3 ambient;
+#endif
+#ifdef FADES
+float strength;  // of the light at hand where it arrives
+#endif
+
+void shine(int i, vec3 toward) {
+  float n_l = dot(normal, toward);
+  float received = max(0.0, n_l);
+#ifdef FADES
+  received *= strength;
+#endif
+  diffuse += received * light_color[i];
+#ifdef SPECULAR
+#ifdef BLINN
+  float cosine = dot(normal, unit(toward + to_eye));
+#else
+  float cosine = 2.0 * n_l * dot(normal, to_eye) - dot(toward, to_eye);  // -reflect . to_eye
+#endif
+  if (n_l <= 0.0 || cosine <= 0.0) return;
+  float mirrored = pow(max(cosine, LEAST_BASE), shininess);
+#ifdef FADES
+  mirrored *= strength;
+#endif
+#ifdef HIGHLIGHTS
+  specular += mirrored * light_highlight[i];
+#else
+  specular += mirrored * light_color[i];
+#endif
+#endif
+}
+
+#ifdef DIRECTIONAL
+void directional_light(int i) {
+#ifdef FADES
+  strength = 1.0;
+#endif
+#ifdef AMBIENT
+  ambient += light_ambient[i];
+#endif
+  shine(i, light_position[i]);
+}
+#endif
+
+#ifdef POINT
+void point_light(int i) {
+#ifdef FADES
+  strength = 1.0;
+#endif
+#ifdef AMBIENT
+  ambient += light_ambient[i];
+#endif
+  shine(i, unit(light_position[i] - place));
+}
+#endif
+
+#ifdef ATTENUATION
+// At least some light: the constant may be 0, and so the distance.
+float attenuation(int i, float d) {
+  vec3 k = light_attenuation[i];
+  return 1.0 / max(k.x + d * (k.y + d * k.z), 1e-30);
+}
+#endif
+
+#ifdef ATTENUATED
+void attenuated_light(int i) {
+  vec3 way = light_position[i] - place;
+  strength = attenuation(i, length(way));
+#ifdef AMBIENT
+  ambient += strength * light_ambient[i];
+#endif
+  shine(i, unit(way));
+}
+#endif
+
+#ifdef CONE
+// How much of a cone's light leaves at this angle from its axis; `edge` is its share at the rim.
+float focused(int i, float cosine, float edge) {
+#ifdef FOCUS
+  return edge * pow(max(cosine, LEAST_BASE), spot_edge[i].z);
+#else
+  return edge;
+#endif
+}
+
+// 0 at the cutoff, 1 from the inner angle on. A hard edge is as narrow as a float can have it.
+float rim(int i, float cosine) {
+  return clamp((cosine - spot_edge[i].x) * spot_edge[i].y, 0.0, 1.0);
+}
+
+vec3 start_cone(int i) {
+  vec3 way = light_position[i] - place;
+#ifdef ATTENUATION
+  strength = attenuation(i, length(way));
+#else
+  strength = 1.0;
+#endif
+#ifdef AMBIENT
+  ambient += strength * light_ambient[i];
+#endif
+  return unit(way);
+}
+#endif
+
+#ifdef SPOT
+void spot_light(int i) {
+  vec3 toward = start_cone(i);
+  float cosine = -dot(toward, spot_direction[i]);
+  strength *= focused(i, cosine, rim(i, cosine));
+  shine(i, toward);
+}
+#endif
+
+#ifdef SMOOTH_SPOT
+void smooth_spot_light(int i) {
+  vec3 toward = start_cone(i);
+  float cosine = -dot(toward, spot_direction[i]);
+  float a = rim(i, cosine);
+  strength *= focused(i, cosine, a * a * (3.0 - 2.0 * a));
+  shine(i, toward);
+}
+#endif
+#endif
+
+// What the front or the back sends to the eye; `n` is the unit normal of that side.
+vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
+  vec3 color = vec3(0.0);
+#ifdef EMISSION
+#ifdef TWO_MATERIALS
+  color += front ? front_emission : back_emission;
+#else
+  color += front_emission;
+#endif
+#endif
+#ifdef LIT
+  place = at;
+  normal = n;
+  to_eye = eye_direction;
+  diffuse = vec3(0.0);
+#ifdef SPECULAR
+  specular = vec3(0.0);
+#ifdef TWO_MATERIALS
+  shininess = front ? front_shininess : back_shininess;
+#else
+  shininess = front_shininess;
+#endif
+#endif
+#ifdef AMBIENT
+  ambient = vec3(0.0);
+#endif
+  LIGHTS
+#ifdef TWO_MATERIALS
+  color += diffuse * (front ? front_diffuse : back_diffuse);
+#else
+  color += diffuse * front_diffuse;
+#endif
+#ifdef SPECULAR
+#ifdef TWO_MATERIALS
+  color += specular * (front ? front_specular : back_specular);
+#else
+  color += specular * front_specular;
+#endif
+#endif
+#ifdef AMBIENT
+#ifdef TWO_MATERIALS
+  color += ambient * (front ? front_ambient : back_ambient);
+#else
+  color += ambient * front_ambient;
+#endif
+#endif
+#endif
+  return color;
+}
+
+// The unit direction to the eye.
+vec3 eye_from(vec3 at) {
+#ifdef ORTHOGRAPHIC
+  return vec3(0.0, 0.0, 1.0);
+#else
+  return unit(-at);
+#endif
+}
