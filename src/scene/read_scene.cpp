@@ -1,240 +1,18 @@
-// TOML to Scene, a function per table. Each says first which keys the table may have; every value
-// is noted with its place, so that what is found out later still points into the file.
-#include <algorithm>
-#include <cmath>
-#include <initializer_list>
-#include <map>
-#include <string_view>
-
+// TOML to Scene, a function per table. Each says first which keys the table may have.
 #include "base/error.h"
 #include "base/file.h"
 #include "base/image_png.h"
-#include "base/nearest.h"
 #include "scene/assignments.h"
-#include "scene/color.h"
 #include "scene/prepare.h"
 #include "scene/resolve.h"
 #include "scene/scene_file.h"
+#include "scene/toml_reader.h"
 #include "scene/values.h"
 
 namespace saddle {
 namespace {
 
 using Kind = TomlValue::Kind;
-using Names = std::vector<std::string>;
-
-/// What a value should be, for messages.
-constexpr const char* kNumber = "a number, or an expression in quotes";
-constexpr const char* kVector = "three numbers, such as [2, -3, 1.5]";
-constexpr const char* kColor = "a colour such as \"#ffff80\", \"tomato\" or [1, 1, 0.5]";
-
-std::string described(const TomlValue& value) {
-  switch (value.kind) {
-    case Kind::String:
-      return "text";
-    case Kind::Number:
-      return "a number";
-    case Kind::Boolean:
-      return "true or false";
-    case Kind::Array:
-      return "an array of " + std::to_string(value.items.size());
-    case Kind::Table:
-      return "a table";
-    case Kind::Date:
-      return "a date or time";
-  }
-  return "";
-}
-
-/// Whole numbers without an exponent.
-std::string in_digits(double number) {
-  constexpr double kMost = 1e15;  // doubles count on to here without gaps
-  return number == std::floor(number) && std::abs(number) < kMost
-             ? std::to_string(static_cast<long long>(number))
-             : format_number(number);
-}
-
-/// Values with their places. A subject is what messages call a value: resolve()'s name of a number,
-/// or a key.
-class Source {
- public:
-  explicit Source(const SourceText& text) : text_(text) {}
-
-  Error error(const std::string& subject, const std::string& message, Span span,
-              const std::string& hint = {}) const {
-    return text_.error(subject, message, span, hint);
-  }
-
-  Error wrong_type(const std::string& subject, const TomlValue& value,
-                   const std::string& wanted) const {
-    return error(subject, "must be " + wanted + ", not " + described(value), value.span);
-  }
-
-  /// Throws Error (Input) unless `value` is a table with no other keys than these.
-  void check_keys(const std::string& subject, const TomlValue& value, const Names& known) const {
-    if (value.kind != Kind::Table) throw wrong_type(subject, value, "a table");
-    for (const TomlEntry& entry : value.entries) {
-      if (std::ranges::find(known, entry.key) != known.end()) continue;
-      std::string hint = "known keys:";
-      for (const std::string& key : known) hint += " " + key;
-      if (const auto nearest = nearest_name(entry.key, known)) {
-        hint += "; did you mean '" + *nearest + "'?";
-      }
-      throw error("", "unknown key '" + entry.key + "'", entry.key_span, hint);
-    }
-  }
-
-  /// Notes where the text that messages call `subject` stands.
-  void note(const std::string& subject, const std::string& text, Span span) {
-    places_.emplace(subject, Noted{text, span});
-  }
-
-  /// An error about a value, at its place in the file; `prefix` completes the subject.
-  Error located(const Error& error, const std::string& prefix = {}) const {
-    const Place& place = error.place();
-    const auto [begin, end] = places_.equal_range(prefix + place.name);
-    if (begin == end) return prefix.empty() ? error : located(error);
-    const auto same =
-        std::find_if(begin, end, [&](const auto& p) { return p.second.text == place.text; });
-    const bool exact = same != end;
-    return text_.error(place.name, error.what(),
-                       exact ? inside(same->second, place.span) : begin->second.span, error.hint());
-  }
-
- private:
-  struct Noted {
-    std::string text;
-    Span span;
-  };
-
-  /// The bytes `part` of a noted text, in the file: unless it is written with escapes there.
-  Span inside(const Noted& noted, Span part) const {
-    const std::size_t quote = text_.text.find(noted.text, noted.span.begin) - noted.span.begin;
-    if (part.end == 0 || quote > 4) return noted.span;  // 4: """ and a line break
-    const std::size_t begin = noted.span.begin + quote;
-    return {begin + part.begin, begin + part.end};
-  }
-
-  const SourceText& text_;
-  std::multimap<std::string, Noted> places_;
-};
-
-class Reader {
- public:
-  explicit Reader(Source& source) : source_(source) {}
-
-  /// What `action` returns; its errors get their place in the file.
-  template <typename Action>
-  auto in_place(const Action& action, const std::string& prefix = {}) const {
-    try {
-      return action();
-    } catch (const Error& error) {
-      throw error.place().where.empty() ? source_.located(error, prefix) : error;
-    }
-  }
-
-  std::string text(const std::string& subject, const TomlValue& value, const char* wanted) {
-    if (value.kind != Kind::String) throw source_.wrong_type(subject, value, wanted);
-    source_.note(subject, value.text, value.span);
-    return value.text;
-  }
-
-  /// An expression: text, or a plain number.
-  std::string formula(const std::string& subject, const TomlValue& value) {
-    std::string text = value.text;
-    if (value.kind == Kind::Number) {
-      text = format_number(value.number);
-    } else if (value.kind != Kind::String) {
-      throw source_.wrong_type(subject, value, "a formula in quotes, or a number");
-    }
-    source_.note(subject, text, value.span);
-    if (text.empty()) throw source_.error(subject, "the expression is empty", value.span);
-    return text;
-  }
-
-  Number number(const std::string& subject, const TomlValue& value, const char* wanted = kNumber) {
-    if (value.kind == Kind::Number) {
-      source_.note(subject, format_number(value.number), value.span);
-      return value.number;
-    }
-    if (value.kind != Kind::String) throw source_.wrong_type(subject, value, wanted);
-    return Number(formula(subject, value));
-  }
-
-  std::vector<Number> numbers(const std::string& subject, const TomlValue& value, std::size_t count,
-                              const char* wanted) {
-    if (value.kind != Kind::Array || value.items.size() != count) {
-      throw source_.wrong_type(subject, value, wanted);
-    }
-    source_.note(subject, "", value.span);
-    std::vector<Number> result;
-    for (const TomlValue& item : value.items) result.push_back(number(subject, item));
-    return result;
-  }
-
-  Vector vector(const std::string& subject, const TomlValue& value) {
-    const std::vector<Number> n = numbers(subject, value, 3, kVector);
-    return {n[0], n[1], n[2]};
-  }
-
-  Color color(const std::string& subject, const TomlValue& value) {
-    if (value.kind == Kind::String) {
-      source_.note(subject, value.text, value.span);
-      return in_place([&] { return opaque_color(subject, value.text); });
-    }
-    const std::vector<Number> n = numbers(subject, value, 3, kColor);
-    return {n[0], n[1], n[2], 1};
-  }
-
-  bool boolean(const std::string& subject, const TomlValue& value) const {
-    if (value.kind != Kind::Boolean) throw source_.wrong_type(subject, value, "true or false");
-    return value.boolean;
-  }
-
-  int whole(const std::string& subject, const TomlValue& value, int low, int high) const {
-    const std::string range = std::to_string(low) + " to " + std::to_string(high);
-    if (value.kind != Kind::Number) {
-      throw source_.wrong_type(subject, value, "a whole number from " + range);
-    }
-    if (value.number != std::floor(value.number) || value.number < low || value.number > high) {
-      throw source_.error(subject, "must be a whole number from " + range, value.span);
-    }
-    return static_cast<int>(value.number);
-  }
-
-  /// An option of the command line: its text, or what its text would be (80x60 as [80, 60]).
-  std::string option(const std::string& subject, const TomlValue& value,
-                     const std::string& wanted) {
-    std::string text = value.text;
-    if (value.kind == Kind::Array && value.items.size() == 2 &&
-        value.items[0].kind == Kind::Number && value.items[1].kind == Kind::Number) {
-      text = in_digits(value.items[0].number) + "x" + in_digits(value.items[1].number);
-    } else if (value.kind == Kind::Number) {
-      text = format_number(value.number);
-    } else if (value.kind != Kind::String) {
-      throw source_.wrong_type(subject, value, wanted);
-    }
-    source_.note(subject, text, value.span);
-    return text;
-  }
-
-  /// The items of an array of tables.
-  const std::vector<TomlValue>& tables(const std::string& key, const TomlValue& value) const {
-    const auto is_table = [](const TomlValue& item) { return item.kind == Kind::Table; };
-    if (value.kind == Kind::Array && std::ranges::all_of(value.items, is_table)) {
-      return value.items;
-    }
-    throw source_.error(key, "must be written as [[" + key + "]]", value.span);
-  }
-
-  const Source& source() const { return source_; }
-  void note(const std::string& subject, const std::string& text, Span span) {
-    source_.note(subject, text, span);
-  }
-
- private:
-  Source& source_;
-};
 
 /// Calls `read` with the value of a key, if it is there.
 template <typename Read>
@@ -242,7 +20,7 @@ void with(const TomlValue& table, const std::string& key, const Read& read) {
   if (const TomlValue* value = table.find(key)) read(*value);
 }
 
-void read_params(Reader& reader, const TomlValue& table, Scene& scene) {
+void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
   if (table.kind != Kind::Table) throw reader.source().wrong_type("params", table, "a table");
   for (const auto& [key, key_span, value] : table.entries) {
     const TomlValue* formula = &value;
@@ -269,7 +47,7 @@ void read_params(Reader& reader, const TomlValue& table, Scene& scene) {
   }
 }
 
-void read_functions(Reader& reader, const TomlValue& table, Scene& scene) {
+void read_functions(TomlReader& reader, const TomlValue& table, Scene& scene) {
   if (table.kind != Kind::Table) throw reader.source().wrong_type("functions", table, "a table");
   for (const auto& [key, key_span, value] : table.entries) {
     const std::string text = reader.formula(key, value);
@@ -285,7 +63,7 @@ void read_functions(Reader& reader, const TomlValue& table, Scene& scene) {
 }
 
 /// A table, or the diffuse colour alone.
-void read_material(Reader& reader, const std::string& prefix, const TomlValue& value,
+void read_material(TomlReader& reader, const std::string& prefix, const TomlValue& value,
                    Material& material) {
   if (value.kind != Kind::Table) {
     material.diffuse = reader.color(prefix + "diffuse", value);
@@ -304,7 +82,7 @@ void read_material(Reader& reader, const std::string& prefix, const TomlValue& v
        [&](const TomlValue& v) { material.shininess = reader.number(prefix + "shininess", v); });
 }
 
-Range read_range(Reader& reader, const std::string& subject, const TomlValue& value) {
+Range read_range(TomlReader& reader, const std::string& subject, const TomlValue& value) {
   if (value.kind != Kind::Array || value.items.size() != 2) {
     throw reader.source().wrong_type(subject, value, "two ends, such as [\"0\", \"2*pi\"]");
   }
@@ -314,7 +92,7 @@ Range read_range(Reader& reader, const std::string& subject, const TomlValue& va
   return range;
 }
 
-std::vector<std::string> read_names(Reader& reader, const std::string& subject,
+std::vector<std::string> read_names(TomlReader& reader, const std::string& subject,
                                     const TomlValue& value) {
   constexpr const char* kWanted = "a name, or an array of names";
   if (value.kind != Kind::Array) return {reader.text(subject, value, kWanted)};
@@ -323,7 +101,7 @@ std::vector<std::string> read_names(Reader& reader, const std::string& subject,
   return names;
 }
 
-SurfaceSpec read_surface(Reader& reader, const std::string& prefix, const TomlValue& table) {
+SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
   reader.source().check_keys(
       "surface", table, {"name", "x", "y", "z", "u", "v", "grid", "front", "back", "flip", "in"});
   SurfaceSpec spec;
@@ -357,7 +135,7 @@ SurfaceSpec read_surface(Reader& reader, const std::string& prefix, const TomlVa
 }
 
 /// One of { translate = [..] }, { rotate = [ANGLE, X, Y, Z] }, { scale = .. }.
-Transform read_transform(Reader& reader, const std::string& prefix, const TomlValue& table) {
+Transform read_transform(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
   reader.source().check_keys("transform", table, {"translate", "rotate", "scale"});
   if (table.entries.size() != 1) {
     throw reader.source().error("transform", "each step is one of translate, rotate and scale",
@@ -385,7 +163,7 @@ Transform read_transform(Reader& reader, const std::string& prefix, const TomlVa
   return step;
 }
 
-SceneNode read_node(Reader& reader, const TomlValue& table) {
+SceneNode read_node(TomlReader& reader, const TomlValue& table) {
   reader.source().check_keys("node", table, {"name", "in", "transform"});
   SceneNode node;
   const TomlValue* const name = table.find("name");
@@ -413,7 +191,8 @@ SceneNode read_node(Reader& reader, const TomlValue& table) {
   return node;
 }
 
-Attenuation read_attenuation(Reader& reader, const std::string& prefix, const TomlValue& value) {
+Attenuation read_attenuation(TomlReader& reader, const std::string& prefix,
+                             const TomlValue& value) {
   Attenuation attenuation;
   if (value.kind == Kind::Table) {
     reader.source().check_keys("attenuation", value, {"range"});
@@ -432,7 +211,7 @@ Attenuation read_attenuation(Reader& reader, const std::string& prefix, const To
   return attenuation;
 }
 
-Spot read_spot(Reader& reader, const std::string& prefix, const TomlValue& table) {
+Spot read_spot(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
   reader.source().check_keys("spot", table,
                              {"direction", "cutoff", "inner", "exponent", "falloff"});
   Spot spot;
@@ -454,7 +233,7 @@ Spot read_spot(Reader& reader, const std::string& prefix, const TomlValue& table
   return spot;
 }
 
-void read_light_colors(Reader& reader, const std::string& prefix, const TomlValue& table,
+void read_light_colors(TomlReader& reader, const std::string& prefix, const TomlValue& table,
                        Light& light) {
   const TomlValue* const color = table.find("color");
   const TomlValue* const diffuse = table.find("diffuse");
@@ -472,7 +251,7 @@ void read_light_colors(Reader& reader, const std::string& prefix, const TomlValu
        [&](const TomlValue& v) { light.ambient = reader.color(prefix + "ambient", v); });
 }
 
-Light read_light(Reader& reader, const std::string& prefix, const TomlValue& table) {
+Light read_light(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
   reader.source().check_keys("light", table,
                              {"frame", "position", "direction", "color", "diffuse", "specular",
                               "ambient", "attenuation", "spot", "enabled"});
@@ -508,7 +287,7 @@ Light read_light(Reader& reader, const std::string& prefix, const TomlValue& tab
   return light;
 }
 
-Camera read_camera(Reader& reader, const TomlValue& table) {
+Camera read_camera(TomlReader& reader, const TomlValue& table) {
   reader.source().check_keys("camera", table, {"view", "up", "target", "distance", "fov", "ortho"});
   Camera camera;
   with(table, "view", [&](const TomlValue& v) { camera.view = reader.vector("view", v); });
@@ -521,7 +300,7 @@ Camera read_camera(Reader& reader, const TomlValue& table) {
   return camera;
 }
 
-Animation read_animation(Reader& reader, const TomlValue& table) {
+Animation read_animation(TomlReader& reader, const TomlValue& table) {
   reader.source().check_keys("animation", table, {"t", "fps", "frames"});
   Animation animation;
   with(table, "t", [&](const TomlValue& v) {
@@ -536,7 +315,7 @@ Animation read_animation(Reader& reader, const TomlValue& table) {
 }
 
 /// The keys that are options of the command line, too.
-void read_settings(Reader& reader, const TomlValue& table, Scene& scene) {
+void read_settings(TomlReader& reader, const TomlValue& table, Scene& scene) {
   with(table, "size", [&](const TomlValue& v) {
     const std::string text = reader.option("size", v, "two whole numbers, such as [800, 600]");
     const GridSize size = reader.in_place([&] { return parse_pair("size", text, 1, kMaxPixels); });
@@ -576,17 +355,7 @@ void read_settings(Reader& reader, const TomlValue& table, Scene& scene) {
   });
 }
 
-Color read_background(Reader& reader, const TomlValue& value) {
-  if (value.kind == Kind::String) {
-    reader.note("background", value.text, value.span);
-    return reader.in_place([&] { return parse_color("background", value.text); });
-  }
-  const bool with_alpha = value.kind == Kind::Array && value.items.size() == 4;
-  const auto n = reader.numbers("background", value, with_alpha ? 4 : 3, kColor);
-  return {n[0], n[1], n[2], with_alpha ? n[3] : Number(1)};
-}
-
-Scene read_tables(Reader& reader, const TomlValue& root) {
+Scene read_tables(TomlReader& reader, const TomlValue& root) {
   reader.source().check_keys(
       "scene", root,
       {"title", "background", "size", "antialias", "shading", "specular", "tolerance",
@@ -596,7 +365,7 @@ Scene read_tables(Reader& reader, const TomlValue& root) {
   with(root, "title",
        [&](const TomlValue& v) { scene.title = reader.text("title", v, "text in quotes"); });
   with(root, "background",
-       [&](const TomlValue& v) { scene.background = read_background(reader, v); });
+       [&](const TomlValue& v) { scene.background = reader.color("background", v, true); });
   read_settings(reader, root, scene);
   with(root, "t", [&](const TomlValue& v) { scene.t = reader.number("t", v); });
   with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
@@ -628,7 +397,7 @@ Scene read_tables(Reader& reader, const TomlValue& root) {
 }
 
 /// What only the whole scene tells: formulas, ranges, nodes.
-void check_scene(const Reader& reader, const Scene& scene) {
+void check_scene(const TomlReader& reader, const Scene& scene) {
   const Scene resolved = reader.in_place([&] { return resolve(scene); });
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     reader.in_place([&] { bind_surface(resolved, resolved.surfaces[i]); }, surface_prefix(i));
@@ -639,8 +408,8 @@ void check_scene(const Reader& reader, const Scene& scene) {
 
 Scene read_scene(const SourceText& source) {
   const TomlValue root = parse_toml(source);
-  Source places(source);
-  Reader reader(places);
+  TomlPlaces places(source);
+  TomlReader reader(places);
   const Scene scene = read_tables(reader, root);
   check_scene(reader, scene);
   return scene;
