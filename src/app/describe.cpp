@@ -245,14 +245,21 @@ std::string curvatures(const Measures& m) {
          number(m.mean.low) + " to " + number(m.mean.high);
 }
 
+/// Gauss curvatures that are 0 but for rounding, times the diagonal's square.
+constexpr double kFlatSurface = 1e-9;
+
 std::string mesh(const SurfaceReport& s) {
+  const double flat = kFlatSurface / (s.bounds.diagonal() * s.bounds.diagonal());
   std::string text = plural(s.triangles, "triangle");
   if (s.mesh.tolerance) {
     text += " for a tolerance of " + number(*s.mesh.tolerance) + " (measured " +
             number(s.mesh.max_error) + ")";
   }
   const double least = s.mesh.least_triangles;
-  if (!(least >= 1)) return text + "; what unrolls into a plane has no least number";
+  if (!(least >= 1)) {
+    const bool is_flat = s.facts->measures.gauss.low > -flat && s.facts->measures.gauss.high < flat;
+    return text + (is_flat ? "; what unrolls into a plane has no least number" : "");
+  }
   std::array<char, 32> times{};
   std::snprintf(times.data(), times.size(), "%.3g", static_cast<double>(s.triangles) / least);
   return text + ": " + times.data() + " times the least possible, about " +

@@ -143,6 +143,7 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   GridMesh mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
   mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+  if (scene.clip.box || mesh.report.clip) mesh.report.least_triangles = 0;  // it is of the whole
   Tessellation result;
   result.parse_ms = prepared.parse_ms;
   result.compile_ms = prepared.compile_ms;

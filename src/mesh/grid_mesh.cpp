@@ -16,6 +16,10 @@ namespace saddle {
 
 namespace {
 
+/// A surface whose extents differ by more has no triangles in doubles. What sin(pi) and its like,
+/// some 1e-16, and products of two leave of an extent of 0 is not meant.
+constexpr double kTooThin = 1e-40;
+
 /// The triangles without the gaps that cells with fewer than two leave.
 void close_gaps(Grid& grid) {
   std::size_t count = 0;
@@ -28,6 +32,15 @@ void close_gaps(Grid& grid) {
 void require_triangles(const Grid& grid) {
   const auto has_triangle = [](Cell cell) { return cell == Cell::One || cell == Cell::Two; };
   if (std::ranges::any_of(grid.cells, has_triangle)) return;
+  const dvec3 size = grid.mesh.bounds.size();
+  const double longest = std::max({size.x, size.y, size.z});
+  const double shortest = std::min({size.x, size.y, size.z});
+  if (shortest > 0 && shortest <= kTooThin * longest) {
+    throw Error(
+        Status::Nothing, "no cell of the grid has any area in double precision", {},
+        "the surface is too long next to its width: give u and v ranges in which x, y and z "
+        "stay in proportion");
+  }
   throw Error(Status::Nothing, "no cell of the grid has any area", {},
               "the surface repeats itself in step with the " + std::to_string(grid.cells_u) +
                   " x " + std::to_string(grid.cells_v) + " cells; --samples takes more");

@@ -101,6 +101,19 @@ TEST_F(CheckCommand, WritesNothingElse) {
   EXPECT_TRUE(files().empty());
 }
 
+TEST_F(CheckCommand, KnowsNoLeastNumberOfTrianglesOfAPart) {
+  const Json part = facts({"torus", "--clip", "0:3,-3:3,-1:1"});
+  EXPECT_TRUE(part["efficiency"].is_null());
+  EXPECT_EQ(part["least_triangles"], 0);
+  EXPECT_FALSE(contains(words({"torus", "--clip", "0:3,-3:3,-1:1"}), "least"));
+  EXPECT_TRUE(contains(words({"cylinder"}), "unrolls into a plane"));
+}
+
+TEST_F(CheckCommand, SaysThatDoublesCannotHoldTheSurface) {
+  EXPECT_TRUE(contains(error_of(saddle({"check", "z=u*1e300"}), 3), "in double precision"));
+  EXPECT_TRUE(contains(error_of(saddle({"check", "z=exp(u*u)", "u=-30:30"}), 3), "too long"));
+}
+
 TEST_F(CheckCommand, SaysThatThereIsNothing) {
   error_of(saddle({"check", "z=sqrt(-1-u^2)"}), 3);
   error_of(saddle({"check"}), 2);
