@@ -91,14 +91,6 @@ Ends constant_ends(Scope& scope, const RangeText& range) {
   return {values[0], values[1]};
 }
 
-/// v between ends that depend on u, from the lower one (s = 0) to the upper one (s = 1), both
-/// exact. The part s takes the place of v as a variable of the surface.
-Expression between(Expression a, Expression b) {
-  const Expression s{a.graph, a.graph->variable(kSymbolV)};
-  const Expression in_order = a <= b;
-  return (1 - s) * select(in_order, a, b) + s * select(in_order, b, a);
-}
-
 }  // namespace
 
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
@@ -107,6 +99,14 @@ std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpe
   names.push_back({"y", spec.y});
   names.push_back({"z", spec.z});
   return names;
+}
+
+NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
+  const Expression s{&graph, graph.variable(kSymbolV)};
+  const Expression a{&graph, ends[0]};
+  const Expression b{&graph, ends[1]};
+  const Expression in_order = a <= b;
+  return ((1 - s) * select(in_order, a, b) + s * select(in_order, b, a)).id;
 }
 
 BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
@@ -128,7 +128,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   if (depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU)) {
     if (ends[0] == ends[1]) throw Error(Status::Input, "the range of v is empty", range_v.place());
     const std::vector<NodeId> bound = scope.bind(ends, scene.t);
-    result.v = between({&graph, bound[0]}, {&graph, bound[1]}).id;
+    result.v = between(graph, {bound[0], bound[1]});
     r = substitute(graph, r, {{kSymbolV, *result.v}});
     result.domain = {u.min, u.max, 0, 1};
   } else {

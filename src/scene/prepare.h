@@ -15,6 +15,10 @@ namespace saddle {
 /// All that has a name in the formulas: the scene's definitions and the surface's own x, y and z.
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec);
 
+/// v between ends that depend on u, from the lower one (s = 0) to the upper one (s = 1), both
+/// exact. The part s takes the place of v as a variable of the surface.
+NodeId between(Graph& graph, const std::array<NodeId, 2>& ends);
+
 /// The formulas of a surface in u and v alone, and where they are drawn. Where the ends of v depend
 /// on u, the part of the way between them, 0 to 1, takes the place of v.
 struct BoundSurface {

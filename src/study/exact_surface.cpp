@@ -40,24 +40,26 @@ std::string unfolded(const std::vector<Token>& formula, const std::string& one,
   return result;
 }
 
-/// The definitions with a parameter that is 1 in all of their constants. Plain numbers stay: they
-/// are exact, and a name that stands for one can be differentiated by.
-std::vector<Definition> unfolded(std::vector<Definition> definitions) {
+/// The texts with a parameter that is 1 in all of their constants. Plain numbers stay: they are
+/// exact, and a name that stands for one can be differentiated by.
+SurfaceTexts unfolded(SurfaceTexts texts) {
   std::vector<std::string> names;
-  for (const Definition& definition : definitions) {
+  for (const Definition& definition : texts.definitions) {
     names.push_back(definition.name);
     names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
   }
   std::string one = "one";
   while (std::ranges::find(names, one) != names.end()) one += "_";
-  for (Definition& definition : definitions) {
-    const auto tokens = tokenize({"", definition.text, {0, definition.text.size()}});
+  const auto unfold = [&](std::string& text) {
+    const auto tokens = tokenize({"", text, {0, text.size()}});
     if (tokens.size() > 1 || tokens[0].kind != TokenKind::Number) {
-      definition.text = unfolded(tokens, one, names);
+      text = unfolded(tokens, one, names);
     }
-  }
-  definitions.push_back({one, "1"});
-  return definitions;
+  };
+  for (Definition& definition : texts.definitions) unfold(definition.text);
+  for (std::string& end : texts.ends_of_v) unfold(end);
+  texts.definitions.push_back({one, "1"});
+  return texts;
 }
 
 }  // namespace
@@ -71,19 +73,24 @@ Real length(const RealVector& a) {
 }
 
 ExactSurface::ExactSurface(const Scene& scene, const SurfaceSpec& spec) {
-  const std::vector<Definition> definitions = surface_definitions(scene, spec);
+  const SurfaceTexts texts = {surface_definitions(scene, spec), {spec.v.min, spec.v.max}};
   values_[kSymbolT] = scene.t;
   try {
-    read(unfolded(definitions));
+    read(unfolded(texts));
   } catch (const Error&) {
-    read(definitions);  // diff() by a parameter needs it as a plain number
+    read(texts);  // diff() by a parameter needs it as a plain number
   }
 }
 
-void ExactSurface::read(const std::vector<Definition>& definitions) {
+void ExactSurface::read(const SurfaceTexts& texts) {
   graph_ = {};
-  Scope scope(graph_, definitions);
-  const std::vector<NodeId> position = {scope.node("x"), scope.node("y"), scope.node("z")};
+  Scope scope(graph_, texts.definitions);
+  std::vector<NodeId> position = {scope.node("x"), scope.node("y"), scope.node("z")};
+  const std::array<NodeId, 2> ends = {scope.parse("v", texts.ends_of_v[0]),
+                                      scope.parse("v", texts.ends_of_v[1])};
+  if (((graph_[ends[0]].depends | graph_[ends[1]].depends) & kDependsU) != 0) {
+    position = substitute(graph_, position, {{kSymbolV, between(graph_, ends)}});
+  }
   roots_ = position;
   for (const Symbol by : {kSymbolU, kSymbolV}) {
     const std::vector<NodeId> slopes = derive(graph_, position, by);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "formula/scope.h"
@@ -22,6 +23,14 @@ struct ExactPoint {
   RealVector r, r_u, r_v;
 };
 
+/// What a surface is written as.
+struct SurfaceTexts {
+  std::vector<Definition> definitions;
+  std::array<std::string, 2> ends_of_v;
+};
+
+/// Parameters are those of bind_surface(): where the ends of v depend on u, v is the part of the
+/// way between them.
 class ExactSurface {
  public:
   /// Throws Error (Input): anything wrong with a formula.
@@ -31,7 +40,7 @@ class ExactSurface {
   RealVector position(const Real& u, const Real& v) const;
 
  private:
-  void read(const std::vector<Definition>& definitions);
+  void read(const SurfaceTexts& texts);
   std::vector<Real> values(std::span<const NodeId> roots, const Real& u, const Real& v) const;
 
   Graph graph_;

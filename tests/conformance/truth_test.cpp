@@ -47,6 +47,13 @@ TEST(Truth, IsOfTheFormulaAtItsMomentWithItsParameters) {
   EXPECT_EQ(truth.positions(std::span(&at, 1), 1)[0].value, dvec3(0.75, 1.5, 0.25));
 }
 
+TEST(Truth, HasThePartOfTheWayForVWhereItsEndsDependOnU) {
+  const Scene scene = scene_of("u", "v", "u*v", {"0", "1"}, {"0", "1-u"});
+  const Truth truth(scene, scene.surfaces[0]);
+  const dvec2 at(0.25, 0.5);
+  EXPECT_EQ(truth.positions(std::span(&at, 1), 1)[0].value, dvec3(0.25, 0.375, 0.09375));
+}
+
 TEST(Truth, HasTheNormalOfASpheresPole) {
   const Scene scene =
       scene_of("cos(u)*cos(v)", "sin(u)*cos(v)", "sin(v)", {"0", "2*pi"}, {"-pi/2", "pi/2"});
