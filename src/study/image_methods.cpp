@@ -25,6 +25,7 @@ Scene plain_scene(const Subject& subject) {
   scene.surfaces = {subject.spec};
   scene.surfaces[0].front = kFrontMaterial;
   scene.surfaces[0].back = kBackMaterial;
+  scene.surfaces[0].in.clear();  // as it is, wherever the scene moves it
   scene.camera = subject.scene.camera;
   return scene;
 }

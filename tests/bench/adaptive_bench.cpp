@@ -17,7 +17,7 @@ void mesh_entry(benchmark::State& state, const GalleryEntry& entry) {
   const Surface surface = prepare_surface(scene, scene.surfaces.front(), Order::Second).surface;
   AdaptiveOptions options;
   options.tolerance = [&](const Probe& probe) {
-    return tolerance_of(scene, {.picture = true}, probe);
+    return tolerance_of(scene, scene.surfaces.front(), {.picture = true}, probe);
   };
   options.normal_tolerance = scene.mesh.normal_tolerance;
   options.threads = 1;
