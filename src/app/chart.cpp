@@ -99,6 +99,7 @@ void add_picture(const CommandLine& line, Subject& subject) {
   subject.pixel = report.tolerance.value_or(mesh.mesh.bounds.diagonal() / subject.width);
   subject.clip = report.clip ? report.clip : scene.clip.box;
   one_pixel.surfaces = {subject.spec};
+  one_pixel.surfaces[0].in.clear();  // as it is, wherever the scene moves it
   subject.camera = fit_to_meshes(one_pixel, std::span(&mesh.mesh, 1),
                                  static_cast<double>(subject.width) / subject.height);
 }
