@@ -1,23 +1,23 @@
 #include "render/canvas.h"
 
 #include <cassert>
+#include <tuple>
 
 #include "render/gl.h"
 
 namespace saddle {
 
 void Canvas::draw(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
-                  const Look& look, int width, int height, int per_side) {
-  assert(per_side == 1 || per_side == 2);
-  if (!target_ || width != width_ || height != height_ || per_side != per_side_) {
+                  const Look& look, const PictureSettings& picture) {
+  const auto [width, height, n] = std::tuple(picture.width, picture.height, picture.antialias);
+  assert(n == 1 || n == 2);
+  if (!target_ || width != picture_.width || height != picture_.height || n != picture_.antialias) {
     target_.reset();  // first the old one: there need not be memory for both
-    target_.emplace(width * per_side, height * per_side);
+    target_.emplace(width * n, height * n);
   }
-  width_ = width;
-  height_ = height;
-  per_side_ = per_side;
+  picture_ = picture;
   target_->bind();
-  renderer.draw(scene, camera, {width, height, {0, 0, width, height}, 0, per_side}, look);
+  renderer.draw(scene, camera, {width, height, {0, 0, width, height}, 0, n}, look);
   glFinish();
 }
 
@@ -28,8 +28,9 @@ void Canvas::show(int x, int y) const {
   glClear(GL_COLOR_BUFFER_BIT);
   if (!target_) return;
   target_->bind_for_reading();
-  glBlitFramebuffer(0, 0, width_ * per_side_, height_ * per_side_, x, y, x + width_, y + height_,
-                    GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  const int n = picture_.antialias;
+  glBlitFramebuffer(0, 0, n * picture_.width, n * picture_.height, x, y, x + picture_.width,
+                    y + picture_.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

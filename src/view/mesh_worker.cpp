@@ -65,7 +65,7 @@ void MeshWorker::run(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     working_ = false;
     if (!changed_.wait(lock, end, [this] { return next_.has_value(); })) return;
-    Wish wish = *std::exchange(next_, std::nullopt);
+    const Wish wish = *std::exchange(next_, std::nullopt);
     working_ = true;
     previewing_ = wish.preview;
     begun_ = Clock::now();
@@ -74,14 +74,14 @@ void MeshWorker::run(const std::stop_token& end) {
     const Abandonable abandonable(current_.get_token());
     lock.unlock();
     try {
-      work(std::move(wish));
+      work(wish);
     } catch (const Abandoned&) {
       // The newer wish is waiting.
     }
   }
 }
 
-void MeshWorker::work(Wish wish) {
+void MeshWorker::work(const Wish& wish) {
   if (wish.preview) {
     Meshed preview = mesh_all(tessellate_, wish.scene, Detail::Preview);
     preview.preview = true;

@@ -70,7 +70,7 @@ class MeshWorker {
   };
 
   void run(const std::stop_token& end);
-  void work(Wish wish);
+  void work(const Wish& wish);
   void deliver(Meshed result, const Wish& wish);
 
   Tessellate tessellate_;

@@ -74,9 +74,13 @@ bool is_about(const std::optional<Error>& error, const std::string& name) {
   return error && error->place().name == name;
 }
 
+/// Whatever the case of the letters.
 bool contains(std::string_view text, std::string_view word) {
-  const auto same = [](char a, char b) { return std::tolower(a) == std::tolower(b); };
-  return std::ranges::search(text, word, same).begin() != text.end() || word.empty();
+  const auto same = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
+  };
+  return word.empty() ||
+         std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 template <typename... Values>

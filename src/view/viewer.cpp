@@ -376,10 +376,10 @@ class Viewer {
     const int most = std::min(2, model_.scene().picture.antialias);
     per_side_ = rested_ || fast_enough ? most : 1;
     coarse_ = per_side_ < most;
-    const Grip grip = model_.grip();
-    canvas_.draw(renderer_, model_.drawn_scene(), grip.fitted,
-                 {.lines = model_.grid, .wireframe = model_.wireframe},
-                 static_cast<int>(grip.size.x), static_cast<int>(grip.size.y), per_side_);
+    PictureSettings picture = model_.scene().picture;
+    picture.antialias = per_side_;
+    canvas_.draw(renderer_, model_.drawn_scene(), model_.grip().fitted,
+                 {.lines = model_.grid, .wireframe = model_.wireframe}, picture);
     const auto passed = Clock::now() - begin;
     drawing_ += passed;
     figures_.frame_ms = std::chrono::duration<double, std::milli>(passed).count();
