@@ -15,7 +15,7 @@ struct Grip {
   dvec2 size{1, 1};     ///< of the picture, in pixels
 };
 
-/// A straight line of sight; `direction` has length 1.
+/// A straight line of sight; `direction` has length 1 in the coordinates of the world.
 struct Ray {
   dvec3 origin;
   dvec3 direction;

@@ -237,25 +237,43 @@ std::optional<Model::Clock::time_point> Model::next_pass() const {
   return refine_at_;
 }
 
+/// The first surface on a line of sight, where a node has put it.
+struct Model::Sight {
+  Instance instance;
+  Ray ray;  ///< in the surface's own coordinates; distances along it are the world's
+  Hit hit;
+};
+
+std::optional<Model::Sight> Model::look_along(const Ray& ray) const {
+  std::optional<Sight> nearest;
+  for (const Instance& instance : instances(good_.scene)) {
+    const glm::dmat4 to_surface = glm::inverse(instance.to_world);
+    const Ray own{dvec3(to_surface * glm::dvec4(ray.origin, 1)),
+                  glm::dmat3(to_surface) * ray.direction};
+    const Mesh* const mesh = &good_.surfaces[instance.surface]->mesh;
+    const auto hit = first_hit({&mesh, 1}, own);
+    if (hit && (!nearest || hit->distance < nearest->hit.distance)) nearest = {instance, own, *hit};
+  }
+  return nearest;
+}
+
 dvec3 Model::under(const dvec2& pixel) const {
   const Grip now = grip();
-  std::vector<const Mesh*> meshes;
-  for (const auto& surface : good_.surfaces) meshes.push_back(&surface->mesh);
   const Ray ray = ray_through(now, pixel);
-  const auto hit = first_hit(meshes, ray);
-  return hit ? ray.origin + hit->distance * ray.direction : point_on_target_plane(now, pixel);
+  const auto sight = look_along(ray);
+  return sight ? ray.origin + sight->hit.distance * ray.direction
+               : point_on_target_plane(now, pixel);
 }
 
 void Model::pick(const dvec2& pixel) {
   picked_.reset();
-  std::vector<const Mesh*> meshes;
-  for (const auto& surface : good_.surfaces) meshes.push_back(&surface->mesh);
-  const Ray ray = ray_through(grip(), pixel);
-  const auto hit = first_hit(meshes, ray);
-  if (!hit) return;
-  const SurfaceSpec& spec = good_.scene.surfaces[hit->mesh];
+  const auto sight = look_along(ray_through(grip(), pixel));
+  if (!sight) return;
+  const SurfaceSpec& spec = good_.scene.surfaces[sight->instance.surface];
   const Surface surface = prepare_surface(good_.scene, spec, Order::Second).surface;
-  picked_ = {spec.name, place_on_surface(surface, ray, *hit)};
+  const SurfacePlace place = place_on_surface(surface, sight->ray, sight->hit);
+  const dvec3 world(sight->instance.to_world * glm::dvec4(place.position, 1));
+  picked_ = {spec.name, place, world};
 }
 
 Scene Model::scene_to_save() const {

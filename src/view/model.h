@@ -23,7 +23,8 @@ namespace saddle {
 /// A point that was picked, and the surface it is on.
 struct PickedPoint {
   std::string surface;
-  SurfacePlace place;
+  SurfacePlace place;  ///< in the surface's own coordinates
+  dvec3 world;         ///< where its node has put it
 };
 
 /// The point in a line: u, v, x, y, z, the normal and the curvatures.
@@ -107,7 +108,10 @@ class Model {
   dvec3 table_up{0, 0, 1};
 
  private:
+  struct Sight;
+
   void wish(bool preview_first);
+  std::optional<Sight> look_along(const Ray& ray) const;
   void show(Meshed meshed);
   double surface_radius(const dvec3& centre) const;
   void next_lights();

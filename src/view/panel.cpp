@@ -264,7 +264,7 @@ void Panel::show_look(Model& model) {
 
 void Panel::show_picked(const Model& model) {
   if (!model.picked()) return;
-  const auto& [surface, place] = *model.picked();
+  const SurfacePlace& place = model.picked()->place;
   ImGui::Separator();
   ImGui::TextUnformatted(formatted("u %.6g  v %.6g", place.uv.x, place.uv.y).c_str());
   const dvec3& p = place.position;

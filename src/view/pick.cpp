@@ -41,7 +41,7 @@ dvec2 clamped(const dvec2& uv, const Domain& d) {
 
 /// Two directions across the ray.
 std::array<dvec3, 2> across(const Ray& ray) {
-  const dvec3& d = ray.direction;
+  const dvec3 d = glm::normalize(ray.direction);
   const dvec3 a =
       glm::normalize(glm::cross(d, std::abs(d.x) < 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
   return {a, glm::cross(d, a)};

@@ -405,8 +405,8 @@ class Viewer {
       }
     }
     const auto& picked = model_.picked();
-    if (picked && is_in_front(grip, picked->place.position)) {
-      overlay.mark = pixel_of(grip, picked->place.position);
+    if (picked && is_in_front(grip, picked->world)) {
+      overlay.mark = pixel_of(grip, picked->world);
     }
     return overlay;
   }
