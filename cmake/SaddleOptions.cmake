@@ -9,6 +9,8 @@ target_compile_options(saddle_options INTERFACE
 if(SADDLE_SANITIZE)
   target_compile_options(saddle_options INTERFACE
     -fsanitize=${SADDLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
-    -Wno-array-bounds -Wno-stringop-overflow)  # GCC 12's false alarms in instrumented code
+    # GCC 12's false alarms in instrumented code
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
   target_link_options(saddle_options INTERFACE -fsanitize=${SADDLE_SANITIZE})
 endif()

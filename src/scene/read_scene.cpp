@@ -22,7 +22,9 @@ void with(const TomlValue& table, const std::string& key, const Read& read) {
 
 void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
   if (table.kind != Kind::Table) throw reader.source().wrong_type("params", table, "a table");
-  for (const auto& [key, key_span, value] : table.entries) {
+  for (const TomlEntry& entry : table.entries) {
+    const std::string& key = entry.key;
+    const TomlValue& value = entry.value;
     const TomlValue* formula = &value;
     if (value.kind == Kind::Table) {
       reader.source().check_keys(key, value, {"value", "min", "max"});
@@ -36,11 +38,11 @@ void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
                                reader.number(key + ": max", *value.find("max"))});
     }
     const std::string text = reader.formula(key, *formula);
-    reader.note("argument", key + "=" + text, key_span);
+    reader.note("argument", key + "=" + text, entry.key_span);
     const Definition definition =
         reader.in_place([&] { return parse_definition(key + "=" + text); });
     if (definition.name != key) {
-      throw reader.source().error("", "'" + key + "' is not a name", key_span,
+      throw reader.source().error("", "'" + key + "' is not a name", entry.key_span,
                                   "functions go into [functions]");
     }
     scene.definitions.push_back(definition);
@@ -49,12 +51,14 @@ void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
 
 void read_functions(TomlReader& reader, const TomlValue& table, Scene& scene) {
   if (table.kind != Kind::Table) throw reader.source().wrong_type("functions", table, "a table");
-  for (const auto& [key, key_span, value] : table.entries) {
+  for (const TomlEntry& entry : table.entries) {
+    const std::string& key = entry.key;
+    const TomlValue& value = entry.value;
     const std::string text = reader.formula(key, value);
-    reader.note("argument", key + "=" + text, key_span);
+    reader.note("argument", key + "=" + text, entry.key_span);
     const Definition function = reader.in_place([&] { return parse_definition(key + "=" + text); });
     if (!function.is_function) {
-      throw reader.source().error("", "'" + key + "' is not a function", key_span,
+      throw reader.source().error("", "'" + key + "' is not a function", entry.key_span,
                                   "write \"bump(s)\" = \"exp(-s*s)\"; values go into [params]");
     }
     reader.note(display_name(function), function.text, value.span);
@@ -86,8 +90,7 @@ Range read_range(TomlReader& reader, const std::string& subject, const TomlValue
   if (value.kind != Kind::Array || value.items.size() != 2) {
     throw reader.source().wrong_type(subject, value, "two ends, such as [\"0\", \"2*pi\"]");
   }
-  const Range range{reader.formula(subject, value.items[0]),
-                    reader.formula(subject, value.items[1])};
+  Range range{reader.formula(subject, value.items[0]), reader.formula(subject, value.items[1])};
   reader.note(subject, range.min + ":" + range.max, value.span);
   return range;
 }
@@ -410,7 +413,7 @@ Scene read_scene(const SourceText& source) {
   const TomlValue root = parse_toml(source);
   TomlPlaces places(source);
   TomlReader reader(places);
-  const Scene scene = read_tables(reader, root);
+  Scene scene = read_tables(reader, root);
   check_scene(reader, scene);
   return scene;
 }

@@ -125,7 +125,7 @@ InlineTable material(const Material& m, const Material& standard) {
 }
 
 std::string parameter(const Definition& d, const std::vector<Slider>& sliders) {
-  const std::string value = is_toml_number(d.text) ? d.text : toml_string(d.text);
+  std::string value = is_toml_number(d.text) ? d.text : toml_string(d.text);
   const auto slider = std::ranges::find(sliders, d.name, &Slider::name);
   if (slider == sliders.end()) return value;
   InlineTable table;
