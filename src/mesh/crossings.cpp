@@ -193,10 +193,12 @@ class Finder {
 
 /// Whether something other than the rim cuts a side of a leaf.
 bool is_crossed(const Leaf& leaf, const Lattice& lattice) {
-  return std::ranges::any_of(sides_of(leaf, lattice), [&](const Side& side) {
-    const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
-    return crossing && crossing->kind != Cut::Rim;
+  bool is_crossed = false;
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<Crossing> crossing = lattice.crossing(a, b);
+    is_crossed = is_crossed || (crossing && crossing->kind != Cut::Rim);
   });
+  return is_crossed;
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ constexpr double kFallOff = 0.7;
 constexpr double kFloor = 0.02;
 /// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
 constexpr int kRatios = 6;
+/// Every fourth sample of a column or row is enough to tell which ratio is best.
+constexpr std::size_t kEveryForRatio = 4;
 /// The share of samples that is left out at either end of robust bounds.
 constexpr double kTail = 0.05;
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
@@ -75,10 +77,10 @@ double quantile(std::vector<double>& numbers, double share) {
   return numbers[place];
 }
 
-/// Lines per unit of parameter for which arcs of second derivative `bend` stay within eps, of which
-/// each direction has half: h^2 bend / 8 <= eps / 2.
-double density(double bend, double eps) {
-  return std::sqrt(bend / (4 * eps));
+/// Lines per unit of parameter for which arcs of second derivative `bend`, in tolerances, stay
+/// within half of the tolerance, the other half being the other direction's: h^2 bend / 8 <= 1 / 2.
+double density(double bend) {
+  return std::sqrt(bend / 4);
 }
 
 void limit_fall_off(std::vector<double>& density) {
@@ -282,26 +284,43 @@ Seam Probe::find_seam(const Surface& surface, bool along_v) const {
   return {};
 }
 
-Probe::Densities Probe::densities(const Tolerance& tolerance, double rho) const {
-  std::vector<std::vector<double>> of_column(u_.size());
-  std::vector<std::vector<double>> of_row(v_.size());
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const Sample& s = samples_[k];
-    if (!s.regular) continue;
-    const double eps = tolerance(s.position);
-    of_column[k % u_.size()].push_back(density(std::fabs(s.L) + rho * std::fabs(s.M), eps));
-    of_row[k / u_.size()].push_back(density(std::fabs(s.N) + std::fabs(s.M) / rho, eps));
+std::vector<Probe::Bend> Probe::bends(const Tolerance& tolerance) const {
+  std::vector<Bend> bends;
+  bends.reserve(samples_.size());
+  for (const Sample& s : samples_) {
+    const double per_eps = s.regular ? 1 / tolerance(s.position) : 0;
+    bends.push_back({per_eps * std::fabs(s.L), per_eps * std::fabs(s.M), per_eps * std::fabs(s.N)});
   }
+  return bends;
+}
+
+Probe::Densities Probe::densities(const Tolerance& tolerance, std::span<const Bend> bends,
+                                  double rho, std::size_t every) const {
   Densities result;
-  for (auto& column : of_column) result.of_u.push_back(quantile(column, kShare));
-  for (auto& row : of_row) result.of_v.push_back(quantile(row, kShare));
+  std::vector<double> line;
+  for (std::size_t i = 0; i < u_.size(); ++i) {
+    line.clear();
+    for (std::size_t j = 0; j < v_.size(); j += every) {
+      const std::size_t k = j * u_.size() + i;
+      if (samples_[k].regular) line.push_back(bends[k].L + rho * bends[k].M);
+    }
+    result.of_u.push_back(density(quantile(line, kShare)));
+  }
+  for (std::size_t j = 0; j < v_.size(); ++j) {
+    line.clear();
+    for (std::size_t i = 0; i < u_.size(); i += every) {
+      const std::size_t k = j * u_.size() + i;
+      if (samples_[k].regular) line.push_back(bends[k].N + bends[k].M / rho);
+    }
+    result.of_v.push_back(density(quantile(line, kShare)));
+  }
   // Along the domain's edge the mesh must follow the edge itself, with all of the tolerance.
   const auto follow = [&](std::vector<double>& densities, std::span<const double> places,
                           std::span<const EdgeSample> edges) {
     for (const EdgeSample& edge : edges) {
       const auto at = std::ranges::find(places, edge.place) - places.begin();
       double& d = densities[static_cast<std::size_t>(at)];
-      d = std::max(d, density(edge.across / 2, tolerance(edge.position)));
+      d = std::max(d, density(edge.across / (2 * tolerance(edge.position))));
     }
   };
   follow(result.of_u, u_, edges_u_);
@@ -316,18 +335,21 @@ Probe::Densities Probe::densities(const Tolerance& tolerance, double rho) const 
 FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance) const {
   const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
   const FixedLines shared = {shared_lines(seam_v_, fixed.u), shared_lines(seam_u_, fixed.v)};
-  FixedLines best;
+  const std::vector<Bend> bent = bends(tolerance);
+  double best_ratio = own_ratio;
   double least = std::numeric_limits<double>::infinity();
   for (int power = -kRatios; power <= kRatios; ++power) {
-    const Densities d = densities(tolerance, std::ldexp(own_ratio, power));
-    const Cumulative of_u(d.of_u, domain_.u0, domain_.u1);
-    const Cumulative of_v(d.of_v, domain_.v0, domain_.v1);
-    const double cells = total_cells(of_u, shared.u) * total_cells(of_v, shared.v);
+    const double ratio = std::ldexp(own_ratio, power);
+    const Densities d = densities(tolerance, bent, ratio, kEveryForRatio);
+    const double cells = total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), shared.u) *
+                         total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), shared.v);
     if (!(cells < least)) continue;
     least = cells;
-    best = {place(of_u, shared.u), place(of_v, shared.v)};
+    best_ratio = ratio;
   }
-  return best;
+  const Densities d = densities(tolerance, bent, best_ratio, 1);
+  return {place(Cumulative(d.of_u, domain_.u0, domain_.u1), shared.u),
+          place(Cumulative(d.of_v, domain_.v0, domain_.v1), shared.v)};
 }
 
 double Probe::least_triangles(const Tolerance& tolerance) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -67,7 +68,14 @@ class Probe {
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
   Seam find_seam(const Surface& surface, bool along_v) const;
-  Densities densities(const Tolerance& tolerance, double rho) const;
+  /// Magnitudes of second derivatives along the normal, in tolerances; 0 where there is none.
+  struct Bend {
+    double L, M, N;
+  };
+  std::vector<Bend> bends(const Tolerance& tolerance) const;
+  /// From each `every`-th sample of each column and row.
+  Densities densities(const Tolerance& tolerance, std::span<const Bend> bends, double rho,
+                      std::size_t every) const;
 
   std::vector<double> u_, v_;
   Domain domain_;

@@ -103,12 +103,12 @@ void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice
            grid.mesh.point[a] != grid.mesh.point[b] && is_one_point(grid, a, b);
   };
   for (const Leaf& leaf : leaves) {
-    for (const auto& [a, b] : sides_of(leaf, lattice)) {
-      if (!at_one_place(a, b)) continue;
+    for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+      if (!at_one_place(a, b)) return;
       points.unite(a, b);
       lattice.make_singular(a);
       lattice.make_singular(b);
-    }
+    });
     if (!leaf.is_split) continue;
     for (const Polygon& piece : pieces(leaf, lattice)) {
       for (std::size_t k = 0; k < piece.size(); ++k) {

@@ -52,7 +52,13 @@ struct View {
 std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
                                  const Lattice& lattice) {
   std::vector<View> views;
+  if (!lattice.has_singular()) return views;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    bool is_regular = !leaves[leaf].is_split;
+    for_sides(leaves[leaf], lattice, [&](std::uint32_t a, std::uint32_t) {
+      is_regular = is_regular && lattice.is_regular(a);
+    });
+    if (is_regular) continue;
     const std::vector<Polygon> polygons = pieces(leaves[leaf], lattice);
     for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
       const Polygon& polygon = polygons[piece];
@@ -160,6 +166,7 @@ SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> l
 
 std::uint32_t SingularCorners::corner(std::size_t leaf, std::size_t piece,
                                       std::uint32_t vertex) const {
+  if (corners_.empty()) return vertex;
   const auto found = corners_.find(key_of(leaf, piece, vertex));
   return found == corners_.end() ? vertex : found->second;
 }
@@ -170,24 +177,26 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   LeafTriangles result;
   result.all.reserve(2 * which.size());
   result.first.reserve(which.size() + 1);
+  std::vector<std::uint32_t> points;
+  const auto choose_corner = [&](std::size_t leaf, std::size_t piece, std::uint32_t& vertex) {
+    vertex = singular.corner(leaf, piece, vertex);
+    points.push_back(grid.mesh.point[vertex]);
+  };
   for (const std::size_t leaf : which) {
     result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
+    if (auto plain = plain_corners(leaves[leaf], lattice)) {
+      points.clear();
+      for (std::uint32_t& vertex : *plain) choose_corner(leaf, 0, vertex);
+      result.expected += triangles_between(points);
+      cut_cell(grid, *plain, result.all);
+      continue;
+    }
     std::vector<Polygon> polygons = pieces(leaves[leaf], lattice);
     for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
-      Polygon& polygon = polygons[piece];
-      std::vector<std::uint32_t> points;
-      for (PolygonCorner& corner : polygon) {
-        corner.corner = singular.corner(leaf, piece, corner.corner);
-        points.push_back(grid.mesh.point[corner.corner]);
-      }
+      points.clear();
+      for (PolygonCorner& corner : polygons[piece]) choose_corner(leaf, piece, corner.corner);
       result.expected += triangles_between(points);
-      if (polygon.size() == 4 && !leaves[leaf].on_rim) {
-        const auto triangles = cut_cell(
-            grid, {polygon[0].corner, polygon[1].corner, polygon[2].corner, polygon[3].corner});
-        result.all.insert(result.all.end(), triangles.begin(), triangles.end());
-      } else {
-        triangulate_polygon(grid, std::move(polygon), result.all);
-      }
+      triangulate_polygon(grid, std::move(polygons[piece]), result.all);
     }
   }
   result.first.push_back(static_cast<std::uint32_t>(result.all.size()));

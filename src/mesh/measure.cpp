@@ -28,6 +28,7 @@ constexpr std::size_t kCellChunk = 256;
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
   dvec3 weights{0};
+  bool inside = false;  ///< the triangle, straight below `p`
 };
 
 Nearest nearest_on_edge(const std::array<dvec3, 3>& t, int a, int b, const dvec3& p) {
@@ -49,7 +50,7 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
     };
     const dvec3 weights(weight(1, 2), weight(2, 0), weight(0, 1));
     if (weights.x >= 0 && weights.y >= 0 && weights.z >= 0) {
-      return {std::abs(glm::dot(p - t[0], normal)) / std::sqrt(square), weights};
+      return {std::abs(glm::dot(p - t[0], normal)) / std::sqrt(square), weights, true};
     }
   }
   Nearest best = nearest_on_edge(t, 0, 1, p);
@@ -68,6 +69,24 @@ double depth_in(const Grid& grid, const Triangle& t, const dvec2& uv) {
     return area(at[t[a]] - uv, at[t[b]] - uv) / whole;
   };
   return std::min({weight(0, 1), weight(1, 2), weight(2, 0)});
+}
+
+/// The triangle that (u, v) is in, or is least outside of.
+const Triangle& deepest_triangle(const Grid& grid, std::span<const Triangle> triangles,
+                                 const dvec2& uv) {
+  std::size_t best = 0;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const double depth = depth_in(grid, triangles[k], uv);
+    if (!(depth > deepest)) continue;
+    best = k;
+    deepest = depth;
+  }
+  return triangles[best];
+}
+
+Nearest nearest_on(const Grid& grid, const Triangle& t, const dvec3& p) {
+  return nearest_on_triangle({grid.local(t[0]), grid.local(t[1]), grid.local(t[2])}, p);
 }
 
 class Measurer {
@@ -177,24 +196,19 @@ class Measurer {
 
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip) {
+  if (triangles.empty() || !is_finite(point.position)) return {};
+  const Triangle& own = deepest_triangle(grid, triangles, uv);
   const dvec3 p = grid.local_scale * point.position;
-  double distance = std::numeric_limits<double>::infinity();
-  dvec3 interpolated(0);
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (const Triangle& triangle : triangles) {
-    const std::array<dvec3, 3> corners = {grid.local(triangle[0]), grid.local(triangle[1]),
-                                          grid.local(triangle[2])};
-    const Nearest nearest = nearest_on_triangle(corners, p);
-    distance = std::min(distance, nearest.distance);
-    const double depth = depth_in(grid, triangle, uv);
-    if (!(depth > deepest)) continue;
-    deepest = depth;
-    interpolated = dvec3(0);
-    for (int k = 0; k < 3; ++k) {
-      interpolated += nearest.weights[k] * grid.mesh.normal[triangle[static_cast<std::size_t>(k)]];
-    }
+  const Nearest on_own = nearest_on(grid, own, p);
+  double distance = on_own.distance;
+  if (!on_own.inside) {
+    for (const Triangle& t : triangles)
+      distance = std::min(distance, nearest_on(grid, t, p).distance);
   }
-  if (!std::isfinite(distance)) return {};  // undefined there
+  dvec3 interpolated(0);
+  for (int k = 0; k < 3; ++k) {
+    interpolated += on_own.weights[k] * grid.mesh.normal[own[static_cast<std::size_t>(k)]];
+  }
   const auto exact = unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), flip);
   return {distance / grid.local_scale, exact ? degrees_between(*exact, interpolated) : 0};
 }

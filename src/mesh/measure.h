@@ -13,8 +13,9 @@ struct Deviation {
   double distance = 0;  ///< in units of length; 0 where the surface is undefined
   double degrees = 0;   ///< of exact and interpolated normal; 0 where there is none
 };
-/// `point` is at (u, v). Its distance is from the nearest triangle; its normal is compared with
-/// that of the triangle over (u, v), since near a cusp the other sheet may be as near.
+/// `point` is at (u, v). Its distance is from the triangle that (u, v) is in, if it is straight
+/// above it, else from the nearest one. Its normal is compared with that triangle's, since near a
+/// cusp the other sheet may be as near.
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip);
 

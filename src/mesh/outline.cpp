@@ -10,6 +10,7 @@ namespace {
 /// The vertices in use around a leaf, counter-clockwise in (u, v), defined or not.
 Polygon outline(const Leaf& leaf, const Lattice& lattice) {
   Polygon polygon;
+  polygon.reserve(8);
   const auto corners = leaf.corners();
   for (std::size_t k = 0; k < 4; ++k) {
     lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
@@ -162,14 +163,25 @@ std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
 }
 
 std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
-  const Polygon polygon = outline(leaf, lattice);
   std::vector<Side> sides;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const std::uint32_t a = polygon[k].corner;
-    const std::uint32_t b = polygon[(k + 1) % polygon.size()].corner;
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
     sides.push_back({std::min(a, b), std::max(a, b)});
-  }
+  });
   return sides;
+}
+
+std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf,
+                                                          const Lattice& lattice) {
+  if (leaf.on_rim || leaf.is_split) return std::nullopt;
+  std::array<std::uint32_t, 4> corners{};
+  std::size_t count = 0;
+  bool is_plain = true;
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+    if (count < 4) corners[count] = a;
+    ++count;
+    is_plain = is_plain && lattice.is_defined(a) && !lattice.crossing(a, b);
+  });
+  return is_plain && count == 4 ? std::optional(corners) : std::nullopt;
 }
 
 CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {

@@ -1,7 +1,9 @@
 // The vertices around a leaf, and the polygons that rims, jumps and creases cut it into.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "mesh/lattice.h"
@@ -14,8 +16,28 @@ using Polygon = std::vector<PolygonCorner>;
 /// Two neighbours among the vertices in use around a leaf, the one with the smaller number first.
 using Side = std::array<std::uint32_t, 2>;
 
-/// The sides of a leaf, with all the vertices in use on them.
+/// Calls f(a, b) for the neighbours a and b on the sides of a leaf, with all the vertices in use on
+/// them, counter-clockwise in (u, v).
+template <class F>
+void for_sides(const Leaf& leaf, const Lattice& lattice, F f) {
+  const auto corners = leaf.corners();
+  const std::uint32_t first = *lattice.used_vertex(corners[0]);
+  std::uint32_t before = first;
+  for (std::size_t k = 0; k < 4; ++k) {
+    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
+      if (vertex == first) return;
+      f(before, vertex);
+      before = vertex;
+    });
+  }
+  f(before, first);
+}
+
+/// The sides of a leaf as pairs.
 std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice);
+
+/// The corners of a leaf that is cut by nothing and has no other vertices on its sides.
+std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, const Lattice& lattice);
 
 /// What of a leaf the mesh covers: the whole outline, or what its crossings cut it into. Left out
 /// is what is undefined, goes to infinity, or has a jump that ends inside of the leaf.

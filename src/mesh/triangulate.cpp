@@ -116,7 +116,7 @@ CellCorners gather(const Grid& grid, const std::array<std::uint32_t, 4>& corners
 
 }  // namespace
 
-std::size_t triangles_between(std::vector<std::uint32_t> points) {
+std::size_t triangles_between(std::vector<std::uint32_t>& points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   while (points.size() > 1 && points.front() == points.back()) points.pop_back();
   return points.size() > 2 ? points.size() - 2 : 0;
@@ -133,9 +133,9 @@ bool is_collapsed(const Grid& grid, const Triangle& t) {
   return is_flat(glm::cross(edges[0], edges[1]), rounding_of_areas(p, edges), edges[0], edges[1]);
 }
 
-std::vector<Triangle> cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners) {
+void cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners,
+              Array<Triangle>& triangles) {
   const Cut cut = cut_cell(gather(grid, corners), grid.mirrored);
-  std::vector<Triangle> triangles;
   for (std::size_t t = 0; t < 2; ++t) {
     if (!cut.exists[t]) continue;
     const std::size_t slot = kCuts[cut.diagonal][t];
@@ -143,12 +143,13 @@ std::vector<Triangle> cut_cell(const Grid& grid, const std::array<std::uint32_t,
     if (grid.mirrored) std::swap(triangle[1], triangle[2]);
     triangles.push_back(triangle);
   }
-  return triangles;
 }
 
 void triangulate(Grid& grid, std::span<const OpenCell> cells) {
+  Array<Triangle> triangles;
   for (const OpenCell& cell : cells) {
-    const std::vector<Triangle> triangles = cut_cell(grid, cell.corners);
+    triangles.clear();
+    cut_cell(grid, cell.corners, triangles);
     std::ranges::copy(triangles,
                       grid.mesh.triangles.begin() + 2 * static_cast<std::ptrdiff_t>(cell.cell));
     grid.cells[cell.cell] = static_cast<Cell>(triangles.size());

@@ -16,12 +16,13 @@ namespace saddle {
 /// as at poles, are left out. Writes grid.mesh.triangles and grid.cells of these cells.
 void triangulate(Grid& grid, std::span<const OpenCell> cells);
 
-/// The triangles of one cell, in the order of slots; at most two.
-std::vector<Triangle> cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners);
+/// Appends the triangles of one cell, in the order of slots; at most two.
+void cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners,
+              Array<Triangle>& triangles);
 
 /// Triangles of a polygon whose corners are these points of the surface: two fewer than it has
-/// corners at which it goes on to another point.
-std::size_t triangles_between(std::vector<std::uint32_t> points);
+/// corners at which it goes on to another point. Takes the others out of `points`.
+std::size_t triangles_between(std::vector<std::uint32_t>& points);
 
 /// Whether a triangle of corners has no area: two are one point, or it is flat within rounding.
 bool is_collapsed(const Grid& grid, const Triangle& triangle);

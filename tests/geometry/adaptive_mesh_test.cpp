@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -113,7 +115,11 @@ class Locator {
   double nearest(const SurfacePoint& point) const {
     Grid grid;
     grid.mesh = mesh_;
-    return deviation(grid, mesh_.triangles, dvec2(0), point, false).distance;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Triangle& t : mesh_.triangles) {
+      least = std::min(least, deviation(grid, std::span(&t, 1), dvec2(0), point, false).distance);
+    }
+    return least;
   }
 
  private:
