@@ -184,6 +184,15 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf,
   return is_plain && count == 4 ? std::optional(corners) : std::nullopt;
 }
 
+bool has_pole(const Leaf& leaf, const Lattice& lattice) {
+  bool has_pole = false;
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<Crossing> crossing = lattice.crossing(a, b);
+    has_pole = has_pole || (crossing && crossing->kind == Cut::Pole);
+  });
+  return has_pole;
+}
+
 CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
   CutCount count;
   for (const Side& side : sides_of(leaf, lattice)) {

@@ -43,6 +43,9 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, cons
 /// is what is undefined, goes to infinity, or has a jump that ends inside of the leaf.
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice);
 
+/// Whether the surface goes to infinity on a side of the leaf.
+bool has_pole(const Leaf& leaf, const Lattice& lattice);
+
 /// What may cut a leaf.
 struct CutCount {
   std::size_t crossings = 0;

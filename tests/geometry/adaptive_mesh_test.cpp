@@ -341,6 +341,30 @@ TEST(AdaptiveMesh, LeavesOutWhatGoesToInfinity) {
   EXPECT_NEAR(result.report.undefined_fraction, 0.5, 0.02);
 }
 
+TEST(AdaptiveMesh, GoesToInfinityAtARimWithoutEndlessWork) {
+  const Case logs = {"logs", "u", "v", "ln(cos(v)/cos(u))", {-5, 5, -5, 5}};
+  const GridMesh result = mesh_of(logs, 1e-3);
+  EXPECT_GT(result.report.pole_count, 0U);
+  EXPECT_LT(result.mesh.triangles.size(), 100'000U);
+}
+
+TEST(AdaptiveMesh, StopsWhereASurfaceOscillatesFasterThanAnyPictureShows) {
+  const Case wild = {"wild", "u", "v", "sin(1/u)", {-1, 1, -1, 1}};
+  const GridMesh result = mesh_of(wild, 1e-3);
+  EXPECT_FALSE(result.report.reached_limit);
+  EXPECT_LT(result.mesh.triangles.size(), 200'000U);
+  EXPECT_GT(result.report.max_error, *result.report.tolerance);  // and says so
+  double gap = 0;  // where the waves are wide the mesh is as near as anywhere
+  for (const Triangle& t : result.mesh.triangles) {
+    const dvec3 middle =
+        (result.mesh.position[t[0]] + result.mesh.position[t[1]] + result.mesh.position[t[2]]) /
+        3.0;
+    if (std::fabs(middle.x) < 0.1) continue;
+    gap = std::max(gap, std::fabs(middle.z - std::sin(1 / middle.x)));
+  }
+  EXPECT_LT(gap, 0.05);
+}
+
 TEST(AdaptiveMesh, CutsJumpsAndBuildsNoWalls) {
   for (const char* z : {"floor(3*u)", "mod(u,0.4)", "sign(u*v-0.1)", "(u^2+v^2<0.5)?1:0"}) {
     const Case jumps = {"jumps", "u", "v", z, {-1, 1, -1, 1}};

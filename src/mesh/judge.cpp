@@ -1,0 +1,192 @@
+#include "mesh/judge.h"
+
+#include <cmath>
+
+#include "mesh/clip.h"
+#include "mesh/triangulate.h"
+
+namespace saddle {
+
+namespace {
+
+/// A chord's sample that is farther away than this part of the chord is no small arc: its distance
+/// along the normal says nothing.
+constexpr double kSmallArc = 0.3;
+/// Corner normals of a leaf spread by at most this, degrees: samples between them are then enough.
+constexpr double kMaxSpread = 40;
+
+}  // namespace
+
+Samples request_samples(const Leaf& leaf, Lattice& lattice) {
+  const LatticePlace m = leaf.middle();
+  const auto& [low, high] = std::pair(leaf.low, leaf.high);
+  Samples samples;
+  const auto corners = leaf.corners();
+  for (std::size_t k = 0; k < 4; ++k) samples.corner[k] = lattice.vertex(corners[k]);
+  samples.side = {lattice.vertex({m.u, low.v}), lattice.vertex({high.u, m.v}),
+                  lattice.vertex({m.u, high.v}), lattice.vertex({low.u, m.v})};
+  samples.centre = lattice.vertex(m);
+  return samples;
+}
+
+int count_defined(const Lattice& lattice, const Samples& samples) {
+  int count = lattice.is_defined(samples.centre) ? 1 : 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    count += lattice.is_defined(samples.corner[k]) ? 1 : 0;
+    count += lattice.is_defined(samples.side[k]) ? 1 : 0;
+  }
+  return count;
+}
+
+Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
+  const auto& [corner, side, centre] = samples;
+  const double eps = options_.tolerance(mesh_.position[centre]);
+  const bool normals_count = diameter(corner) > kVisible * eps;
+  Verdict verdict;
+  const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
+                         double Scores::*part) {
+    const double distance = distance_of_sample(a, b, sample, border) / eps;
+    verdict.distance.*part = std::max(verdict.distance.*part, distance);
+    verdict.may_jump = verdict.may_jump || (normals_count && !is_small_arc(a, b, sample));
+    if (!normals_count) return;
+    verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (lattice_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
+    judge(corner[k], corner[(k + 1) % 4], side[k], is_on_border(leaf, k),
+          k % 2 == 0 ? &Scores::along_u : &Scores::along_v);
+  }
+  const std::size_t first = cut_from(corner);
+  judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
+  verdict.is_folded = normals_count && has_opposed(corner);
+  if (normals_count && spread(corner) > kMaxSpread) {
+    const double u = turn(corner[0], corner[1]) + turn(corner[3], corner[2]);
+    const double v = turn(corner[0], corner[3]) + turn(corner[1], corner[2]);
+    double& along = u >= v ? verdict.turn.along_u : verdict.turn.along_v;
+    along = std::max(along, 2.0);
+  }
+  return verdict;
+}
+
+bool Judge::splits_u(const Scores& scores, const Samples& samples) const {
+  const auto& corner = samples.corner;
+  // A twisted leaf has straight sides; its longer ones are halved.
+  constexpr double kStraight = 0.1;
+  if (std::max(scores.along_u, scores.along_v) > kStraight * scores.centre) {
+    return scores.along_u >= scores.along_v;
+  }
+  const auto length = [&](std::size_t a, std::size_t b) {
+    return glm::distance(mesh_.position[corner[a]], mesh_.position[corner[b]]);
+  };
+  return length(0, 1) + length(3, 2) >= length(0, 3) + length(1, 2);
+}
+
+bool Judge::splits_rim_u(const Leaf& leaf, const Samples& samples) const {
+  const auto& [corner, side, centre] = samples;
+  const auto changes = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return (lattice_.is_defined(a) != lattice_.is_defined(b) ? 1 : 0) +
+           (lattice_.is_defined(b) != lattice_.is_defined(c) ? 1 : 0);
+  };
+  const int along_u = changes(corner[0], side[0], corner[1]) + changes(side[3], centre, side[1]) +
+                      changes(corner[3], side[2], corner[2]);
+  const int along_v = changes(corner[0], side[3], corner[3]) + changes(side[0], centre, side[2]) +
+                      changes(corner[1], side[1], corner[2]);
+  return along_u != along_v ? along_u > along_v : leaf.size_u() >= leaf.size_v();
+}
+
+bool Judge::is_clipped(const Samples& samples) const {
+  if (!options_.clip) return false;
+  std::vector<dvec3> positions;
+  const auto add = [&](std::uint32_t vertex) {
+    if (lattice_.is_defined(vertex)) positions.push_back(mesh_.position[vertex]);
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    add(samples.corner[k]);
+    add(samples.side[k]);
+  }
+  add(samples.centre);
+  return is_beyond(*options_.clip, positions);
+}
+
+double Judge::diameter(const Corners& corner) const {
+  const auto& p = mesh_.position;
+  return std::max(glm::distance(p[corner[0]], p[corner[2]]),
+                  glm::distance(p[corner[1]], p[corner[3]]));
+}
+
+bool Judge::is_on_border(const Leaf& leaf, std::size_t side) const {
+  switch (side) {
+    case 0:
+      return leaf.low.v == 0;
+    case 1:
+      return leaf.high.u == grid_.cells_u * kCellUnit;
+    case 2:
+      return leaf.high.v == grid_.cells_v * kCellUnit;
+    default:
+      return leaf.low.u == 0;
+  }
+}
+
+double Judge::turn(std::uint32_t a, std::uint32_t b) const {
+  if (!is_regular(a) || !is_regular(b)) return 0;
+  return turn_of_line(degrees_between(mesh_.normal[a], mesh_.normal[b]));
+}
+
+bool Judge::has_opposed(const Corners& corner) const {
+  const auto& n = mesh_.normal;
+  // The products with a normal of no direction, which is zero, are not negative.
+  for (std::size_t k = 1; k < 4; ++k) {
+    if (glm::dot(n[corner[0]], n[corner[k]]) < 0) return true;
+  }
+  return glm::dot(n[corner[1]], n[corner[3]]) < 0;
+}
+
+double Judge::spread(const Corners& corner) const {
+  double largest = 0;
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = a + 1; b < 4; ++b) largest = std::max(largest, turn(corner[a], corner[b]));
+  }
+  return largest;
+}
+
+bool Judge::is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
+  const dvec3 chord = mesh_.position[b] - mesh_.position[a];
+  const dvec3 off = mesh_.position[sample] - 0.5 * (mesh_.position[a] + mesh_.position[b]);
+  return glm::length(off) <= kSmallArc * glm::length(chord);
+}
+
+/// The distance of a sample from the chord of a and b, which would be an edge of the mesh: along
+/// the normal, since the triangles go on beside the edge; at the domain's border in any direction.
+double Judge::distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
+                                 bool border) const {
+  const dvec3 chord = mesh_.position[b] - mesh_.position[a];
+  const dvec3 off = mesh_.position[sample] - 0.5 * (mesh_.position[a] + mesh_.position[b]);
+  const double length = glm::length(chord);
+  if (!is_small_arc(a, b, sample)) {
+    // A steep front within a cell is near the chord, though far from its middle.
+    const double share = length > 0 ? glm::dot(off, chord) / (length * length) : 0;
+    return glm::length(off - std::clamp(share, -0.5, 0.5) * chord);
+  }
+  if (!border && is_regular(sample)) return std::fabs(glm::dot(off, mesh_.normal[sample]));
+  const dvec3 along = length > 0 ? chord / length : dvec3(0);
+  return glm::length(off - glm::dot(off, along) * along);
+}
+
+/// The corner that the diagonal starts from along which the cell would be cut: 0 or 1.
+std::size_t Judge::cut_from(const Corners& corner) const {
+  const auto arc = [&](std::size_t a, std::size_t b) {
+    return sagitta(mesh_.position[corner[a]], mesh_.normal[corner[a]], mesh_.position[corner[b]],
+                   mesh_.normal[corner[b]]);
+  };
+  return is_smaller(arc(1, 3), arc(0, 2)) ? 1 : 0;
+}
+
+double Judge::normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
+  if (!is_regular(a) || !is_regular(b) || !is_regular(sample)) return 0;
+  const dvec3 sum = mesh_.normal[a] + mesh_.normal[b];
+  const double share =
+      turn_of_line(degrees_between(sum, mesh_.normal[sample])) / options_.normal_tolerance;
+  return share * share;
+}
+
+}  // namespace saddle

@@ -1,0 +1,87 @@
+// How good a leaf of a refined grid is as it stands: from the middles of its sides and its centre.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "mesh/lattice.h"
+#include "mesh/refine.h"
+
+namespace saddle {
+
+/// How bad a leaf is along u, along v and at its centre; 1 is just good enough. Errors fall with
+/// the square of a leaf's size and angles with the size itself: the square of an angle's share is
+/// comparable.
+struct Scores {
+  double along_u = 0;
+  double along_v = 0;
+  double centre = 0;
+  double worst() const { return std::max({along_u, along_v, centre}); }
+};
+
+/// The scores of distances and of normals.
+struct Verdict {
+  Scores distance;
+  Scores turn;
+  bool is_folded = false;  ///< the normals at two corners face opposite ways
+  bool may_jump = false;   ///< a sample is far from the middle of its chord
+};
+
+inline Scores worse(const Scores& a, const Scores& b) {
+  return {std::max(a.along_u, b.along_u), std::max(a.along_v, b.along_v),
+          std::max(a.centre, b.centre)};
+}
+
+/// A leaf and the vertices that it is judged by.
+struct Samples {
+  std::array<std::uint32_t, 4> corner;
+  std::array<std::uint32_t, 4> side;
+  std::uint32_t centre;
+};
+
+/// Asks the lattice for them.
+Samples request_samples(const Leaf& leaf, Lattice& lattice);
+
+/// How many of the nine samples are defined.
+int count_defined(const Lattice& lattice, const Samples& samples);
+
+class Judge {
+ public:
+  Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
+      : options_(options), grid_(grid), mesh_(grid.mesh), lattice_(lattice) {}
+
+  /// Of a leaf all of whose samples are defined.
+  Verdict score(const Leaf& leaf, const Samples& samples) const;
+
+  /// Which way to halve a leaf that failed.
+  bool splits_u(const Scores& scores, const Samples& samples) const;
+
+  /// Which way to halve a leaf that the rim crosses: the one along which samples cease to be
+  /// defined more often, so that halves are on one side of it; else the longer one.
+  bool splits_rim_u(const Leaf& leaf, const Samples& samples) const;
+
+  /// Whether nothing of a leaf will be left; samples that are not defined do not count.
+  bool is_clipped(const Samples& samples) const;
+
+ private:
+  using Corners = std::array<std::uint32_t, 4>;
+
+  double diameter(const Corners& corner) const;
+  bool is_on_border(const Leaf& leaf, std::size_t side) const;
+  bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
+  double turn(std::uint32_t a, std::uint32_t b) const;
+  bool has_opposed(const Corners& corner) const;
+  double spread(const Corners& corner) const;
+  bool is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
+  double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
+                            bool border) const;
+  std::size_t cut_from(const Corners& corner) const;
+  double normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
+
+  const RefineOptions& options_;
+  const Grid& grid_;
+  const Mesh& mesh_;
+  const Lattice& lattice_;
+};
+
+}  // namespace saddle
