@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -74,6 +75,17 @@ GridMesh mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surfa
   return result;
 }
 
+/// The box, open in the coordinates in which the surface does not leave it on its way to its poles.
+Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
+  constexpr double kNoFace = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    if (beside_poles.low[k] < box.low[k] || beside_poles.high[k] > box.high[k]) continue;
+    box.low[k] = -kNoFace;
+    box.high[k] = kNoFace;
+  }
+  return box;
+}
+
 /// The mesh that --samples asks for, or the one with the fewest triangles that keeps the tolerance.
 GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Surface& surface, unsigned threads) {
@@ -92,9 +104,10 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     options.threads = threads;
     auto mesh = mesh_within_tolerance(surface, options);
     if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
-      options.clip = box;  // which only a mesh tells that it needs
+      // Only a mesh tells that it needs the box, and in which coordinates.
+      options.clip = open_where_it_stays(box, mesh->report.beside_poles);
       if (auto clipped = mesh_within_tolerance(surface, options)) mesh = std::move(clipped);
-      mesh->report.clip = box;
+      mesh->report.clip = options.clip;
     }
     if (mesh) return std::move(*mesh);
   }

@@ -22,6 +22,8 @@ constexpr ToleranceValue kMeshTolerance = {1e-3, false};
 constexpr double kNearest = 0.05;
 /// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
 constexpr double kFarOut = 3;
+/// A surface may go beyond its samples by this part of their extent without being clipped.
+constexpr double kBeyondProbe = 0.1;
 
 std::vector<ToleranceValue> asked(const Scene& scene, const Purpose& purpose) {
   if (scene.mesh.tolerance) return {*scene.mesh.tolerance};
@@ -86,17 +88,15 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
 }
 
 Bounds clip_box(const Probe& probe) {
-  constexpr double kNoFace = std::numeric_limits<double>::infinity();
-  const Bounds robust = probe.robust_bounds();
   Bounds box;
+  const Bounds robust = probe.robust_bounds();
+  const dvec3 size = probe.bounds().size();
   for (int k = 0; k < 3; ++k) {
-    if (probe.bounds().size()[k] > kFarOut * robust.size()[k]) {
-      box.low[k] = robust.low[k];
-      box.high[k] = robust.high[k];
-    } else {
-      box.low[k] = -kNoFace;
-      box.high[k] = kNoFace;
-    }
+    const bool is_far_out = size[k] > kFarOut * robust.size()[k];
+    const Bounds& most = is_far_out ? robust : probe.bounds();
+    const double margin = is_far_out ? 0 : kBeyondProbe * size[k];
+    box.low[k] = most.low[k] - margin;
+    box.high[k] = most.high[k] + margin;
   }
   return box;
 }

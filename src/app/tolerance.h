@@ -19,8 +19,8 @@ struct Purpose {
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
 
-/// The box that a surface which goes to infinity is clipped to: in each coordinate the robust
-/// bounds, if the samples go far beyond.
+/// The box that a surface which goes to infinity is clipped to: in each coordinate the bounds of
+/// its samples, or the robust ones, if the samples go far beyond.
 Bounds clip_box(const Probe& probe);
 
 /// The same for a mesh that knows only its box, as a share of the box's diagonal, which the

@@ -12,6 +12,7 @@
 #include "mesh/crossings.h"
 #include "mesh/degenerate.h"
 #include "mesh/joins.h"
+#include "mesh/judge.h"
 #include "mesh/leaf_mesh.h"
 #include "mesh/measure.h"
 #include "mesh/refine.h"
@@ -143,6 +144,7 @@ class Mesher {
         grid_(sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads)),
         seams_(weld_if_two_dimensional()),
         lattice_(surface, grid_, options.threads),
+        judge_(refining_, grid_, lattice_),
         verifier_(surface, grid_, lattice_, options.threads) {}
 
   /// Refines until tests, fresh samples and bounds find nothing more. False if no cell of the root
@@ -247,6 +249,7 @@ class Mesher {
         return;
       case Cut::Pole:
         ++report.pole_count;
+        report.beside_poles.add(grid_.mesh.position[crossing.beside_first]);
         if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
         return;
       case Cut::Crease:
@@ -375,13 +378,23 @@ class Mesher {
 
   /// Halves of the leaves that deviate too much.
   std::vector<Leaf> take_failed() {
-    return take_out([this](std::size_t k) -> std::vector<Leaf> {
+    Oscillation oscillation(grid_);
+    const auto off = [this](std::size_t k) {
+      return mesh_.deviations[k].distance / tolerance_of(mesh_.leaves[k]);
+    };
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      oscillation.add(mesh_.leaves[k], off(k), lattice_);
+    }
+    return take_out([&](std::size_t k) -> std::vector<Leaf> {
       const Leaf& leaf = mesh_.leaves[k];
+      if (oscillation.contains(leaf, lattice_)) return {};
       const double too_much = excess(mesh_.deviations[k], tolerance_of(leaf),
                                      options_.normal_tolerance, diameter(leaf));
       if (!(too_much > 1) || leaf.given_up || is_clipped(leaf) || is_full()) return {};
       // The leaf's longer way: what the tests along its sides did not see, they see at half.
-      auto halves = halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_);
+      const bool across_u = leaf.on_rim ? judge_.splits_rim_u(leaf, request_samples(leaf, lattice_))
+                                        : leaf.size_u() >= leaf.size_v();
+      auto halves = halve(leaf, across_u, lattice_);
       if (!halves) return {};
       for (Leaf& half : *halves) {
         half.strictness *= static_cast<float>(std::min(too_much, kMostStrict));
@@ -428,6 +441,7 @@ class Mesher {
   Grid grid_;
   Seams seams_;
   Lattice lattice_;
+  Judge judge_;
   Verifier verifier_;
   Measured mesh_;
   bool reached_limit_ = false;

@@ -121,7 +121,11 @@ class Finder {
           jumps.push_back(found[k]);
           break;
         case Break::Pole:
-          if (options_.poles) add_pole(sides[k], found[k]);
+          if (options_.poles) {
+            add_pole(sides[k], found[k]);
+          } else {
+            lattice_.set_leads_to_pole(sides[k][0], sides[k][1]);
+          }
       }
     }
     add_pairs(Cut::Jump, jumping, jumps);

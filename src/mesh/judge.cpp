@@ -47,7 +47,10 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
                          double Scores::*part) {
     const double distance = distance_of_sample(a, b, sample, border) / eps;
     verdict.distance.*part = std::max(verdict.distance.*part, distance);
-    verdict.may_jump = verdict.may_jump || (normals_count && !is_small_arc(a, b, sample));
+    const bool is_small = is_small_arc(a, b, sample);
+    const double gap = is_small ? distance : distance_of_middle(a, b, sample) / eps;
+    verdict.gap.*part = std::max(verdict.gap.*part, gap);
+    verdict.may_jump = verdict.may_jump || (normals_count && !is_small);
     if (!normals_count) return;
     verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
   };
@@ -149,10 +152,14 @@ double Judge::spread(const Corners& corner) const {
   return largest;
 }
 
+double Judge::distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
+  const dvec3 middle = 0.5 * (mesh_.position[a] + mesh_.position[b]);
+  return glm::distance(mesh_.position[sample], middle);
+}
+
 bool Judge::is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
-  const dvec3 chord = mesh_.position[b] - mesh_.position[a];
-  const dvec3 off = mesh_.position[sample] - 0.5 * (mesh_.position[a] + mesh_.position[b]);
-  return glm::length(off) <= kSmallArc * glm::length(chord);
+  const double chord = glm::distance(mesh_.position[a], mesh_.position[b]);
+  return distance_of_middle(a, b, sample) <= kSmallArc * chord;
 }
 
 /// The distance of a sample from the chord of a and b, which would be an edge of the mesh: along

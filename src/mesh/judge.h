@@ -22,6 +22,7 @@ struct Scores {
 /// The scores of distances and of normals.
 struct Verdict {
   Scores distance;
+  Scores gap;  ///< distances from the middles of chords: of a wall, its height
   Scores turn;
   bool is_folded = false;  ///< the normals at two corners face opposite ways
   bool may_jump = false;   ///< a sample is far from the middle of its chord
@@ -72,6 +73,7 @@ class Judge {
   double turn(std::uint32_t a, std::uint32_t b) const;
   bool has_opposed(const Corners& corner) const;
   double spread(const Corners& corner) const;
+  double distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   bool is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
                             bool border) const;

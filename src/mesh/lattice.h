@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "mesh/grid.h"
@@ -31,6 +32,7 @@ struct Leaf {
   std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals
   bool is_split = false;            ///< a jump, a pole or a crease goes through it
+  bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
   bool given_up = false;            ///< halving does not help, or is not allowed
   float known_error = 0;            ///< what its tests found, in tolerances
   float strictness = 1;  ///< how much worse fresh samples found an ancestor than its tests had
@@ -127,6 +129,11 @@ class Lattice {
   bool is_searched(std::uint32_t a, std::uint32_t b) const { return sides_.contains(key(a, b)); }
   /// Files what was found, or that nothing was.
   void set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing);
+  /// A side across which the surface goes to infinity, and that is not cut yet.
+  bool leads_to_pole(std::uint32_t a, std::uint32_t b) const {
+    return !pole_sides_.empty() && pole_sides_.contains(key(a, b));
+  }
+  void set_leads_to_pole(std::uint32_t a, std::uint32_t b) { pole_sides_.insert(key(a, b)); }
   bool has_crossings() const { return has_crossings_; }
   /// The sides that are cut, by their ends.
   std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
@@ -202,6 +209,7 @@ class Lattice {
   std::vector<std::uint8_t> defined_;
   std::unordered_map<std::uint64_t, std::optional<Crossing>> sides_;  // by their ends
   std::unordered_map<std::uint32_t, dvec2> places_between_;
+  std::unordered_set<std::uint64_t> pole_sides_;
   bool has_crossings_ = false;
   std::size_t used_count_;
   std::size_t evaluated_;  // vertices that have been computed

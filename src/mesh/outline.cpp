@@ -197,6 +197,7 @@ CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
   CutCount count;
   for (const Side& side : sides_of(leaf, lattice)) {
     const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
+    count.leads_to_pole = count.leads_to_pole || lattice.leads_to_pole(side[0], side[1]);
     if (!crossing) continue;
     ++count.crossings;
     if (crossing->kind != Cut::Crease) count.only_creases = false;

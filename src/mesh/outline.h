@@ -50,7 +50,8 @@ bool has_pole(const Leaf& leaf, const Lattice& lattice);
 struct CutCount {
   std::size_t crossings = 0;
   std::size_t singular_points = 0;
-  bool only_creases = true;  ///< of the crossings
+  bool only_creases = true;    ///< of the crossings
+  bool leads_to_pole = false;  ///< across a side that is not cut
 
   /// Whether pieces() cuts a leaf that is split into two.
   bool is_through() const {

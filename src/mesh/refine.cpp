@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "mesh/crossings.h"
 #include "mesh/judge.h"
@@ -24,12 +23,12 @@ constexpr std::uint8_t kMaxTurnedInVain = 12;
 /// for jumps and creases. A leaf halved the wrong way once is no better for it, either.
 constexpr std::uint8_t kLookAfter = 3;
 constexpr std::uint8_t kLookAfterTurned = 2;
-/// Where a large part of a root cell is still so far off although its leaves are no wider than this
-/// share of the range, half a pixel of a large picture, the surface oscillates faster than any
-/// picture shows: they are halved no further.
+/// A leaf that is off by so many tolerances although it is no wider than this share of a range,
+/// half a pixel of a large picture, is hopeless; an oscillation, if such leaves cover this share of
+/// a root cell.
 constexpr double kHopeless = 16;
-constexpr double kOscillatingShare = 0.25;
 constexpr double kNarrow = 1.0 / 2048;
+constexpr double kOscillatingShare = 0.25;
 /// Halvings of a root cell that the rim crosses, to begin with, and of one in which a cut is more
 /// than one line, at most.
 constexpr int kRimHalvings = 4;
@@ -62,7 +61,11 @@ struct Judged {
 class Refiner {
  public:
   Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
-      : options_(options), grid_(grid), lattice_(lattice), judge_(options, grid, lattice) {}
+      : options_(options),
+        grid_(grid),
+        lattice_(lattice),
+        judge_(options, grid, lattice),
+        oscillation_(grid) {}
 
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
@@ -71,7 +74,7 @@ class Refiner {
     for (const Candidate& c : candidates) samples.push_back(request_samples(c.leaf, lattice_));
     lattice_.evaluate(options_.threads);
     next_.clear();
-    hopeless_.clear();
+    oscillation_.clear();
     std::vector<Judged> rims;
     std::vector<Judged> doubtful;
     std::vector<Judged> others;
@@ -84,7 +87,7 @@ class Refiner {
       }
       const Judged judged = judge(candidates[k], samples[k]);
       const Leaf& leaf = judged.candidate.leaf;
-      if (is_hopeless(judged)) hopeless_[root_cell(leaf)] += area(leaf);
+      oscillation_.add(leaf, judged.verdict.distance.worst(), lattice_);
       const bool is_open = judged.verdict.is_folded || judged.verdict.may_jump || is_doubtful(leaf);
       (is_open ? doubtful : others).push_back(judged);
     }
@@ -166,6 +169,7 @@ class Refiner {
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
       Leaf& leaf = doubtful[k].candidate.leaf;
       const CutCount cuts = count_cuts(leaf, lattice_);
+      leaf.leads_to_pole = cuts.leads_to_pole;
       is_through[k] = cuts.is_through();
       leaf.is_split = cuts.crossings > 0 || (doubtful[k].verdict.is_folded && is_through[k]);
     }
@@ -196,7 +200,8 @@ class Refiner {
   /// Keeps a leaf, or goes on with its halves.
   void settle(const Judged& judged) {
     Leaf leaf = judged.candidate.leaf;
-    const Verdict& verdict = judged.verdict;
+    Verdict verdict = judged.verdict;
+    if (leaf.leads_to_pole) verdict.distance = verdict.gap;
     const double distance = verdict.distance.worst() * leaf.strictness;
     const double turn = verdict.turn.worst() * leaf.strictness;
     const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain;
@@ -209,7 +214,8 @@ class Refiner {
                             : !is_far  ? verdict.turn
                                        : worse(verdict.distance, verdict.turn);
       const bool across_u = judge_.splits_u(scores, judged.samples);
-      if (!full && !oscillates(judged)) halves = halve(leaf, across_u, lattice_);
+      const bool oscillates = oscillation_.contains(leaf, lattice_);
+      if (!full && !oscillates) halves = halve(leaf, across_u, lattice_);
     }
     if (!halves) {
       leaf.given_up = distance > 1 || turn > 1;
@@ -220,42 +226,40 @@ class Refiner {
     for (const Leaf& half : *halves) next_.push_back({half, distance, turn});
   }
 
-  std::size_t root_cell(const Leaf& leaf) const {
-    return grid_.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
-  }
-
-  /// In root cells.
-  static double area(const Leaf& leaf) {
-    return static_cast<double>(leaf.size_u()) / kCellUnit * leaf.size_v() / kCellUnit;
-  }
-
-  /// Whether a leaf is narrow along the way that it would be halved, and far off.
-  bool is_hopeless(const Judged& judged) const {
-    const Scores& scores = judged.verdict.distance;
-    if (!(scores.worst() > kHopeless)) return false;
-    const Leaf& leaf = judged.candidate.leaf;
-    const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
-    const double share = judge_.splits_u(scores, judged.samples)
-                             ? size.x / (grid_.u.back() - grid_.u.front())
-                             : size.y / (grid_.v.back() - grid_.v.front());
-    return share <= kNarrow;
-  }
-
-  bool oscillates(const Judged& judged) const {
-    const auto found = hopeless_.find(root_cell(judged.candidate.leaf));
-    return found != hopeless_.end() && found->second > kOscillatingShare && is_hopeless(judged);
-  }
-
   const RefineOptions& options_;
   const Grid& grid_;
   Lattice& lattice_;
   Judge judge_;
   std::vector<Candidate> next_;
-  std::unordered_map<std::size_t, double> hopeless_;  // areas of this generation, by root cell
+  Oscillation oscillation_;  // of this generation
   Refinement result_;
 };
 
 }  // namespace
+
+void Oscillation::add(const Leaf& leaf, double distance, const Lattice& lattice) {
+  if (!(distance > kHopeless) || !is_narrow(leaf, lattice)) return;
+  const double area = static_cast<double>(leaf.size_u()) / kCellUnit * leaf.size_v() / kCellUnit;
+  areas_[root_cell(leaf)] += area;
+}
+
+bool Oscillation::contains(const Leaf& leaf, const Lattice& lattice) const {
+  if (areas_.empty()) return false;
+  const auto found = areas_.find(root_cell(leaf));
+  return found != areas_.end() && found->second > kOscillatingShare && is_narrow(leaf, lattice);
+}
+
+// A leaf that is narrow in one direction would be halved in the other as well, whenever its samples
+// happen to be alike.
+bool Oscillation::is_narrow(const Leaf& leaf, const Lattice& lattice) const {
+  const dvec2 size = lattice.parameters(leaf.high) - lattice.parameters(leaf.low);
+  const dvec2 range(grid_.u.back() - grid_.u.front(), grid_.v.back() - grid_.v.front());
+  return std::min(size.x / range.x, size.y / range.y) <= kNarrow;
+}
+
+std::size_t Oscillation::root_cell(const Leaf& leaf) const {
+  return grid_.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
+}
 
 std::vector<Leaf> root_leaves(const Grid& grid) {
   std::vector<Leaf> leaves;
