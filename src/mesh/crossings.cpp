@@ -138,8 +138,8 @@ class Finder {
       return !lattice_.is_regular(side[0]) || !lattice_.is_regular(side[1]);
     });
     if (sides.empty()) return;
-    std::vector<Line> lines;
-    for (const Side& side : sides) lines.push_back(line(side));
+    std::vector<Line> lines(sides.size());
+    std::ranges::transform(sides, lines.begin(), [&](const Side& side) { return line(side); });
     const auto found = find_creases(lattice_.surface(), lines, options_.threads);
     std::vector<Side> creased;
     std::vector<Found> creases;

@@ -79,7 +79,7 @@ struct MeshReport {
   std::size_t singular_point_count = 0;
   std::vector<dvec2> poles;  ///< where the surface goes to infinity and was cut, at most 1000
   std::size_t pole_count = 0;
-  Bounds beside_poles;  ///< a box around the last points before them, as far as doubles go
+  Bounds beside_poles;       ///< a box around the last points before them, as far as doubles go
   std::vector<dvec2> jumps;  ///< the same where it jumps
   std::size_t jump_count = 0;
   std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles
