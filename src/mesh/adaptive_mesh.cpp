@@ -182,7 +182,9 @@ class Mesher {
     }
     if (triangles.all.empty()) return std::nullopt;
     report.undefined_fraction = undefined_fraction(triangles);
-    report.flat_triangles = triangles.expected - triangles.all.size();
+    // A polygon that meets itself at a pole may have more triangles than it has corners for.
+    report.flat_triangles =
+        std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
     report.cells = leaves.size();
     report.reached_limit = report.reached_limit || reached_limit_;
     report.certified = certified_ && !reached_limit_;

@@ -130,7 +130,8 @@ class Cutter {
       return lattice_.mesh().point[c.corner] == point;
     };
     const auto elsewhere = std::ranges::find_if_not(polygon, is_there);
-    std::rotate(polygon.begin(), elsewhere, polygon.end());  // what is there is now inside or at the end
+    // What is there is then inside or at the end.
+    std::rotate(polygon.begin(), elsewhere, polygon.end());
     const auto end = std::find_if(polygon.rbegin(), polygon.rend(), is_there).base();
     std::rotate(polygon.begin(), end, polygon.end());
     polygon.insert(polygon.begin(), polygon.back());
