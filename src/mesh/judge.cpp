@@ -1,6 +1,7 @@
 #include "mesh/judge.h"
 
 #include <cmath>
+#include <span>
 
 #include "mesh/clip.h"
 #include "mesh/triangulate.h"
@@ -97,8 +98,7 @@ bool Judge::splits_rim_u(const Leaf& leaf, const Samples& samples) const {
   return along_u != along_v ? along_u > along_v : leaf.size_u() >= leaf.size_v();
 }
 
-bool Judge::is_clipped(const Samples& samples) const {
-  if (!options_.clip) return false;
+std::vector<dvec3> Judge::defined_positions(const Samples& samples) const {
   std::vector<dvec3> positions;
   const auto add = [&](std::uint32_t vertex) {
     if (lattice_.is_defined(vertex)) positions.push_back(mesh_.position[vertex]);
@@ -108,7 +108,18 @@ bool Judge::is_clipped(const Samples& samples) const {
     add(samples.side[k]);
   }
   add(samples.centre);
-  return is_beyond(*options_.clip, positions);
+  return positions;
+}
+
+bool Judge::is_clipped(const Samples& samples) const {
+  return options_.clip && is_beyond(*options_.clip, defined_positions(samples));
+}
+
+bool Judge::is_outside(const Samples& samples) const {
+  return options_.clip &&
+         std::ranges::all_of(defined_positions(samples), [&](const dvec3& position) {
+           return is_beyond(*options_.clip, std::span(&position, 1));
+         });
 }
 
 double Judge::diameter(const Corners& corner) const {

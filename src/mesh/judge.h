@@ -64,9 +64,14 @@ class Judge {
   /// Whether nothing of a leaf will be left; samples that are not defined do not count.
   bool is_clipped(const Samples& samples) const;
 
+  /// Whether all samples are clipped, if not by the same face: nothing will be left of a leaf that
+  /// a pole goes through.
+  bool is_outside(const Samples& samples) const;
+
  private:
   using Corners = std::array<std::uint32_t, 4>;
 
+  std::vector<dvec3> defined_positions(const Samples& samples) const;
   double diameter(const Corners& corner) const;
   bool is_on_border(const Leaf& leaf, std::size_t side) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }

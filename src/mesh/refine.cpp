@@ -124,7 +124,7 @@ class Refiner {
     std::vector<Leaf> fine;
     for (const Judged& rim : rims) {
       const bool is_fine = halvings(rim.candidate.leaf) >= kRimHalvings;
-      if (is_fine && options_.clip && !judge_.is_clipped(rim.samples))
+      if (is_fine && options_.clip && !judge_.is_outside(rim.samples))
         fine.push_back(rim.candidate.leaf);
     }
     look_at(fine);
@@ -132,7 +132,7 @@ class Refiner {
       Leaf leaf = rim.candidate.leaf;
       leaf.on_rim = true;
       const bool goes_far =
-          options_.clip && !judge_.is_clipped(rim.samples) && has_pole(leaf, lattice_);
+          options_.clip && !judge_.is_outside(rim.samples) && has_pole(leaf, lattice_);
       judge_cut(rim, leaf, judge_.splits_rim_u(leaf, rim.samples),
                 goes_far ? kMostCutHalvings : kRimHalvings);
     }
@@ -190,6 +190,7 @@ class Refiner {
     if (judge_.is_clipped(samples)) return judged;
     Leaf& leaf = judged.candidate.leaf;
     judged.verdict = judge_.score(leaf, samples);
+    if (leaf.leads_to_pole) judged.verdict.distance = judged.verdict.gap;
     const double distance = judged.verdict.distance.worst() * leaf.strictness;
     const double turn = judged.verdict.turn.worst() * leaf.strictness;
     leaf.in_vain = count_in_vain(leaf.in_vain, distance, candidate.parent_distance);
@@ -204,8 +205,11 @@ class Refiner {
     if (leaf.leads_to_pole) verdict.distance = verdict.gap;
     const double distance = verdict.distance.worst() * leaf.strictness;
     const double turn = verdict.turn.worst() * leaf.strictness;
-    const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain;
-    const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain;
+    // Toward a pole errors grow as leaves shrink: there is always more to do.
+    const bool is_cut_off = leaf.leads_to_pole && (halvings(leaf) >= kMostCutHalvings ||
+                                                   judge_.is_outside(judged.samples));
+    const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain && !is_cut_off;
+    const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain && !is_cut_off;
     std::optional<std::array<Leaf, 2>> halves;
     if (is_far || is_turned) {
       const bool full = lattice_.is_full(options_.max_triangles);

@@ -348,6 +348,17 @@ TEST(AdaptiveMesh, GoesToInfinityAtARimWithoutEndlessWork) {
   EXPECT_LT(result.mesh.triangles.size(), 100'000U);
 }
 
+TEST(AdaptiveMesh, ApproachesCurvedPolesWithoutEndlessWork) {
+  for (const char* z : {"1/(u-v)", "1/(u^2+v^2-0.5)"}) {
+    const Case pole = {"pole", "u", "v", z, {-1, 1, -1, 1}};
+    AdaptiveOptions options = share_of_diagonal(1e-3, 3);
+    options.clip = Bounds{dvec3(-2, -2, -9), dvec3(2, 2, 9)};
+    const GridMesh result = mesh_within_tolerance(surface_of(pole), options).value();
+    EXPECT_GT(result.report.pole_count, 0U) << z;
+    EXPECT_LT(result.mesh.triangles.size(), 50'000U) << z;
+  }
+}
+
 TEST(AdaptiveMesh, StopsWhereASurfaceOscillatesFasterThanAnyPictureShows) {
   const Case wild = {"wild", "u", "v", "sin(1/u)", {-1, 1, -1, 1}};
   const GridMesh result = mesh_of(wild, 1e-3);
