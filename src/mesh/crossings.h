@@ -18,7 +18,7 @@ struct CrossingOptions {
 /// Looks at sides and files in the lattice what is found.
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);
 
-/// Looks at the sides of a leaf that have not been looked at.
+/// The sides of a leaf that have not been looked at.
 std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice);
 
 /// Looks at all sides of leaves that are on the rim, or that a crossing leads into, so that what is

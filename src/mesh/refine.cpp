@@ -170,6 +170,7 @@ class Refiner {
       Leaf& leaf = doubtful[k].candidate.leaf;
       const CutCount cuts = count_cuts(leaf, lattice_);
       leaf.leads_to_pole = cuts.leads_to_pole;
+      if (leaf.leads_to_pole) doubtful[k].verdict.distance = doubtful[k].verdict.gap;
       is_through[k] = cuts.is_through();
       leaf.is_split = cuts.crossings > 0 || (doubtful[k].verdict.is_folded && is_through[k]);
     }
@@ -201,8 +202,7 @@ class Refiner {
   /// Keeps a leaf, or goes on with its halves.
   void settle(const Judged& judged) {
     Leaf leaf = judged.candidate.leaf;
-    Verdict verdict = judged.verdict;
-    if (leaf.leads_to_pole) verdict.distance = verdict.gap;
+    const Verdict& verdict = judged.verdict;
     const double distance = verdict.distance.worst() * leaf.strictness;
     const double turn = verdict.turn.worst() * leaf.strictness;
     // Toward a pole errors grow as leaves shrink: there is always more to do.

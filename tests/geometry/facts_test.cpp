@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "geometry/gallery_samples.h"
-#include "mesh/adaptive_mesh.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -15,13 +14,7 @@ namespace {
 
 Facts facts_of(const Scene& scene) {
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
-  AdaptiveOptions options;
-  options.clip = scene.clip.box;
-  options.tolerance = [](const Probe& probe) -> Tolerance {
-    const double eps = 1e-3 * probe.bounds().diagonal();
-    return [eps](const dvec3&) { return eps; };
-  };
-  const GridMesh mesh = mesh_within_tolerance(surface, options).value();
+  const GridMesh mesh = mesh_of(surface, scene, 1e-3);
   return gather_facts(surface, mesh.mesh, mesh.report, scene.clip.box.has_value(), 1);
 }
 

@@ -1,4 +1,4 @@
-// Points of gallery surfaces, for the tests about them.
+// Points and meshes of gallery surfaces, for the tests about them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/adaptive_mesh.h"
 #include "scene/assignments.h"
 #include "scene/gallery.h"
 #include "scene/prepare.h"
@@ -21,6 +22,18 @@ inline Scene scene_of(const std::string& name, const std::vector<std::string>& o
   Scene scene = gallery_scene(*entry);
   for (const std::string& text : overrides) override_assignment(scene, text);
   return scene;
+}
+
+/// Its adaptive mesh within a share of the diagonal, clipped to the scene's box. `surface`: of
+/// second order.
+inline GridMesh mesh_of(const Surface& surface, const Scene& scene, double share) {
+  AdaptiveOptions options;
+  options.clip = scene.clip.box;
+  options.tolerance = [share](const Probe& probe) -> Tolerance {
+    const double eps = share * probe.bounds().diagonal();
+    return [eps](const dvec3&) { return eps; };
+  };
+  return mesh_within_tolerance(surface, options).value();
 }
 
 inline std::vector<double> spread(double low, double high, int count) {

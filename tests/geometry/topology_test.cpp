@@ -7,20 +7,13 @@
 #include <vector>
 
 #include "geometry/gallery_samples.h"
-#include "mesh/adaptive_mesh.h"
 
 namespace saddle {
 namespace {
 
 GridMesh mesh_of(const Scene& scene) {
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
-  AdaptiveOptions options;
-  options.clip = scene.clip.box;
-  options.tolerance = [](const Probe& probe) -> Tolerance {
-    const double eps = 3e-3 * probe.bounds().diagonal();
-    return [eps](const dvec3&) { return eps; };
-  };
-  return mesh_within_tolerance(surface, options).value();
+  return mesh_of(surface, scene, 3e-3);
 }
 
 struct Expected {
