@@ -22,6 +22,6 @@ function(add_kernel file function)
 endfunction()
 
 add_kernel(eval/kernel_loops.cpp kernels sse2 sse2_without_fma avx2 avx512)
-add_kernel(eval/interleave_loops.cpp interleave sse2 avx2 avx512)
+add_kernel(eval/vector_loops.cpp vectors sse2 avx2 avx512)
 add_kernel(mesh/cut_cells.cpp cut_cells sse2 avx2 avx512)
 target_link_libraries(saddle_kernels INTERFACE ${SADDLE_SLEEF})

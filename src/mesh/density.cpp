@@ -194,18 +194,21 @@ Probe::Probe(const Surface& surface, unsigned threads)
 }
 
 void Probe::sample_inside(const Surface& surface, unsigned threads) {
-  const GridColumns first(surface.normals, u_, v_, threads);
+  const NormalColumns first = evaluate_normals_on_grid(surface, u_, v_, threads);
+  const auto vector = [&first](std::size_t column, std::size_t i) {
+    return dvec3(first[column][i], first[column + 1][i], first[column + 2][i]);
+  };
   const GridColumns second(surface.curvatures, u_, v_, threads);
   evaluations_ += u_.size() * v_.size();
   for (std::size_t i = 0; i < u_.size() * v_.size(); ++i) {
-    const dvec3 normal = first.vector(3, i);
+    const dvec3 normal = vector(kNormalColumn, i);
     Sample sample{};
-    sample.position = first.vector(0, i);
+    sample.position = vector(0, i);
     sample.L = glm::dot(second.vector(0, i), normal);
     sample.M = glm::dot(second.vector(3, i), normal);
     sample.N = glm::dot(second.vector(6, i), normal);
     const double gauss = second.number(9, i);
-    sample.sqrt_k = std::sqrt(std::fabs(gauss)) * first.number(6, i);
+    sample.sqrt_k = std::sqrt(std::fabs(gauss)) * first[kAreaColumn][i];
     sample.saddle = gauss < 0;
     sample.regular = is_finite(sample.position) && is_finite({sample.L, sample.M, sample.N}) &&
                      std::isfinite(sample.sqrt_k);

@@ -118,20 +118,17 @@ LatticePlace Lattice::place(std::uint32_t vertex) const {
 
 void Lattice::append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads) {
   const std::size_t count = u.size();
-  std::vector<std::vector<double>> columns(surface_.normals.outputs.size(),
-                                           std::vector<double>(count));
-  std::vector<double*> starts(columns.size());
-  std::ranges::transform(columns, starts.begin(), [](auto& column) { return column.data(); });
-  evaluate_points(surface_.normals, u, v, starts, threads);
+  const NormalColumns columns = evaluate_normals(surface_, u, v, threads);
   const double front = surface_.flip ? -1 : 1;
   for (std::size_t i = 0; i < count; ++i) {
     const auto vector = [&](std::size_t k) {
       return dvec3(columns[k][i], columns[k + 1][i], columns[k + 2][i]);
     };
-    const dvec3 normal = front * vector(3);
+    const dvec3 normal = front * vector(kNormalColumn);
     // |r_u x r_v| beside |r_u| |r_v|, all of which may be infinite or 0.
-    const double scale = std::sqrt(columns[7][i]) * std::sqrt(columns[8][i]);
-    const bool regular = columns[6][i] > kDegenerateCross * scale && is_finite(normal);
+    const double scale =
+        std::sqrt(columns[kSquareUColumn][i]) * std::sqrt(columns[kSquareVColumn][i]);
+    const bool regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal);
     const std::size_t vertex = grid_.mesh.position.size();
     grid_.mesh.position.push_back(vector(0));
     grid_.mesh.normal.push_back(regular ? normal : dvec3(0));

@@ -1,11 +1,11 @@
 #include "mesh/tile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <memory>
 
-#include "eval/interleave.h"
+#include "eval/vectors.h"
 
 namespace saddle {
 
@@ -43,35 +43,28 @@ bool all_finite(const Operand& numbers, std::size_t count) {
   return reduce(numbers, count, [](double a, double b) { return a * 0.0 + b * 0.0; }) * 0.0 == 0;
 }
 
-/// A row's outputs: x y z, the unit normal, |r_u x r_v|, |r_u|^2, |r_v|^2.
-RowSummary summarize(std::span<const Operand> outputs, std::size_t count) {
-  RowSummary summary;
-  summary.finite = std::all_of(outputs.begin(), outputs.end(),
-                               [&](const Operand& o) { return all_finite(o, count); });
-  summary.least_cross = smallest(outputs[6], count);
-  summary.largest_uu = largest(outputs[7], count);
-  summary.largest_vv = largest(outputs[8], count);
-  return summary;
+Operand column(const TileNumbers& numbers) {
+  return {numbers.data(), true};
 }
 
-void load(const Operand& from, std::size_t count, bool negated, TileNumbers& to) {
-  if (!from.varies) {
-    std::fill_n(to.begin(), count, negated ? -*from.data : *from.data);
-  } else if (negated) {
-    std::transform(from.data, from.data + count, to.begin(), std::negate());
-  } else {
+void load(const Operand& from, std::size_t count, TileNumbers& to) {
+  if (from.varies) {
     std::copy_n(from.data, count, to.begin());
+  } else {
+    std::fill_n(to.begin(), count, *from.data);
   }
 }
 
-void load(std::span<const Operand> outputs, std::size_t count, bool flipped, Strip& strip,
-          Bounds& bounds) {
-  load(outputs[0], count, false, strip.x);
-  load(outputs[1], count, false, strip.y);
-  load(outputs[2], count, false, strip.z);
-  load(outputs[3], count, flipped, strip.n_x);
-  load(outputs[4], count, flipped, strip.n_y);
-  load(outputs[5], count, flipped, strip.n_z);
+/// Takes a row's outputs, those of normal_outputs(), into the strip.
+RowSummary load(std::span<const Operand> outputs, std::size_t count, bool flipped, Strip& strip,
+                Bounds& bounds) {
+  load(outputs[0], count, strip.x);
+  load(outputs[1], count, strip.y);
+  load(outputs[2], count, strip.z);
+  TileNumbers area;
+  const std::array units = {strip.n_x.data(), strip.n_y.data(), strip.n_z.data()};
+  vector_loops(cpu_level())
+      .normalize(&outputs[kNormalColumn], count, flipped ? -1 : 1, units.data(), area.data());
   strip.size = 0;
   for (int k = 0; k < 3; ++k) {
     const double low = smallest(outputs[static_cast<std::size_t>(k)], count);
@@ -80,6 +73,15 @@ void load(std::span<const Operand> outputs, std::size_t count, bool flipped, Str
     bounds.low[k] = std::min(bounds.low[k], low);
     bounds.high[k] = std::max(bounds.high[k], high);
   }
+  RowSummary summary;
+  const auto finite = [count](const Operand& numbers) { return all_finite(numbers, count); };
+  summary.finite = std::ranges::all_of(outputs, finite) && finite(column(area)) &&
+                   finite(column(strip.n_x)) && finite(column(strip.n_y)) &&
+                   finite(column(strip.n_z));
+  summary.least_cross = smallest(column(area), count);
+  summary.largest_uu = largest(outputs[kSquareUColumn], count);
+  summary.largest_vv = largest(outputs[kSquareVColumn], count);
+  return summary;
 }
 
 /// Writes the vertices of a row that belong to the tile: those on its far sides are the
@@ -89,12 +91,11 @@ void store(const Strip& strip, const GridTile& tile, std::size_t row, Grid& grid
   const bool last = tile.column + tile.columns == grid.u.size();
   const std::size_t count = last ? tile.columns : tile.columns - 1;
   const std::size_t first = grid.vertex(tile.column, row);
-  const auto interleave = interleave_loops(cpu_level()).doubles;
-  const auto column = [](const TileNumbers& numbers) { return Operand{numbers.data(), true}; };
-  interleave(column(strip.x), column(strip.y), column(strip.z), count,
-             &grid.mesh.position[first].x);
-  interleave(column(strip.n_x), column(strip.n_y), column(strip.n_z), count,
-             &grid.mesh.normal[first].x);
+  const auto interleave = vector_loops(cpu_level()).interleave;
+  const std::array positions = {column(strip.x), column(strip.y), column(strip.z)};
+  const std::array normals = {column(strip.n_x), column(strip.n_y), column(strip.n_z)};
+  interleave(positions.data(), count, &grid.mesh.position[first].x);
+  interleave(normals.data(), count, &grid.mesh.normal[first].x);
   for (std::size_t i = 0; i < count; ++i) {
     grid.mesh.uv[first + i] = {grid.u[tile.column + i], grid.v[row]};
     grid.mesh.point[first + i] = static_cast<std::uint32_t>(first + i);
@@ -146,8 +147,7 @@ TileSummary take_tile(TileRows& rows, Grid& grid) {
   const CutCells cut_cells = cell_loop(cpu_level());
   for (std::size_t k = 0; rows.next(); ++k) {
     Strip& strip = (*strips)[k % 2];
-    summary.rows.push_back(summarize(rows.outputs(), tile.columns));
-    load(rows.outputs(), tile.columns, grid.flipped, strip, summary.bounds);
+    summary.rows.push_back(load(rows.outputs(), tile.columns, grid.flipped, strip, summary.bounds));
     store(strip, tile, rows.row(), grid);
     if (k == 0) continue;
     const Strip& below = (*strips)[(k - 1) % 2];

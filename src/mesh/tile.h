@@ -13,7 +13,7 @@ namespace saddle {
 
 /// What all vertices of one row of a tile have in common.
 struct RowSummary {
-  bool finite = false;     ///< positions, normals and lengths are
+  bool finite = false;     ///< positions, normals and areas are
   double least_cross = 0;  ///< smallest |r_u x r_v|
   double largest_uu = 0;   ///< largest |r_u|^2 and |r_v|^2
   double largest_vv = 0;

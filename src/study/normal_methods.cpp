@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "eval/batch.h"
@@ -42,7 +43,7 @@ std::vector<Column> run(const Tape& tape, const Lines& at, unsigned threads) {
   return columns;
 }
 
-dvec3 vector_at(const std::vector<Column>& columns, std::size_t first, std::size_t i) {
+dvec3 vector_at(std::span<const Column> columns, std::size_t first, std::size_t i) {
   return {columns[first][i], columns[first + 1][i], columns[first + 2][i]};
 }
 
@@ -168,14 +169,15 @@ class NormalStudy {
   }
 
   void derivatives() {
-    const std::vector<Column> n = run(subject_.surface.normals, at_, subject_.threads);
-    set_normals(
-        [&](std::size_t i, std::size_t j) { return vector_at(n, 3, j * at_.u.size() + i); });
+    const NormalColumns n = normals();
+    set_normals([&](std::size_t i, std::size_t j) {
+      return vector_at(n, kNormalColumn, j * at_.u.size() + i);
+    });
   }
 
   /// As meshes do it: where |r_u x r_v| is small beside what is around, the limit from inside.
   void limits() {
-    const std::vector<Column> n = run(subject_.surface.normals, at_, subject_.threads);
+    const NormalColumns n = normals();
     const std::size_t row = at_.u.size();
     std::vector<std::array<std::size_t, 2>> singular;
     set_normals([&](std::size_t i, std::size_t j) {
@@ -184,11 +186,11 @@ class NormalStudy {
       double square_u = 0;  // largest |r_u|^2, |r_v|^2 of the cell
       double square_v = 0;
       for (const std::size_t corner : {inner, inner + 1, inner + row, inner + row + 1}) {
-        square_u = std::fmax(square_u, n[7][corner]);
-        square_v = std::fmax(square_v, n[8][corner]);
+        square_u = std::fmax(square_u, n[kSquareUColumn][corner]);
+        square_v = std::fmax(square_v, n[kSquareVColumn][corner]);
       }
-      const dvec3 normal = vector_at(n, 3, k);
-      const bool regular = n[6][k] > kDegenerateCross * std::sqrt(square_u * square_v);
+      const dvec3 normal = vector_at(n, kNormalColumn, k);
+      const bool regular = n[kAreaColumn][k] > kDegenerateCross * std::sqrt(square_u * square_v);
       if (!regular || !is_finite(normal)) singular.push_back({i, j});
       return normal;
     });
@@ -200,6 +202,10 @@ class NormalStudy {
       const dvec3 normal = found[k].normal.value_or(none);
       normals_[singular[k][1]][singular[k][0]] = subject_.surface.flip ? -normal : normal;
     }
+  }
+
+  NormalColumns normals() const {
+    return evaluate_normals_on_grid(subject_.surface, at_.u, at_.v, subject_.threads);
   }
 
   const Subject& subject_;

@@ -80,12 +80,9 @@ std::vector<NodeId> normal_outputs(Graph& graph, const Tangents& tangents) {
   const Vector r_u = vector_of(graph, tangents.r_u);
   const Vector r_v = vector_of(graph, tangents.r_v);
   const Vector normal = cross(r_u, r_v);
-  const Expression length = sqrt(value(graph, dot(normal, normal)));
-  const Expression shrink = 1 / length;  // one division, three products
   for (const Tangent& component : normal.component) {
-    outputs.push_back(value(graph, component * shrink).id);
+    outputs.push_back(value(graph, component).id);
   }
-  outputs.push_back(length.id);
   outputs.push_back(value(graph, dot(r_u, r_u)).id);
   outputs.push_back(value(graph, dot(r_v, r_v)).id);
   return outputs;

@@ -26,8 +26,7 @@ std::vector<NodeId> tangent_outputs(const Tangents& tangents);
 /// r, r_u, r_v, r_uu, r_uv, r_vv: three numbers each.
 std::vector<NodeId> second_order_outputs(Graph& graph, const Tangents& tangents);
 
-/// x, y, z; the unit normal along r_u x r_v; |r_u x r_v|; |r_u|^2; |r_v|^2. The normal is NaN or
-/// has no meaning where |r_u x r_v| is 0 next to |r_u| |r_v|, or overflows.
+/// x, y, z; r_u x r_v; |r_u|^2; |r_v|^2.
 std::vector<NodeId> normal_outputs(Graph& graph, const Tangents& tangents);
 
 /// r_uu, r_uv, r_vv (three numbers each), the Gauss curvature, the mean curvature, and the

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "eval/batch.h"
+#include "eval/vectors.h"
 #include "surface/forms.h"
 
 namespace saddle {
@@ -68,6 +69,21 @@ std::vector<Record> evaluate_records(const Tape& tape, std::span<const dvec2> uv
   return records;
 }
 
+/// `evaluate` fills the columns with the outputs of Surface::normals.
+template <class Evaluate>
+NormalColumns normal_columns(std::size_t count, Evaluate evaluate) {
+  NormalColumns columns;
+  std::array<double*, kAreaColumn> outputs{};
+  for (std::vector<double>& column : columns) column.resize(count);
+  for (std::size_t k = 0; k < outputs.size(); ++k) outputs[k] = columns[k].data();
+  evaluate(outputs);
+  const std::span<double* const> units = std::span(outputs).subspan(kNormalColumn, 3);
+  const std::array<Operand, 3> normals = {{{units[0], true}, {units[1], true}, {units[2], true}}};
+  vector_loops(cpu_level())
+      .normalize(normals.data(), count, 1, units.data(), columns[kAreaColumn].data());
+  return columns;
+}
+
 }  // namespace
 
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
@@ -102,6 +118,20 @@ void take_own_parameters(const Surface& surface, std::span<dvec2> uv) {
 std::vector<SurfacePoint> evaluate(const Surface& surface, std::span<const dvec2> uv,
                                    unsigned threads) {
   return evaluate_records<SurfacePoint>(surface.tangents, uv, threads);
+}
+
+NormalColumns evaluate_normals(const Surface& surface, std::span<const double> u,
+                               std::span<const double> v, unsigned threads) {
+  return normal_columns(u.size(), [&](std::span<double* const> outputs) {
+    evaluate_points(surface.normals, u, v, outputs, threads);
+  });
+}
+
+NormalColumns evaluate_normals_on_grid(const Surface& surface, std::span<const double> u,
+                                       std::span<const double> v, unsigned threads) {
+  return normal_columns(u.size() * v.size(), [&](std::span<double* const> outputs) {
+    evaluate_grid(surface.normals, u, v, outputs, threads);
+  });
 }
 
 std::vector<Curvature> evaluate_curvature(const Surface& surface, std::span<const dvec2> uv,

@@ -31,7 +31,7 @@ struct Surface {
   Domain domain;
   bool flip = false;  ///< front and back are swapped: the normal is r_v x r_u
   Tape tangents;      ///< tangent_outputs() of surface/forms.h
-  Tape normals;       ///< normal_outputs()
+  Tape normals;       ///< normal_outputs(); see evaluate_normals()
   Tape curvatures;    ///< curvature_outputs(); without outputs unless compiled for second order
   Tape bounds;        ///< r, r_u, r_v, r_uu, r_uv, r_vv for enclosures; the same holds
   Tape v;             ///< v at (u, s); without outputs where v is its own
@@ -61,6 +61,20 @@ std::vector<SurfacePoint> evaluate(const Surface& surface, std::span<const dvec2
 /// Positions and tangents on the grid u x v, v outer: result[j * u.size() + i] is at (u[i], v[j]).
 std::vector<SurfacePoint> evaluate_on_grid(const Surface& surface, std::span<const double> u,
                                            std::span<const double> v, unsigned threads = 0);
+
+/// Columns of evaluate_normals(): x, y, z; the unit normal along r_u x r_v; |r_u|^2; |r_v|^2;
+/// |r_u x r_v|. The normal is NaN or has no meaning where |r_u x r_v| is 0 next to |r_u| |r_v|, or
+/// overflows.
+using NormalColumns = std::array<std::vector<double>, 9>;
+enum : std::size_t { kNormalColumn = 3, kSquareUColumn = 6, kSquareVColumn = 7, kAreaColumn = 8 };
+
+/// At arbitrary parameters, (u[i], v[i]).
+NormalColumns evaluate_normals(const Surface& surface, std::span<const double> u,
+                               std::span<const double> v, unsigned threads = 0);
+
+/// On the grid u x v, v outer.
+NormalColumns evaluate_normals_on_grid(const Surface& surface, std::span<const double> u,
+                                       std::span<const double> v, unsigned threads = 0);
 
 /// Second derivatives and curvatures at a point. Curvatures are in 1/length, positive where the
 /// surface bends toward its front, the side of the normal; NaN or infinite where there is none.

@@ -51,7 +51,7 @@ inline Tape compile_positions(const BenchSurface& formula) {
   return compile(graph, parse_surface(graph, formula));
 }
 
-/// x, y, z and the unit normal alone.
+/// x, y, z and r_u x r_v alone.
 inline Tape compile_with_normals(const BenchSurface& formula) {
   Graph graph;
   std::vector<NodeId> outputs =

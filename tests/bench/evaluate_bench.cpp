@@ -10,7 +10,7 @@
 #include "bench_surfaces.h"
 #include "by_hand.h"
 #include "eval/batch.h"
-#include "eval/interleave.h"
+#include "eval/vectors.h"
 #include "muparser_surface.h"
 
 namespace saddle {
@@ -58,15 +58,15 @@ void normals(benchmark::State& state, const BenchSurface& formula, unsigned thre
   std::vector<float> position(3 * kSide * kSide);
   std::vector<float> normal(3 * kSide * kSide);
   const GridTiling tiling(kSide - 1, kSide - 1, kTile);
-  const auto interleave = interleave_loops(cpu_level()).floats;
+  const VectorLoops& loops = vector_loops(cpu_level());
   for (auto _ : state) {
     evaluate_tiles(tape, at.u, at.v, tiling, threads, [&](TileRows& rows) {
       const std::size_t columns = rows.tile().columns;
       while (rows.next()) {
         const std::size_t first = 3 * (rows.row() * kSide + rows.tile().column);
         const auto out = rows.outputs();
-        interleave(out[0], out[1], out[2], columns, position.data() + first);
-        interleave(out[3], out[4], out[5], columns, normal.data() + first);
+        loops.floats(&out[0], &out[kNormalColumn], columns, position.data() + first,
+                     normal.data() + first);
       }
     });
     benchmark::ClobberMemory();

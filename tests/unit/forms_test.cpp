@@ -87,7 +87,7 @@ TEST(Curvature, IsUndefinedWhereThereIsNoNormal) {
   EXPECT_FALSE(std::isfinite(c.mean));
 }
 
-TEST(NormalOutputs, AreTheNormalFromTheTangents) {
+TEST(NormalColumns, AreTheNormalFromTheTangents) {
   const Surface surface = surface_from_text("u*cos(v)", "exp(u)*sin(v)", "u^2+v", {});
   std::vector<double> u;
   std::vector<double> v;
@@ -95,10 +95,7 @@ TEST(NormalOutputs, AreTheNormalFromTheTangents) {
     u.push_back(place.x);
     v.push_back(place.y);
   }
-  std::vector<std::vector<double>> columns(9, std::vector<double>(u.size()));
-  std::vector<double*> outputs;
-  for (auto& column : columns) outputs.push_back(column.data());
-  evaluate_points(surface.normals, u, v, outputs);
+  const NormalColumns columns = evaluate_normals(surface, u, v);
   const std::vector<SurfacePoint> points = evaluate(surface, places());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& p = points[i];
@@ -106,11 +103,11 @@ TEST(NormalOutputs, AreTheNormalFromTheTangents) {
     const double cross = glm::length(glm::cross(p.r_u, p.r_v));
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_EQ(columns[k][i], p.position[static_cast<int>(k)]);
-      EXPECT_NEAR(columns[3 + k][i], expected[static_cast<int>(k)], kRounding);
+      EXPECT_NEAR(columns[kNormalColumn + k][i], expected[static_cast<int>(k)], kRounding);
     }
-    EXPECT_NEAR(columns[6][i] / cross, 1, kRounding);
-    EXPECT_NEAR(columns[7][i] / glm::dot(p.r_u, p.r_u), 1, kRounding);
-    EXPECT_NEAR(columns[8][i] / glm::dot(p.r_v, p.r_v), 1, kRounding);
+    EXPECT_NEAR(columns[kAreaColumn][i] / cross, 1, kRounding);
+    EXPECT_NEAR(columns[kSquareUColumn][i] / glm::dot(p.r_u, p.r_u), 1, kRounding);
+    EXPECT_NEAR(columns[kSquareVColumn][i] / glm::dot(p.r_v, p.r_v), 1, kRounding);
   }
 }
 

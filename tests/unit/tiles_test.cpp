@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "base/vec.h"
 #include "eval/batch.h"
-#include "eval/interleave.h"
+#include "eval/vectors.h"
 #include "graph_value.h"
 
 namespace saddle {
@@ -68,29 +71,80 @@ TEST(EvaluateTiles, HandsOutTheBitsOfTheWholeGrid) {
   EXPECT_EQ(seen, (39 + 4) * (21 + 2));
 }
 
-TEST(Interleave, MakesVectorsOfColumnsOnEveryCpuLevel) {
-  const std::vector<double> x = steps(600, 0.1);
-  const std::vector<double> y = steps(600, 1 / 3.0);
-  const double z = 1 / 7.0;
+/// Columns of which one is a number that stands for all.
+struct TestVectors {
+  std::vector<double> x = steps(600, 0.1);
+  std::vector<double> y = steps(600, 1 / 3.0);
+  double z = 1 / 7.0;
+  std::array<Operand, 3> columns() const {
+    return {{{x.data(), true}, {y.data(), true}, {&z, false}}};
+  }
+  dvec3 unit(std::size_t i) const { return dvec3(x[i], y[i], z) * (1 / length(i)); }
+  double length(std::size_t i) const { return std::sqrt(x[i] * x[i] + y[i] * y[i] + z * z); }
+};
+
+/// Calls `check` with the loops of each CPU level and numbers of vectors around those of a block.
+template <class Check>
+void on_every_level(Check check) {
   for (std::size_t level = 0; level < supported_level_count(); ++level) {
-    const InterleaveLoops& loops = interleave_loops(static_cast<CpuLevel>(level));
     for (const std::size_t count : {1U, 3U, 256U, 257U, 600U}) {
-      std::vector<double> doubles(3 * count + 1, -5);
-      std::vector<float> floats(3 * count + 1, -5);
-      loops.doubles({x.data(), true}, {y.data(), true}, {&z, false}, count, doubles.data());
-      loops.floats({&z, false}, {x.data(), true}, {y.data(), true}, count, floats.data());
-      for (std::size_t i = 0; i < count; ++i) {
-        ASSERT_EQ(doubles[3 * i], x[i]);
-        ASSERT_EQ(doubles[3 * i + 1], y[i]);
-        ASSERT_EQ(doubles[3 * i + 2], z);
-        ASSERT_EQ(floats[3 * i], static_cast<float>(z));
-        ASSERT_EQ(floats[3 * i + 1], static_cast<float>(x[i]));
-        ASSERT_EQ(floats[3 * i + 2], static_cast<float>(y[i]));
-      }
-      EXPECT_EQ(doubles[3 * count], -5) << "wrote past the end";
-      EXPECT_EQ(floats[3 * count], -5) << "wrote past the end";
+      check(vector_loops(static_cast<CpuLevel>(level)), count);
     }
   }
+}
+
+TEST(VectorLoops, LayColumnsOneAfterTheOther) {
+  const TestVectors vectors;
+  on_every_level([&](const VectorLoops& loops, std::size_t count) {
+    std::vector<double> to(3 * count + 1, -5);
+    loops.interleave(vectors.columns().data(), count, to.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(to[3 * i], vectors.x[i]);
+      ASSERT_EQ(to[3 * i + 1], vectors.y[i]);
+      ASSERT_EQ(to[3 * i + 2], vectors.z);
+    }
+    EXPECT_EQ(to[3 * count], -5) << "wrote past the end";
+  });
+}
+
+TEST(VectorLoops, MakeVectorsUnit) {
+  const TestVectors vectors;
+  on_every_level([&](const VectorLoops& loops, std::size_t count) {
+    TestVectors units = vectors;  // x and y are written in place
+    std::vector<double> z(count + 1, -5);
+    std::vector<double> lengths(count + 1, -5);
+    const std::array to = {units.x.data(), units.y.data(), z.data()};
+    loops.normalize(units.columns().data(), count, -1, to.data(), lengths.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(dvec3(units.x[i], units.y[i], z[i]), -vectors.unit(i));
+      ASSERT_EQ(lengths[i], vectors.length(i));
+    }
+    EXPECT_EQ(z[count], -5) << "wrote past the end";
+    EXPECT_EQ(lengths[count], -5) << "wrote past the end";
+    if (count < vectors.x.size()) {
+      EXPECT_EQ(units.x[count], vectors.x[count]) << "wrote past the end";
+    }
+  });
+}
+
+TEST(VectorLoops, RoundPositionsAndUnitNormalsToFloat) {
+  const TestVectors vectors;
+  const std::array positions = {vectors.columns()[2], vectors.columns()[0], vectors.columns()[1]};
+  on_every_level([&](const VectorLoops& loops, std::size_t count) {
+    std::vector<float> position(3 * count + 1, -5);
+    std::vector<float> normal(3 * count + 1, -5);
+    loops.floats(positions.data(), vectors.columns().data(), count, position.data(), normal.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const dvec3 expected[] = {{vectors.z, vectors.x[i], vectors.y[i]}, vectors.unit(i)};
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_EQ(position[3 * i + static_cast<std::size_t>(k)],
+                  static_cast<float>(expected[0][k]));
+        ASSERT_EQ(normal[3 * i + static_cast<std::size_t>(k)], static_cast<float>(expected[1][k]));
+      }
+    }
+    EXPECT_EQ(position[3 * count], -5) << "wrote past the end";
+    EXPECT_EQ(normal[3 * count], -5) << "wrote past the end";
+  });
 }
 
 }  // namespace
