@@ -11,6 +11,7 @@
 #include "app/standard_output.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/heap.h"
 #include "formula/language.h"
 #include "view/keys.h"
 
@@ -48,6 +49,7 @@ int fail(const saddle::Error& error) {
 /// The whole program: its exit status.
 int run_program(int argc, char** argv) {
   const auto start = saddle::Clock::now();
+  saddle::use_huge_pages();
   saddle::guard_standard_streams();
   saddle::remove_temporaries_on_signals();
   try {
