@@ -1,6 +1,7 @@
 #!/usr/bin/python3 -B
 """What each stage costs beside a yardstick of the same run, against what it did: ratios.json.
-Usage: ratios.py BENCHMARK-PROGRAM SADDLE [--accept]. Exit 1 if a ratio is 30 % worse.
+Usage: ratios.py BENCHMARK-PROGRAM SADDLE [--accept | --chart FILE.svg]. Exit 1 if a ratio is 30 %
+worse; --chart draws how the times grow with tolerance and picture instead.
 
 Absolute times are of no use between machines, and little between hours. Here the repetitions of all
 stages are mixed in time, and the times are the processor's, so that other work hardly matters."""
@@ -50,6 +51,45 @@ def measured(program, saddle):
     return {name: float(f"{value:.3g}") for name, value in result.items()}
 
 
+def growth(times, kind, size_of):
+    """Size and milliseconds of the stages of a kind that differ in nothing but their size."""
+    points = []
+    for name, time in times.items():
+        words = name.split(" ")
+        if words[0] == kind and len(words) == 2:
+            points.append((size_of(words[1]), time))
+    return sorted(points)
+
+
+def megapixels(size):
+    width, height = size.split("x")
+    return int(width) * int(height) / 1e6
+
+
+def chart(times, file):
+    """Two panels, logarithmic both ways: growth that is in proportion is a line of slope 1."""
+    meshes = growth(times, "mesh", lambda share: 1 / float(share))
+    pictures = growth(times, "draw", megapixels)
+    script = f"""set terminal svg size 900,380 font 'sans,12' background '#ffffff'
+set output '{file}'
+set multiplot layout 1,2
+set logscale xy; unset key; set border 3; set tics nomirror; set grid lc rgb '#e4e4e4'
+set ylabel 'processor time, ms'; set format x '10^{%L}'
+"""
+    for title, label, points in (("torus to mesh", "diagonal / tolerance", meshes),
+                                 ("mesh to antialiased picture", "megapixels", pictures)):
+        data = "\n".join(f"{x:g} {y:g}" for x, y in points)
+        x, y = points[-1]
+        script += f"""set title '{title}'; set xlabel '{label}'
+$points << END
+{data}
+END
+plot {y / x:g} * x dt 3 lc rgb '#999999', \
+  $points with linespoints pt 7 ps 0.6 lw 2 lc rgb '#0072b2'
+"""
+    subprocess.run(["gnuplot"], input=script + "unset multiplot\n", text=True, check=True)
+
+
 def report(now, before):
     """A table of what was and is; the names of what is worse."""
     worse = []
@@ -67,8 +107,10 @@ def report(now, before):
 
 def main():
     program, saddle, *options = sys.argv[1:]
+    if len(options) == 2 and options[0] == "--chart":
+        return chart(stages(program), options[1])
     if options not in ([], ["--accept"]):
-        sys.exit("usage: ./dev bench compare [--accept]")
+        sys.exit("usage: ./dev bench compare [--accept | --chart FILE.svg]")
     before = json.loads(FILE.read_text(encoding="utf-8")) if FILE.is_file() else {}
     now = measured(program, saddle)
     worse = report(now, before)
