@@ -14,28 +14,39 @@ namespace {
 /// Cells of a preview each way: a few thousand triangles, which take some milliseconds.
 constexpr GridSize kPreview{60, 60};
 
+constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display";
+
+/// Throws Error (Input) for options that would do nothing.
+void check_options(const CommandLine& line) {
+  checked_outputs(line);
+  if (line.renderer != Backend::Any) {
+    throw Error(Status::Input, "the viewer draws with the OpenGL of its display",
+                {"--renderer", "", {}}, "it is for outputs: -o FILE.png");
+  }
+  if (line.strict) {
+    throw Error(Status::Input, "the viewer shows warnings and goes on", {"--strict", "", {}},
+                "it is for outputs, -o FILE.png, and for saddle check");
+  }
+}
+
 SurfaceMesh mesh_for_viewer(const Scene& scene, std::size_t surface, Detail detail,
-                            unsigned threads) {
+                            const CommandLine& line) {
   Scene asked = scene;
   if (detail == Detail::Preview && !asked.mesh.samples) asked.mesh.samples = kPreview;
   Tessellation result =
-      tessellate(asked, asked.surfaces[surface], {.picture = true, .mesh = false}, threads);
+      tessellate(asked, asked.surfaces[surface], {.picture = true, .mesh = false}, line.threads);
+  if (line.quiet) result.warnings.clear();
   return {std::move(result.mesh), std::move(result.report.mesh), std::move(result.warnings)};
 }
 
 }  // namespace
 
 void run_view(const CommandLine& line) {
-  checked_outputs(line);  // for options that have no meaning without an output
-  if (line.renderer != Backend::Any) {
-    throw Error(Status::Input, "the viewer draws with the OpenGL of its display",
-                {"--renderer", "", {}}, "it is for outputs: -o FILE.png");
-  }
+  check_options(line);
   ViewerSetup setup;
   setup.scene = build_scene(line);
-  setup.tessellate = [threads = line.threads](const Scene& scene, std::size_t surface,
-                                              Detail detail) {
-    return mesh_for_viewer(scene, surface, detail, threads);
+  setup.tessellate = [line](const Scene& scene, std::size_t surface, Detail detail) {
+    return mesh_for_viewer(scene, surface, detail, line);
   };
   setup.reload = [line] { return build_scene(line); };
   if (line.watch) {
@@ -46,7 +57,13 @@ void run_view(const CommandLine& line) {
     }
   }
   setup.verbose = line.verbose;
-  run_viewer(std::move(setup));
+  try {
+    Viewer(std::move(setup)).run();
+  } catch (const Error& error) {
+    if (error.status() != Status::Machine) throw;
+    const std::string hint = error.hint().empty() ? "" : error.hint() + "\n";
+    throw Error(Status::Machine, error.what(), {}, hint + kWayOut);
+  }
 }
 
 }  // namespace saddle

@@ -34,4 +34,12 @@ void Canvas::show(int x, int y) const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+Image Canvas::read() const {
+  if (!target_) return {};
+  Image image(picture_.width, picture_.height);
+  target_->bind();
+  target_->read(0, 0, picture_.antialias, false, {0, 0, picture_.width, picture_.height}, image);
+  return image;
+}
+
 }  // namespace saddle

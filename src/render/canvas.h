@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/image.h"
 #include "render/renderer.h"
 #include "render/target.h"
 
@@ -19,6 +20,9 @@ class Canvas {
 
   /// Fills the window with black and copies the picture into it, its lower left at (x, y).
   void show(int x, int y) const;
+
+  /// The pixels of the picture that was drawn last; of none, none.
+  Image read() const;
 
  private:
   std::optional<Target> target_;

@@ -197,6 +197,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     item.model_to_clip = to_rect * item.model_to_clip;
     draw_marks(item, n);
   }
+  glUseProgram(0);  // who remembers what was in use may find it deleted
   check_gl();
 }
 

@@ -14,6 +14,9 @@ constexpr std::chrono::milliseconds kPatience{150};
 
 Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail) {
   Meshed result;
+  result.scene = scene;
+  result.preview = detail == Detail::Preview;
+  const auto begin = std::chrono::steady_clock::now();
   try {
     for (result.guilty = 0; result.guilty < scene.surfaces.size(); ++result.guilty) {
       result.surfaces.push_back(
@@ -26,6 +29,8 @@ Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail)
                          "a coarser tolerance needs less");
   }
   if (result.error) result.surfaces.clear();
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+  result.milliseconds = passed.count();
   return result;
 }
 
@@ -36,12 +41,12 @@ MeshWorker::MeshWorker(Tessellate tessellate, std::function<void()> wake)
       wake_(std::move(wake)),
       thread_([this](const std::stop_token& end) { run(end); }) {}
 
-void MeshWorker::wish(Scene scene, bool preview_first) {
-  const auto now = Clock::now();
+void MeshWorker::wish(Scene scene, Manner manner) {
   {
     const std::lock_guard lock(mutex_);
-    next_ = {std::move(scene), preview_first, now};
-    if (working_ && !(previewing_ && now - begun_ < kPatience)) current_.request_stop();
+    next_ = {std::move(scene), manner};
+    const bool has_only_just_begun = previewing_ && Clock::now() - begun_ < kPatience;
+    if (working_ && manner != Manner::InTurn && !has_only_just_begun) current_.request_stop();
   }
   changed_.notify_one();
 }
@@ -67,7 +72,7 @@ void MeshWorker::run(const std::stop_token& end) {
     if (!changed_.wait(lock, end, [this] { return next_.has_value(); })) return;
     const Wish wish = *std::exchange(next_, std::nullopt);
     working_ = true;
-    previewing_ = wish.preview;
+    previewing_ = wish.manner == Manner::PreviewFirst;
     begun_ = Clock::now();
     current_ = std::stop_source();
     if (end.stop_requested()) return;
@@ -82,21 +87,18 @@ void MeshWorker::run(const std::stop_token& end) {
 }
 
 void MeshWorker::work(const Wish& wish) {
-  if (wish.preview) {
+  if (wish.manner == Manner::PreviewFirst) {
     Meshed preview = mesh_all(tessellate_, wish.scene, Detail::Preview);
-    preview.preview = true;
     // An error may be that of the coarse mesh; the other one will tell.
-    if (!preview.error) deliver(std::move(preview), wish);
+    if (!preview.error) deliver(std::move(preview));
     const std::lock_guard lock(mutex_);
     if (next_) return;
     previewing_ = false;
   }
-  deliver(mesh_all(tessellate_, wish.scene, Detail::Full), wish);
+  deliver(mesh_all(tessellate_, wish.scene, Detail::Full));
 }
 
-void MeshWorker::deliver(Meshed result, const Wish& wish) {
-  result.scene = wish.scene;
-  result.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - wish.time).count();
+void MeshWorker::deliver(Meshed result) {
   {
     const std::lock_guard lock(mutex_);
     result_ = std::move(result);

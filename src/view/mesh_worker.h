@@ -42,7 +42,14 @@ struct Meshed {
   std::optional<Error> error;
   std::size_t guilty = 0;   ///< the surface that has the error
   bool preview = false;     ///< a coarse mesh; the real one follows
-  double milliseconds = 0;  ///< since the wish
+  double milliseconds = 0;  ///< of meshing
+};
+
+/// How a wish is to be fulfilled.
+enum class Manner {
+  PreviewFirst,  ///< a coarse mesh at once, the real one later
+  Full,          ///< the real one
+  InTurn         ///< the real one, when that of the wish before is there
 };
 
 /// All calls from one thread, which `wake` tells, from another, that there is something to take.
@@ -50,10 +57,10 @@ class MeshWorker {
  public:
   MeshWorker(Tessellate tessellate, std::function<void()> wake);
 
-  /// `preview_first`: a coarse mesh at once, the real one later. What is being done for an earlier
-  /// wish is abandoned, unless it is a preview that has only just begun: an endless stream of
-  /// wishes must show something too.
-  void wish(Scene scene, bool preview_first);
+  /// What is being done for an earlier wish is abandoned, unless this one is to be done in turn, or
+  /// that is a preview that has only just begun: an endless stream of wishes must show something
+  /// too.
+  void wish(Scene scene, Manner manner);
 
   /// The newest result, once.
   std::optional<Meshed> take();
@@ -65,13 +72,12 @@ class MeshWorker {
   using Clock = std::chrono::steady_clock;
   struct Wish {
     Scene scene;
-    bool preview = false;
-    Clock::time_point time;
+    Manner manner = Manner::Full;
   };
 
   void run(const std::stop_token& end);
   void work(const Wish& wish);
-  void deliver(Meshed result, const Wish& wish);
+  void deliver(Meshed result);
 
   Tessellate tessellate_;
   std::function<void()> wake_;

@@ -18,6 +18,9 @@ namespace {
 constexpr std::chrono::milliseconds kRest{150};
 constexpr double kMuchNearer = 1.5;
 
+/// While t plays, meshes that take longer are not waited for: coarse ones are shown.
+constexpr double kKeepsUpMs = 100;
+
 /// While t plays there are at most so many steps a second: that of most displays.
 constexpr std::chrono::microseconds kStep{16'667};
 
@@ -60,14 +63,39 @@ std::string describe(const PickedPoint& picked) {
   return text.str();
 }
 
+Bounds bounds_of(const Meshed& meshed) {
+  Bounds bounds;
+  for (const Instance& instance : instances(meshed.scene)) {
+    bounds.add(transformed(meshed.surfaces[instance.surface]->mesh.bounds, instance.to_world));
+  }
+  return bounds;
+}
+
+double radius_around(const dvec3& centre, const Meshed& meshed) {
+  double radius = 0;
+  for (const Instance& instance : instances(meshed.scene)) {
+    for (const dvec3& corner : meshed.surfaces[instance.surface]->mesh.position) {
+      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
+      radius = std::max(radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
+    }
+  }
+  return radius;
+}
+
+FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture) {
+  Bounds bounds = bounds_of(meshed);
+  if (bounds.empty()) bounds.add(dvec3(0));
+  const double aspect = static_cast<double>(picture.width) / picture.height;
+  return fit_camera(camera, bounds, aspect, radius_around(camera_target(camera, bounds), meshed));
+}
+
 Model::Model(ViewerSetup setup, std::function<void()> wake)
     : table_up(setup.scene.camera.up),
       scene_(std::move(setup.scene)),
       reload_(std::move(setup.reload)),
-      tessellate_(setup.tessellate),
       worker_(std::move(setup.tessellate), std::move(wake)) {
   own_lights_ = scene_.lights;
-  wish(true);
+  wish(Manner::PreviewFirst);
 }
 
 Scene Model::drawn_scene() const {
@@ -114,21 +142,14 @@ void Model::change_look(Scene scene) {
 
 double Model::surface_radius(const dvec3& centre) const {
   if (radius_ && radius_->first == centre) return radius_->second;
-  double radius = 0;
-  for (const Instance& instance : instances(good_.scene)) {
-    for (const dvec3& corner : good_.surfaces[instance.surface]->mesh.position) {
-      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
-      radius = std::max(radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
-    }
-  }
-  radius_ = {centre, radius};
-  return radius;
+  radius_ = {centre, radius_around(centre, good_)};
+  return radius_->second;
 }
 
 void Model::edit(Scene scene, const std::string& what) {
   history_.record(scene_, what);
   scene_ = std::move(scene);
-  wish(true);
+  wish(Manner::PreviewFirst);
 }
 
 void Model::undo() {
@@ -136,7 +157,7 @@ void Model::undo() {
     scene->camera = scene_.camera;
     scene->picture = scene_.picture;
     scene_ = std::move(*scene);
-    wish(true);
+    wish(Manner::PreviewFirst);
   }
 }
 
@@ -145,7 +166,7 @@ void Model::redo() {
     scene->camera = scene_.camera;
     scene->picture = scene_.picture;
     scene_ = std::move(*scene);
-    wish(true);
+    wish(Manner::PreviewFirst);
   }
 }
 
@@ -165,16 +186,24 @@ void Model::look_through(const Camera& camera) {
   refine_at_ = Clock::now() + kRest;
   if (!camera.distance || !meshed_camera_.distance) return;
   const double nearer = *meshed_camera_.distance / *camera.distance;
-  if (nearer > kMuchNearer && !worker_.is_busy()) wish(false);
+  if (nearer > kMuchNearer && !worker_.is_busy()) wish(Manner::Full);
 }
 
 void Model::set_time(double t) {
   scene_.t = t;
-  wish(true);
+  wish(playing && keeps_up() ? Manner::InTurn : Manner::PreviewFirst);
+}
+
+ToleranceValue Model::tolerance() const {
+  return scene_.mesh.tolerance.value_or(ToleranceValue{0.5, true});
+}
+
+bool Model::keeps_up() const {
+  return full_ms_ > 0 && full_ms_ <= kKeepsUpMs;
 }
 
 /// A formula that is wrong is for the worker to find; a number that is, is found here.
-void Model::wish(bool preview_first) {
+void Model::wish(Manner manner) {
   try {
     scene_ = resolve(scene_);
   } catch (const Error& error) {
@@ -184,7 +213,7 @@ void Model::wish(bool preview_first) {
   }
   meshed_camera_ = scene_.camera;
   refine_at_.reset();
-  worker_.wish(scene_, preview_first);
+  worker_.wish(scene_, manner);
 }
 
 bool Model::take_result() {
@@ -197,28 +226,14 @@ bool Model::take_result() {
 }
 
 void Model::show(Meshed meshed) {
+  if (!meshed.preview) full_ms_ = meshed.milliseconds;
   good_ = std::move(meshed);
-  bounds_ = {};
-  for (const Instance& instance : instances(good_.scene)) {
-    bounds_.add(transformed(good_.surfaces[instance.surface]->mesh.bounds, instance.to_world));
-  }
+  bounds_ = bounds_of(good_);
   radius_.reset();
 }
 
-void Model::mesh_now(const Scene& scene) {
-  Meshed meshed;
-  meshed.scene = scene;
-  const auto begin = Clock::now();
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    meshed.surfaces.push_back(
-        std::make_shared<const SurfaceMesh>(tessellate_(scene, i, Detail::Full)));
-  }
-  meshed.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-  show(std::move(meshed));
-}
-
 void Model::pass(Clock::time_point now) {
-  if (refine_at_ && now >= *refine_at_) wish(false);
+  if (refine_at_ && now >= *refine_at_) wish(Manner::Full);
   if (!playing) {
     last_tick_.reset();
     return;
@@ -332,9 +347,8 @@ bool Model::act(Action action) {
       return true;
     case Action::Coarser:
     case Action::Finer: {
-      ToleranceValue tolerance = scene_.mesh.tolerance.value_or(ToleranceValue{0.5, true});
-      tolerance.value *= action == Action::Finer ? 0.5 : 2;
-      changed.mesh.tolerance = tolerance;
+      changed.mesh.tolerance = tolerance();
+      changed.mesh.tolerance->value *= action == Action::Finer ? 0.5 : 2;
       edit(std::move(changed), "tolerance");
       return true;
     }

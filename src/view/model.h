@@ -39,6 +39,13 @@ struct ViewerSetup {
   bool verbose = false;           ///< say at the end what it took
 };
 
+/// A box around all that is drawn of the meshes, and their farthest point from `centre`.
+Bounds bounds_of(const Meshed& meshed);
+double radius_around(const dvec3& centre, const Meshed& meshed);
+
+/// The camera as render() would fit it to these meshes.
+FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture);
+
 class Model {
  public:
   using Clock = std::chrono::steady_clock;
@@ -55,6 +62,7 @@ class Model {
   const std::optional<Error>& error() const { return error_; }
   std::size_t guilty() const { return guilty_; }
   const std::optional<PickedPoint>& picked() const { return picked_; }
+  ToleranceValue tolerance() const;  ///< of the mesh
   bool is_meshing() const { return worker_.is_busy(); }
 
   // The picture, in pixels.
@@ -90,8 +98,6 @@ class Model {
 
   /// Takes what the worker has; true if the picture is another.
   bool take_result();
-  /// Meshes on this thread, for exactly this scene, and shows that. Throws Error.
-  void mesh_now(const Scene& scene);
   /// Time goes by: t if it plays, a finer mesh some time after the camera has moved.
   void pass(Clock::time_point now);
   /// When pass() wants to be called next, at the latest.
@@ -110,7 +116,8 @@ class Model {
  private:
   struct Sight;
 
-  void wish(bool preview_first);
+  void wish(Manner manner);
+  bool keeps_up() const;
   std::optional<Sight> look_along(const Ray& ray) const;
   void show(Meshed meshed);
   double surface_radius(const dvec3& centre) const;
@@ -130,8 +137,8 @@ class Model {
   std::optional<Clock::time_point> refine_at_;
   std::optional<Clock::time_point> last_tick_;
   mutable std::optional<std::pair<dvec3, double>> radius_;  ///< around the last centre asked for
-  Tessellate tessellate_;
-  MeshWorker worker_;  // the last member: it ends first
+  double full_ms_ = 0;  ///< that the last mesh took that was no preview
+  MeshWorker worker_;   // the last member: it ends first
 };
 
 }  // namespace saddle

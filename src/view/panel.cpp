@@ -83,6 +83,13 @@ bool contains(std::string_view text, std::string_view word) {
          std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+/// Of a button that does what a key does.
+void show_tip(Action action) {
+  if (!ImGui::IsItemHovered()) return;
+  const auto key = std::ranges::find(key_table(), action, &KeyBinding::action);
+  ImGui::SetTooltip("%s (%s)", key->help, key->name);
+}
+
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
   std::array<char, 160> line{};
@@ -209,15 +216,38 @@ void Panel::show_definitions(Model& model) {
   if (!refused_.empty()) wrapped(kWrong, refused_);
 }
 
+void Panel::show_buttons() {
+  struct Button {
+    const char* text;
+    Action action;
+  };
+  constexpr std::array kButtons{Button{"undo", Action::Undo}, Button{"redo", Action::Redo},
+                                Button{"PNG", Action::SavePicture},
+                                Button{"copy", Action::CopyCommand},
+                                Button{"as scene", Action::CopyScene}};
+  for (const auto& [text, action] : kButtons) {
+    if (action != kButtons.front().action) ImGui::SameLine();
+    if (ImGui::SmallButton(text)) action_ = action;
+    show_tip(action);
+  }
+}
+
 void Panel::show_gallery(Model& model) {
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##gallery", "gallery ...", ImGuiComboFlags_HeightLarge)) return;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##search", "search", &search_);
+  bool take_first = ImGui::InputTextWithHint("##search", "search", &search_,
+                                             ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
   for (const GalleryEntry& entry : gallery()) {
     if (!contains(entry.name, search_) && !contains(entry.description, search_)) continue;
-    if (ImGui::Selectable(std::string(entry.name).c_str())) model.open(gallery_scene(entry));
+    if (ImGui::Selectable(std::string(entry.name).c_str()) || take_first) {
+      model.open(gallery_scene(entry));
+      ImGui::CloseCurrentPopup();
+      changed_ = true;
+      take_first = false;
+    }
     if (ImGui::IsItemHovered()) {
       ImGui::SetTooltip("%s", std::string(entry.description).c_str());
     }
@@ -251,8 +281,29 @@ void Panel::show_look(Model& model) {
   if (ImGui::Checkbox("ortho", &ortho)) model.act(Action::Orthographic);
   ImGui::SameLine();
   ImGui::Checkbox("turntable", &model.turntable);
+  show_shading(model);
+  show_lights(model);
+  show_tolerance(model);
+}
+
+void Panel::show_shading(const Model& model) {
+  struct Choice {
+    Shading shading;
+    const char* text;
+    Action action;
+  };
+  constexpr std::array kChoices{Choice{Shading::Vertex, "vertex", Action::ShadeVertices},
+                                Choice{Shading::Pixel, "pixel", Action::ShadePixels}};
+  for (const auto& [shading, text, action] : kChoices) {
+    if (action != kChoices.front().action) ImGui::SameLine();
+    if (ImGui::RadioButton(text, model.scene().picture.shading == shading)) action_ = action;
+    show_tip(action);
+  }
+}
+
+void Panel::show_lights(Model& model) {
   for (std::size_t i = 0; i < model.scene().lights.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
+    if (i % 3 != 0) ImGui::SameLine();
     bool on = double(model.scene().lights[i].enabled) != 0;
     if (ImGui::Checkbox(formatted("light %d", static_cast<int>(i + 1)).c_str(), &on)) {
       Scene scene = model.scene();
@@ -260,6 +311,22 @@ void Panel::show_look(Model& model) {
       model.change_look(std::move(scene));
     }
   }
+}
+
+/// In pixels, or the share of the size that the scene says.
+void Panel::show_tolerance(Model& model) {
+  ToleranceValue tolerance = model.tolerance();
+  const double low = tolerance.pixels ? 0.05 : 1e-6;
+  const double high = tolerance.pixels ? 20 : 0.1;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderScalar("##tolerance", ImGuiDataType_Double, &tolerance.value, &low, &high,
+                          tolerance.pixels ? "tolerance %.2f px" : "tolerance %.1e",
+                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat)) {
+    Scene scene = model.scene();
+    scene.mesh.tolerance = tolerance;
+    model.edit(std::move(scene), "tolerance");
+  }
+  if (ImGui::IsItemDeactivated()) model.end_edit();
 }
 
 void Panel::show_picked(const Model& model) {
@@ -306,6 +373,7 @@ void Panel::show(Model& model, const Figures& figures, double width, double scal
   ImGui::PushItemWidth(static_cast<float>(100 * scale));
   has_shown_error_ = false;
   show_gallery(model);
+  show_buttons();
   for (std::size_t i = 0; i < model.scene().surfaces.size(); ++i) show_surface(model, i);
   show_definitions(model);
   ImGui::Separator();

@@ -1,18 +1,14 @@
 // The panel at the left: the scene's formulas and numbers in fields, and what is known about it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "view/drawing.h"
 #include "view/model.h"
 
 namespace saddle {
-
-/// What drawing takes.
-struct Figures {
-  std::size_t frames = 0;  ///< pictures drawn so far
-  double frame_ms = 0;     ///< the last one, from scene to finished pixels
-};
 
 class Panel {
  public:
@@ -23,10 +19,14 @@ class Panel {
   /// Something was changed that the picture shows, since the last call.
   bool take_change() { return std::exchange(changed_, false); }
 
+  /// What a button asked for, since the last call.
+  std::optional<Action> take_action() { return std::exchange(action_, std::nullopt); }
+
   /// The scene's error was that of a field, and is shown there.
   bool has_shown_error() const { return has_shown_error_; }
 
  private:
+  void show_buttons();
   void show_gallery(Model& model);
   void show_surface(Model& model, std::size_t index);
   void show_definitions(Model& model);
@@ -34,11 +34,15 @@ class Panel {
   void show_slider(Model& model, Scene& scene, Definition& definition, double number);
   void show_time(Model& model);
   void show_look(Model& model);
+  void show_shading(const Model& model);
+  void show_lights(Model& model);
+  void show_tolerance(Model& model);
   void show_picked(const Model& model);
   void show_figures(const Model& model, const Figures& figures);
   void show_error_of(const Model& model, const std::string& name);
   bool field(Model& model, const std::string& label, std::string& text, bool wrong);
 
+  std::optional<Action> action_;
   bool changed_ = false;
   bool has_shown_error_ = false;
   std::string search_;

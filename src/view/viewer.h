@@ -1,12 +1,85 @@
-// The viewer: a window that shows a scene, and a hand, a keyboard and a panel that change it.
+// The viewer: a window that shows a scene, and a hand, a keyboard and a panel that change it. It
+// waits, takes what happened, changes the model and draws what has changed; nothing is drawn while
+// nothing happens.
 #pragma once
 
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "view/drawing.h"
+#include "view/hand.h"
 #include "view/model.h"
+#include "view/overlay.h"
+#include "view/panel.h"
+#include "view/saver.h"
+#include "view/window.h"
 
 namespace saddle {
 
-/// Opens a window and returns when it is closed. Throws Error (Machine) without a display or
-/// OpenGL 3.3.
-void run_viewer(ViewerSetup setup);
+class Viewer {
+ public:
+  /// Opens a window. Throws Error (Machine) without a display or OpenGL 3.3.
+  explicit Viewer(ViewerSetup setup);
+
+  /// Returns when the window is closed. Throws Error (Machine) if OpenGL fails.
+  void run();
+
+  /// One round: waits until something happens, does it and draws.
+  void step();
+
+  /// A hand or a keyboard does something: for tests.
+  void receive(const Event& event) { window_.receive(event); }
+  bool has_events() const { return window_.has_events(); }
+  /// Nothing has happened that is not shown yet, and nothing goes on.
+  bool is_at_rest() const;
+  const Model& model() const { return model_; }
+  const Drawing& drawing() const { return drawing_; }
+
+ private:
+  using Clock = Model::Clock;
+
+  std::optional<double> patience() const;
+  bool is_to_end();
+  void say_what_it_took() const;
+  void touch();
+  void change_picture();
+  void say(const std::string& text);
+  void handle(const Event& event);
+  void press(const Event& event);
+  void key(const std::string& name);
+  void act(Action action);
+  void copy(Action action);
+  void look_at_file();
+  dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
+  bool is_over_picture(const Event& event) const;
+  double panel_width() const;
+  void fit_picture();
+  void paint();
+  Overlay overlay();
+
+  bool verbose_;
+  std::filesystem::path watched_;
+  std::filesystem::file_time_type written_;  ///< when that file was, as far as is known
+  Clock::time_point looked_;
+  Window window_;
+  Drawing drawing_;
+  Hand hand_;
+  Panel panel_;
+  std::size_t paints_ = 0;
+  Clock::duration busy_{};     ///< from what happened to the screen
+  Clock::duration showing_{};  ///< of that, copying pictures to the window, with the panel
+  bool closing_ = false;
+  bool insisting_ = false;  ///< not even files that are being written are waited for
+  bool panel_shown_ = true;
+  bool help_shown_ = false;
+  int to_paint_;  ///< frames that the window still needs
+  std::string message_;
+  Clock::time_point message_end_;
+  // The last members: their threads wake the window.
+  Saver saver_;
+  Model model_;
+};
 
 }  // namespace saddle

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <filesystem>
 #include <span>
@@ -54,13 +55,10 @@ void add_font(std::span<const char* const> paths, float size) {
   fonts.AddFontDefault(&config);
 }
 
-constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display";
-
 [[noreturn]] void fail(const std::string& what) {
   const char* reason = nullptr;
   glfwGetError(&reason);
-  throw Error(Status::Machine, what + (reason != nullptr ? std::string(": ") + reason : ""), {},
-              kWayOut);
+  throw Error(Status::Machine, what + (reason != nullptr ? std::string(": ") + reason : ""));
 }
 
 Window& of(GLFWwindow* window) {
@@ -150,20 +148,25 @@ void Window::listen() {
     event.button = button;
     event.shift = (mods & GLFW_MOD_SHIFT) != 0;
     event.mods = mods;
-    of(w).add(event);
+    of(w).receive_here(event);
   });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
-    of(w).pointer_ = {x, y};
-    of(w).add({});
+    int width = 1;
+    int height = 1;
+    glfwGetWindowSize(w, &width, &height);
+    Event event;
+    event.place =
+        dvec2(x, y) * of(w).framebuffer_size() / dvec2(std::max(width, 1), std::max(height, 1));
+    of(w).receive(event);
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) {
     Event event;
     event.kind = Event::Kind::Scroll;
     event.notches = notches;
-    of(w).add(event);
+    of(w).receive_here(event);
   });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
-    ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    of(w).is_inside_ = entered == GLFW_TRUE;
     of(w).damaged_ = true;
   });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
@@ -181,7 +184,7 @@ void Window::listen_to_keys() {
     event.kind = Event::Kind::Character;
     event.code = static_cast<int>(code);
     if (code > ' ' && code < 0x7F) event.key = static_cast<char>(code);
-    of(w).add(event);
+    of(w).receive_here(event);
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
     Event event;
@@ -189,7 +192,7 @@ void Window::listen_to_keys() {
     event.code = key;
     event.mods = mods;
     if (action == GLFW_PRESS) event.key = special_key(key, mods);
-    of(w).add(event);
+    of(w).receive_here(event);
   });
 }
 
@@ -208,11 +211,14 @@ void Window::start_panel() {
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
-void Window::add(Event event) {
-  int width = 1;
-  int height = 1;
-  glfwGetWindowSize(window_, &width, &height);
-  event.place = pointer_ * framebuffer_size() / dvec2(std::max(width, 1), std::max(height, 1));
+void Window::receive_here(Event event) {
+  event.place = pointer_;
+  receive(std::move(event));
+}
+
+void Window::receive(Event event) {
+  pointer_ = event.place;
+  if (event.kind == Event::Kind::Move) is_inside_ = true;
   if (event.kind == Event::Kind::Press) {
     const double now = glfwGetTime();
     event.twice = event.button == 0 && now - last_press_time_ < kDoubleClickSeconds &&
@@ -262,12 +268,15 @@ std::vector<Event> Window::take_events() {
   return taken;
 }
 
-void Window::tell_panel(const Event& event) const {
+void Window::tell_panel(const Event& event) {
+  shown_pointer_ = event.place;
   switch (event.kind) {
     case Event::Kind::Press:
     case Event::Kind::Release: {
-      const int action = event.kind == Event::Kind::Press ? GLFW_PRESS : GLFW_RELEASE;
-      return ImGui_ImplGlfw_MouseButtonCallback(window_, event.button, action, event.mods);
+      const auto button = static_cast<std::size_t>(event.button);
+      if (button >= shown_buttons_.size()) return;
+      shown_buttons_[button] = event.kind == Event::Kind::Press;
+      return;
     }
     case Event::Kind::Scroll:
       return ImGui_ImplGlfw_ScrollCallback(window_, 0, event.notches);
@@ -279,12 +288,14 @@ void Window::tell_panel(const Event& event) const {
       return ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, action, event.mods);
     }
     case Event::Kind::Move:
-      return;  // the panel looks where the pointer is
+      return;
   }
 }
 
-bool Window::is_to_close() const {
-  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+bool Window::take_close_request() {
+  const bool asked = glfwWindowShouldClose(window_) == GLFW_TRUE;
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  return asked;
 }
 
 bool Window::take_damage() {
@@ -309,6 +320,18 @@ void Window::set_clipboard(const std::string& text) {
 void Window::begin_panel() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // The panel's unit is the pixel, whatever GLFW's is; and what it has been told, not what GLFW
+  // knows by now, is where the pointer is and what it holds.
+  ImGuiIO& io = ImGui::GetIO();
+  const dvec2 size = framebuffer_size();
+  io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+  io.DisplayFramebufferScale = {1, 1};
+  const bool is_held = std::ranges::find(shown_buttons_, true) != shown_buttons_.end();
+  io.MousePos = {-FLT_MAX, -FLT_MAX};  // nowhere
+  if (is_inside_ || is_held) {
+    io.MousePos = {static_cast<float>(shown_pointer_.x), static_cast<float>(shown_pointer_.y)};
+  }
+  std::ranges::copy(shown_buttons_, io.MouseDown);
   ImGui::NewFrame();
 }
 

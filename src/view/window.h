@@ -2,6 +2,7 @@
 // happens in the window is collected between two frames.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <string>
@@ -17,7 +18,7 @@ namespace saddle {
 struct Event {
   enum class Kind { Press, Release, Move, Scroll, Character, KeyDown, KeyUp };
   Kind kind = Kind::Move;
-  dvec2 place{0, 0};   ///< of the pointer
+  dvec2 place{0, 0};   ///< of the pointer, in pixels
   int button = 0;      ///< 0 left, 1 right, 2 middle
   bool shift = false;  ///< held down
   bool twice = false;  ///< the second press in a row at this place
@@ -42,11 +43,15 @@ class Window {
   /// Makes wait() return; from any thread.
   static void wake();
 
+  /// As if it had just happened at a place of the window: for GLFW, and for tests that play a hand.
+  void receive(Event event);
+
   /// What has happened, in order, but no more than what one frame of the panel can tell apart: it
   /// sees only what is down when it looks. The rest waits for the next frame.
   std::vector<Event> take_events();
   bool has_events() const { return !events_.empty(); }
-  bool is_to_close() const;
+  /// The window is asked to close, since the last call.
+  bool take_close_request();
   /// The window wants to be painted: it was uncovered or has another size.
   bool take_damage();
 
@@ -68,14 +73,18 @@ class Window {
   void listen();
   void start_panel();
   void listen_to_keys();
-  void add(Event event);
-  void tell_panel(const Event& event) const;
+  void receive_here(Event event);
+  void tell_panel(const Event& event);
 
   GLFWwindow* window_ = nullptr;
   double scale_ = 1;
   std::deque<Event> events_;
   dvec2 pointer_{0, 0};  ///< where events have brought it; GLFW tells where it is by now
+  bool is_inside_ = false;
   bool damaged_ = true;
+  // What the panel was told.
+  dvec2 shown_pointer_{0, 0};
+  std::array<bool, 3> shown_buttons_{};
   double last_press_time_ = -1;
   dvec2 last_press_{0, 0};
 };

@@ -61,7 +61,7 @@ TEST(MeshWorker, MeshesWhatIsWishedForLast) {
         return SurfaceMesh{};
       },
       [&] { results.announce(); });
-  for (int i = 0; i < 100; ++i) worker.wish(titled(std::to_string(i)), true);
+  for (int i = 0; i < 100; ++i) worker.wish(titled(std::to_string(i)), Manner::PreviewFirst);
   EXPECT_EQ(results.wait_for(worker, "99").surfaces.size(), 1U);
   EXPECT_GE(previews, 1);
   EXPECT_LE(previews, 100);
@@ -77,10 +77,31 @@ TEST(MeshWorker, AbandonsWhatTakesForEver) {
         return SurfaceMesh{};
       },
       [&] { results.announce(); });
-  worker.wish(titled("endless"), false);
+  worker.wish(titled("endless"), Manner::Full);
   while (!begun) std::this_thread::yield();
-  worker.wish(titled("quick"), false);
+  worker.wish(titled("quick"), Manner::Full);
   EXPECT_FALSE(results.wait_for(worker, "quick").error);
+}
+
+TEST(MeshWorker, DoesInTurnWhatMustNotBeAbandoned) {
+  Results results;
+  std::atomic<int> begun = 0;
+  std::atomic<int> may_end = 0;
+  MeshWorker worker(
+      [&](const Scene&, std::size_t, Detail) {
+        const int number = ++begun;
+        while (may_end < number) parallel_chunks(1, 1, 1, [](std::size_t, std::size_t) {});
+        return SurfaceMesh{};
+      },
+      [&] { results.announce(); });
+  worker.wish(titled("first"), Manner::Full);
+  while (begun == 0) std::this_thread::yield();
+  worker.wish(titled("skipped"), Manner::InTurn);
+  worker.wish(titled("second"), Manner::InTurn);
+  may_end = 1;
+  EXPECT_FALSE(results.wait_for(worker, "first").error);
+  may_end = 2;
+  EXPECT_FALSE(results.wait_for(worker, "second").error);
 }
 
 TEST(MeshWorker, EndsWhileItWorks) {
@@ -93,7 +114,7 @@ TEST(MeshWorker, EndsWhileItWorks) {
           return {};
         },
         [] {});
-    worker.wish(titled("endless"), true);
+    worker.wish(titled("endless"), Manner::PreviewFirst);
     while (!begun) std::this_thread::yield();
   }
   SUCCEED() << "the destructor returns";
@@ -109,7 +130,7 @@ TEST(MeshWorker, TellsWhichSurfaceIsWrong) {
       [&] { results.announce(); });
   Scene scene = titled("two");
   scene.surfaces.resize(2);
-  worker.wish(scene, true);
+  worker.wish(scene, Manner::PreviewFirst);
   const Meshed result = results.wait_for(worker, "two");
   ASSERT_TRUE(result.error);
   EXPECT_EQ(result.guilty, 1U);

@@ -69,8 +69,9 @@ void ViewerTest::SetUp() {
   std::string pattern = testing::TempDir() + "saddle-viewer-XXXXXX";
   folder_ = mkdtemp(pattern.data());
   const std::filesystem::path number = path("display");
-  server_ =
-      start({"Xvfb", "-displayfd", "1", "-screen", "0", "1200x700x24", "-nolisten", "tcp"}, [&] {
+  server_ = start(
+      {"Xvfb", "-displayfd", "1", "-screen", "0", "1200x700x24", "-nolisten", "tcp", "-noreset"},
+      [&] {
         redirect(STDOUT_FILENO, number);
         redirect(STDERR_FILENO, path("xvfb-log"));
       });
@@ -145,7 +146,7 @@ void ViewerTest::drag(int button, int x0, int y0, int x1, int y1) {
 }
 
 void ViewerTest::enter_field(int row) const {
-  constexpr int kFirst = 43;  // the middle of the first field, and how far they are apart
+  constexpr int kFirst = 66;  // the middle of the first field, and how far they are apart
   constexpr int kApart = 25;
   act("mousemove 200 " + std::to_string(kFirst + row * kApart) +
       " sleep 0.1 click 1 sleep 0.3 key End sleep 0.1");

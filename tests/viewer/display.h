@@ -14,7 +14,7 @@
 namespace saddle {
 
 /// Starts Xvfb; skips the test where there is none.
-class ViewerTest : public testing::Test {
+class ViewerTest : public ::testing::Test {
  protected:
   static constexpr int kPanelWidth = 280;
 
@@ -44,6 +44,9 @@ class ViewerTest : public testing::Test {
   static bool eventually(const std::function<bool()>& condition);
   /// The picture once it does not change any more.
   Image settled_picture() const;
+
+  /// Its name: ":7".
+  const std::string& display() const { return display_; }
 
   std::string standard_output() const;
   std::string standard_error() const;

@@ -1,0 +1,295 @@
+// Hands that do anything at all, in this process: real window, real OpenGL, made-up events. Under a
+// sanitizer it looks for wrong memory and leaks, too.
+//
+// SADDLE_RANDOM_EVENTS: how many, SADDLE_RANDOM_SEED: which.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "app/tessellate.h"
+#include "base/error.h"
+#include "base/random.h"
+#include "random_formula.h"
+#include "render/canvas.h"
+#include "render/renderer.h"
+#include "scene/gallery.h"
+#include "scene/scene_file.h"
+#include "view/viewer.h"
+#include "viewer/display.h"
+#include "viewer/gl_names.h"
+
+namespace saddle {
+namespace {
+
+constexpr int kSomeEvents = 200;
+constexpr int kEventsToRest = 100;
+constexpr std::chrono::minutes kPatience{2};
+
+std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
+  const char* const text = std::getenv(variable);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+/// GLFW's numbers for keys that fields understand.
+constexpr int kKeyA = 65;
+constexpr int kKeyEscape = 256;
+constexpr int kKeyBackspace = 259;
+constexpr int kKeyControl = 341;
+constexpr int kModControl = 2;
+
+/// Makes up what a person might do, and more.
+class RandomHand {
+ public:
+  RandomHand(Viewer& viewer, std::uint64_t seed)
+      : viewer_(viewer), formula_(seed), seed_(seed << 32U) {}
+
+  /// One deed, which may be several events.
+  void act() {
+    switch (below(12)) {
+      case 0:
+      case 1:
+        return drag();
+      case 2:
+      case 3:
+        return scroll();
+      case 4:
+        return click(anywhere(), 2);
+      case 5:
+        return click({20.0 + below(260), 20.0 + below(560)}, 1);  // into the panel
+      case 6:
+      case 7:
+        return enter_formula();
+      case 8:
+        return type(formula_(2));
+      case 9:
+        return move(anywhere());
+      default:
+        return press_key();
+    }
+  }
+
+  /// Lets go, leaves fields and lists, stops t, and takes away what is no part of the scene.
+  void rest() {
+    for (int which = 0; which < 3; ++which) button(Event::Kind::Release, which);
+    for (const bool down : {true, false}) key(kKeyEscape, 0, down);
+    click({700, 300}, 1);
+    while (viewer_.has_events()) viewer_.step();
+    if (viewer_.model().playing) press_key_named("Space");
+    if (viewer_.drawing().has_normals()) press_key_named("n");
+    if (viewer_.drawing().has_axes()) press_key_named("a");
+  }
+
+  void press_key_named(const std::string& name) {
+    Event event = at_pointer(name.size() == 1 ? Event::Kind::Character : Event::Kind::KeyDown);
+    event.key = name;
+    event.code = name.size() == 1 ? name[0] : 0;
+    viewer_.receive(event);
+  }
+
+ private:
+  int below(int end) { return static_cast<int>(end * random_unit(seed_++)); }
+  dvec2 anywhere() { return {double(below(1080)), double(below(600))}; }
+
+  Event at_pointer(Event::Kind kind) const {
+    Event event;
+    event.kind = kind;
+    event.place = pointer_;
+    return event;
+  }
+
+  void move(const dvec2& place) {
+    pointer_ = place;
+    viewer_.receive(at_pointer(Event::Kind::Move));
+  }
+
+  void button(Event::Kind kind, int button, bool shift = false) {
+    Event event = at_pointer(kind);
+    event.button = button;
+    event.shift = shift;
+    viewer_.receive(event);
+  }
+
+  void click(const dvec2& place, int times) {
+    move(place);
+    for (int i = 0; i < times; ++i) {
+      button(Event::Kind::Press, 0);
+      button(Event::Kind::Release, 0);
+    }
+  }
+
+  void drag() {
+    const int which = below(3);
+    move(anywhere());
+    button(Event::Kind::Press, which, below(4) == 0);
+    for (int i = below(6); i >= 0; --i) {
+      move(anywhere());
+      if (below(8) == 0) press_key();
+      viewer_.step();
+    }
+    if (below(20) != 0) button(Event::Kind::Release, which);
+  }
+
+  void scroll() {
+    move(anywhere());
+    for (int i = below(4); i >= 0; --i) {
+      Event event = at_pointer(Event::Kind::Scroll);
+      event.notches = 4 * random_unit(seed_++) - 2;
+      viewer_.receive(event);
+    }
+  }
+
+  void key(int code, int mods, bool down) {
+    Event event = at_pointer(down ? Event::Kind::KeyDown : Event::Kind::KeyUp);
+    event.code = code;
+    event.mods = mods;
+    viewer_.receive(event);
+  }
+
+  void type(const std::string& text) {
+    for (const char c : text) press_key_named(std::string(1, c));
+  }
+
+  /// In place of what is in one of the fields at the top.
+  void enter_formula() {
+    click({200, 66.0 + 25 * below(6)}, 1);
+    key(kKeyControl, kModControl, true);
+    key(kKeyA, kModControl, true);
+    key(kKeyA, kModControl, false);
+    key(kKeyControl, 0, false);
+    type(formula_(below(3)));
+    if (below(3) == 0) {
+      key(kKeyBackspace, 0, true);
+      key(kKeyBackspace, 0, false);
+    }
+  }
+
+  /// Any but those that end the program.
+  void press_key() {
+    const auto table = key_table();
+    const KeyBinding& binding = table[below(static_cast<int>(table.size()))];
+    if (binding.action != Action::Quit) press_key_named(binding.name);
+  }
+
+  Viewer& viewer_;
+  testing::RandomFormula formula_;
+  std::uint64_t seed_;
+  dvec2 pointer_{0, 0};
+};
+
+ViewerSetup torus() {
+  ViewerSetup setup;
+  setup.scene = gallery_scene(*find_gallery_entry("torus"));
+  setup.tessellate = [](const Scene& scene, std::size_t surface, Detail detail) {
+    Scene asked = scene;
+    asked.mesh.max_triangles = 50'000;  // it is no test of patience
+    if (detail == Detail::Preview) asked.mesh.samples = GridSize{30, 30};
+    Tessellation result = tessellate(asked, asked.surfaces[surface], {.picture = true}, 0);
+    return SurfaceMesh{std::move(result.mesh), std::move(result.report.mesh), {}};
+  };
+  setup.reload = [] { return gallery_scene(*find_gallery_entry("torus")); };
+  return setup;
+}
+
+class RandomHands : public ViewerTest {
+ protected:
+  void SetUp() override {
+    ViewerTest::SetUp();
+    if (IsSkipped()) return;
+    setenv("DISPLAY", display().c_str(), 1);
+    unsetenv("WAYLAND_DISPLAY");
+    before_ = std::filesystem::current_path();
+    std::filesystem::current_path(folder_);  // which gets the files that are saved
+  }
+  void TearDown() override {
+    if (!before_.empty()) std::filesystem::current_path(before_);
+    ViewerTest::TearDown();
+  }
+
+  /// Whether the viewer comes to rest, with t standing still.
+  static bool rests(Viewer& viewer, RandomHand& hand) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    hand.rest();
+    while (!viewer.is_at_rest()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      viewer.step();
+    }
+    return true;
+  }
+
+  /// What the model says is to be seen, drawn by a renderer that knows nothing of before.
+  static Image drawn_afresh(const Model& model) {
+    Renderer renderer;
+    Canvas canvas;
+    for (std::size_t i = 0; i < model.meshes().size(); ++i) {
+      renderer.set_mesh(i, model.meshes()[i]->mesh);
+    }
+    PictureSettings picture = model.scene().picture;
+    picture.antialias = std::min(2, picture.antialias);
+    canvas.draw(renderer, model.drawn_scene(), model.grip().fitted,
+                {.lines = model.grid, .wireframe = model.wireframe}, picture);
+    return canvas.read();
+  }
+
+  static std::string describe(const Viewer& viewer) {
+    const Model& model = viewer.model();
+    return std::string(model.playing ? "playing " : "") + (model.is_meshing() ? "meshing " : "") +
+           (model.next_pass() ? "refining " : "") +
+           (viewer.drawing().is_at_rest() ? "" : "drawing ") + write_scene(model.scene());
+  }
+
+ private:
+  std::filesystem::path before_;
+};
+
+TEST_F(RandomHands, LeaveAPictureThatIsRightAndNothingBehind) {
+  const std::uint64_t seed = number_from("SADDLE_RANDOM_SEED", 1);
+  const auto events = static_cast<int>(number_from("SADDLE_RANDOM_EVENTS", kSomeEvents));
+  std::optional<GlNames> names;
+  {
+    Viewer viewer(torus());
+    names.emplace();
+    // Who waits for what never comes must not wait for ever.
+    const std::jthread waker([](const std::stop_token& end) {
+      while (!end.stop_requested()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        Window::wake();
+      }
+    });
+    RandomHand hand(viewer, seed);
+    for (int i = 0; i < events; ++i) {
+      hand.act();
+      viewer.step();
+      if (i % kEventsToRest != kEventsToRest - 1) continue;
+      ASSERT_TRUE(rests(viewer, hand))
+          << "stuck after " << i << " deeds of seed " << seed << ": " << describe(viewer);
+      ASSERT_EQ(viewer.drawing().read().rgba, drawn_afresh(viewer.model()).rgba)
+          << "after " << i << " deeds of seed " << seed;
+    }
+    EXPECT_GT(names->made(), 10) << "the count sees what is made";
+  }
+  EXPECT_EQ(names->live(), 0);
+}
+
+TEST_F(RandomHands, CloseTheWindowAtAnyMoment) {
+  for (int steps = 0; steps < 12; steps += 2) {
+    std::optional<GlNames> names;
+    {
+      Viewer viewer(torus());
+      names.emplace();
+      RandomHand hand(viewer, static_cast<std::uint64_t>(steps));
+      for (int i = 0; i < steps; ++i) {
+        hand.act();
+        viewer.step();
+      }
+    }
+    EXPECT_EQ(names->live(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace saddle
