@@ -301,7 +301,7 @@ std::string describe(const SurfaceReport& s, const Mesh& triangles) {
   line("seams", seams(s));
   line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
   line("shape", shape(facts.topology));
-  line("extents", extents(s.bounds));
+  line("extents", extents(facts.measures.extents));
   line("area", number(facts.measures.area));
   if (encloses_volume(facts)) line("volume", number(facts.measures.volume));
   line("curvature", curvatures(facts.measures));

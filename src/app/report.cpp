@@ -76,6 +76,8 @@ void add_facts(const SurfaceReport& s, Json& json) {
   json["closed"] = t.is_closed();
   json["open_edges"] = t.open_edges;
   json["boundary_loops"] = t.boundary_loops;
+  json["extents"] =
+      Json::array({vector(facts.measures.extents.low), vector(facts.measures.extents.high)});
   json["area"] = number(facts.measures.area);
   json["volume"] = encloses_volume(facts) ? number(facts.measures.volume) : Json(nullptr);
   json["gauss_curvature"] = extremes(facts.measures.gauss);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "study/climb.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -21,6 +22,9 @@ constexpr double kSpoilt = 0.1;
 /// curvatures more than half of their digits.
 constexpr double kWellConditioned = 1e-3;
 constexpr double kShortTangent = 1e-5;
+/// A curvature that a search from a vertex finds may be larger by this part of the largest; one
+/// that is more so grows toward a place where there is none.
+constexpr double kBetweenVertices = 0.25;
 /// Stretches of the domain in each direction and points of Gauss's rule in each: 256 x 256 points.
 constexpr std::size_t kStretches = 64;
 constexpr std::array<double, 2> kGaussPlaces = {0.33998104358485626, 0.86113631159405258};
@@ -90,7 +94,11 @@ class Measurer {
 
   Measures run(bool is_whole) {
     integrate_triangles();
-    if (is_whole) integrate_domain();
+    result_.extents = mesh_.bounds;
+    if (is_whole) {
+      integrate_domain();
+      extend();
+    }
     add_curvatures();
     return result_;
   }
@@ -162,20 +170,77 @@ class Measurer {
     result_.volume += usable ? volume : glm::dot(a, flat_area) / 3;
   }
 
-  void add_curvatures() {
-    const std::vector<SurfacePoint> points = evaluate(surface_, mesh_.uv, threads_);
-    const std::vector<Curvature> curvatures = evaluate_curvature(surface_, mesh_.uv, threads_);
-    result_.evaluations += points.size();
-    const double usual_u = usual_length(points, &SurfacePoint::r_u);
-    const double usual_v = usual_length(points, &SurfacePoint::r_v);
-    for (std::size_t k = 0; k < points.size(); ++k) {
+  /// The largest values of `value` at the mesh's vertices, and from there on.
+  Peak largest(const ValuesAt& value, std::span<const double> at_vertices) const {
+    const auto best = std::ranges::max_element(
+        at_vertices, [](double a, double b) { return a < b || (std::isnan(a) && !std::isnan(b)); });
+    return climb(surface_.domain,
+                 {mesh_.uv[static_cast<std::size_t>(best - at_vertices.begin())], *best}, value);
+  }
+
+  void extend() {
+    for (int k = 0; k < 3; ++k) {
+      for (const double sign : {1.0, -1.0}) {
+        const ValuesAt value = [&](std::span<const dvec2> uv) {
+          std::vector<double> numbers;
+          for (const SurfacePoint& p : evaluate(surface_, uv, 1)) {
+            numbers.push_back(sign * p.position[k]);
+          }
+          return numbers;
+        };
+        std::vector<double> at_vertices;
+        for (const dvec3& p : mesh_.position) at_vertices.push_back(sign * p[k]);
+        const double farthest = sign * largest(value, at_vertices).value;
+        dvec3& corner = sign > 0 ? result_.extents.high : result_.extents.low;
+        if (std::isfinite(farthest)) corner[k] = farthest;
+      }
+    }
+  }
+
+  /// Gauss or mean curvatures; NaN where they would have lost most of their digits.
+  std::vector<double> curvatures(std::span<const dvec2> uv, double Curvature::*which) const {
+    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+    const std::vector<Curvature> all = evaluate_curvature(surface_, uv, threads_);
+    std::vector<double> result;
+    result.reserve(uv.size());
+    for (std::size_t k = 0; k < uv.size(); ++k) {
       const double size_u = safe_length(points[k].r_u);
       const double size_v = safe_length(points[k].r_v);
       const dvec3 across = glm::cross(points[k].r_u / size_u, points[k].r_v / size_v);
-      if (!(glm::length(across) > kWellConditioned)) continue;
-      if (size_u < kShortTangent * usual_u || size_v < kShortTangent * usual_v) continue;
-      if (std::isfinite(curvatures[k].gauss)) result_.gauss.add(curvatures[k].gauss);
-      if (std::isfinite(curvatures[k].mean)) result_.mean.add(curvatures[k].mean);
+      const bool usable = glm::length(across) > kWellConditioned &&
+                          size_u >= kShortTangent * usual_u_ && size_v >= kShortTangent * usual_v_;
+      result.push_back(usable && std::isfinite(all[k].*which) ? all[k].*which : std::nan(""));
+    }
+    return result;
+  }
+
+  void add_curvatures() {
+    const std::vector<SurfacePoint> points = evaluate(surface_, mesh_.uv, threads_);
+    usual_u_ = usual_length(points, &SurfacePoint::r_u);
+    usual_v_ = usual_length(points, &SurfacePoint::r_v);
+    result_.evaluations += points.size();
+    add_curvature(&Curvature::gauss, result_.gauss);
+    add_curvature(&Curvature::mean, result_.mean);
+  }
+
+  void add_curvature(double Curvature::*which, Extremes& range) const {
+    const std::vector<double> at_vertices = curvatures(mesh_.uv, which);
+    for (const double x : at_vertices) {
+      if (!std::isnan(x)) range.add(x);
+    }
+    if (range.empty()) return;
+    const double most = kBetweenVertices * std::max(std::fabs(range.low), std::fabs(range.high));
+    for (const double sign : {1.0, -1.0}) {
+      const auto turned = [sign](std::vector<double> numbers) {
+        for (double& x : numbers) x *= sign;
+        return numbers;
+      };
+      const ValuesAt value = [&](std::span<const dvec2> uv) {
+        return turned(curvatures(uv, which));
+      };
+      double& end = sign > 0 ? range.high : range.low;
+      const double found = sign * largest(value, turned(at_vertices)).value;
+      if (std::fabs(found - end) <= most) end = found;
     }
   }
 
@@ -184,6 +249,8 @@ class Measurer {
   unsigned threads_;
   dvec3 centre_;  // volumes are taken around it, which keeps their digits far from the origin
   std::array<Node, 7> rule_ = radon_rule();
+  double usual_u_ = 0;  // lengths of tangents
+  double usual_v_ = 0;
   Measures result_;
 };
 

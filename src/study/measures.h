@@ -23,7 +23,10 @@ struct Extremes {
 struct Measures {
   double area = 0;
   double volume = 0;  ///< inside of a closed surface; negative if its back is outside
-  Extremes gauss;  ///< curvatures where the surface is regular, at the points that were looked at
+  Bounds extents;     ///< of the surface, if all of it was meshed; else of the mesh
+  /// Curvatures where the surface is regular. What grows toward a singular point is what was found
+  /// at the mesh's vertices.
+  Extremes gauss;
   Extremes mean;
   std::size_t evaluations = 0;
 };

@@ -73,6 +73,7 @@ TEST_F(CheckCommand, ReportsFactsAsJson) {
   EXPECT_EQ(sphere["boundary_loops"], 0);
   EXPECT_EQ(sphere["proved_defined_fraction"], 1);
   EXPECT_EQ(sphere["proved_undefined_fraction"], 0);
+  EXPECT_NEAR(sphere["extents"][1][0].get<double>(), 1, 1e-12);
   EXPECT_NEAR(sphere["area"].get<double>(), 12.566370614359172, 1e-10);
   EXPECT_NEAR(sphere["volume"].get<double>(), 4.18879020478639, 1e-10);
   EXPECT_NEAR(sphere["gauss_curvature"][1].get<double>(), 1, 1e-9);

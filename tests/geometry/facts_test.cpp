@@ -57,10 +57,32 @@ TEST(Facts, CurvaturesAreThoseOfTheClosedForms) {
   EXPECT_NEAR(sphere.mean.low, -0.5, 1e-9);  // it bends away from its front
   const Measures torus = facts_of(scene_of("torus")).measures;
   EXPECT_NEAR(torus.gauss.high, 1 / (0.8 * 2.8), 1e-9);
-  EXPECT_NEAR(torus.gauss.low, -1 / (0.8 * 1.2), 1e-2);  // between two lines of the mesh
+  EXPECT_NEAR(torus.gauss.low, -1 / (0.8 * 1.2), 1e-9);
+  EXPECT_NEAR(torus.mean.high, -(1 / 0.8 - 1 / 1.2) / 2, 1e-9);
   const Measures cusp = facts_of(scene_of("pseudosphere")).measures;
   EXPECT_NEAR(cusp.gauss.low, -1, 1e-6);
   EXPECT_NEAR(cusp.gauss.high, -1, 1e-6);
+}
+
+TEST(Facts, ExtentsAreTheSurfacesNotTheMeshes) {
+  // Tilted, so that no line of the mesh passes through an extreme.
+  Scene scene = scene_of("torus");
+  SurfaceSpec& spec = scene.surfaces.at(0);
+  spec.x = "(2+cos(v))*cos(u+0.3)";
+  spec.y = "(2+cos(v))*sin(u+0.3)";
+  spec.z = "sin(v+0.7)";
+  const Bounds extents = facts_of(scene).measures.extents;
+  const dvec3 high(3, 3, 1);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(extents.high[k], high[k], 1e-12) << k;
+    EXPECT_NEAR(extents.low[k], -high[k], 1e-12) << k;
+  }
+}
+
+TEST(Facts, CurvaturesThatGrowTowardAPointStayThoseThatWereFound) {
+  const Measures cone = facts_of(scene_of("cone-double")).measures;
+  EXPECT_TRUE(std::isfinite(cone.mean.high));
+  EXPECT_LT(std::fabs(cone.mean.high), 1e6);
 }
 
 TEST(Facts, SingularPlacesHaveTheLimitsOfTheirSides) {
