@@ -18,10 +18,16 @@ namespace {
 constexpr ToleranceValue kPictureTolerance = {0.5, true};
 constexpr ToleranceValue kMeshTolerance = {1e-3, false};
 /// An eye in the midst of the surface sees parts of it at any distance; nearer ones than this part
-/// of its extent are drawn more coarsely than asked.
+/// of its extent, or of the target's distance, are drawn more coarsely than asked.
 constexpr double kNearest = 0.05;
 /// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
 constexpr double kFarOut = 3;
+/// An eye is close to a surface whose nearest part has pixels smaller than this share of those of a
+/// picture that it fills: then each part of it has its own, and what is not seen has large ones.
+constexpr double kClose = 0.5;
+/// Half the picture's size times this is how far beside the picture a surface is still as fine as
+/// in it: the hand soon turns it there. Farther out cells grow with the distance.
+constexpr double kMargin = 0.5;
 /// A surface may go beyond its samples by this part of their extent without being clipped.
 constexpr double kBeyondProbe = 0.1;
 
@@ -42,49 +48,101 @@ Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
   return bounds;
 }
 
-/// The side of a pixel on the nearest part of the surface at this place, in the surface's own units
-/// of length.
-double pixel_size(const Scene& scene, const glm::dmat4& place, const Probe& probe,
-                  const std::optional<Bounds>& clip) {
-  const Camera& camera = scene.camera;
-  const double stretch = largest_stretch(place);
-  const bool in_world = place == glm::dmat4(1);
-  const Bounds bounds = transformed(visible(probe, clip), place);
-  const dvec3 target = camera_target(camera, bounds);
-  const double to_corner =
-      glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target)));
-  const double radius = in_world ? std::min(probe.radius(target), to_corner) : to_corner;
-  const double aspect = static_cast<double>(scene.picture.width) / scene.picture.height;
-  const double distance = fit_camera(camera, bounds, aspect, radius).distance;
-  const double depth = camera.ortho ? distance : std::max(distance - radius, kNearest * radius);
-  const double half_fov = camera.fov / 2 * std::numbers::pi / 180;
-  return 2 * depth * std::tan(half_fov) / scene.picture.height / stretch;
-}
-
-/// The least of all places'.
-double pixel_size(const Scene& scene, const SurfaceSpec& spec, const Probe& probe,
-                  const std::optional<Bounds>& clip) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const glm::dmat4& place : places(scene, spec)) {
-    if (largest_stretch(place) == 0) continue;  // drawn as nothing
-    least = std::min(least, pixel_size(scene, place, probe, clip));
+/// The side of a pixel on a surface that a node has put somewhere, in the surface's own units of
+/// length.
+class PixelSize {
+ public:
+  PixelSize(const Scene& scene, const glm::dmat4& place, const Probe& probe,
+            const std::optional<Bounds>& clip)
+      : place_(place), stretch_(largest_stretch(place)), ortho_(scene.camera.ortho) {
+    const Bounds bounds = transformed(visible(probe, clip), place);
+    const double aspect = static_cast<double>(scene.picture.width) / scene.picture.height;
+    const dvec3 target = camera_target(scene.camera, bounds);
+    const double to_corner =
+        glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target)));
+    const bool in_world = place == glm::dmat4(1);
+    const double radius = in_world ? std::min(probe.radius(target), to_corner) : to_corner;
+    camera_ = fit_camera(scene.camera, bounds, aspect, radius);
+    const double tangent = std::tan(scene.camera.fov / 2 * std::numbers::pi / 180);
+    half_ = {aspect * tangent, tangent};
+    per_length_ = 2 / static_cast<double>(scene.picture.height) / stretch_;
+    const double depth =
+        ortho_ ? camera_.distance : std::max(camera_.distance - radius, kNearest * radius);
+    nearest_ = depth * tangent * per_length_;
+    whole_ = radius * per_length_;
+    is_close_ = nearest_ < kClose * whole_;
   }
-  return std::isfinite(least) ? least : visible(probe, clip).diagonal();
-}
 
+  bool depends_on_place() const { return is_close_; }
+
+  /// The least within `reach` of a place of the surface. An eye that is far enough to see most of
+  /// the surface has one size for all of it, that of the nearest part.
+  double operator()(const dvec3& p, double reach) const {
+    if (!is_close_) return nearest_;
+    const dvec3 from_target = dvec3(place_ * glm::dvec4(p, 1)) - camera_.target;
+    const dvec3 seen = glm::dmat3(camera_.world_to_eye) * from_target;
+    const double depth = ortho_ ? camera_.distance : camera_.distance - seen.z;
+    const double out = beside(seen, depth) - reach * stretch_;
+    const double near =
+        std::max(kNearest * camera_.distance, depth - (ortho_ ? 0 : reach * stretch_));
+    const double size = near * half_.y * per_length_;
+    if (!(out > 0)) return std::min(size, whole_);
+    const double share = std::max(1.0, out / (kMargin * near * half_.y));
+    return std::min(share * share * size, whole_);
+  }
+
+ private:
+  /// How far a point, relative to the target, is from what the picture shows; less than 0: inside.
+  double beside(const dvec3& seen, double depth) const {
+    double most = -depth;
+    for (int k = 0; k < 2; ++k) {
+      const double off = std::fabs(seen[k]) - half_[k] * depth;
+      most = std::max(most, ortho_ ? off : off / std::hypot(1, half_[k]));
+    }
+    return most;
+  }
+
+  glm::dmat4 place_;
+  double stretch_;
+  bool ortho_;
+  FittedCamera camera_;
+  dvec2 half_;         ///< of the picture, at distance 1
+  double per_length_;  ///< pixels' size for half the picture's height at a depth
+  double nearest_;     ///< on the nearest part of the surface
+  double whole_;       ///< if half the picture were as high as the surface
+  bool is_close_;
+};
 }  // namespace
 
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip) {
-  double least = std::numeric_limits<double>::infinity();
-  if (!probe.bounds().empty()) {
-    for (const auto& [value, pixels] : asked(scene, purpose)) {
-      const double unit =
-          pixels ? pixel_size(scene, spec, probe, clip) : visible(probe, clip).diagonal();
-      least = std::min(least, value * unit);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  if (probe.bounds().empty()) return [](const dvec3&) { return kAny; };
+  const double diagonal = visible(probe, clip).diagonal();
+  double length = kAny;
+  double pixels = kAny;
+  for (const auto& [value, is_in_pixels] : asked(scene, purpose)) {
+    double& least = is_in_pixels ? pixels : length;
+    least = std::min(least, is_in_pixels ? value : value * diagonal);
+  }
+  if (pixels == kAny) return [length](const dvec3&) { return length; };
+  double same_everywhere = kAny;
+  std::vector<PixelSize> sizes;  // that are not
+  for (const glm::dmat4& place : places(scene, spec)) {
+    if (largest_stretch(place) == 0) continue;  // drawn as nothing
+    PixelSize size(scene, place, probe, clip);
+    if (size.depends_on_place()) {
+      sizes.push_back(size);
+    } else {
+      same_everywhere = std::min(same_everywhere, size(dvec3(0), 0));
     }
   }
-  return [least](const dvec3&) { return least; };
+  if (sizes.empty() && same_everywhere == kAny) same_everywhere = diagonal;
+  return [=](const dvec3& p, double reach) {
+    double pixel = same_everywhere;
+    for (const PixelSize& size : sizes) pixel = std::min(pixel, size(p, reach));
+    return std::min(length, pixels * pixel);
+  };
 }
 
 Bounds clip_box(const Probe& probe) {

@@ -175,9 +175,12 @@ class Mesher {
         triangulate_leaves(leaves, numbers(0, leaves.size()), singular, grid_, lattice_);
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       if (triangles.of(k).empty() || is_clipped(leaves[k])) continue;
-      const double known = leaves[k].known_error * tolerance_of(leaves[k]);
-      report.max_error = std::max({report.max_error, mesh_.deviations[k].distance, known});
-      if (diameter(leaves[k]) <= kVisible * tolerance_of(leaves[k])) continue;
+      const double eps = tolerance_of(leaves[k]);
+      const double off = std::max(mesh_.deviations[k].distance, leaves[k].known_error * eps);
+      // Where the tolerance depends on the place: as if it were the strictest everywhere.
+      report.max_error =
+          std::max(report.max_error, eps > *report.tolerance ? off / eps * *report.tolerance : off);
+      if (diameter(leaves[k]) <= kVisible * eps) continue;
       report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
     }
     if (triangles.all.empty()) return std::nullopt;
@@ -285,7 +288,7 @@ class Mesher {
   }
 
   double tolerance_of(const Leaf& leaf) const {
-    return refining_.tolerance(grid_.mesh.position[*lattice_.used_vertex(leaf.low)]);
+    return saddle::tolerance_of(leaf, refining_.tolerance, lattice_);
   }
 
   /// Whether one more halving could exceed the limit of triangles.
@@ -461,7 +464,7 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
   MeshReport& report = result.report;
   FixedLines lines = root_lines(probe, surface.domain, tolerance, options, report);
   if (std::max(lines.u.size(), lines.v.size()) > kMaxLines) return std::nullopt;
-  report.tolerance = tolerance(probe.bounds().centre());
+  report.tolerance = tolerance(probe.bounds().centre(), probe.bounds().diagonal());
   report.least_triangles = probe.least_triangles(tolerance);
   report.evaluations = probe.evaluations();
   Mesher mesher(surface, options, tolerance, std::move(lines));

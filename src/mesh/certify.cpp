@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "eval/enclose.h"
+#include "mesh/judge.h"
 
 namespace saddle {
 
@@ -103,7 +104,7 @@ class Certifier {
   }
 
   double tolerance_of(const Leaf& leaf) const {
-    return tolerance_(grid_.mesh.position[*lattice_.used_vertex(leaf.low)]);
+    return saddle::tolerance_of(leaf, tolerance_, lattice_);
   }
 
   double smallest_tolerance(const Cells& cells) const {

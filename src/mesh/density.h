@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -13,8 +15,29 @@
 
 namespace saddle {
 
-/// The largest distance of mesh and surface that is allowed at a place of the surface, more than 0.
-using Tolerance = std::function<double(const dvec3&)>;
+/// The largest distance of mesh and surface that is allowed, more than 0: near a place of the
+/// surface, within `reach` of it, where it may depend on the place. It must not grow by much over
+/// a part of the surface without being asked for it: what is allowed of a leaf is what is allowed
+/// everywhere in the ball around it.
+class Tolerance {
+ public:
+  /// From a function of place and reach, or of the place alone.
+  template <typename Function>
+  Tolerance(Function function) {
+    if constexpr (std::is_invocable_v<Function, const dvec3&, double>) {
+      near_ = std::move(function);
+    } else {
+      near_ = [function = std::move(function)](const dvec3& place, double) {
+        return function(place);
+      };
+    }
+  }
+
+  double operator()(const dvec3& place, double reach = 0) const { return near_(place, reach); }
+
+ private:
+  std::function<double(const dvec3&, double)> near_;
+};
 
 /// Parameters that a grid's lines must include: those of the lines that are drawn and the ends.
 struct FixedLines {

@@ -1,6 +1,8 @@
 #include "mesh/judge.h"
 
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
 
 #include "mesh/clip.h"
@@ -16,6 +18,24 @@ constexpr double kSmallArc = 0.3;
 /// Corner normals of a leaf spread by at most this, degrees: samples between them are then enough.
 constexpr double kMaxSpread = 40;
 
+/// Around the first of some points, as far as the others; points that are not finite are nowhere.
+class Ball {
+ public:
+  void add(const dvec3& p) {
+    if (!std::isfinite(p.x + p.y + p.z)) return;
+    if (!centre_) centre_ = p;
+    reach_ = std::max(reach_, glm::distance(*centre_, p));
+  }
+  double allowed_by(const Tolerance& tolerance) const {
+    constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+    return centre_ ? tolerance(*centre_, reach_) : tolerance(dvec3(0), kEverywhere);
+  }
+
+ private:
+  std::optional<dvec3> centre_;
+  double reach_ = 0;
+};
+
 }  // namespace
 
 Samples request_samples(const Leaf& leaf, Lattice& lattice) {
@@ -30,6 +50,14 @@ Samples request_samples(const Leaf& leaf, Lattice& lattice) {
   return samples;
 }
 
+double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice) {
+  Ball ball;
+  for (const LatticePlace& corner : leaf.corners()) {
+    ball.add(lattice.mesh().position[*lattice.used_vertex(corner)]);
+  }
+  return ball.allowed_by(tolerance);
+}
+
 int count_defined(const Lattice& lattice, const Samples& samples) {
   int count = lattice.is_defined(samples.centre) ? 1 : 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -41,7 +69,13 @@ int count_defined(const Lattice& lattice, const Samples& samples) {
 
 Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const auto& [corner, side, centre] = samples;
-  const double eps = options_.tolerance(mesh_.position[centre]);
+  Ball ball;
+  ball.add(mesh_.position[centre]);
+  for (std::size_t k = 0; k < 4; ++k) {
+    ball.add(mesh_.position[corner[k]]);
+    ball.add(mesh_.position[side[k]]);
+  }
+  const double eps = ball.allowed_by(options_.tolerance);
   const bool normals_count = diameter(corner) > kVisible * eps;
   Verdict verdict;
   const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,

@@ -43,6 +43,9 @@ struct Samples {
 /// Asks the lattice for them.
 Samples request_samples(const Leaf& leaf, Lattice& lattice);
 
+/// What is allowed of a leaf whose corners are in use.
+double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice);
+
 /// How many of the nine samples are defined.
 int count_defined(const Lattice& lattice, const Samples& samples);
 

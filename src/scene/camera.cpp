@@ -32,6 +32,10 @@ constexpr double kDistancePadding = 1e-12;
 /// end.
 constexpr double kLeastNearOverFar = 1e-3;
 
+/// But nothing is cut away that is farther from the eye than this share of the target's distance:
+/// an eye that is close to what it looks at sees the rest of a large surface less exactly.
+constexpr double kLeastNearOverDistance = 0.1;
+
 /// std::hypot neither overflows nor underflows where the squares would.
 double length(const dvec3& v) {
   return std::hypot(v.x, v.y, v.z);
@@ -119,7 +123,9 @@ void fit_depth(FittedCamera& fitted, const Bounds& bounds, const dvec3& backward
   fitted.far_plane = farthest + padding;
   if (ortho) return;
   if (!(fitted.far_plane > 0)) fitted.far_plane = fitted.distance;  // all of it is behind the eye
-  fitted.near_plane = std::max(fitted.near_plane, kLeastNearOverFar * fitted.far_plane);
+  const double least =
+      std::min(kLeastNearOverFar * fitted.far_plane, kLeastNearOverDistance * fitted.distance);
+  fitted.near_plane = std::max(fitted.near_plane, least);
 }
 
 glm::dmat4 view_matrix(const Axes& axes, const dvec3& eye) {

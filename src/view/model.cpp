@@ -18,6 +18,10 @@ namespace {
 constexpr std::chrono::milliseconds kRest{150};
 constexpr double kMuchNearer = 1.5;
 
+/// Nearer than this share of the distance at which the surface's whole box is in the picture, the
+/// mesh may be finer where the camera looks.
+constexpr double kClose = 0.7;
+
 /// While t plays, meshes that take longer are not waited for: coarse ones are shown.
 constexpr double kKeepsUpMs = 100;
 
@@ -46,6 +50,11 @@ bool sees_another_size(const Camera& a, const Camera& b) {
          (a.distance && double(*a.distance) != double(*b.distance)) ||
          a.target.has_value() != b.target.has_value() ||
          (a.target && dvec3(*a.target) != dvec3(*b.target)) || a.ortho != b.ortho;
+}
+
+/// So does what it sees, if it is close.
+bool sees_from_elsewhere(const Camera& a, const Camera& b) {
+  return dvec3(a.view) != dvec3(b.view) || dvec3(a.up) != dvec3(b.up);
 }
 
 }  // namespace
@@ -179,14 +188,25 @@ void Model::open(Scene scene) {
   edit(std::move(scene), "");
 }
 
+/// The mesh depends on what a pixel is, and close up on what is seen.
 void Model::look_through(const Camera& camera) {
-  const bool refine = sees_another_size(camera, meshed_camera_);
+  const bool close = is_close(camera);
+  const bool refine = sees_another_size(camera, meshed_camera_) ||
+                      (close && sees_from_elsewhere(camera, meshed_camera_));
   scene_.camera = camera;
   if (!refine) return;
   refine_at_ = Clock::now() + kRest;
+  if (close && keeps_up()) return wish(Manner::InTurn);
   if (!camera.distance || !meshed_camera_.distance) return;
   const double nearer = *meshed_camera_.distance / *camera.distance;
   if (nearer > kMuchNearer && !worker_.is_busy()) wish(Manner::Full);
+}
+
+bool Model::is_close(const Camera& camera) const {
+  if (!camera.distance || bounds_.empty()) return false;
+  const dvec2 pixels = size();
+  const FittedCamera whole = fit_camera(fit_again(camera), bounds_, pixels.x / pixels.y);
+  return *camera.distance < kClose * whole.distance;
 }
 
 void Model::set_time(double t) {

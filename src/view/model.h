@@ -118,6 +118,7 @@ class Model {
 
   void wish(Manner manner);
   bool keeps_up() const;
+  bool is_close(const Camera& camera) const;
   std::optional<Sight> look_along(const Ray& ray) const;
   void show(Meshed meshed);
   double surface_radius(const dvec3& centre) const;
