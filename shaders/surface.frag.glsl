@@ -11,6 +11,10 @@ in vec3 eye_position;
 in vec3 eye_normal;
 #endif
 
+#ifdef SEE_THROUGH
+uniform float opacity;  // of a see-through surface
+#endif
+
 out vec4 pixel;
 
 #ifndef PER_VERTEX
@@ -21,12 +25,12 @@ vec3 facing(vec3 n, vec3 eye_direction) {
 }
 #endif
 
-void main() {
+vec3 color() {
 #ifdef PER_VERTEX
 #ifdef TWO_SIDED
-  pixel = vec4(gl_FrontFacing ? front_color : back_color, 1.0);
+  return gl_FrontFacing ? front_color : back_color;
 #else
-  pixel = vec4(front_color, 1.0);
+  return front_color;
 #endif
 #else
   vec3 eye_direction = eye_from(eye_position);
@@ -37,6 +41,14 @@ void main() {
 #else
   const bool front = true;
 #endif
-  pixel = vec4(shade(front, eye_position, facing(n, eye_direction), eye_direction), 1.0);
+  return shade(front, eye_position, facing(n, eye_direction), eye_direction);
+#endif
+}
+
+void main() {
+#ifdef SEE_THROUGH
+  pixel = vec4(color(), opacity);
+#else
+  pixel = vec4(color(), 1.0);
 #endif
 }

@@ -16,7 +16,7 @@ void run_check(const CommandLine& line, Clock::time_point start) {
         file(tessellate(scene, spec, {.mesh = true, .facts = true}, line.threads), report);
     words += describe(report.surfaces.back(), mesh);
   }
-  print_warnings(line, report);
+  print_warnings(line, report.warnings);
   report.times.total = since(start);
   if (line.report != "-") print(words);
   send_report(line.report, report);

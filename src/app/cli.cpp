@@ -100,6 +100,8 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
            each_surface([](SurfaceSpec& spec, const Color& c) { spec.front.diffuse = c; }));
   add_edit(app, line, "--back", opaque_color,
            each_surface([](SurfaceSpec& spec, const Color& c) { spec.back.diffuse = c; }));
+  add_edit(app, line, "--opacity", parse_share,
+           each_surface([](SurfaceSpec& spec, double opacity) { spec.opacity = opacity; }));
   add_edit(app, line, "--grid", parse_grid_lines,
            each_surface([](SurfaceSpec& spec, GridSize lines) {
              spec.grid_u = lines.u;
@@ -185,8 +187,9 @@ std::vector<std::string> plain_arguments(const CLI::App& app) {
 void check_options(const CLI::App& app, const std::string& verb) {
   // What a chart compares, and the look of its exact image, are not for options to choose.
   const std::vector<std::string> of_graph_alone = {
-      "--reference", "--threshold", "--report", "--strict",  "--grid",       "--samples",
-      "--tolerance", "--front",     "--back",   "--verbose", "--background",
+      "--reference",  "--threshold", "--report",   "--strict",  "--grid",
+      "--samples",    "--tolerance", "--front",    "--back",    "--verbose",
+      "--background", "--shading",   "--specular", "--opacity",
   };
   for (const CLI::Option* option : app.get_options()) {
     const auto names_option = [&](const std::string& name) { return option->check_name(name); };

@@ -1,6 +1,7 @@
 // saddle FORMULAS or NAME: check the outputs, prepare, tessellate once, write everything, report.
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <optional>
 #include <thread>
 
@@ -21,7 +22,17 @@ Image draw(const CommandLine& line, const Scene& scene, std::span<const Mesh> me
   report.times.render = rendering.times;
   report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer,
                              std::move(rendering.shaders)};
+  print_warnings(line, rendering.warnings);
+  std::ranges::move(rendering.warnings, std::back_inserter(report.warnings));
   return std::move(rendering.image);
+}
+
+/// With --strict a warning ends the run; the report has it, other outputs are not written.
+void check_strictness(const CommandLine& line, RunReport& report, Clock::time_point start) {
+  if (!line.strict || report.warnings.empty()) return;
+  report.times.total = since(start);
+  send_report(line.report, report);
+  fail_on_warnings(report);
 }
 
 Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
@@ -49,14 +60,11 @@ void run_graph(const CommandLine& line, Clock::time_point start) {
   for (const SurfaceSpec& spec : scene.surfaces) {
     meshes.push_back(file(tessellate(scene, spec, purpose, line.threads), report));
   }
-  print_warnings(line, report);
-  if (line.strict && !report.warnings.empty()) {
-    report.times.total = since(start);
-    send_report(line.report, report);  // it has the warnings
-    fail_on_warnings(report);
-  }
+  print_warnings(line, report.warnings);
+  check_strictness(line, report, start);
   Image image;
   if (purpose.picture) image = draw(line, scene, meshes, report);
+  check_strictness(line, report, start);
 
   const auto writing = Clock::now();
   for (const Output& output : outputs) write_output(output, image, scene, meshes);

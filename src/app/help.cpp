@@ -44,6 +44,7 @@ Look
       --background COLOR, --front COLOR, --back COLOR   (default black, #ffff80, #8080ff)
                         #rrggbb, #rrggbbaa, a CSS colour name or transparent
       --flip            swap front and back (the front is where r_u x r_v points)
+      --opacity A       0 to 1; below 1 surfaces are see-through, their lines are not (default 1)
       --grid MxN        lines of constant u and of constant v, or off (default 16x16)
       --shading HOW     vertex (colours at corners, blended) or pixel (default pixel)
       --specular HOW    highlights: phong or blinn (default phong)

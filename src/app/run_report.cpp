@@ -23,9 +23,9 @@ Mesh file(Tessellation tessellation, RunReport& report) {
   return std::move(tessellation.mesh);
 }
 
-void print_warnings(const CommandLine& line, const RunReport& report) {
+void print_warnings(const CommandLine& line, std::span<const std::string> warnings) {
   if (line.quiet) return;
-  for (const std::string& warning : report.warnings) {
+  for (const std::string& warning : warnings) {
     std::cerr << "saddle: warning: " << warning << '\n';
   }
 }

@@ -1,6 +1,9 @@
 // What commands do with what they found out.
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "app/commands.h"
 #include "app/report.h"
 #include "app/tessellate.h"
@@ -14,7 +17,7 @@ double since(Clock::time_point begin);
 Mesh file(Tessellation tessellation, RunReport& report);
 
 /// To standard error, unless --quiet.
-void print_warnings(const CommandLine& line, const RunReport& report);
+void print_warnings(const CommandLine& line, std::span<const std::string> warnings);
 
 /// To a file, or to standard output for "-"; nothing for no name.
 void send_report(const std::string& path, const RunReport& report);

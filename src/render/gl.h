@@ -41,6 +41,12 @@ struct DeleteFramebuffer {
 struct DeleteRenderbuffer {
   void operator()(GLuint name) const { glDeleteRenderbuffers(1, &name); }
 };
+struct DeleteTexture {
+  void operator()(GLuint name) const { glDeleteTextures(1, &name); }
+};
+struct DeleteQuery {
+  void operator()(GLuint name) const { glDeleteQueries(1, &name); }
+};
 struct DeleteShader {
   void operator()(GLuint name) const { glDeleteShader(name); }
 };
@@ -52,6 +58,8 @@ using GlBuffer = GlName<DeleteBuffer>;
 using GlVertexArray = GlName<DeleteVertexArray>;
 using GlFramebuffer = GlName<DeleteFramebuffer>;
 using GlRenderbuffer = GlName<DeleteRenderbuffer>;
+using GlTexture = GlName<DeleteTexture>;
+using GlQuery = GlName<DeleteQuery>;
 using GlShader = GlName<DeleteShader>;
 using GlProgram = GlName<DeleteProgram>;
 

@@ -63,6 +63,7 @@ Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
   result.image = draw_image(renderer, scene, camera, options, tile_samples);
   result.times.draw = stopwatch.lap();
   result.shaders = renderer.shader_texts();
+  result.warnings = renderer.warnings();
   return result;
 }
 

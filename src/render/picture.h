@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/image.h"
 #include "mesh/mesh.h"
@@ -22,8 +23,9 @@ struct RenderTimes {
 struct Rendering {
   Image image;
   RenderTimes times;
-  std::string renderer;  ///< "osmesa" ...
-  std::string shaders;   ///< the programs that were made for the surfaces, as text
+  std::string renderer;               ///< "osmesa" ...
+  std::string shaders;                ///< the programs that were made for the surfaces, as text
+  std::vector<std::string> warnings;  ///< in which ways it is not what was asked for
 };
 
 /// Draws `meshes[i]` with the materials of `scene.surfaces[i]`. Throws Error: Machine if there is

@@ -122,6 +122,10 @@ void Program::set(const std::string& name, std::span<const dvec3> values) {
   glUniform3fv(location(name), static_cast<GLsizei>(rounded.size()), &rounded[0][0]);
 }
 
+void Program::set_texture(const std::string& name, int unit) {
+  glUniform1i(location(name), unit);
+}
+
 void Program::check_all_set() const {
   for (const auto& [name, uniform] : uniforms_) {
     if (!uniform.set) defect("nobody sets its uniform " + name);

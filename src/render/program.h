@@ -31,6 +31,8 @@ class Program {
   void set(const std::string& name, const glm::dmat4& value);
   void set(const std::string& name, const glm::dmat3& value);
   void set(const std::string& name, std::span<const dvec3> values);
+  /// Of a sampler: the unit that its texture is bound to.
+  void set_texture(const std::string& name, int unit);
 
   /// Throws Error (Machine) if a uniform has never been set.
   void check_all_set() const;

@@ -1,5 +1,5 @@
-// The order of work: the surfaces, once for as many lights as a program holds, then their lines on
-// top of them.
+// The order of work: the surfaces that hide, once for as many lights as a program holds; lines on
+// top of them; then those that are see-through, in the same way for each of their layers.
 #include "render/renderer.h"
 
 #include <algorithm>
@@ -122,6 +122,7 @@ struct Renderer::Item {
   bool even = true;  // normals go as directions do
   bool mirrored = false;
   bool two_sided = true;  // back faces can be seen
+  double opacity = 1;
 
   /// Everything relative to the camera's target, all in double.
   Item(const Instance& instance, const GpuMesh& mesh, const FittedCamera& camera, double unit)
@@ -166,7 +167,9 @@ std::vector<Renderer::Item> Renderer::items_of(const Scene& scene, const FittedC
                                                double unit) const {
   std::vector<Item> items;
   for (const Instance& instance : instances(scene)) {
-    const Item item(instance, meshes_[instance.surface], camera, unit);
+    Item item(instance, meshes_[instance.surface], camera, unit);
+    item.opacity = scene.surfaces[instance.surface].opacity;
+    if (item.opacity < 1) item.two_sided = true;
     if (item.is_visible()) items.push_back(item);
   }
   return items;
@@ -190,15 +193,37 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
   clear(scene.background);
   glEnable(GL_DEPTH_TEST);
-  draw_surfaces(scene, items, lights, n, look);
+  std::vector<Item> hiding;
+  std::vector<Item> see_through;
+  for (const Item& item : items) {
+    if (item.opacity == 1) hiding.push_back(item);
+    if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
+  }
+  draw_surfaces(scene, hiding, lights, n, look);
   if (look.lines) draw_lines(items, n);
   if (marks_) {
     Item item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
     draw_marks(item, n);
   }
+  if (!see_through.empty()) {
+    const double least = std::ranges::min(see_through, {}, &Item::opacity).opacity;
+    left_out_layers_ |= !layers(viewport).draw(
+        {[&](Program& peel) { draw_depths(see_through, peel, n, look); },
+         [&] { draw_surfaces(scene, see_through, lights, n, look); }, least});
+  }
   glUseProgram(0);  // who remembers what was in use may find it deleted
   check_gl();
+}
+
+Layers& Renderer::layers(const Viewport& viewport) {
+  const int width = viewport.per_side * (viewport.rect.width + 2 * viewport.margin);
+  const int height = viewport.per_side * (viewport.rect.height + 2 * viewport.margin);
+  if (!layers_ || !layers_->has_size(width, height)) {
+    layers_.reset();  // first the old ones: there need not be memory for both
+    layers_.emplace(width, height);
+  }
+  return *layers_;
 }
 
 Program& Renderer::surface_program(const ShaderNeeds& needs) {
@@ -207,6 +232,15 @@ Program& Renderer::surface_program(const ShaderNeeds& needs) {
   const auto known = surface_programs_.find(both);
   if (known != surface_programs_.end()) return known->second;
   return surface_programs_.emplace(both, Program(text.vertex, text.fragment)).first->second;
+}
+
+std::vector<std::string> Renderer::warnings() const {
+  std::vector<std::string> all;
+  if (left_out_layers_) {
+    all.push_back("more than " + std::to_string(kMostLayers) +
+                  " see-through layers lie behind each other: those farther away are not drawn");
+  }
+  return all;
 }
 
 std::string Renderer::shader_texts() const {
@@ -240,16 +274,36 @@ std::size_t Renderer::lights_at_once() {
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
-/// the line may lie from the line itself, and half a sample more. Passes after the first add light
-/// to what is in front.
-void Renderer::draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights,
-                             int line_width, const Look& look) {
+/// the line may lie from the line itself, and half a sample more.
+void Renderer::start_faces(int line_width, const Look& look) const {
   if (has_lines()) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0.5F * static_cast<float>(line_width + 1), 1);
   }
   if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glLineWidth(static_cast<float>(line_width));
+}
+
+void Renderer::end_faces() {
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void Renderer::draw_depths(std::span<const Item> items, Program& program, int line_width,
+                           const Look& look) {
+  start_faces(line_width, look);
+  for (const Item& item : items) {
+    program.set("model_to_clip", item.model_to_clip);
+    program.check_all_set();
+    meshes_[item.surface].draw_triangles();
+  }
+  end_faces();
+}
+
+/// Passes after the first add light to what is in front.
+void Renderer::draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights,
+                             int line_width, const Look& look) {
+  start_faces(line_width, look);
   const std::size_t most = lights_at_once();
   draw_pass(scene, items, lights.first(std::min(most, lights.size())), true);
   if (lights.size() > most) {
@@ -264,8 +318,7 @@ void Renderer::draw_surfaces(const Scene& scene, std::span<const Item> items, Li
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
   }
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  glDisable(GL_POLYGON_OFFSET_FILL);
+  end_faces();
 }
 
 void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights lights,
@@ -280,6 +333,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
   for (const Item& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
     needs.two_sided = item.two_sided;
+    needs.see_through = first && item.opacity < 1;  // later passes leave alpha alone
     needs.normal_matrix = !item.even;
     needs.emission = first && emits(surface);  // once, whatever the lights
     add_material_needs(surface, needs);
@@ -292,6 +346,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
     program->set("model_to_clip", item.model_to_clip);
     program->set("model_to_eye", item.model_to_eye);
     if (needs.normal_matrix) program->set("normal_to_eye", item.normal_to_eye);
+    if (needs.see_through) program->set("opacity", item.opacity);
     set_material(*program, "front", surface.front, needs);
     if (needs.two_materials) set_material(*program, "back", surface.back, needs);
     program->check_all_set();

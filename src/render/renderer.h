@@ -11,6 +11,7 @@
 
 #include "mesh/mesh.h"
 #include "render/gpu_mesh.h"
+#include "render/layers.h"
 #include "render/program.h"
 #include "render/shader_lights.h"
 #include "render/surface_shader.h"
@@ -58,6 +59,9 @@ class Renderer {
   void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
             const Look& look = {});
 
+  /// In which ways the pictures so far are not what was asked for.
+  std::vector<std::string> warnings() const;
+
   /// The sources of all programs that were made to draw surfaces, for people to read.
   std::string shader_texts() const;
 
@@ -68,8 +72,12 @@ class Renderer {
   std::vector<Item> items_of(const Scene& scene, const FittedCamera& camera, double unit) const;
   Program& surface_program(const ShaderNeeds& needs);
   Program& line_program();
+  Layers& layers(const Viewport& viewport);
   bool has_lines() const;
   std::size_t lights_at_once();
+  void start_faces(int line_width, const Look& look) const;
+  static void end_faces();
+  void draw_depths(std::span<const Item> items, Program& program, int line_width, const Look& look);
   void draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights, int line_width,
                      const Look& look);
   void draw_pass(const Scene& scene, std::span<const Item> items, Lights lights, bool first);
@@ -81,6 +89,8 @@ class Renderer {
   std::optional<GpuMesh> marks_;
   std::map<std::string, Program> surface_programs_;  // by their text
   std::optional<Program> line_program_;
+  std::optional<Layers> layers_;
+  bool left_out_layers_ = false;
 };
 
 }  // namespace saddle

@@ -47,6 +47,7 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   add(needs.per_vertex, "PER_VERTEX");
   add(needs.orthographic, "ORTHOGRAPHIC");
   add(needs.normal_matrix, "NORMAL_MATRIX");
+  add(needs.see_through, "SEE_THROUGH");
   return names;
 }
 

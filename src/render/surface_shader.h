@@ -26,6 +26,7 @@ struct ShaderNeeds {
   bool per_vertex = false;
   bool orthographic = false;
   bool normal_matrix = false;  ///< the model is not only turned, moved and scaled evenly
+  bool see_through = false;    ///< it is a layer of what is seen, with others behind
 
   bool operator==(const ShaderNeeds&) const = default;
 };

@@ -37,6 +37,7 @@ Scene sayable(const Scene& scene) {
   plain.grid_u = spec.grid_u;
   plain.grid_v = spec.grid_v;
   plain.flip = spec.flip;
+  plain.opacity = double(spec.opacity);
   plain.front.diffuse = spec.front.diffuse;
   plain.back.diffuse = spec.back.diffuse;
   result.surfaces = {plain};
@@ -102,6 +103,7 @@ void add_look(Command& command, const Scene& scene) {
   color("front", spec.front.diffuse, kFrontMaterial.diffuse);
   color("back", spec.back.diffuse, kBackMaterial.diffuse);
   if (spec.flip) command.flag("flip");
+  if (double(spec.opacity) != 1) command.option("opacity", format_number(spec.opacity));
   const bool off = spec.grid_u == 0 && spec.grid_v == 0;
   if (off || spec.grid_u != SurfaceSpec{}.grid_u || spec.grid_v != SurfaceSpec{}.grid_v) {
     command.option("grid", off ? "off" : pair(spec.grid_u, spec.grid_v));

@@ -106,7 +106,8 @@ std::vector<std::string> read_names(TomlReader& reader, const std::string& subje
 
 SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
   reader.source().check_keys(
-      "surface", table, {"name", "x", "y", "z", "u", "v", "grid", "front", "back", "flip", "in"});
+      "surface", table,
+      {"name", "x", "y", "z", "u", "v", "grid", "front", "back", "flip", "opacity", "in"});
   SurfaceSpec spec;
   const auto formula = [&](const char* key, std::string& into) {
     with(table, key, [&](const TomlValue& v) { into = reader.formula(prefix + key, v); });
@@ -129,6 +130,8 @@ SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const To
   with(table, "back",
        [&](const TomlValue& v) { read_material(reader, prefix + "back: ", v, spec.back); });
   with(table, "flip", [&](const TomlValue& v) { spec.flip = reader.boolean("flip", v); });
+  with(table, "opacity",
+       [&](const TomlValue& v) { spec.opacity = reader.number(prefix + "opacity", v); });
   with(table, "in", [&](const TomlValue& v) { spec.in = read_names(reader, prefix + "in", v); });
   if (spec.z.empty()) {
     throw reader.source().error("surface", "z has no formula", table.span,

@@ -36,7 +36,7 @@ struct Limits {
 constexpr Limits kAny = {};
 constexpr Limits kNotNegative = {0, kNoLimit};
 constexpr Limits kPositive = {0, kNoLimit, true};
-constexpr Limits kChannel = {0, 1};
+constexpr Limits kShare = {0, 1};
 constexpr Limits kHalfTurn = {0, 180};
 constexpr Limits kFieldOfView = {0, 180, true};
 
@@ -85,7 +85,7 @@ class Resolver {
     number(name, c.r, limits);
     number(name, c.g, limits);
     number(name, c.b, limits);
-    number(name, c.a, kChannel);
+    number(name, c.a, kShare);
   }
 
  private:
@@ -265,11 +265,12 @@ Scene resolve(Scene scene) {
   Resolver resolver(written);
   resolver.number("t", scene.t, kAny);
   resolver.set_time(scene.t);
-  resolver.color("background", scene.background, kChannel);
+  resolver.color("background", scene.background, kShare);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const std::string prefix = surface_prefix(i);
     resolve_material(resolver, prefix + "front: ", scene.surfaces[i].front);
     resolve_material(resolver, prefix + "back: ", scene.surfaces[i].back);
+    resolver.number(prefix + "opacity", scene.surfaces[i].opacity, kShare);
   }
   for (SceneNode& node : scene.nodes) resolve_node(resolver, node);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {

@@ -70,6 +70,7 @@ struct SurfaceSpec {
   Material front = kFrontMaterial;
   Material back = kBackMaterial;
   bool flip = false;
+  Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
 };
 

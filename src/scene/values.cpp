@@ -215,8 +215,9 @@ GridSize parse_grid_lines(const std::string& option, const std::string& text) {
 Color opaque_color(const std::string& option, const std::string& text) {
   const Color color = parse_color(option, text);
   if (color.a < 1) {
-    throw Error(Status::Input, "surfaces cannot be see-through yet",
-                {option, text, {0, text.size()}}, "give a colour without alpha: #rrggbb or a name");
+    throw Error(Status::Input, "a colour of a surface has no alpha",
+                {option, text, {0, text.size()}},
+                "--opacity makes surfaces see-through; here #rrggbb, or a name");
   }
   return color;
 }

@@ -40,7 +40,7 @@ dvec3 parse_vector(const std::string& option, const std::string& text);
 /// The same for a direction, which has a length.
 dvec3 parse_direction(const std::string& option, const std::string& text);
 
-/// A colour of a surface, which hides what is behind it.
+/// A colour of a surface, whose opacity is apart.
 Color opaque_color(const std::string& option, const std::string& text);
 
 /// A length: `0.5px`, or a share of the bounding box's diagonal such as `1e-3`; more than 0.

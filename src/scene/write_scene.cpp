@@ -183,6 +183,7 @@ std::string surface(const SurfaceSpec& spec) {
   if (!front.empty()) text += "front = " + front.text() + "\n";
   if (!back.empty()) text += "back = " + back.text() + "\n";
   if (spec.flip) text += "flip = true\n";
+  if (!same(spec.opacity, standard.opacity)) text += "opacity = " + number(spec.opacity) + "\n";
   if (!spec.in.empty()) text += "in = " + names(spec.in) + "\n";
   return text;
 }

@@ -195,7 +195,7 @@ TEST_F(GraphCommand, EveryOptionOfThePictureChangesIt) {
       {"--view", "1,1,1"},  {"--up", "0,1,0"},   {"--target", "1,0,0"},   {"--distance", "5"},
       {"--fov", "60"},      {"--ortho"},         {"--background", "red"}, {"--antialias", "1"},
       {"--front", "red"},   {"--flip"},          {"--grid", "off"},       {"--grid", "3x16"},
-      {"--samples", "1x1"}, {"--size", "64x64"},
+      {"--samples", "1x1"}, {"--size", "64x64"}, {"--opacity", "0.5"},
   };
   for (const auto& option : options) {
     std::vector<std::string> arguments = {"z=u*v+t", "-s", "64x48",      "--samples",

@@ -35,6 +35,8 @@ TEST_F(SceneFiles, GiveTheSamePictureToTheBit) {
                                             "--grid",
                                             "7x0",
                                             "--flip",
+                                            "--opacity",
+                                            "0.3",
                                             "--t",
                                             "1/3",
                                             "-q",

@@ -30,11 +30,6 @@ void main() {
          "  results = vec4(x, y, z, 1.0);\n}\n";
 }
 
-struct DeleteTexture {
-  void operator()(GLuint name) const { glDeleteTextures(1, &name); }
-};
-using GlTexture = GlName<DeleteTexture>;
-
 /// A row of RGBA32F texels.
 GlTexture make_texture(const std::vector<std::array<float, 4>>& texels) {
   GlTexture texture = make_name<GlTexture>(glGenTextures);

@@ -39,6 +39,7 @@ std::vector<Golden> golden_pictures() {
       {"no-antialiasing", "enneper --antialias 1"},
   };
   const std::string examples = SADDLE_SOURCE_DIR "/examples/lighting/";
+  pictures.push_back({"see-through", SADDLE_SOURCE_DIR "/examples/see-through.toml"});
   for (const auto& [name, arguments] :
        std::vector<std::pair<std::string, std::string>>{{"viewpoint-cube", "light=1"},
                                                         {"specular-torus", "light=4"},

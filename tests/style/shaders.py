@@ -11,7 +11,7 @@ import tree
 # Names of shaders/lighting.glsl that a scene may need together, and calls for its lights.
 VARIANTS = [
     ([], ""),
-    (["LIT", "DIRECTIONAL"], "directional_light(0);"),
+    (["LIT", "DIRECTIONAL", "SEE_THROUGH"], "directional_light(0);"),
     (["LIT", "POINT", "SPECULAR", "POWERS", "BLINN", "ORTHOGRAPHIC", "TWO_SIDED"],
      "point_light(0);"),
     (["LIT", "ATTENUATED", "ATTENUATION", "FADES", "AMBIENT", "EMISSION", "NORMAL_MATRIX"],

@@ -29,12 +29,13 @@ TEST(CommandText, SaysCameraLookAndSettings) {
   scene.camera.ortho = true;
   scene.background = {1, 1, 1};
   scene.surfaces[0].flip = true;
+  scene.surfaces[0].opacity = 0.5;
   scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
   scene.picture.width = 100;
   scene.mesh.tolerance = ToleranceValue{0.25, true};
   EXPECT_EQ(command_text(scene),
-            "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --flip --grid off "
-            "--size 100x600 --tolerance 0.25px");
+            "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --flip --opacity 0.5 "
+            "--grid off --size 100x600 --tolerance 0.25px");
 }
 
 TEST(CommandText, LeavesToASceneFileWhatOnlyThatCanSay) {

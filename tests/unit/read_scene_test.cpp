@@ -45,6 +45,7 @@ grid = [0, 12]
 front = { diffuse = "#ff0000", specular = [0.1, 0.25, "0.1*t"], shininess = "8*R", ambient = "#333333", emission = [0, 0, "t"] }
 back = { diffuse = "#00ff00" }
 flip = true
+opacity = "t/4"
 in = ["wheel", "car"]
 
 [[surface]]
@@ -102,6 +103,7 @@ TEST(ReadScene, EvaluatesExpressionsAtTheMoment) {
   const Scene scene = resolve(read(kEverything));
   EXPECT_EQ(scene.t, 0.35);
   EXPECT_EQ(scene.surfaces[0].front.emission.b, 0.35);
+  EXPECT_EQ(scene.surfaces[0].opacity, 0.35 / 4);
   EXPECT_EQ(scene.surfaces[0].front.shininess, 16);
   EXPECT_EQ(scene.nodes[0].transform[0].angle, 600 * 0.35);
   EXPECT_EQ(dvec3(scene.nodes[0].transform[3].vector), dvec3(1, 2, 2));
@@ -222,6 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{kFront + "u = [1]", "3:5", "two ends"},
         Malformed{kFront + "x = true", "3:5", "a formula in quotes"},
         Malformed{kFront + "flip = 1", "3:8", "true or false"},
+        Malformed{kFront + "opacity = 1.5", "3:11", "from 0 to 1"},
         Malformed{kFront + "grid = [1, 16]", "3:8", "one is not enough"},
         Malformed{kFront + "grid = [2.5, 16]", "3:8", "not a whole number"},
         Malformed{kFront + "in = 3", "3:6", "a name, or an array of names"},

@@ -41,6 +41,7 @@ TEST(SceneFile, WritesWhatOptionsChange) {
   scene.t = 0.1;
   scene.surfaces[0].grid_u = 0;
   scene.surfaces[0].flip = true;
+  scene.surfaces[0].opacity = Number("1/3");
   scene.surfaces[0].front.diffuse = {1, 0, 0, 1};
   scene.surfaces[0].back.diffuse = {0.1, 0.2, 0.3, 1};
   scene.surfaces[0].back.shininess = 8;
@@ -60,6 +61,7 @@ TEST(SceneFile, WritesWhatOptionsChange) {
             "front = { diffuse = \"#ff0000\" }\n"
             "back = { diffuse = [0.1, 0.2, 0.3], shininess = 8 }\n"
             "flip = true\n"
+            "opacity = \"1/3\"\n"
             "\n"
             "[[light]]\n"
             "direction = [1, 2, 3]\n"

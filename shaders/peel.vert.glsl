@@ -1,0 +1,12 @@
+#version 330 core
+// A corner of a see-through surface: on the screen exactly where it is lit later.
+
+layout(location = 0) in vec3 position;
+
+uniform mat4 model_to_clip;
+
+invariant gl_Position;
+
+void main() {
+  gl_Position = model_to_clip * vec4(position, 1.0);
+}
