@@ -217,7 +217,9 @@ Interval trunc(const Interval& a) {
 Interval mod(const Interval& a, const Interval& b) {
   const Interval steps = floor(a / b);
   if (steps.defined == Defined::No) return kUndefined;
-  Interval r = a - b * steps;
+  const Interval multiple = b * steps;
+  Interval r = a - multiple;
+  if (std::isinf(multiple.low) || std::isinf(multiple.high)) return r;  // what overflows stays lost
   // With the sign of b and smaller, but for the evaluator's roundings: a/b and b*floor may be off
   // by an ULP, which is a matter of kRoundoff |a| after the subtraction; where a/b underflows to 0
   // the result is a.
