@@ -40,6 +40,28 @@ class Columns {
   Column x_, y_, z_;
 };
 
+/// Squares of lengths beyond these have lost digits, or everything, to the ends of the range of
+/// doubles; components times kShrink or kGrow have squares with all their digits.
+constexpr double kLargeSquare = 0x1p+1000;
+constexpr double kSmallSquare = 0x1p-900;
+constexpr double kShrink = 0x1p-550;
+constexpr double kGrow = 0x1p+550;
+
+/// A power of two that the components are multiplied by before they are squared, and its inverse.
+/// Written so that the compiler makes choices of whole vectors of it.
+static inline double scale_for(double square) {
+  const double grow = square < kSmallSquare ? kGrow : 1.0;
+  return square > kLargeSquare ? kShrink : grow;
+}
+static inline double unscale_for(double square) {
+  const double shrink = square < kSmallSquare ? 1 / kGrow : 1.0;
+  return square > kLargeSquare ? 1 / kShrink : shrink;
+}
+
+static inline double square_of(double x, double y, double z) {
+  return x * x + y * y + z * z;
+}
+
 size_t block_size(size_t begin, size_t count) {
   return count - begin < kBlock ? count - begin : kBlock;
 }
@@ -72,11 +94,15 @@ void normalize(const Operand* vectors, size_t count, double sign, double* const*
     double* const length = lengths + begin;
 #pragma GCC ivdep  // a column that is written is read at the same place, if at all
     for (size_t i = 0; i < size; ++i) {
-      length[i] = sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-      const double scale = sign / length[i];
-      unit_x[i] = x[i] * scale;
-      unit_y[i] = y[i] * scale;
-      unit_z[i] = z[i] * scale;
+      const double square = square_of(x[i], y[i], z[i]);
+      const double scale = scale_for(square);
+      const double a = scale * x[i], b = scale * y[i], c = scale * z[i];
+      const double root = sqrt(square_of(a, b, c));
+      const double part = sign / root;
+      length[i] = root * unscale_for(square);
+      unit_x[i] = a * part;
+      unit_y[i] = b * part;
+      unit_z[i] = c * part;
     }
   }
 }
@@ -88,18 +114,20 @@ void floats(const Operand* positions, const Operand* normals, size_t count, floa
   for (size_t begin = 0; begin < count; begin += kBlock) {
     const size_t size = block_size(begin, count);
     const auto [x, y, z] = points.from(begin);
-    const auto [a, b, c] = directions.from(begin);
+    const auto [n_x, n_y, n_z] = directions.from(begin);
     float* const r = position + 3 * begin;
     float* const n = normal + 3 * begin;
 #pragma GCC ivdep  // the columns are no part of the arrays
     for (size_t i = 0; i < size; ++i) {
-      const double scale = 1 / sqrt(a[i] * a[i] + b[i] * b[i] + c[i] * c[i]);
+      const double scale = scale_for(square_of(n_x[i], n_y[i], n_z[i]));
+      const double a = scale * n_x[i], b = scale * n_y[i], c = scale * n_z[i];
+      const double part = 1 / sqrt(square_of(a, b, c));
       r[3 * i] = static_cast<float>(x[i]);
       r[3 * i + 1] = static_cast<float>(y[i]);
       r[3 * i + 2] = static_cast<float>(z[i]);
-      n[3 * i] = static_cast<float>(a[i] * scale);
-      n[3 * i + 1] = static_cast<float>(b[i] * scale);
-      n[3 * i + 2] = static_cast<float>(c[i] * scale);
+      n[3 * i] = static_cast<float>(a * part);
+      n[3 * i + 1] = static_cast<float>(b * part);
+      n[3 * i + 2] = static_cast<float>(c * part);
     }
   }
 }

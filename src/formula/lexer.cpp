@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <span>
 #include <string_view>
 
 namespace saddle {
@@ -62,6 +63,17 @@ constexpr std::array kMisplaced = {
     Misplaced{"\"", "a quote inside a formula", "leave it out"},
 };
 
+/// The same, where a part of it alone would mean something.
+constexpr std::array kMisspelt = {
+    Misplaced{"<>", "'<>' is not part of the language", "unequal is !="},
+    Misplaced{"=<", "'=<' is not part of the language", "at most is <="},
+    Misplaced{"=>", "'=>' is not part of the language", "at least is >="},
+    Misplaced{"===", "'===' is not part of the language", "equal is =="},
+    Misplaced{"!==", "'!==' is not part of the language", "unequal is !="},
+};
+
+constexpr std::string_view kSuperscriptMinus = "⁻";
+
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -114,8 +126,9 @@ class Lexer {
         ++length;
       }
       push(TokenKind::Name, rest().substr(0, length), length);
-    } else if (!read_spelling() && !read_superscript()) {
-      refuse_character();
+    } else {
+      refuse(kMisspelt);
+      if (!read_spelling() && !read_superscript()) refuse_character();
     }
   }
 
@@ -144,9 +157,12 @@ class Lexer {
     return false;
   }
 
-  /// u² is u^2; several superscript digits are one number.
+  /// u² is u^2, u⁻¹ is u^-1; several superscript digits are one number.
   bool read_superscript() {
     const std::size_t begin = at_;
+    const bool negative = rest().starts_with(kSuperscriptMinus);
+    if (negative) at_ += kSuperscriptMinus.size();
+    const std::size_t digits = at_;
     double exponent = 0;
     for (bool found = true; found;) {
       found = false;
@@ -158,8 +174,11 @@ class Lexer {
       }
     }
     if (at_ == begin) return false;
+    if (at_ == digits) {
+      throw formula_.error("a raised minus without a number", {begin, at_}, "write u^-1 or u⁻¹");
+    }
     tokens_.push_back({TokenKind::Operator, "^", 0, {begin, at_}});
-    tokens_.push_back({TokenKind::Number, "", exponent, {begin, at_}});
+    tokens_.push_back({TokenKind::Number, "", negative ? -exponent : exponent, {begin, at_}});
     return true;
   }
 
@@ -194,12 +213,17 @@ class Lexer {
     open_.pop_back();
   }
 
-  [[noreturn]] void refuse_character() {
-    for (const Misplaced& misplaced : kMisplaced) {
+  /// Throws if one of these is next.
+  void refuse(std::span<const Misplaced> all) const {
+    for (const Misplaced& misplaced : all) {
       if (!rest().starts_with(misplaced.written)) continue;
       throw formula_.error(std::string(misplaced.message), {at_, at_ + misplaced.written.size()},
                            std::string(misplaced.hint));
     }
+  }
+
+  [[noreturn]] void refuse_character() const {
+    refuse(kMisplaced);
     const std::size_t length =
         std::min(character_length(static_cast<unsigned char>(formula_.text[at_])), rest().size());
     throw formula_.error("a character that no formula has", {at_, at_ + length},

@@ -176,15 +176,39 @@ class Lifter {
                              "for a product write " + tokens_[i].text + "*(...)");
       }
       if (function) {
-        const bool operand_follows =
-            i + 1 < tokens_.size() &&
-            (tokens_[i + 1].kind == TokenKind::Name || tokens_[i + 1].kind == TokenKind::Number);
-        const std::string argument = operand_follows ? tokens_[i + 1].text : "...";
         throw formula_.error("'" + tokens_[i].text + "' needs its argument in brackets",
-                             tokens_[i].span, "write " + tokens_[i].text + "(" + argument + ")");
+                             tokens_[i].span, "write " + with_brackets(i));
       }
       throw unknown_name(i);
     }
+  }
+
+  /// How the function that token `i` names is to be written: mod(u,2) for u mod 2, sin(...)^2 for
+  /// sin^2(u), sin(u) for sin u.
+  std::string with_brackets(std::size_t i) const {
+    const auto is_operand = [&](std::size_t k) {
+      return k < tokens_.size() &&
+             (tokens_[k].kind == TokenKind::Name || tokens_[k].kind == TokenKind::Number);
+    };
+    const auto written = [&](std::size_t k) {
+      const Span span = tokens_[k].span;
+      return formula_.text.substr(span.begin, span.end - span.begin);
+    };
+    const std::string& name = tokens_[i].text;
+    if (i > 0 && is_operand(i - 1) && is_operand(i + 1)) {
+      return name + "(" + written(i - 1) + "," + written(i + 1) + ")";
+    }
+    const auto is_bracket = [&](std::size_t k) {
+      return k < tokens_.size() && tokens_[k].kind == TokenKind::Open;
+    };
+    // 2(u) has become 2*(u) by now.
+    const bool is_power = is_operand(i + 2) && tokens_[i + 1].text == "^" &&
+                          (is_bracket(i + 3) || is_bracket(i + 4));
+    if (is_power) {
+      const std::string exponent = written(i + 2);
+      return name + "(...)" + (tokens_[i + 2].text.empty() ? exponent : "^" + exponent);
+    }
+    return name + "(" + (is_operand(i + 1) ? written(i + 1) : "...") + ")";
   }
 
   bool is_function_name(const std::string& name) const {
@@ -282,7 +306,8 @@ class Lifter {
                    std::size_t most) const {
     if (count >= least && count <= most) return;
     std::string hint;
-    for (std::size_t i = index; i < tokens_.size() && tokens_[i].kind != TokenKind::Close; ++i) {
+    for (std::size_t i = index;
+         count > most && i < tokens_.size() && tokens_[i].kind != TokenKind::Close; ++i) {
       if (tokens_[i].kind == TokenKind::Comma && is_decimal_comma(tokens_, i)) {
         hint = "a decimal comma? write " + tokens_[i - 1].text + "." + tokens_[i + 1].text;
       }

@@ -1,6 +1,7 @@
 #include "formula/syntax.h"
 
 #include <optional>
+#include <string_view>
 
 namespace saddle {
 namespace {
@@ -20,9 +21,20 @@ std::string written(const FormulaText& formula, const Token& token) {
   return formula.text.substr(token.span.begin, token.span.end - token.span.begin);
 }
 
+/// 1 000: digits in groups of three.
+bool is_grouped(const Token& left, const Token& right) {
+  constexpr std::string_view kDigits = "0123456789";
+  return left.kind == TokenKind::Number && right.kind == TokenKind::Number && !left.text.empty() &&
+         left.text.size() <= 3 && left.text.find_first_not_of(kDigits) == std::string::npos &&
+         right.text.size() == 3 && right.text.find_first_not_of(kDigits) == std::string::npos;
+}
+
 [[noreturn]] void refuse_neighbours(const FormulaText& formula, const Token& left,
                                     const Token& right) {
   const Span span = {left.span.begin, right.span.end};
+  if (is_grouped(left, right)) {
+    throw formula.error("a space inside a number", span, "write " + left.text + right.text);
+  }
   // A superscript is a number without a text of its own.
   const bool brackets =
       left.kind == TokenKind::Close || right.kind == TokenKind::Open || left.text.empty();

@@ -56,6 +56,12 @@ std::string checked_name(const std::string& assignment, Span span) {
 
 /// The names between the brackets of `f(s, t)`; `inside` spans what is between them.
 std::vector<std::string> argument_names(const std::string& assignment, Span inside) {
+  const Span trimmed = trim(assignment, inside);
+  if (trimmed.begin == trimmed.end) {
+    throw Error(Status::Input, "a helper function without arguments",
+                {"argument", assignment, {inside.begin - 1, inside.end + 1}},
+                "leave the brackets out: NAME=EXPRESSION");
+  }
   std::vector<std::string> names;
   for (std::size_t begin = inside.begin; begin <= inside.end;) {
     const std::size_t comma = std::min(assignment.find(',', begin), inside.end);
@@ -159,7 +165,8 @@ Definition parse_definition(const std::string& assignment) {
   result.text = cut(assignment, trim(assignment, {equals + 1, assignment.size()}));
   if (result.text.empty()) {
     throw Error(Status::Input, "the expression is empty",
-                {"argument", assignment, {equals, equals + 1}});
+                {result.name, "", {}},
+                "for example " + result.name + (is_parameter(result.name) ? "=0:1" : "=u*v"));
   }
   return result;
 }

@@ -117,7 +117,8 @@ TEST(Assignments, RefuseNamesThatAreNone) {
   EXPECT_EQ(marked(assign_error("a b=3")), "a b");
   EXPECT_EQ(marked(assign_error("f(2)=3")), "2");
   EXPECT_EQ(marked(assign_error("f(s,)=3")), "");
-  EXPECT_EQ(marked(assign_error("f()=3")), "");
+  EXPECT_EQ(marked(assign_error("f()=3")), "()");
+  EXPECT_EQ(assign_error("z= ").place().name, "z");
   EXPECT_EQ(assign_error("=3").status(), Status::Input);
   EXPECT_EQ(assign_error("f(s=3").status(), Status::Input);
   EXPECT_EQ(assign_error("no assignment").status(), Status::Input);

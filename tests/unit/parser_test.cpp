@@ -44,29 +44,35 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"sine(u)", "sine", "unknown name", "did you mean 'sin'?"},
                       Mistake{"Cos(u)", "Cos", "unknown name", "did you mean 'cos'?"},
                       Mistake{"sin u", "sin", "needs its argument in brackets", "sin(u)"},
+                      Mistake{"u mod 2", "mod", "needs its argument in brackets", "write mod(u,2)"},
+                      Mistake{"sin²(u)", "sin", "needs its argument in brackets", "sin(...)²"},
+                      Mistake{"sin^2(u)", "sin", "needs its argument in brackets", "sin(...)^2"},
                       Mistake{"1+sin", "sin", "needs its argument in brackets", "sin(...)"},
                       Mistake{"u(v)", "u", "'u' is not a function", "u*(...)"},
                       Mistake{"0x1F", "x1F", "unknown name", ""}));
 
 INSTANTIATE_TEST_SUITE_P(
     Operators, ParserExplains,
-    ::testing::Values(Mistake{"u v", "u v", "an operator is missing", "write u*v"},
-                      Mistake{"2 3", "2 3", "an operator is missing", "2*3"},
-                      Mistake{"(u)(v)", ")(", "an operator is missing", "*"},
-                      Mistake{"u²v", "²v", "an operator is missing", "*"},
-                      Mistake{"u²^3", "²^", "a power of a superscript", "(u^2)^3"},
-                      Mistake{"1.2.3", "1.2.3", "an operator is missing", ""},
-                      Mistake{"u+", "+", "ends where an operand is expected", ""},
-                      Mistake{"u*/v", "/", "an operand is missing before '/'", ""},
-                      Mistake{"*u", "*", "an operand is missing before '*'", ""},
-                      Mistake{"u=3", "=", "an assignment", "=="},
-                      Mistake{"5!", "!", "'!'", "gamma(n+1)"},
-                      Mistake{"u%2", "%", "'%'", "mod(a,b)"},
-                      Mistake{"u&v", "&", "a single '&'", "&&"},
-                      Mistake{"|u|", "|", "a single '|'", "abs(a)"},
-                      Mistake{"u>0?1", "?", "without its ':'", "a ? b : c"},
-                      Mistake{"u?v:1:2+u", ":", "without its '?'", ""},
-                      Mistake{"1:u", ":", "without its '?'", "a ? b : c"}));
+    ::testing::Values(
+        Mistake{"u v", "u v", "an operator is missing", "write u*v"},
+        Mistake{"1 000*u", "1 000", "a space inside a number", "write 1000"},
+        Mistake{"2 3", "2 3", "an operator is missing", "2*3"},
+        Mistake{"(u)(v)", ")(", "an operator is missing", "*"},
+        Mistake{"u²v", "²v", "an operator is missing", "*"},
+        Mistake{"u²^3", "²^", "a power of a superscript", "(u^2)^3"},
+        Mistake{"1.2.3", "1.2.3", "an operator is missing", ""},
+        Mistake{"u+", "+", "ends where an operand is expected", ""},
+        Mistake{"u*/v", "/", "an operand is missing before '/'", ""},
+        Mistake{"*u", "*", "an operand is missing before '*'", ""},
+        Mistake{"u=3", "=", "an assignment", "=="}, Mistake{"u<>v", "<>", "'<>' is not part", "!="},
+        Mistake{"u=<v", "=<", "'=<' is not part", "<="},
+        Mistake{"u===v", "===", "'===' is not part", "=="},
+        Mistake{"u⁻", "⁻", "a raised minus without a number", "u^-1"},
+        Mistake{"5!", "!", "'!'", "gamma(n+1)"}, Mistake{"u%2", "%", "'%'", "mod(a,b)"},
+        Mistake{"u&v", "&", "a single '&'", "&&"}, Mistake{"|u|", "|", "a single '|'", "abs(a)"},
+        Mistake{"u>0?1", "?", "without its ':'", "a ? b : c"},
+        Mistake{"u?v:1:2+u", ":", "without its '?'", ""},
+        Mistake{"1:u", ":", "without its '?'", "a ? b : c"}));
 
 INSTANTIATE_TEST_SUITE_P(
     BracketsAndCommas, ParserExplains,
@@ -122,6 +128,7 @@ TEST(Parser, UnderstandsHowPeopleWrite) {
   EXPECT_EQ(testing::value("u²+v³", 3, 2), 17);
   EXPECT_EQ(testing::value("2u²", 3), 18);
   EXPECT_EQ(testing::value("u¹²", 2), 4096);
+  EXPECT_EQ(testing::value("u⁻¹+v⁻²", 4, 2), 0.5);
   EXPECT_EQ(testing::value("2·u×v−1", 3, 4), 23);
   EXPECT_EQ(testing::value("π"), 3.141592653589793);
   EXPECT_EQ(testing::value("u≤1", 1), 1);

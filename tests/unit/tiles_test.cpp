@@ -127,6 +127,29 @@ TEST(VectorLoops, MakeVectorsUnit) {
   });
 }
 
+TEST(VectorLoops, MakeVectorsUnitAtAnyScale) {
+  on_every_level([](const VectorLoops& loops, std::size_t) {
+    for (const double scale : {1e-300, 1e-200, 1e-150, 1e-100, 1.0, 1e100, 1e153, 1e200, 1e300}) {
+      const std::array<double, 3> vector = {2 * scale, -1 * scale, 2 * scale};
+      const std::array<Operand, 3> columns = {
+          {{&vector[0], true}, {&vector[1], true}, {&vector[2], true}}};
+      std::array<double, 3> unit{};
+      double length = 0;
+      std::array<float, 3> position{};
+      std::array<float, 3> normal{};
+      loops.normalize(columns.data(), 1, 1, std::array{&unit[0], &unit[1], &unit[2]}.data(),
+                      &length);
+      loops.floats(columns.data(), columns.data(), 1, position.data(), normal.data());
+      const dvec3 expected = dvec3(2, -1, 2) / 3.0;
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(unit[static_cast<std::size_t>(k)], expected[k], 1e-15) << scale;
+        EXPECT_NEAR(normal[static_cast<std::size_t>(k)], expected[k], 1e-7) << scale;
+      }
+      EXPECT_NEAR(length / scale, 3, 1e-14) << scale;
+    }
+  });
+}
+
 TEST(VectorLoops, RoundPositionsAndUnitNormalsToFloat) {
   const TestVectors vectors;
   const std::array positions = {vectors.columns()[2], vectors.columns()[0], vectors.columns()[1]};
