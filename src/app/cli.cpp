@@ -130,6 +130,33 @@ void add_mesh_options(CLI::App& app, CommandLine& line) {
            [](Scene& scene, GridSize cells) { scene.mesh.samples = cells; });
 }
 
+void add_time_options(CLI::App& app, CommandLine& line) {
+  add_edit(
+      app, line, "--t", [](Text, Text text) { return text; },
+      [](Scene& scene, Text text) { scene.t = finite_constant(scene, "--t", text); });
+  const auto animation = [](Scene& scene) -> Animation& {
+    return scene.animation ? *scene.animation : scene.animation.emplace();
+  };
+  add_edit(
+      app, line, "--frames",
+      [&line](Text name, Text text) {
+        line.frame_option = name;
+        return parse_whole(name, text, 1, kMaxFrames);
+      },
+      [animation](Scene& scene, int frames) { animation(scene).frames = frames; });
+  add_edit(
+      app, line, "--fps",
+      [&line](Text name, Text text) {
+        line.frame_option = name;
+        return parse_number_between(name, text, 0, kMaxFps);
+      },
+      [animation](Scene& scene, double fps) { animation(scene).fps = fps; });
+  app.add_option_function<std::string>("--frame-range", [&line](Text text) {
+    line.frame_option = "--frame-range";
+    line.frame_range = parse_frame_range("--frame-range", text);
+  });
+}
+
 Backend parse_backend(const std::string& option, Text text) {
   if (text == "osmesa") return Backend::Osmesa;
   if (text == "egl") return Backend::Egl;
@@ -138,9 +165,6 @@ Backend parse_backend(const std::string& option, Text text) {
 }
 
 void add_computing_options(CLI::App& app, CommandLine& line) {
-  add_edit(
-      app, line, "--t", [](Text, Text text) { return text; },
-      [](Scene& scene, Text text) { scene.t = finite_constant(scene, "--t", text); });
   app.add_option_function<std::string>(
       "--renderer", [&line](Text text) { line.renderer = parse_backend("--renderer", text); });
   app.add_option_function<std::string>("--threads", [&line](Text text) {
@@ -190,6 +214,7 @@ void check_options(const CLI::App& app, const std::string& verb) {
       "--reference",  "--threshold", "--report",   "--strict",  "--grid",
       "--samples",    "--tolerance", "--front",    "--back",    "--verbose",
       "--background", "--shading",   "--specular", "--opacity",
+      "--frames",     "--fps",       "--frame-range",
   };
   for (const CLI::Option* option : app.get_options()) {
     const auto names_option = [&](const std::string& name) { return option->check_name(name); };
@@ -201,9 +226,13 @@ void check_options(const CLI::App& app, const std::string& verb) {
 
 /// `check` writes no pictures and no meshes.
 void check_no_outputs(const CommandLine& line) {
-  if (line.outputs.empty() && line.format.empty() && line.reference.empty()) return;
-  throw Error(Status::Input, "saddle check writes no pictures and no meshes", {},
-              "its report goes to a file with --report FILE");
+  if (!line.outputs.empty() || !line.format.empty() || !line.reference.empty()) {
+    throw Error(Status::Input, "saddle check writes no pictures and no meshes", {},
+                "its report goes to a file with --report FILE");
+  }
+  if (line.frame_option.empty()) return;
+  throw Error(Status::Input, "saddle check takes no option " + line.frame_option, {},
+              "--t is the moment that it looks at");
 }
 
 void take_verb(const CLI::App& app, const std::string& first, CommandLine& line) {
@@ -251,6 +280,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_picture_options(app, line);
   add_surface_options(app, line);
   add_mesh_options(app, line);
+  add_time_options(app, line);
   add_computing_options(app, line);
   app.add_flag("-h,--help", help);
   app.add_flag("--version", version);

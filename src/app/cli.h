@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/context.h"
 #include "scene/scene.h"
+#include "scene/values.h"
 
 namespace saddle {
 
@@ -21,6 +23,8 @@ struct CommandLine {
   std::vector<std::string> outputs;
   std::string format;                              ///< of outputs without an extension of their own
   std::vector<std::function<void(Scene&)>> edits;  ///< what options change, in their order
+  std::optional<FrameRange> frame_range;           ///< of the animation; none: all
+  std::string frame_option;                        ///< the last one that is about frames
   std::string reference;
   double threshold = kDefaultThreshold;
   bool watch = false;

@@ -1,42 +1,36 @@
-// saddle FORMULAS or NAME: check the outputs, prepare, tessellate once, write everything, report.
+// saddle FORMULAS or NAME: check the outputs, then for each moment mesh what is another surface
+// than before, draw and write; report.
 #include <algorithm>
+#include <future>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "app/build_scene.h"
 #include "app/commands.h"
+#include "app/framing.h"
 #include "app/outputs.h"
+#include "app/progress.h"
 #include "app/reference.h"
 #include "app/run_report.h"
+#include "app/scene_meshes.h"
+#include "app/shots.h"
 #include "base/image_png.h"
+#include "export/video.h"
 #include "render/picture.h"
+#include "scene/instances.h"
+#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {
 
-Image draw(const CommandLine& line, const Scene& scene, std::span<const Mesh> meshes,
-           RunReport& report) {
-  Rendering rendering = render(scene, meshes, scene.picture, line.renderer);
-  report.times.render = rendering.times;
-  report.image = ImageReport{rendering.image.width, rendering.image.height, rendering.renderer,
-                             std::move(rendering.shaders)};
-  print_warnings(line, rendering.warnings);
-  std::ranges::move(rendering.warnings, std::back_inserter(report.warnings));
-  return std::move(rendering.image);
-}
-
-/// With --strict a warning ends the run; the report has it, other outputs are not written.
-void check_strictness(const CommandLine& line, RunReport& report, Clock::time_point start) {
-  if (!line.strict || report.warnings.empty()) return;
-  report.times.total = since(start);
-  send_report(line.report, report);
-  fail_on_warnings(report);
-}
-
 Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
-  const auto is_picture = [](const Output& output) { return output.format == Format::Png; };
+  const auto is_picture = [](const Output& output) {
+    return output.format == Format::Png || output.is_video();
+  };
   const auto is_mesh = [](const Output& output) { return output.format == Format::Ply; };
   Purpose purpose;
   purpose.picture = !line.reference.empty() || std::ranges::any_of(outputs, is_picture);
@@ -44,38 +38,230 @@ Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) 
   return purpose;
 }
 
+/// The scene as its outputs need it.
+Scene animated(Scene scene, bool frames) {
+  if (frames && !scene.animation) scene.animation.emplace();
+  return scene;
+}
+
+VideoOptions video_options(const Output& output, const Scene& scene, unsigned threads) {
+  VideoOptions options;
+  options.format = output.format == Format::Gif   ? VideoFormat::Gif
+                   : output.format == Format::Mp4 ? VideoFormat::Mp4
+                                                  : VideoFormat::Webm;
+  options.width = scene.picture.width;
+  options.height = scene.picture.height;
+  options.fps = scene.animation->fps;
+  options.transparent = !scene.background.a.text.empty() || scene.background.a < 1;
+  options.threads = threads;
+  return options;
+}
+
+/// Writing beside drawing: one thing at a time, in order.
+class Behind {
+ public:
+  /// Does `work` once the last is done. Throws what that has thrown.
+  template <typename Work>
+  void start(Work work) {
+    wait();
+    last_ = std::async(std::launch::async, std::move(work));
+  }
+  void wait() {
+    if (last_.valid()) last_.get();
+  }
+
+ private:
+  std::future<void> last_;
+};
+
+/// One run of the program.
+class Run {
+ public:
+  Run(const CommandLine& line, Clock::time_point start)
+      : Run(line, start, build_scene(line), checked_outputs(line)) {}
+
+  void go() {
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+      show_progress(i);
+      try {
+        take(shots_[i]);
+      } catch (const Error& error) {
+        throw located(error, shots_[i]);
+      }
+    }
+    behind_.wait();
+    progress_.reset();
+    finish();
+  }
+
+ private:
+  struct Film {
+    std::string path;
+    std::unique_ptr<Video> video;
+  };
+
+  Run(const CommandLine& line, Clock::time_point start, Scene scene, std::vector<Output> outputs)
+      : line_(line),
+        start_(start),
+        outputs_(std::move(outputs)),
+        timeline_(animated(std::move(scene), has_frames(line, outputs_))),
+        shots_(shots_of(line, timeline_.scene(), outputs_)),
+        purpose_(purpose_of(line, outputs_)) {
+    if (!line.reference.empty()) reference_ = read_png(line.reference).image;
+    for (const Output& output : outputs_) {
+      if (!output.is_video()) continue;
+      films_.push_back({output.path, std::make_unique<Video>(
+                                         video_options(output, timeline_.scene(), line.threads))});
+    }
+    // OpenGL takes as long to load as a surface to tessellate.
+    if (purpose_.picture) preloading_ = std::jthread(preload_renderer, line.renderer);
+    framing_ = frame_scene(timeline_, line.threads);
+    Purpose purpose = purpose_;
+    purpose.moments = framing_.moments;
+    meshes_.emplace(std::move(purpose), line.threads);
+    if (frames() > 1) progress_.emplace(!line.quiet);
+  }
+
+  int frames() const {
+    return static_cast<int>(
+        std::ranges::count_if(shots_, [](const Shot& shot) { return shot.frame.has_value(); }));
+  }
+
+  void show_progress(std::size_t done) {
+    if (done == 0) began_ = Clock::now();
+    if (progress_) progress_->show_frames(done, shots_.size(), since(began_) / 1000);
+  }
+
+  /// What is wrong with the scene at a moment of an animation, with the moment.
+  static Error located(const Error& error, const Shot& shot) {
+    const std::string name = name_of(shot);
+    if (name.empty() || error.status() == Status::Machine) return error;
+    const std::string hint = error.hint().empty() ? "" : error.hint() + "\n";
+    return {error.status(), error.what(), error.place(), hint + "this is " + name};
+  }
+
+  void take(const Shot& shot) {
+    const Scene scene = timeline_.at(shot.t);
+    Scene seen = scene;
+    framing_.apply(seen);
+    const std::vector<std::size_t> updated = meshes_->update(seen, name_of(shot));
+    if (line_.strict && meshes_->warn()) fail_strictly();
+    write_meshes_of(shot, scene);
+    if (!purpose_.picture) return;
+    if (!maker_) maker_.emplace(line_.renderer);
+    for (const std::size_t i : updated) maker_->set_mesh(i, meshes_->meshes()[i]);
+    Image image = maker_->draw(seen, meshes_->meshes(), seen.picture);
+    if (line_.strict && !maker_->warnings().empty()) fail_strictly();
+    if (shot.still && reference_) compared_ = image;
+    if (!report_.image) describe_image(image, seen);
+    behind_.start([this, shot, scene, image = std::move(image)] { write(shot, scene, image); });
+  }
+
+  void write_meshes_of(const Shot& shot, const Scene& scene) {
+    const auto begin = Clock::now();
+    for (const Output& output : outputs_) {
+      if (output.format != Format::Ply || !shot.is_for(output)) continue;
+      write_meshes(output.path_of(shot.frame.value_or(0)), scene, meshes_->meshes());
+    }
+    report_.times.encode += since(begin);
+  }
+
+  /// Beside the drawing of the next picture.
+  void write(const Shot& shot, const Scene& scene, const Image& image) {
+    const auto begin = Clock::now();
+    for (const Output& output : outputs_) {
+      if (output.format != Format::Png || !shot.is_for(output)) continue;
+      write_picture(output.path_of(shot.frame.value_or(0)), image, scene);
+    }
+    if (shot.frame) {
+      for (const Film& film : films_) film.video->add(image);
+    }
+    encoding_ += since(begin);
+  }
+
+  void describe_image(const Image& image, const Scene& scene) {
+    report_.image = ImageReport{image.width,
+                                image.height,
+                                maker_->renderer(),
+                                scene.surfaces.size(),
+                                instances(scene).size(),
+                                maker_->shader_texts()};
+  }
+
+  /// Films are there when all of them are whole.
+  void write_films() {
+    for (const Film& film : films_) film.video->finish();
+    for (const Film& film : films_) {
+      write_to(film.path, [&](std::ostream& out) { film.video->write(out); });
+    }
+  }
+
+  void gather_warnings() {
+    meshes_->report(report_);
+    if (maker_) std::ranges::copy(maker_->warnings(), std::back_inserter(report_.warnings));
+    if (report_.frames > 1 && !meshes_->move() && !timeline_.moves()) {
+      report_.warnings.emplace_back("nothing depends on t: all frames are the same");
+    }
+    print_warnings(line_, report_.warnings);
+  }
+
+  /// With --strict a warning ends the run; the report has it, other outputs are not written.
+  void fail_strictly() {
+    gather_warnings();
+    report_.times.total = since(start_);
+    send_report(line_.report, report_);
+    fail_on_warnings(report_);
+  }
+
+  void finish() {
+    report_.frames = frames();
+    if (report_.frames > 0)
+      report_.times.frame = since(began_) / static_cast<double>(shots_.size());
+    gather_warnings();
+    const auto writing = Clock::now();
+    for (const Output& output : outputs_) {
+      if (output.format != Format::Toml) continue;
+      write_to(output.path, [&](std::ostream& out) { out << write_scene(timeline_.scene()); });
+    }
+    write_films();
+    report_.times.encode += encoding_ + since(writing);
+    if (maker_) {
+      report_.times.render = maker_->times();
+      report_.image->shaders = maker_->shader_texts();
+    }
+    report_.times.total = since(start_);
+    send_report(line_.report, report_);
+    if (line_.verbose) std::cerr << summary(report_);
+    if (!reference_) return;
+    const std::string passed =
+        check_against_reference(*compared_, *reference_, line_.reference, line_.threshold);
+    if (line_.verbose) std::cerr << passed << '\n';
+  }
+
+  const CommandLine& line_;
+  Clock::time_point start_;
+  std::vector<Output> outputs_;
+  Timeline timeline_;
+  std::vector<Shot> shots_;
+  Purpose purpose_;
+  std::optional<Image> reference_;
+  std::optional<Image> compared_;
+  std::vector<Film> films_;
+  std::jthread preloading_;
+  Framing framing_;
+  std::optional<SceneMeshes> meshes_;
+  std::optional<PictureMaker> maker_;
+  RunReport report_;
+  double encoding_ = 0;  ///< milliseconds, beside the drawing
+  std::optional<Progress> progress_;
+  Clock::time_point began_;
+  Behind behind_;  // the last member: it ends before what it writes to
+};
+
 }  // namespace
 
 void run_graph(const CommandLine& line, Clock::time_point start) {
-  const Scene scene = build_scene(line);
-  const std::vector<Output> outputs = checked_outputs(line);
-  std::optional<Image> reference;
-  if (!line.reference.empty()) reference = read_png(line.reference).image;
-
-  const Purpose purpose = purpose_of(line, outputs);
-  std::jthread preloading;  // OpenGL takes as long to load as a surface to tessellate
-  if (purpose.picture) preloading = std::jthread(preload_renderer, line.renderer);
-  RunReport report;
-  std::vector<Mesh> meshes;
-  for (const SurfaceSpec& spec : scene.surfaces) {
-    meshes.push_back(file(tessellate(scene, spec, purpose, line.threads), report));
-  }
-  print_warnings(line, report.warnings);
-  check_strictness(line, report, start);
-  Image image;
-  if (purpose.picture) image = draw(line, scene, meshes, report);
-  check_strictness(line, report, start);
-
-  const auto writing = Clock::now();
-  for (const Output& output : outputs) write_output(output, image, scene, meshes);
-  report.times.encode = since(writing);
-  report.times.total = since(start);
-  send_report(line.report, report);
-  if (line.verbose) std::cerr << summary(report);
-  if (!reference) return;
-  const std::string passed =
-      check_against_reference(image, *reference, line.reference, line.threshold);
-  if (line.verbose) std::cerr << passed << '\n';
+  Run(line, start).go();
 }
 
 }  // namespace saddle

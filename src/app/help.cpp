@@ -16,18 +16,20 @@ std::string help_text() {
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
 
 Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
-(default -1:1; the ends of v may depend on u); t=VALUE the moment; NAME= a parameter;
-NAME(ARGUMENTS)= a helper function.
+(default -1:1; the ends of v may depend on u); t=VALUE the moment, t=MIN:MAX the range of time of an
+animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function.
 
 Examples:
   saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png
   saddle torus r=0.4 -o torus.ply -o torus.png
   saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
+  saddle z='sin(3*u+t)*cos(v)' t=0:tau -o waves.gif
 
 Output (none: a window opens)
-  -o, --output FILE     what to write, by extension: .png .ply, .toml (the scene); may be
+  -o, --output FILE     what to write, by extension: .png .ply, .toml (the scene), .gif .mp4 .webm
+                        (all frames); frame-%04d.png, also .ply, is a file for each frame; may be
                         repeated; - is standard output, with --format
-      --format EXT      png, ply or toml: for - and for names without an extension
+      --format EXT      png, ply, toml, gif, mp4 or webm: for - and names without an extension
   -s, --size WxH        picture size in pixels, up to 16384 each way (default 800x600)
       --reference FILE  compare the picture with a PNG; exit 1 and write FILE.diff.png if it differs
       --threshold E     largest error that passes: 1 - SSIM, 0 to 1 (default 0.04)
@@ -57,8 +59,14 @@ Mesh
       --clip BOX        X0:X1,Y0:Y1,Z0:Z1, off, or auto: where the surface goes to infinity, the
                         box that most of it is in (default auto)
       --samples MxN     a uniform grid of M cells in u by N in v instead (default: off)
+Time
+      --t T             the moment, the value of t in formulas (default: the start of the range of
+                        time, 0 without one)
+      --frames N        of the animation; frame k of 0 to N-1 is at MIN+(MAX-MIN)*k/N (default 120;
+                        t=MIN:MAX is 0:1 unless given)
+      --fps F           frames per second, less than 1000 (default 30)
+      --frame-range A:B draw frames A to B alone, both included (default: all)
 Computing
-      --t T             time, the value of t in formulas (default 0)
       --watch           in the viewer: redraw when the scene file changes
       --renderer NAME   osmesa or egl (default: the first that starts)
       --threads N       worker threads, 1 to 1024 (default: all)

@@ -18,18 +18,54 @@
 namespace saddle {
 namespace {
 
+/// In the order of Format.
+const std::vector<std::string> kFormats = {"png", "ply", "toml", "gif", "mp4", "webm"};
+
 std::optional<Format> format_named(std::string name) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (name == "png") return Format::Png;
-  if (name == "ply") return Format::Ply;
-  if (name == "toml") return Format::Toml;
-  return std::nullopt;
+  const auto found = std::ranges::find(kFormats, name);
+  if (found == kFormats.end()) return std::nullopt;
+  return static_cast<Format>(found - kFormats.begin());
 }
 
 std::string known_formats(const std::string& word) {
-  const std::vector<std::string> known = {"png", "ply", "toml"};
-  const auto nearest = nearest_name(word, known);
-  return "known: .png .ply .toml" + (nearest ? "; did you mean '." + *nearest + "'?" : "");
+  const auto nearest = nearest_name(word, kFormats);
+  std::string known = "known:";
+  for (const std::string& format : kFormats) known += " ." + format;
+  return known + (nearest ? "; did you mean '." + *nearest + "'?" : "");
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// Most bytes of a frame's number in a path: `%09d`, digits enough for kMaxFrames.
+constexpr std::size_t kLongestNumber = 4;
+
+/// The first `%d`, `%4d` or `%04d` from `begin` on.
+std::optional<Span> find_number(const std::string& path, std::size_t begin = 0) {
+  for (std::size_t at = path.find('%', begin); at != std::string::npos;
+       at = path.find('%', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < path.size() && is_digit(path[end])) ++end;
+    if (end < path.size() && path[end] == 'd') return Span{at, end + 1};
+  }
+  return std::nullopt;
+}
+
+/// Where the path has the number of a frame. Throws Error (Input) for two of them.
+std::optional<Span> checked_number(const std::string& path) {
+  const auto number = find_number(path);
+  if (!number) return std::nullopt;
+  if (const auto second = find_number(path, number->end)) {
+    throw Error(Status::Input, "two places for the frame's number", {"--output", path, *second},
+                "one is enough, for example frame-%04d.png");
+  }
+  if (number->end - number->begin > kLongestNumber) {
+    throw Error(Status::Input, "the frame's number has too many digits",
+                {"--output", path, *number}, "for example frame-%04d.png");
+  }
+  return number;
 }
 
 /// The extension without its point, empty if there is none.
@@ -55,7 +91,7 @@ Format format_of(const std::string& path, std::optional<Format> fallback) {
   if (fallback && ending.empty()) return *fallback;
   if (path == "-") {
     throw Error(Status::Input, "the format for standard output is missing",
-                {"--output", path, {0, 1}}, "add --format png, ply or toml");
+                {"--output", path, {0, 1}}, "add --format png, ply, toml, gif, mp4 or webm");
   }
   throw Error(
       Status::Input,
@@ -116,6 +152,15 @@ std::vector<Mesh> placed(const Scene& scene, std::span<const Mesh> meshes) {
 
 }  // namespace
 
+std::string Output::path_of(int frame) const {
+  if (!number) return path;
+  const std::string width = path.substr(number->begin + 1, number->end - number->begin - 2);
+  std::string digits = std::to_string(frame);
+  const std::size_t wanted = width.empty() ? 0 : std::stoul(width);
+  if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), '0');
+  return path.substr(0, number->begin) + digits + path.substr(number->end);
+}
+
 bool wants_viewer(const CommandLine& line) {
   return line.outputs.empty() && line.report.empty() && line.reference.empty();
 }
@@ -128,32 +173,33 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   const auto fallback = checked_format(line.format);
   check_format_is_used(line);
   std::vector<Output> outputs;
-  for (const std::string& path : line.outputs) outputs.push_back({path, format_of(path, fallback)});
+  for (const std::string& path : line.outputs) {
+    outputs.push_back({path, format_of(path, fallback), checked_number(path)});
+  }
   check_standard_output(line);
   check_names_differ(line, outputs);
   for (const Output& output : outputs) {
-    if (output.path != "-") check_writable(output.path);
+    if (output.path != "-") check_writable(output.path_of(0));
   }
   if (!line.report.empty() && line.report != "-") check_writable(line.report);
   return outputs;
 }
 
-void write_output(const Output& output, const Image& image, const Scene& scene,
-                  std::span<const Mesh> meshes) {
-  const auto write = [&](std::ostream& out) {
-    if (output.format == Format::Png) {
-      write_png(out, image, {{kSceneKeyword, write_scene(scene)}});
-    } else if (output.format == Format::Toml) {
-      out << write_scene(scene);
-    } else {
-      write_ply(out, placed(scene, meshes));
-    }
-  };
-  if (output.path == "-") {
+void write_to(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (path == "-") {
     write_standard_output(write);
   } else {
-    write_file_whole(output.path, write);
+    write_file_whole(path, write);
   }
+}
+
+void write_picture(const std::string& path, const Image& image, const Scene& scene) {
+  const std::string text = write_scene(scene);
+  write_to(path, [&](std::ostream& out) { write_png(out, image, {{kSceneKeyword, text}}); });
+}
+
+void write_meshes(const std::string& path, const Scene& scene, std::span<const Mesh> meshes) {
+  write_to(path, [&](std::ostream& out) { write_ply(out, placed(scene, meshes)); });
 }
 
 }  // namespace saddle

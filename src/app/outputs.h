@@ -1,34 +1,48 @@
 // The files that a run writes.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <ostream>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/cli.h"
+#include "base/error.h"
 #include "base/image.h"
 #include "mesh/mesh.h"
 #include "scene/scene.h"
 
 namespace saddle {
 
-enum class Format { Png, Ply, Toml };
+enum class Format { Png, Ply, Toml, Gif, Mp4, Webm };
 
 struct Output {
   std::string path;  ///< "-": standard output
   Format format = Format::Png;
+  std::optional<Span> number = {};  ///< where in the path the frame's number goes: "%04d"
+
+  bool is_video() const { return format >= Format::Gif; }
+  /// It is about an animation's frames, not about one moment.
+  bool takes_frames() const { return number || is_video(); }
+  /// The path of a frame.
+  std::string path_of(int frame) const;
 };
 
 /// Nothing is to be written: the command line asks for the viewer.
 bool wants_viewer(const CommandLine& line);
 
 /// The outputs of the command line, checked before anything is computed. Throws Error: Input for
-/// an unknown extension, a terminal, two things for standard output; Machine for a path that
-/// cannot be written, the report's included.
+/// an unknown extension, a terminal, two things for standard output, a path with two numbers;
+/// Machine for a path that cannot be written, the report's included.
 std::vector<Output> checked_outputs(const CommandLine& line);
 
-/// Writes one output. `image` is empty unless it is needed; the scene goes into the PNG.
-void write_output(const Output& output, const Image& image, const Scene& scene,
-                  std::span<const Mesh> meshes);
+/// Lets `write` write to the path, or to standard output for "-".
+void write_to(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+/// A picture with its scene in it, and the meshes where the scene's nodes have them.
+void write_picture(const std::string& path, const Image& image, const Scene& scene);
+void write_meshes(const std::string& path, const Scene& scene, std::span<const Mesh> meshes);
 
 }  // namespace saddle

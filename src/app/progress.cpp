@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 
 namespace saddle {
@@ -18,6 +20,19 @@ Progress::Progress(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {
 
 Progress::~Progress() {
   if (shown_) std::cerr << kClearLine << std::flush;
+}
+
+void Progress::show_frames(std::size_t done, std::size_t all, double seconds) {
+  const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
+  std::string what = "frame " + std::to_string(done) + " of " + std::to_string(all);
+  if (rate > 0) {
+    std::array<char, 64> text{};
+    const long left = std::lround(static_cast<double>(all - done) / rate);
+    std::snprintf(text.data(), text.size(), ", %.1f frames/s, %ld:%02ld left", rate, left / 60,
+                  left % 60);
+    what += text.data();
+  }
+  show(static_cast<double>(done) / static_cast<double>(all), what);
 }
 
 void Progress::show(double share, const std::string& what) {

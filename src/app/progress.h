@@ -1,6 +1,7 @@
 // Long work's progress bar.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace saddle {
@@ -16,6 +17,9 @@ class Progress {
 
   /// The share that is done, 0 to 1, and what is being done now.
   void show(double share, const std::string& what);
+  /// Frames that are done, of how many, with their rate and the time that is left. `seconds`: since
+  /// the first was begun.
+  void show_frames(std::size_t done, std::size_t all, double seconds);
 
  private:
   bool shown_;

@@ -123,6 +123,7 @@ Json times(const RunTimes& t) {
     result["draw"] = number(t.render->draw);
   }
   result["encode"] = number(t.encode);
+  if (t.frame > 0) result["frame"] = number(t.frame);
   result["total"] = number(t.total);
   return result;
 }
@@ -142,12 +143,18 @@ bool encloses_volume(const Facts& facts) {
 
 void write_report(std::ostream& out, const RunReport& report) {
   Json json = {{"version", version()}, {"surfaces", Json::array()}};
-  for (const SurfaceReport& s : report.surfaces) json["surfaces"].push_back(surface(s));
+  for (const SurfaceReport& s : report.surfaces) {
+    json["surfaces"].push_back(surface(s));
+    if (report.frames > 0) json["surfaces"].back()["meshes"] = s.meshes;
+  }
   if (report.image) {
     json["image"] = {{"width", report.image->width},
                      {"height", report.image->height},
-                     {"renderer", report.image->renderer}};
+                     {"renderer", report.image->renderer},
+                     {"meshes", report.image->meshes},
+                     {"instances", report.image->instances}};
   }
+  if (report.frames > 0) json["frames"] = report.frames;
   json["times"] = times(report.times);
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["warnings"] = report.warnings;
@@ -164,8 +171,11 @@ std::string summary(const RunReport& report) {
   }
   if (report.image) {
     text += "image: " + std::to_string(report.image->width) + "x" +
-            std::to_string(report.image->height) + " by " + report.image->renderer + "\n";
+            std::to_string(report.image->height) + " by " + report.image->renderer + ", " +
+            std::to_string(report.image->meshes) + " meshes in " +
+            std::to_string(report.image->instances) + " places\n";
   }
+  if (report.frames > 0) text += "frames: " + std::to_string(report.frames) + "\n";
   text += "milliseconds:";
   const Json all = times(report.times);
   for (const auto& [name, value] : all.items()) {

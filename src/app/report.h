@@ -18,6 +18,7 @@ struct SurfaceReport {
   std::size_t vertices = 0;  ///< corners
   Bounds bounds;
   MeshReport mesh;
+  int meshes = 1;              ///< that an animation has made of it: several if t moves it
   std::optional<Facts> facts;  ///< of `saddle check`
 };
 
@@ -30,7 +31,8 @@ struct RunTimes {
   double compile = 0;
   double tessellate = 0;
   std::optional<RenderTimes> render;  ///< with a picture
-  double encode = 0;                  ///< writing the outputs
+  double encode = 0;                  ///< writing the outputs, beside what else goes on
+  double frame = 0;                   ///< from one frame to the next, the mean; of an animation
   double total = 0;                   ///< from the start of main
 };
 
@@ -38,12 +40,15 @@ struct ImageReport {
   int width = 0;
   int height = 0;
   std::string renderer;
-  std::string shaders;  ///< the surfaces' programs, for --verbose
+  std::size_t meshes = 0;     ///< on the graphics card, each uploaded once unless it changes
+  std::size_t instances = 0;  ///< drawn: a mesh once for each of its nodes
+  std::string shaders;        ///< the surfaces' programs, for --verbose
 };
 
 struct RunReport {
   std::vector<SurfaceReport> surfaces;
   std::optional<ImageReport> image;
+  int frames = 0;  ///< of an animation
   RunTimes times;
   std::vector<std::string> warnings;
 };

@@ -158,6 +158,7 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   if (scene.clip.box || mesh.report.clip) mesh.report.least_triangles = 0;  // it is of the whole
   Tessellation result;
+  result.moves = prepared.moves;
   result.parse_ms = prepared.parse_ms;
   result.compile_ms = prepared.compile_ms;
   result.tessellate_ms = passed.count();

@@ -16,6 +16,7 @@ struct Tessellation {
   Mesh mesh;
   SurfaceReport report;
   std::vector<std::string> warnings;
+  bool moves = false;     ///< at another time it is another mesh
   double parse_ms = 0;    ///< text to graph
   double compile_ms = 0;  ///< derivatives and tapes
   double tessellate_ms = 0;

@@ -52,20 +52,20 @@ Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
 /// length.
 class PixelSize {
  public:
-  PixelSize(const Scene& scene, const glm::dmat4& place, const Probe& probe,
-            const std::optional<Bounds>& clip)
-      : place_(place), stretch_(largest_stretch(place)), ortho_(scene.camera.ortho) {
+  PixelSize(const Camera& camera, const PictureSettings& picture, const glm::dmat4& place,
+            const Probe& probe, const std::optional<Bounds>& clip)
+      : place_(place), stretch_(largest_stretch(place)), ortho_(camera.ortho) {
     const Bounds bounds = transformed(visible(probe, clip), place);
-    const double aspect = static_cast<double>(scene.picture.width) / scene.picture.height;
-    const dvec3 target = camera_target(scene.camera, bounds);
+    const double aspect = static_cast<double>(picture.width) / picture.height;
+    const dvec3 target = camera_target(camera, bounds);
     const double to_corner =
         glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target)));
     const bool in_world = place == glm::dmat4(1);
     const double radius = in_world ? std::min(probe.radius(target), to_corner) : to_corner;
-    camera_ = fit_camera(scene.camera, bounds, aspect, radius);
-    const double tangent = std::tan(scene.camera.fov / 2 * std::numbers::pi / 180);
+    camera_ = fit_camera(camera, bounds, aspect, radius);
+    const double tangent = std::tan(camera.fov / 2 * std::numbers::pi / 180);
     half_ = {aspect * tangent, tangent};
-    per_length_ = 2 / static_cast<double>(scene.picture.height) / stretch_;
+    per_length_ = 2 / static_cast<double>(picture.height) / stretch_;
     const double depth =
         ortho_ ? camera_.distance : std::max(camera_.distance - radius, kNearest * radius);
     nearest_ = depth * tangent * per_length_;
@@ -112,6 +112,41 @@ class PixelSize {
   double whole_;       ///< if half the picture were as high as the surface
   bool is_close_;
 };
+
+bool same(const Camera& a, const Camera& b) {
+  const auto along = [](const Vector& v, const Vector& w) { return dvec3(v) == dvec3(w); };
+  return along(a.view, b.view) && along(a.up, b.up) && double(a.fov) == double(b.fov) &&
+         a.ortho == b.ortho && a.target.has_value() == b.target.has_value() &&
+         (!a.target || along(*a.target, *b.target)) &&
+         a.distance.has_value() == b.distance.has_value() &&
+         (!a.distance || double(*a.distance) == double(*b.distance));
+}
+
+/// A camera, and a place of the surface that it looks at.
+struct View {
+  Camera camera;
+  glm::dmat4 place;
+};
+
+/// Those of all moments. What rests from one moment to the next is there once.
+std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose) {
+  std::vector<View> result;
+  if (purpose.moments.empty()) {
+    for (const glm::dmat4& place : places(scene, spec)) result.push_back({scene.camera, place});
+  }
+  std::vector<glm::dmat4> last;
+  for (std::size_t k = 0; k < purpose.moments.size(); ++k) {
+    const Moment& moment = purpose.moments[k];
+    const std::vector<glm::dmat4> now = places(moment.nodes, spec);
+    const bool rests = k > 0 && same(purpose.moments[k - 1].camera, moment.camera);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (!rests || now[i] != last[i]) result.push_back({moment.camera, now[i]});
+    }
+    last = now;
+  }
+  return result;
+}
+
 }  // namespace
 
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
@@ -128,9 +163,9 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
   if (pixels == kAny) return [length](const dvec3&) { return length; };
   double same_everywhere = kAny;
   std::vector<PixelSize> sizes;  // that are not
-  for (const glm::dmat4& place : places(scene, spec)) {
+  for (const auto& [camera, place] : views(scene, spec, purpose)) {
     if (largest_stretch(place) == 0) continue;  // drawn as nothing
-    PixelSize size(scene, place, probe, clip);
+    PixelSize size(camera, scene.picture, place, probe, clip);
     if (size.depends_on_place()) {
       sizes.push_back(size);
     } else {
@@ -145,18 +180,25 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
   };
 }
 
-Bounds clip_box(const Probe& probe) {
+bool Moment::operator==(const Moment& other) const {
+  return same(camera, other.camera) && nodes == other.nodes;
+}
+
+Bounds clip_box(const Bounds& samples, const Bounds& robust) {
   Bounds box;
-  const Bounds robust = probe.robust_bounds();
-  const dvec3 size = probe.bounds().size();
+  const dvec3 size = samples.size();
   for (int k = 0; k < 3; ++k) {
     const bool is_far_out = size[k] > kFarOut * robust.size()[k];
-    const Bounds& most = is_far_out ? robust : probe.bounds();
+    const Bounds& most = is_far_out ? robust : samples;
     const double margin = is_far_out ? 0 : kBeyondProbe * size[k];
     box.low[k] = most.low[k] - margin;
     box.high[k] = most.high[k] + margin;
   }
   return box;
+}
+
+Bounds clip_box(const Probe& probe) {
+  return clip_box(probe.bounds(), probe.robust_bounds());
 }
 
 double tolerance_share(const Scene& scene, const Purpose& purpose) {

@@ -1,26 +1,42 @@
 // How far the mesh may be from the surface: what --tolerance or the outputs ask for, as a length.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "mesh/adaptive_mesh.h"
+#include "scene/instances.h"
 #include "scene/scene.h"
 
 namespace saddle {
+
+/// Where the camera and the nodes of a resolved scene are.
+struct Moment {
+  Camera camera;
+  NodeFrames nodes;
+
+  explicit Moment(const Scene& scene) : camera(scene.camera), nodes(scene) {}
+  /// Nothing that a picture shows is elsewhere, or of another size.
+  bool operator==(const Moment& other) const;
+};
 
 /// What a run draws and writes, as far as its tolerance depends on it.
 struct Purpose {
   bool picture = false;
   bool mesh = false;
-  bool facts = false;  ///< what is true of the surface is asked for
+  bool facts = false;             ///< what is true of the surface is asked for
+  std::vector<Moment> moments{};  ///< that the mesh is drawn at; none: the scene's own
 };
 
 /// The tolerance of a surface of the scene that is known by a probe, or of what of it is in a box:
 /// the stricter one of picture and mesh. A picture's pixels are those of the part of the surface,
-/// in any of its nodes, that is nearest to the eye.
+/// in any of its nodes, that is nearest to the eye at any of its moments.
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
 
 /// The box that a surface which goes to infinity is clipped to: in each coordinate the bounds of
 /// its samples, or the robust ones, if the samples go far beyond.
+Bounds clip_box(const Bounds& samples, const Bounds& robust);
 Bounds clip_box(const Probe& probe);
 
 /// The same for a mesh that knows only its box, as a share of the box's diagonal, which the

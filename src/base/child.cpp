@@ -1,6 +1,7 @@
 #include "base/child.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +10,6 @@
 #include <cerrno>
 #include <cstring>
 #include <string_view>
-#include <thread>
 
 #include "base/error.h"
 
@@ -59,15 +59,6 @@ class FileActions {
   posix_spawn_file_actions_t actions_;
 };
 
-void write_all(int to, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = write(to, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;  // it stopped reading: its exit status tells why
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 std::string read_all(int from) {
   std::string text;
   std::array<char, 4096> buffer{};
@@ -89,12 +80,14 @@ std::string last_line(std::string text) {
   return text.substr(text.find_first_not_of(" \t"));
 }
 
-pid_t spawn(const std::vector<std::string>& command, const Pipe& input, const Pipe& errors,
-            const std::string& package) {
+pid_t spawn(const std::vector<std::string>& command, const std::string& package, int input,
+            int errors, std::span<const int> files) {
   FileActions actions;
-  posix_spawn_file_actions_adddup2(actions.get(), input.out.get(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(actions.get(), errors.in.get(), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(actions.get(), input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(actions.get(), errors, STDERR_FILENO);
   posix_spawn_file_actions_addopen(actions.get(), STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  // Onto itself: it is not closed at exec() then.
+  for (const int file : files) posix_spawn_file_actions_adddup2(actions.get(), file, file);
   std::vector<char*> arguments;
   for (const std::string& argument : command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -112,25 +105,60 @@ pid_t spawn(const std::vector<std::string>& command, const Pipe& input, const Pi
 
 }  // namespace
 
-void run_with_input(const std::vector<std::string>& command, const std::string& input,
-                    const std::string& package) {
+struct Child::Pipes {
   Pipe to_child;
   Pipe from_child;
-  const pid_t child = spawn(command, to_child, from_child, package);
-  to_child.out.close();
-  from_child.in.close();
-  std::jthread writer([&] {  // beside reading: neither side waits for the other
-    write_all(to_child.in.get(), input);
-    to_child.in.close();
-  });
-  const std::string said = read_all(from_child.out.get());
-  writer.join();
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+};
+
+Child::Child(const std::vector<std::string>& command, const std::string& package,
+             std::span<const int> files)
+    : name_(command[0]), pipes_(std::make_unique<Pipes>()) {
+  process_ =
+      spawn(command, package, pipes_->to_child.out.get(), pipes_->from_child.in.get(), files);
+  pipes_->to_child.out.close();
+  pipes_->from_child.in.close();
+  listener_ = std::jthread([this] { said_ = read_all(pipes_->from_child.out.get()); });
+}
+
+Child::~Child() {
+  if (process_ < 0) return;
+  kill(process_, SIGKILL);
+  wait();
+}
+
+bool Child::feed(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(pipes_->to_child.in.get(), bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;  // its exit status tells why
+    bytes.remove_prefix(static_cast<std::size_t>(count));
   }
+  return true;
+}
+
+/// Its exit status, as waitpid() has it.
+int Child::wait() {
+  pipes_->to_child.in.close();
+  listener_.join();
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  return status;
+}
+
+void Child::finish() {
+  const int status = wait();
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  const std::string reason = last_line(said);
-  throw Error(Status::Machine, command[0] + " failed" + (reason.empty() ? "" : ": " + reason));
+  const std::string reason = last_line(said_);
+  throw Error(Status::Machine, name_ + " failed" + (reason.empty() ? "" : ": " + reason));
+}
+
+void run_with_input(const std::vector<std::string>& command, const std::string& input,
+                    const std::string& package) {
+  Child child(command, package);
+  child.feed(input);
+  child.finish();
 }
 
 }  // namespace saddle

@@ -1,15 +1,52 @@
-// Other programs that do a part of the work: gnuplot.
+// Other programs that do a part of the work: gnuplot, ffmpeg.
 #pragma once
 
+#include <sys/types.h>
+
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 namespace saddle {
 
-/// Runs `command` (the program, looked up in PATH, and its arguments), hands it `input` through a
-/// pipe and waits; SIGPIPE must be ignored. What it prints is thrown away, but for an error's sake.
-/// Throws Error (Machine): the program is missing, and `package` has it; it fails, with the last
-/// line of what it said.
+/// A program that is at work, fed through a pipe. What it prints on standard output is thrown away,
+/// what it prints on standard error kept for an error's sake. SIGPIPE must be ignored.
+class Child {
+ public:
+  /// Runs `command` (the program, looked up in PATH, and its arguments). It inherits the
+  /// descriptors `files`, which it can open as /dev/fd/NUMBER. Throws Error (Machine) if the
+  /// program is missing, with the `package` that has it.
+  Child(const std::vector<std::string>& command, const std::string& package,
+        std::span<const int> files = {});
+  /// Ends it, unless it has been waited for.
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Hands it these bytes, waiting until it takes them; false: it reads no more.
+  bool feed(std::string_view bytes);
+
+  /// The end of its input, then waits for its own. Throws Error (Machine) with the last line of
+  /// what it said if it fails. Called once.
+  void finish();
+
+ private:
+  struct Pipes;
+
+  int wait();
+
+  std::string name_;
+  std::unique_ptr<Pipes> pipes_;
+  std::string said_;
+  pid_t process_ = -1;     ///< -1: waited for
+  std::jthread listener_;  ///< beside feeding: neither side waits for the other
+};
+
+/// Runs `command` as a Child does, hands it `input` and waits. Throws Error (Machine) as Child
+/// does.
 void run_with_input(const std::vector<std::string>& command, const std::string& input,
                     const std::string& package);
 

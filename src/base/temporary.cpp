@@ -1,16 +1,21 @@
 #include "base/temporary.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <climits>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "base/error.h"
 #include "base/file.h"
 
 namespace saddle {
@@ -81,6 +86,34 @@ TemporaryName::TemporaryName(const std::filesystem::path& target)
 TemporaryName::~TemporaryName() {
   unlink(path_.c_str());
   if (slot_ >= 0) slots[slot_].state = kFree;
+}
+
+UnnamedFile::UnnamedFile() {
+  std::string name = (std::filesystem::temp_directory_path() / "saddle-XXXXXX").string();
+  descriptor_ = mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw Error(Status::Machine, "no temporary file " + name + ": " + std::strerror(errno));
+  }
+  unlink(name.c_str());
+}
+
+UnnamedFile::~UnnamedFile() {
+  close(descriptor_);
+}
+
+void UnnamedFile::copy_to(std::ostream& out) const {
+  std::vector<char> buffer(std::size_t{1} << 20);
+  for (off_t at = 0;;) {
+    const ssize_t count = pread(descriptor_, buffer.data(), buffer.size(), at);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      throw Error(Status::Machine,
+                  std::string("cannot read a temporary file: ") + std::strerror(errno));
+    }
+    if (count == 0) return;
+    out.write(buffer.data(), count);
+    at += count;
+  }
 }
 
 void remove_temporaries_on_signals() {

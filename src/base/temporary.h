@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <ostream>
+#include <string>
 
 namespace saddle {
 
@@ -21,6 +23,25 @@ class TemporaryName {
  private:
   std::filesystem::path path_;
   int slot_ = -1;  ///< where the handler finds the name; -1: nowhere
+};
+
+/// A file without a name, among the system's temporary ones: it is gone when nothing has it open.
+class UnnamedFile {
+ public:
+  /// Throws Error (Machine) with the system's reason.
+  UnnamedFile();
+  ~UnnamedFile();
+  UnnamedFile(const UnnamedFile&) = delete;
+  UnnamedFile& operator=(const UnnamedFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  /// The name that a process which inherits the descriptor can open.
+  std::string path() const { return "/dev/fd/" + std::to_string(descriptor_); }
+  /// All that is in it. Throws Error (Machine) if it cannot be read.
+  void copy_to(std::ostream& out) const;
+
+ private:
+  int descriptor_ = -1;
 };
 
 }  // namespace saddle

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <unordered_map>
 
 #include "formula/language.h"
 #include "formula/parser.h"
@@ -57,6 +58,8 @@ struct Scope::Impl {
   std::vector<Entry> entries;
   std::vector<std::size_t> running;  // entries being parsed, outermost first
   std::unordered_map<Symbol, NodeId> parameter_values;
+  std::unordered_map<std::string, NodeId> constant_texts;  // what that constant() has parsed
+  bool has_used_time = false;
 
   explicit Impl(Graph& g) : graph(g) {}
 
@@ -223,7 +226,11 @@ NodeId Scope::parse(const std::string& name, const std::string& text, std::optio
 
 double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
                        std::optional<double> t) {
-  const std::array root = {parse(name, text, part)};
+  const auto known = impl_->constant_texts.find(text);
+  const bool is_known = !part && known != impl_->constant_texts.end();
+  const std::array root = {is_known ? known->second : parse(name, text, part)};
+  if (!part) impl_->constant_texts.emplace(text, root[0]);
+  if ((impl_->graph[root[0]].depends & kDependsT) != 0) impl_->has_used_time = true;
   const NodeId bound =
       t ? bind(root, *t)[0] : substitute(impl_->graph, root, impl_->parameter_values)[0];
   if (!impl_->graph.is_constant(bound)) {
@@ -233,6 +240,10 @@ double Scope::constant(const std::string& name, const std::string& text, std::op
                           : "it may use numbers, constants and parameters, not u, v or t");
   }
   return impl_->graph[bound].value;
+}
+
+bool Scope::has_used_time() const {
+  return impl_->has_used_time;
 }
 
 std::vector<NodeId> Scope::bind(std::span<const NodeId> roots, double t) {

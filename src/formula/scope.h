@@ -49,6 +49,9 @@ class Scope {
   double constant(const std::string& name, const std::string& text,
                   std::optional<Span> part = std::nullopt, std::optional<double> t = std::nullopt);
 
+  /// A value of constant() depended on t.
+  bool has_used_time() const;
+
   /// The roots with every parameter replaced by its value and t by `t`.
   std::vector<NodeId> bind(std::span<const NodeId> roots, double t);
 

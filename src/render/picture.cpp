@@ -46,27 +46,6 @@ double radius_around(const dvec3& target, std::span<const Instance> all,
   return radius;
 }
 
-Rendering draw_picture(const Scene& scene, std::span<const Mesh> meshes,
-                       const PictureSettings& options, int tile_samples, Backend backend) {
-  const double aspect = static_cast<double>(options.width) / options.height;
-  const FittedCamera camera = fit_to_meshes(scene, meshes, aspect);
-  Stopwatch stopwatch;
-  Rendering result;
-  const auto context = make_context(backend);
-  result.renderer = context->name();
-  result.times.context = stopwatch.lap();
-
-  Renderer renderer;
-  for (std::size_t i = 0; i < meshes.size(); ++i) renderer.set_mesh(i, meshes[i]);
-  result.times.upload = stopwatch.lap();
-
-  result.image = draw_image(renderer, scene, camera, options, tile_samples);
-  result.times.draw = stopwatch.lap();
-  result.shaders = renderer.shader_texts();
-  result.warnings = renderer.warnings();
-  return result;
-}
-
 }  // namespace
 
 FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, double aspect) {
@@ -76,6 +55,7 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, dou
     bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
   }
   if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
+  if (scene.camera.distance) return fit_camera(scene.camera, bounds, aspect);
   const double radius = radius_around(camera_target(scene.camera, bounds), all, meshes);
   return fit_camera(scene.camera, bounds, aspect, radius);
 }
@@ -95,19 +75,75 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
   return image;
 }
 
-Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
-                          const PictureSettings& options, int tile_samples, Backend backend) {
+struct PictureMaker::Gpu {
+  std::unique_ptr<Context> context;
+  Renderer renderer;
+
+  explicit Gpu(Backend backend) : context(make_context(backend)) {}
+};
+
+PictureMaker::PictureMaker(Backend backend) {
+  Stopwatch stopwatch;
+  gpu_ = std::make_unique<Gpu>(backend);
+  times_.context = stopwatch.lap();
+}
+
+PictureMaker::~PictureMaker() = default;
+
+std::string PictureMaker::renderer() const {
+  return gpu_->context->name();
+}
+
+std::string PictureMaker::shader_texts() const {
+  return gpu_->renderer.shader_texts();
+}
+
+std::vector<std::string> PictureMaker::warnings() const {
+  return gpu_->renderer.warnings();
+}
+
+void PictureMaker::set_mesh(std::size_t surface, const Mesh& mesh) {
+  Stopwatch stopwatch;
+  gpu_->renderer.set_mesh(surface, mesh);
+  times_.upload += stopwatch.lap();
+}
+
+Image PictureMaker::draw(const Scene& scene, std::span<const Mesh> meshes,
+                         const PictureSettings& options) {
+  return draw_in_tiles(scene, meshes, options, kTileSamples);
+}
+
+Image PictureMaker::draw_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                                  const PictureSettings& options, int tile_samples) {
   assert(meshes.size() == scene.surfaces.size());
   assert(options.width > 0 && options.height > 0);
   assert(options.antialias >= 1 && options.antialias <= kMaxAntialias);
+  Stopwatch stopwatch;
+  const double aspect = static_cast<double>(options.width) / options.height;
   try {
-    return draw_picture(scene, meshes, options, tile_samples, backend);
+    Image image = draw_image(gpu_->renderer, scene, fit_to_meshes(scene, meshes, aspect), options,
+                             tile_samples);
+    times_.draw += stopwatch.lap();
+    return image;
   } catch (const std::bad_alloc&) {
     throw Error(Status::Machine,
                 "not enough memory for a picture of " + std::to_string(options.width) + "x" +
                     std::to_string(options.height) + " pixels",
                 {}, "try a smaller --size, --antialias 1 or coarser --samples");
   }
+}
+
+Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                          const PictureSettings& options, int tile_samples, Backend backend) {
+  PictureMaker maker(backend);
+  for (std::size_t i = 0; i < meshes.size(); ++i) maker.set_mesh(i, meshes[i]);
+  Rendering result;
+  result.image = maker.draw_in_tiles(scene, meshes, options, tile_samples);
+  result.times = maker.times();
+  result.renderer = maker.renderer();
+  result.shaders = maker.shader_texts();
+  result.warnings = maker.warnings();
+  return result;
 }
 
 Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,

@@ -20,6 +20,39 @@ struct RenderTimes {
   double draw = 0;     ///< compiling shaders, drawing, reading back, averaging
 };
 
+/// Pictures of a scene: its meshes and programs stay on the GPU from one picture to the next.
+class PictureMaker {
+ public:
+  /// Throws Error (Machine) if there is no OpenGL.
+  explicit PictureMaker(Backend backend = Backend::Any);
+  ~PictureMaker();
+  PictureMaker(const PictureMaker&) = delete;
+  PictureMaker& operator=(const PictureMaker&) = delete;
+
+  /// Uploads the mesh of scene.surfaces[surface], in place of the one that is there.
+  void set_mesh(std::size_t surface, const Mesh& mesh);
+
+  /// Draws the meshes as they are uploaded: `meshes[i]` is that of `scene.surfaces[i]`. Throws
+  /// Error as render() does.
+  Image draw(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options);
+  /// The same, at most `tile_samples` samples a side at once; for tests.
+  Image draw_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                      const PictureSettings& options, int tile_samples);
+
+  /// Of all that was done until now.
+  const RenderTimes& times() const { return times_; }
+  std::string renderer() const;      ///< "osmesa" ...
+  std::string shader_texts() const;  ///< the programs that were made for the surfaces
+  /// In which ways the pictures are not what was asked for.
+  std::vector<std::string> warnings() const;
+
+ private:
+  struct Gpu;
+
+  RenderTimes times_;
+  std::unique_ptr<Gpu> gpu_;
+};
+
 struct Rendering {
   Image image;
   RenderTimes times;

@@ -107,12 +107,14 @@ Range parse_range(const Definition& definition) {
   return range;
 }
 
-Number parse_moment(const Definition& definition) {
-  if (const auto colon = range_colon(definition.text)) {
-    throw Error(Status::Input, "a range of time is for animations, which cannot be drawn yet",
-                {"t", definition.text, {*colon, *colon + 1}}, "one moment is t=VALUE");
+/// `t=MIN:MAX` is the range of time, `t=VALUE` one moment.
+void set_time(Scene& scene, const Definition& definition) {
+  if (!range_colon(definition.text)) {
+    scene.t = Number(definition.text);
+    return;
   }
-  return Number(definition.text);
+  const Range range = parse_range(definition);
+  set_time_range(scene, Number(range.min), Number(range.max));
 }
 
 SurfaceSpec& last_surface(Scene& scene) {
@@ -126,7 +128,7 @@ void file(Scene& scene, const Definition& definition) {
     SurfaceSpec& spec = last_surface(scene);
     (name == "x" ? spec.x : name == "y" ? spec.y : spec.z) = definition.text;
   } else if (name == "t") {
-    scene.t = parse_moment(definition);
+    set_time(scene, definition);
   } else if (is_parameter(name)) {
     SurfaceSpec& spec = last_surface(scene);
     (name == "u" ? spec.u : spec.v) = parse_range(definition);

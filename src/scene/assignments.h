@@ -12,9 +12,10 @@ namespace saddle {
 Definition parse_definition(const std::string& assignment);
 
 /// Puts one assignment into `scene`: `x=`, `y=`, `z=` and the ranges `u=MIN:MAX`, `v=MIN:MAX` into
-/// its (last) surface, `t=VALUE` into its time, anything else into its definitions; a name that is
-/// there already is replaced. The text splits at its first `=`, a range at its first `:` outside
-/// of brackets that no `?` owns. Throws Error (Input): no `=`, a name that is none, `u=` without a
+/// its (last) surface, `t=VALUE` and `t=MIN:MAX` into its time, anything else into its definitions;
+/// a name that is there already is replaced. The text splits at its first `=`, a range at its first
+/// `:` outside of brackets that no `?` owns. Throws Error (Input): no `=`, a name that is none,
+/// `u=` without a
 /// `:`, an empty expression.
 void assign(Scene& scene, const std::string& assignment);
 

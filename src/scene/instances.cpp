@@ -32,13 +32,6 @@ glm::dmat4 matrix_of(const SceneNode& node) {
   return matrix;
 }
 
-std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec) {
-  if (spec.in.empty()) return {glm::dmat4(1)};
-  std::vector<glm::dmat4> result;
-  for (const std::string& node : spec.in) result.push_back(frames.to_world(node));
-  return result;
-}
-
 }  // namespace
 
 NodeFrames::NodeFrames(const Scene& scene) {
@@ -52,6 +45,13 @@ NodeFrames::NodeFrames(const Scene& scene) {
     }
     frames_[node.name] = matrix;
   }
+}
+
+std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec) {
+  if (spec.in.empty()) return {glm::dmat4(1)};
+  std::vector<glm::dmat4> result;
+  for (const std::string& node : spec.in) result.push_back(frames.to_world(node));
+  return result;
 }
 
 std::vector<glm::dmat4> places(const Scene& scene, const SurfaceSpec& spec) {

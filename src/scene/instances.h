@@ -22,6 +22,8 @@ class NodeFrames {
   /// From the node's coordinates to the world's.
   const glm::dmat4& to_world(const std::string& node) const { return frames_.at(node); }
 
+  bool operator==(const NodeFrames&) const = default;
+
  private:
   std::map<std::string, glm::dmat4> frames_;
 };
@@ -33,6 +35,7 @@ struct Instance {
 };
 
 /// From the surface's coordinates to the world's, for each time that it is drawn.
+std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec);
 std::vector<glm::dmat4> places(const Scene& scene, const SurfaceSpec& spec);
 
 /// Those of a resolved scene, in the order of its surfaces.

@@ -70,10 +70,11 @@ struct Ends {
   double max = 0;
 };
 
-Ends constant_ends(Scope& scope, const RangeText& range) {
+/// They may depend on t.
+Ends constant_ends(Scope& scope, const RangeText& range, double t) {
   std::array<double, 2> values{};
   for (std::size_t k = 0; k < 2; ++k) {
-    values[k] = scope.constant(range.name, range.text, range.ends[k]);
+    values[k] = scope.constant(range.name, range.text, range.ends[k], t);
     if (!std::isfinite(values[k])) {
       throw Error(Status::Input, "this end of the range is not a finite number",
                   range.place(range.ends[k]));
@@ -119,11 +120,15 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   Scope scope(graph, surface_definitions(scene, spec));
   const RangeText range_u("u", spec.u);
   const RangeText range_v("v", spec.v);
-  check_dependence(graph, range_u, parse_ends(scope, range_u));
+  const std::array<NodeId, 2> ends_u = parse_ends(scope, range_u);
+  check_dependence(graph, range_u, ends_u);
   const std::array<NodeId, 2> ends = parse_ends(scope, range_v);
   check_dependence(graph, range_v, ends);
-  const Ends u = constant_ends(scope, range_u);
+  const Ends u = constant_ends(scope, range_u, scene.t);
   const std::array<NodeId, 3> xyz = {scope.node("x"), scope.node("y"), scope.node("z")};
+  for (const NodeId node : {xyz[0], xyz[1], xyz[2], ends_u[0], ends_u[1], ends[0], ends[1]}) {
+    result.moves = result.moves || depends(graph, node, kDependsT);
+  }
   std::vector<NodeId> r = scope.bind(xyz, scene.t);
   if (depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU)) {
     if (ends[0] == ends[1]) throw Error(Status::Input, "the range of v is empty", range_v.place());
@@ -132,7 +137,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
     r = substitute(graph, r, {{kSymbolV, *result.v}});
     result.domain = {u.min, u.max, 0, 1};
   } else {
-    const Ends v = constant_ends(scope, range_v);
+    const Ends v = constant_ends(scope, range_v, scene.t);
     result.domain = {u.min, u.max, v.min, v.max};
   }
   result.r = {r[0], r[1], r[2]};
@@ -146,6 +151,7 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
   const auto parsed = Clock::now();
   PreparedSurface result;
   result.surface = make_surface(bound.graph, bound.r, bound.domain, bound.flip, order);
+  result.moves = bound.moves;
   if (bound.v) result.surface.v = compile(bound.graph, std::array{*bound.v});
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());

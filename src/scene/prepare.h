@@ -26,7 +26,8 @@ struct BoundSurface {
   std::array<NodeId, 3> r = {};  ///< x, y, z
   std::optional<NodeId> v = {};  ///< v itself, where it is not the variable
   Domain domain;
-  bool flip = false;  ///< the front is where r_v x r_u points
+  bool flip = false;   ///< the front is where r_v x r_u points
+  bool moves = false;  ///< it is another one at another time
 };
 
 /// Parses surface `spec` of `scene` at the scene's time. Throws Error (Input): anything wrong with
@@ -35,6 +36,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec);
 
 struct PreparedSurface {
   Surface surface;
+  bool moves = false;     ///< it is another one at another time
   double parse_ms = 0;    ///< text to graph
   double compile_ms = 0;  ///< derivatives and tapes
 };

@@ -306,18 +306,16 @@ Camera read_camera(TomlReader& reader, const TomlValue& table) {
   return camera;
 }
 
-Animation read_animation(TomlReader& reader, const TomlValue& table) {
+void read_animation(TomlReader& reader, const TomlValue& table, Scene& scene) {
   reader.source().check_keys("animation", table, {"t", "fps", "frames"});
-  Animation animation;
-  with(table, "t", [&](const TomlValue& v) {
-    const auto ends = reader.numbers("animation: t", v, 2, "two moments, such as [0, 12]");
-    animation.from = ends[0];
-    animation.to = ends[1];
-  });
+  Animation& animation = scene.animation.emplace();
   with(table, "fps", [&](const TomlValue& v) { animation.fps = reader.number("fps", v); });
   with(table, "frames",
        [&](const TomlValue& v) { animation.frames = reader.whole("frames", v, 1, kMaxFrames); });
-  return animation;
+  with(table, "t", [&](const TomlValue& v) {
+    const auto ends = reader.numbers("animation: t", v, 2, "two moments, such as [0, 12]");
+    set_time_range(scene, ends[0], ends[1]);
+  });
 }
 
 /// The keys that are options of the command line, too.
@@ -373,7 +371,6 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
   with(root, "background",
        [&](const TomlValue& v) { scene.background = reader.color("background", v, true); });
   read_settings(reader, root, scene);
-  with(root, "t", [&](const TomlValue& v) { scene.t = reader.number("t", v); });
   with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
   with(root, "functions", [&](const TomlValue& v) { read_functions(reader, v, scene); });
   with(root, "surface", [&](const TomlValue& v) {
@@ -394,7 +391,8 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
     }
   });
   with(root, "camera", [&](const TomlValue& v) { scene.camera = read_camera(reader, v); });
-  with(root, "animation", [&](const TomlValue& v) { scene.animation = read_animation(reader, v); });
+  with(root, "animation", [&](const TomlValue& v) { read_animation(reader, v, scene); });
+  with(root, "t", [&](const TomlValue& v) { scene.t = reader.number("t", v); });
   if (scene.surfaces.empty()) {
     throw reader.source().error("", "the scene has no [[surface]]", {0, 0},
                                 "saddle show torus prints a scene");

@@ -37,6 +37,7 @@ constexpr Limits kAny = {};
 constexpr Limits kNotNegative = {0, kNoLimit};
 constexpr Limits kPositive = {0, kNoLimit, true};
 constexpr Limits kShare = {0, 1};
+constexpr Limits kFramesPerSecond = {0, kMaxFps, true};
 constexpr Limits kHalfTurn = {0, 180};
 constexpr Limits kFieldOfView = {0, 180, true};
 
@@ -52,8 +53,10 @@ class Resolver {
  public:
   explicit Resolver(const Scene& scene) : scene_(scene) {}
 
-  /// Every number after the first may use t.
-  void set_time(double t) { t_ = t; }
+  /// What numbers take for t; none: they may not use it.
+  void set_time(std::optional<double> t) { t_ = t; }
+
+  bool has_used_time() const { return scope_ && scope_->has_used_time(); }
 
   void number(const std::string& name, Number& number, const Limits& limits) {
     if (!number.text.empty()) number.value = scope().constant(name, number.text, {}, t_);
@@ -183,7 +186,37 @@ void resolve_slider(Resolver& resolver, Slider& slider) {
 void resolve_animation(Resolver& resolver, Animation& animation) {
   resolver.number("animation: t", animation.from, kAny);
   resolver.number("animation: t", animation.to, kAny);
-  resolver.number("fps", animation.fps, kPositive);
+  resolver.number("fps", animation.fps, kFramesPerSecond);
+  if (animation.from < animation.to && std::isfinite(animation.to - animation.from)) return;
+  const std::string from = format_number(animation.from);
+  const std::string to = format_number(animation.to);
+  const std::string text = animation.to.text.empty() ? to : animation.to.text;
+  throw Error(Status::Input,
+              animation.from == double(animation.to) ? "the range of t is empty"
+              : animation.from < animation.to        ? "the range of t is too wide"
+                                                     : "the range of t runs backwards",
+              {"animation: t", text, {0, text.size()}},
+              "it is " + from + ":" + to +
+                  "; t runs from the lower to the upper end, for example "
+                  "t=0:2*pi; one moment is t=VALUE");
+}
+
+/// Everything but the moment itself.
+void resolve_at(Resolver& resolver, Scene& scene) {
+  resolver.set_time(scene.t);
+  resolver.color("background", scene.background, kShare);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const std::string prefix = surface_prefix(i);
+    resolve_material(resolver, prefix + "front: ", scene.surfaces[i].front);
+    resolve_material(resolver, prefix + "back: ", scene.surfaces[i].back);
+    resolver.number(prefix + "opacity", scene.surfaces[i].opacity, kShare);
+  }
+  for (SceneNode& node : scene.nodes) resolve_node(resolver, node);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    resolve_light(resolver, light_prefix(i), scene.lights[i]);
+  }
+  resolve_camera(resolver, scene.camera);
+  for (Slider& slider : scene.sliders) resolve_slider(resolver, slider);
 }
 
 /// Nodes by their names.
@@ -259,27 +292,38 @@ std::string node_prefix(const SceneNode& node) {
   return "node " + node.name + ": ";
 }
 
-Scene resolve(Scene scene) {
-  check_nodes(scene);
-  const Scene written = scene;
-  Resolver resolver(written);
-  resolver.number("t", scene.t, kAny);
-  resolver.set_time(scene.t);
-  resolver.color("background", scene.background, kShare);
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    const std::string prefix = surface_prefix(i);
-    resolve_material(resolver, prefix + "front: ", scene.surfaces[i].front);
-    resolve_material(resolver, prefix + "back: ", scene.surfaces[i].back);
-    resolver.number(prefix + "opacity", scene.surfaces[i].opacity, kShare);
-  }
-  for (SceneNode& node : scene.nodes) resolve_node(resolver, node);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    resolve_light(resolver, light_prefix(i), scene.lights[i]);
-  }
-  resolve_camera(resolver, scene.camera);
-  for (Slider& slider : scene.sliders) resolve_slider(resolver, slider);
-  if (scene.animation) resolve_animation(resolver, *scene.animation);
+struct Timeline::Parsed {
+  Resolver resolver;
+
+  explicit Parsed(const Scene& scene) : resolver(scene) {}
+};
+
+Timeline::Timeline(Scene scene)
+    : scene_(std::move(scene)), parsed_(std::make_unique<Parsed>(scene_)) {
+  check_nodes(scene_);
+  Resolver& resolver = parsed_->resolver;
+  resolver.number("t", scene_.t, kAny);
+  if (scene_.animation) resolve_animation(resolver, *scene_.animation);
+}
+
+Timeline::~Timeline() = default;
+
+Scene Timeline::at(double t) {
+  Scene scene = scene_;
+  scene.t = t;
+  resolve_at(parsed_->resolver, scene);
   return scene;
+}
+
+bool Timeline::moves() const {
+  return parsed_->resolver.has_used_time();
+}
+
+Scene resolve(Scene scene) {
+  Timeline timeline(std::move(scene));
+  Scene result = timeline.at(timeline.scene().t);
+  result.t = timeline.scene().t;  // with its text
+  return result;
 }
 
 }  // namespace saddle

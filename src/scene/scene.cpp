@@ -11,4 +11,11 @@ std::vector<Light> default_lights() {
   };
 }
 
+void set_time_range(Scene& scene, const Number& from, const Number& to) {
+  if (!scene.animation) scene.animation.emplace();
+  scene.animation->from = from;
+  scene.animation->to = to;
+  scene.t = from;
+}
+
 }  // namespace saddle

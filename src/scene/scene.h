@@ -183,13 +183,21 @@ struct Slider {
   Number max = 1;
 };
 
-/// Time that passes.
+/// Time that passes: frame k of n, counted from 0, shows the moment from + (to - from) k / n. The
+/// end is that of the last frame, so that what is periodic goes on where it began.
 struct Animation {
   Number from = 0;
-  Number to = 1;
-  Number fps = 30;
-  int frames = 120;
+  Number to = 1;     ///< more than `from`
+  Number fps = 30;   ///< frames per second, more than 0, less than kMaxFps
+  int frames = 120;  ///< in all
+
+  double moment(int frame) const {
+    return from + (to - from) * (static_cast<double>(frame) / frames);
+  }
 };
+
+/// There are fewer frames per second: no display shows so many.
+inline constexpr double kMaxFps = 1000;
 
 struct Scene {
   std::string title = "saddle";
@@ -203,8 +211,11 @@ struct Scene {
   Clip clip;
   MeshSettings mesh;
   PictureSettings picture;
-  Number t = 0;  ///< the moment that is drawn
+  Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another
   std::optional<Animation> animation;
 };
+
+/// The range of time becomes this one, and its start the moment that is drawn.
+void set_time_range(Scene& scene, const Number& from, const Number& to);
 
 }  // namespace saddle

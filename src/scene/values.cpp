@@ -200,6 +200,19 @@ GridSize parse_samples(const std::string& option, const std::string& text) {
   return cells;
 }
 
+FrameRange parse_frame_range(const std::string& option, const std::string& text) {
+  const std::string hint = "for example " + option + " 20:40, both ends included";
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    throw Error(Status::Input, "a range of frames is FIRST:LAST", {option, text, whole(text)},
+                "for example " + option + " 20:40, or 20:20 for one frame");
+  }
+  const FrameRange range = {whole_in(option, text, {0, colon}, 0, kMaxFrames - 1),
+                            whole_in(option, text, {colon + 1, text.size()}, 0, kMaxFrames - 1)};
+  if (range.first <= range.last) return range;
+  throw Error(Status::Input, "this range is empty", {option, text, whole(text)}, hint);
+}
+
 GridSize parse_grid_lines(const std::string& option, const std::string& text) {
   if (text == "off") return {0, 0};
   const GridSize lines = parse_pair(option, text, 0, kMaxGridLines);

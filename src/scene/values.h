@@ -61,6 +61,17 @@ Specular parse_specular(const std::string& option, const std::string& text);
 /// Cells of a uniform grid, `MxN`.
 GridSize parse_samples(const std::string& option, const std::string& text);
 
+/// Frames of an animation, counted from 0, both ends included.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+
+  int count() const { return last - first + 1; }
+};
+
+/// `A:B`, whole numbers, A <= B.
+FrameRange parse_frame_range(const std::string& option, const std::string& text);
+
 /// Grid lines, `MxN` or `off`; each number is 0 or at least 2.
 GridSize parse_grid_lines(const std::string& option, const std::string& text);
 

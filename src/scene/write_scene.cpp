@@ -331,7 +331,8 @@ std::string write_scene(const Scene& scene) {
     text += "background = " + color(scene.background) + "\n";
   }
   text += settings(scene.mesh, scene.picture) + clip(scene.clip);
-  if (!same(scene.t, standard.t)) text += "t = " + number(scene.t) + "\n";
+  const Number start = scene.animation ? scene.animation->from : standard.t;
+  if (!same(scene.t, start)) text += "t = " + number(scene.t) + "\n";
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
   for (const SurfaceSpec& spec : scene.surfaces) text += surface(spec);

@@ -130,7 +130,7 @@ TEST_F(Usage, NamesTheNearestSurfaceParameterColourAndExtension) {
   EXPECT_TRUE(contains(refusal({"torus", "q=1", "-o", "a.png"}), "known names: R r x y z u v t"));
   EXPECT_TRUE(contains(refusal({"torus", "--front", "yelow", "-o", "a.png"}), "'yellow'?"));
   EXPECT_TRUE(contains(refusal({"torus", "-o", "a.pgn"}), "did you mean '.png'?"));
-  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.gif"}), "known: .png .ply"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.avi"}), "known: .png .ply"));
 }
 
 TEST_F(Usage, PutsTheCaretUnderThePlace) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <tuple>
+
 #include "base/error.h"
 #include "scene/resolve.h"
 
@@ -103,11 +106,35 @@ TEST(Assignments, ReadTheMoment) {
   EXPECT_EQ(resolve(scene_of({"t=a+1", "a=2"})).t, 3);
 }
 
-TEST(Assignments, SayThatRangesOfTimeAreForAnimations) {
-  const Error error = assign_error("t=0:1");
-  EXPECT_EQ(error.status(), Status::Input);
-  EXPECT_EQ(marked(error), ":");
+TEST(Assignments, PointAtAMomentThatIsNoNumber) {
   EXPECT_EQ(marked(error_of([] { resolve(scene_of({"t=1/0"})); })), "1/0");
+}
+
+TEST(Assignments, ReadARangeOfTimeAndBeginAtItsStart) {
+  const Scene scene = resolve(scene_of({"t=a:a ? tau : 0", "a=2"}));
+  ASSERT_TRUE(scene.animation);
+  EXPECT_EQ(scene.animation->from, 2);
+  EXPECT_EQ(scene.animation->to, 2 * std::numbers::pi);
+  EXPECT_EQ(scene.t, 2);
+}
+
+TEST(Assignments, RefuseRangesOfTimeThatAreNone) {
+  for (const auto& [text, message, place] : {std::tuple{"t=1:", "the upper end is missing", ":"},
+                                             std::tuple{"t=0:1:2", "a range has one ':'", ":"}}) {
+    const Error error = assign_error(text);
+    EXPECT_EQ(std::string(error.what()), message);
+    EXPECT_EQ(marked(error), place);
+  }
+  for (const auto& [text, message, place] :
+       {std::tuple{"t=3:3", "the range of t is empty", "3"},
+        std::tuple{"t=0:-tau", "the range of t runs backwards", "-tau"},
+        std::tuple{"t=-1e308:1e308", "the range of t is too wide", "1e308"},
+        std::tuple{"t=0:t+1", "this must be a constant", "t+1"}}) {
+    const Error error = error_of([text = text] { resolve(scene_of({text})); });
+    EXPECT_EQ(std::string(error.what()), message);
+    EXPECT_EQ(marked(error), place);
+    EXPECT_EQ(error.status(), Status::Input);
+  }
 }
 
 TEST(Assignments, RefuseNamesThatAreNone) {

@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <array>
 #include <csignal>
 #include <filesystem>
+#include <sstream>
+#include <string>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/temporary.h"
 
 namespace saddle {
 namespace {
@@ -44,6 +50,31 @@ TEST(RunWithInput, OutlivesAProgramThatDoesNotRead) {
   const auto before = std::signal(SIGPIPE, SIG_IGN);  // as main does
   EXPECT_THROW(run_with_input({"false"}, std::string(1'000'000, 'x'), "coreutils"), Error);
   std::signal(SIGPIPE, before);
+}
+
+TEST(Child, WritesToAFileWithoutANameThatItInherits) {
+  const UnnamedFile file;
+  Child child({"cp", "/dev/stdin", file.path()}, "coreutils", std::array{file.descriptor()});
+  EXPECT_TRUE(child.feed("one "));
+  EXPECT_TRUE(child.feed("two"));
+  child.finish();
+  std::ostringstream text;
+  file.copy_to(text);
+  EXPECT_EQ(text.str(), "one two");
+}
+
+TEST(Child, EndsWithItsOwner) {
+  const UnnamedFile file;
+  {
+    Child child({"sh", "-c", "echo $$ >" + file.path() + "; exec sleep 1000"}, "dash",
+                std::array{file.descriptor()});
+    while (lseek(file.descriptor(), 0, SEEK_END) == 0) usleep(1000);
+  }
+  std::ostringstream text;
+  file.copy_to(text);
+  const int process = std::stoi(text.str());
+  EXPECT_GT(process, 0);
+  EXPECT_EQ(kill(process, 0), -1);  // there is none
 }
 
 }  // namespace

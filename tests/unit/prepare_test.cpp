@@ -51,6 +51,29 @@ TEST(Prepare, DrawsTheScenesMoment) {
   EXPECT_EQ(point_of(surface_of({"z=t*u", "t=7"}), {2, 0}).z, 14);
 }
 
+TEST(Prepare, KnowsWhatTimeMoves) {
+  const auto moves = [](const std::vector<std::string>& assignments) {
+    Scene scene;
+    for (const std::string& text : assignments) assign(scene, text);
+    scene.t = 3;
+    return prepare_surface(scene, scene.surfaces[0]).moves;
+  };
+  EXPECT_FALSE(moves({"z=a*u", "a=2"}));
+  EXPECT_FALSE(moves({"z=u", "w=t"}));
+  EXPECT_TRUE(moves({"z=a*u", "a=t"}));
+  EXPECT_TRUE(moves({"z=f(u)", "f(s)=s+t"}));
+  EXPECT_TRUE(moves({"z=u", "u=0:t"}));
+  EXPECT_TRUE(moves({"z=u", "v=0:1+t"}));
+  EXPECT_TRUE(moves({"z=u", "v=0:u*t+2"}));
+}
+
+TEST(Prepare, EndsRangesWhereTheMomentHasThem) {
+  const Domain domain = surface_of({"z=u", "u=-t:2*t", "v=0:t/2", "t=4"}).domain;
+  EXPECT_EQ(domain.u0, -4);
+  EXPECT_EQ(domain.u1, 8);
+  EXPECT_EQ(domain.v1, 2);
+}
+
 TEST(Prepare, ComputesRangesWithParameters) {
   const Domain domain = surface_of({"z=u", "u=-a:2*a", "v=3:1", "a=4"}).domain;
   EXPECT_EQ(domain.u0, -4);
@@ -129,10 +152,6 @@ TEST(Prepare, RefusesRangesThatDependOnEachOtherOrThemselves) {
   EXPECT_STREQ(error_of({"z=u", "v=u:v"}).what(), "the range of v depends on itself");
   EXPECT_STREQ(error_of({"z=u", "v=2*u:2*u"}).what(), "the range of v is empty");
   EXPECT_EQ(marked(error_of({"z=u", "v=0:2*v"})), "2*v");
-}
-
-TEST(Prepare, RefusesRangesThatDependOnTime) {
-  EXPECT_EQ(error_of({"z=u", "v=0:1+t"}).status(), Status::Input);
 }
 
 TEST(Prepare, FlipsOnRequest) {

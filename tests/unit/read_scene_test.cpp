@@ -114,6 +114,15 @@ TEST(ReadScene, EvaluatesExpressionsAtTheMoment) {
   EXPECT_EQ(scene.sliders[0].max, 1.9);
 }
 
+TEST(ReadScene, BeginsAtTheStartOfTheAnimationUnlessToldAnotherMoment) {
+  const std::string surface = "[[surface]]\nz = \"u\"\n";
+  const std::string animation = "\n[animation]\nt = [5, 10]\n";
+  EXPECT_EQ(resolve(read(surface + animation)).t, 5);
+  EXPECT_EQ(resolve(read("t = 0\n" + surface + animation)).t, 0);
+  EXPECT_EQ(write_scene(read(surface + animation)), surface + animation);
+  EXPECT_EQ(write_scene(read("t = 0\n" + surface + animation)), "t = 0\n\n" + surface + animation);
+}
+
 TEST(ReadScene, ReadsBackWhateverTheGalleryWrites) {
   for (const GalleryEntry& entry : gallery()) {
     const std::string text = write_scene(gallery_scene(entry));
@@ -270,6 +279,12 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{kFront + "[[light]]\ncolor = [1, -1, 0]", "4:13", "at least 0"},
         Malformed{kFront + "[[light]]\ncolor = \"#12345\"", "4:10", "3, 6 or 8"},
         Malformed{kFront + "[animation]\nfps = 0", "4:7", "more than 0"},
+        Malformed{kFront + "[animation]\nfps = 1000", "4:7", "less than 1000"},
+        Malformed{kFront + "[animation]\nt = [0, 0.0]", "4:6", "the range of t is empty"},
+        Malformed{kFront + "[animation]\nt = [2, \"1\"]", "4:10", "runs backwards"},
+        Malformed{kFront + "[animation]\nt = [0, \"t\"]", "4:10", "not u, v or t"},
+        Malformed{kFront + "[animation]\nt = 12", "4:5", "two moments"},
+        Malformed{kFront + "[animation]\nframes = 0", "4:10", "from 1 to 1000000"},
         // lights and nodes
         Malformed{kFront + "[[light]]\ndirection = [0, 0, 1]\nspot = {}", "5:8", "has no spot"},
         Malformed{kFront + "[[light]]\ncolor = \"red\"\nspecular = \"red\"", "4:9", "either color"},

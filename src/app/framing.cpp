@@ -1,0 +1,214 @@
+#include "app/framing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/error.h"
+#include "eval/batch.h"
+#include "eval/tape.h"
+#include "scene/camera.h"
+#include "scene/instances.h"
+#include "scene/prepare.h"
+#include "scene/values.h"
+
+namespace saddle {
+namespace {
+
+/// Moments that are looked at, besides both ends. What turns is seen to a hundredth of a turn's
+/// radius in so many directions.
+constexpr int kMoments = 32;
+/// They advance by this part of the range, as far as possible from keeping step with anything.
+/// Source: H. Weyl, "Ueber die Gleichverteilung von Zahlen mod. Eins", 1916.
+constexpr double kGoldenPart = 0.6180339887498949;
+/// Samples of a surface, cells each way: what a smooth surface does between them is less than the
+/// room that the camera leaves around the sphere.
+constexpr int kCells = 96;
+
+/// Of the samples in each coordinate, those that the surface may leave on its way to infinity.
+constexpr double kTail = 0.05;
+/// Twice as many samples each way go so many times as far where there is a pole: at a simple one
+/// twice as far. A peak that all samples see stays as it is.
+constexpr double kGrowth = 1.3;
+
+/// Moments of the range, its ends first.
+std::vector<double> moments_of(const Animation& animation) {
+  std::vector<double> moments = {animation.from, animation.to};
+  for (int k = 1; k <= kMoments; ++k) {
+    const double part = k * kGoldenPart;
+    moments.push_back(animation.from + (animation.to - animation.from) * (part - std::floor(part)));
+  }
+  return moments;
+}
+
+/// Finite positions on a grid over a surface, and a box around them, clipped as its mesh will be.
+struct Sampled {
+  std::vector<dvec3> positions;
+  Bounds bounds;
+  bool moves = false;
+};
+
+std::vector<double> parts_of(double from, double to) {
+  std::vector<double> parts;
+  for (int i = 0; i <= kCells; ++i) {
+    const double share = static_cast<double>(i) / kCells;
+    parts.push_back((1 - share) * from + share * to);
+  }
+  return parts;
+}
+
+double quantile(std::vector<double> numbers, double share) {
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
+  std::ranges::nth_element(numbers, numbers.begin() + at);
+  return numbers[static_cast<std::size_t>(at)];
+}
+
+/// The box that a surface is clipped to if it has poles; nothing if it seems to have none.
+/// `coarse`: a box around each other sample.
+Bounds box_of_poles(const std::vector<dvec3>& positions, const Bounds& coarse) {
+  Bounds all;
+  for (const dvec3& p : positions) all.add(p);
+  Bounds robust;
+  bool grows = false;
+  for (int k = 0; k < 3 && !positions.empty(); ++k) {
+    std::vector<double> numbers;
+    for (const dvec3& p : positions) numbers.push_back(p[k]);
+    robust.low[k] = quantile(numbers, kTail);
+    robust.high[k] = quantile(numbers, 1 - kTail);
+    grows = grows || all.size()[k] > kGrowth * coarse.size()[k];
+  }
+  return grows ? clip_box(all, robust) : Bounds{};
+}
+
+bool inside(const Bounds& box, const dvec3& p) {
+  for (int k = 0; k < 3; ++k) {
+    if (p[k] < box.low[k] || p[k] > box.high[k]) return false;
+  }
+  return true;
+}
+
+Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
+  BoundSurface bound = bind_surface(scene, spec);
+  const Domain& d = bound.domain;
+  const std::vector<double> u = parts_of(d.u0, d.u1);
+  const std::vector<double> v = parts_of(d.v0, d.v1);
+  std::array<std::vector<double>, 3> xyz;
+  for (auto& coordinates : xyz) coordinates.resize(u.size() * v.size());
+  const std::array<double*, 3> outputs = {xyz[0].data(), xyz[1].data(), xyz[2].data()};
+  evaluate_grid(compile(bound.graph, bound.r), u, v, outputs, threads);
+  Sampled result;
+  result.moves = bound.moves;
+  Bounds coarse;
+  for (std::size_t i = 0; i < xyz[0].size(); ++i) {
+    const dvec3 p(xyz[0][i], xyz[1][i], xyz[2][i]);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+    result.positions.push_back(p);
+    if (i / u.size() % 2 == 0 && i % u.size() % 2 == 0) coarse.add(p);
+  }
+  Bounds box;
+  if (scene.clip.box) box = *scene.clip.box;
+  if (!scene.clip.box && scene.clip.automatic) box = box_of_poles(result.positions, coarse);
+  if (!box.empty())
+    std::erase_if(result.positions, [&](const dvec3& p) { return !inside(box, p); });
+  for (const dvec3& p : result.positions) result.bounds.add(p);
+  return result;
+}
+
+/// The scene's surfaces at one moment. Those that do not move are sampled once.
+using Samples = std::vector<std::shared_ptr<const Sampled>>;
+
+Samples sample_all(const Scene& scene, const Samples& last, unsigned threads) {
+  Samples samples;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const bool known = i < last.size() && !last[i]->moves;
+    samples.push_back(
+        known ? last[i]
+              : std::make_shared<const Sampled>(sample(scene, scene.surfaces[i], threads)));
+  }
+  return samples;
+}
+
+/// The largest distance from `centre` of a sample where it is drawn, at least `radius`.
+double farthest(const dvec3& centre, const Sampled& samples, const glm::dmat4& place,
+                double radius) {
+  const auto distance = [&](const dvec3& p) {
+    const dvec3 way = dvec3(place * glm::dvec4(p, 1)) - centre;
+    return std::hypot(way.x, way.y, way.z);
+  };
+  double bound = 0;  // distances are convex: no sample is farther than the farthest corner
+  const Bounds& box = samples.bounds;
+  for (int corner = 0; corner < 8; ++corner) {
+    dvec3 p;
+    for (int k = 0; k < 3; ++k) p[k] = ((corner >> k) & 1) != 0 ? box.high[k] : box.low[k];
+    bound = std::max(bound, distance(p));
+  }
+  if (samples.positions.empty() || bound <= radius) return radius;
+  for (const dvec3& p : samples.positions) radius = std::max(radius, distance(p));
+  return radius;
+}
+
+/// Finds what the scene's cameras do not say. `scenes` are those of all moments.
+void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
+  std::vector<Samples> samples;
+  std::vector<std::vector<Instance>> places;
+  Bounds bounds;
+  for (const Scene& scene : scenes) {
+    samples.push_back(sample_all(scene, samples.empty() ? Samples{} : samples.back(), threads));
+    places.push_back(instances(scene));
+    for (const Instance& at : places.back()) {
+      bounds.add(transformed(samples.back()[at.surface]->bounds, at.to_world));
+    }
+  }
+  if (bounds.empty()) return;  // nothing but background
+  const Camera& camera = scenes[0].camera;
+  if (!camera.target) framing.target = bounds.centre();
+  if (camera.distance) return;
+  double distance = 0;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const PictureSettings& picture = scenes[k].picture;
+    const dvec3 target = camera_target(scenes[k].camera, bounds);
+    double radius = 0;
+    for (const Instance& at : places[k]) {
+      radius = farthest(target, *samples[k][at.surface], at.to_world, radius);
+    }
+    const double aspect = static_cast<double>(picture.width) / picture.height;
+    distance = std::max(distance, fit_camera(scenes[k].camera, bounds, aspect, radius).distance);
+  }
+  framing.distance = distance;
+}
+
+}  // namespace
+
+void Framing::apply(Scene& scene) const {
+  if (target) scene.camera.target = Vector(*target);
+  if (distance) scene.camera.distance = Number(*distance);
+}
+
+Framing frame_scene(Timeline& timeline, unsigned threads) {
+  Framing framing;
+  const Scene& written = timeline.scene();
+  if (!written.animation) return framing;
+  std::vector<Scene> scenes;
+  for (const double t : moments_of(*written.animation)) {
+    try {
+      scenes.push_back(timeline.at(t));
+    } catch (const Error& error) {
+      const std::string hint = error.hint().empty() ? "" : error.hint() + "\n";
+      throw Error(error.status(), error.what(), error.place(),
+                  hint + "this is at t = " + format_number(t));
+    }
+  }
+  if (!written.camera.target || !written.camera.distance) fit(scenes, framing, threads);
+  for (Scene& scene : scenes) {
+    framing.apply(scene);
+    Moment moment(scene);
+    if (std::ranges::find(framing.moments, moment) == framing.moments.end()) {
+      framing.moments.push_back(std::move(moment));
+    }
+  }
+  return framing;
+}
+
+}  // namespace saddle

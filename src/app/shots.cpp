@@ -1,0 +1,107 @@
+#include "app/shots.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "export/video.h"
+#include "scene/values.h"
+
+namespace saddle {
+namespace {
+
+constexpr const char* kNumberThem =
+    "number the files: -o frame-%04d.png; or name a video, .gif .mp4 .webm";
+
+std::string frames_text(int count) {
+  return "the animation has frames 0 to " + std::to_string(count - 1) + "; --frames sets how many";
+}
+
+FrameRange range_of(const CommandLine& line, const Animation& animation) {
+  const FrameRange all{0, animation.frames - 1};
+  if (!line.frame_range) return all;
+  const FrameRange range = *line.frame_range;
+  if (range.last <= all.last) return range;
+  const std::string text = std::to_string(range.first) + ":" + std::to_string(range.last);
+  throw Error(Status::Input, "there is no frame " + std::to_string(range.last),
+              {"--frame-range", text, {text.find(':') + 1, text.size()}},
+              frames_text(animation.frames));
+}
+
+/// An option about frames needs an output that has some, or a scene file that says so.
+void check_frames_are_used(const CommandLine& line, std::span<const Output> outputs) {
+  if (line.frame_option.empty()) return;
+  const bool in_scene = line.frame_option != "--frame-range" &&
+                        std::ranges::count(outputs, Format::Toml, &Output::format) > 0;
+  if (in_scene || has_frames(line, outputs)) return;
+  throw Error(Status::Input, "no output has frames", {line.frame_option, "", {}}, kNumberThem);
+}
+
+void check_videos(const Scene& scene, std::span<const Output> outputs) {
+  for (const Output& output : outputs) {
+    if (!output.is_video() && output.format != Format::Toml) continue;
+    if (output.number) {
+      const std::string what = output.is_video() ? "a video" : "a scene";
+      throw Error(Status::Input, what + " is one file for all frames",
+                  {"--output", output.path, *output.number}, "leave out the number");
+    }
+    if (output.format != Format::Gif || scene.animation->fps <= kMostGifFps) continue;
+    const std::string fps = format_number(scene.animation->fps);
+    throw Error(Status::Input, "a GIF shows at most 50 frames per second",
+                {"--fps", fps, {0, fps.size()}},
+                "players slow faster ones down to 10: use --fps 50, or write an .mp4");
+  }
+}
+
+/// Something is asked for that is of one moment.
+bool wants_still(const CommandLine& line, std::span<const Output> outputs) {
+  const auto is_still = [](const Output& output) {
+    return !output.takes_frames() && output.format != Format::Toml;
+  };
+  return !line.reference.empty() || std::ranges::any_of(outputs, is_still);
+}
+
+void check_one_frame(const CommandLine& line, std::span<const Output> outputs, int frames) {
+  if (frames == 1 || !line.frame_range || !wants_still(line, outputs)) return;
+  const auto still = std::ranges::find_if(outputs, [](const Output& output) {
+    return !output.takes_frames() && output.format != Format::Toml;
+  });
+  const std::string what = still == outputs.end() ? "--reference" : still->path;
+  throw Error(Status::Input,
+              what + " is one picture, and " + std::to_string(frames) + " frames are asked for", {},
+              kNumberThem);
+}
+
+}  // namespace
+
+std::string name_of(const Shot& shot) {
+  if (!shot.frame) return "";
+  return "frame " + std::to_string(*shot.frame) + ", t = " + format_number(shot.t);
+}
+
+bool has_frames(const CommandLine& line, std::span<const Output> outputs) {
+  return std::ranges::any_of(outputs, &Output::takes_frames) ||
+         (line.frame_range && wants_still(line, outputs));
+}
+
+std::vector<Shot> shots_of(const CommandLine& line, const Scene& scene,
+                           std::span<const Output> outputs) {
+  check_frames_are_used(line, outputs);
+  std::vector<Shot> shots;
+  if (!has_frames(line, outputs)) {
+    shots.push_back({scene.t, std::nullopt, true});
+    return shots;
+  }
+  check_videos(scene, outputs);
+  const Animation& animation = *scene.animation;
+  const FrameRange range = range_of(line, animation);
+  check_one_frame(line, outputs, range.count());
+  if (!line.frame_range && wants_still(line, outputs)) {
+    shots.push_back({scene.t, std::nullopt, true});
+  }
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    shots.push_back({animation.moment(frame), frame, line.frame_range.has_value()});
+  }
+  return shots;
+}
+
+}  // namespace saddle

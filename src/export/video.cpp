@@ -1,0 +1,116 @@
+// Frames go to ffmpeg as raw pixels. Colours are converted by the matrix of ITU-R BT.709,
+// "Parameter values for the HDTV standards", 2015, and the file says so: players that are left to
+// guess shift them.
+#include "export/video.h"
+
+#include <array>
+#include <cassert>
+#include <string_view>
+
+#include "base/error.h"
+
+namespace saddle {
+namespace {
+
+constexpr const char* kPackage = "ffmpeg";
+
+/// Constant quality on the scale of x264 (0 to 51, least is best) and of VP9 (0 to 63): what is
+/// called visually lossless. Smooth shading shows bands long before a camera's picture would.
+constexpr const char* kMp4Quality = "18";
+constexpr const char* kWebmQuality = "24";
+
+using Words = std::vector<std::string>;
+
+/// Chroma is stored for blocks of 2x2 pixels.
+std::string yuv_filter(const std::string& pixels) {
+  return "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=" + pixels;
+}
+
+void append(Words& words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+Words encoder(const VideoOptions& options) {
+  const Words bt709 = {"-colorspace", "bt709", "-color_primaries", "bt709",
+                       "-color_trc",  "bt709", "-color_range",     "tv"};
+  Words words;
+  switch (options.format) {
+    case VideoFormat::Gif:
+      // The palette is of all frames, so that what rests does not flicker.
+      words = {"-filter_complex",
+               "split[a][b];[a]palettegen[p];[b][p]paletteuse=diff_mode=rectangle"};
+      append(words, {"-loop", "0", "-f", "gif"});
+      return words;
+    case VideoFormat::Mp4:
+      words = {"-vf", yuv_filter("yuv420p"), "-c:v", "libx264", "-crf", kMp4Quality};
+      append(words, bt709);
+      append(words, {"-movflags", "+faststart", "-f", "mp4"});
+      return words;
+    case VideoFormat::Webm:
+      words = {"-vf",       yuv_filter(options.transparent ? "yuva420p" : "yuv420p"),
+               "-c:v",      "libvpx-vp9",
+               "-crf",      kWebmQuality,
+               "-b:v",      "0",
+               "-row-mt",   "1",
+               "-cpu-used", "4"};
+      if (options.transparent) append(words, {"-auto-alt-ref", "0"});  // VP9 with alpha has none
+      append(words, bt709);
+      append(words, {"-f", "webm"});
+      return words;
+  }
+  return words;
+}
+
+Words command(const VideoOptions& options, const std::string& file) {
+  std::array<char, 32> fps{};
+  std::snprintf(fps.data(), fps.size(), "%.9g", options.fps);
+  const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+  Words words = {"ffmpeg", "-nostdin",   "-hide_banner",  "-loglevel", "error",
+                 "-f",     "rawvideo",   "-pixel_format", "rgba",      "-video_size",
+                 size,     "-framerate", fps.data(),      "-i",        "pipe:0"};
+  append(words, encoder(options));
+  // No dates, no random numbers: the same frames give the same bytes.
+  append(words, {"-fflags", "+bitexact", "-flags:v", "+bitexact"});
+  if (options.threads != 0) append(words, {"-threads", std::to_string(options.threads)});
+  append(words, {"-y", file});
+  return words;
+}
+
+/// On black: MP4 has no transparency.
+Image flattened(Image image) {
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const unsigned alpha = image.rgba[i + 3];
+    if (alpha == 255) continue;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      image.rgba[k] = static_cast<std::uint8_t>((image.rgba[k] * alpha + 127) / 255);
+    }
+    image.rgba[i + 3] = 255;
+  }
+  return image;
+}
+
+}  // namespace
+
+Video::Video(const VideoOptions& options)
+    : options_(options),
+      ffmpeg_(command(options, file_.path()), kPackage, std::array{file_.descriptor()}) {}
+
+void Video::add(const Image& frame) {
+  assert(frame.width == options_.width && frame.height == options_.height);
+  const auto feed = [this](const Image& image) {
+    const auto* const bytes = reinterpret_cast<const char*>(image.rgba.data());
+    return ffmpeg_.feed({bytes, image.rgba.size()});
+  };
+  const bool taken = options_.transparent && options_.format == VideoFormat::Mp4
+                         ? feed(flattened(frame))
+                         : feed(frame);
+  if (taken) return;
+  ffmpeg_.finish();
+  throw Error(Status::Machine, "ffmpeg wants no more frames");
+}
+
+void Video::finish() {
+  ffmpeg_.finish();
+}
+
+}  // namespace saddle

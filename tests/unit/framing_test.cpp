@@ -1,0 +1,104 @@
+#include "app/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/assignments.h"
+
+namespace saddle {
+namespace {
+
+constexpr double kHalfFov = 15 * std::numbers::pi / 180;
+/// Samples miss a rim by up to (pi / 96)^2 / 2 of its radius, and moments by up to 1 / 34 of the
+/// range: the camera leaves 2 % around the sphere.
+constexpr double kSampling = 0.002;
+
+Framing framing_of(const std::vector<std::string>& assignments) {
+  Scene scene;
+  for (const std::string& text : assignments) assign(scene, text);
+  Timeline timeline(scene);
+  return frame_scene(timeline, 1);
+}
+
+/// A sphere of radius r in a window that is wider than high.
+double fitting(double r) {
+  return 1.02 * r / std::sin(kHalfFov);
+}
+
+std::vector<std::string> sphere(std::vector<std::string> more) {
+  for (const char* text :
+       {"x=r*cos(u)*cos(v)+a", "y=r*sin(u)*cos(v)", "z=r*sin(v)", "u=0:tau", "v=-pi/2:pi/2"}) {
+    more.emplace_back(text);
+  }
+  return more;
+}
+
+TEST(Framing, LeavesAStillSceneAlone) {
+  const Framing framing = framing_of(sphere({"r=2", "a=0"}));
+  EXPECT_FALSE(framing.target);
+  EXPECT_FALSE(framing.distance);
+  EXPECT_TRUE(framing.moments.empty());
+}
+
+TEST(Framing, HoldsWhatGrowsAtItsLargest) {
+  const Framing framing = framing_of(sphere({"r=1+t", "a=0", "t=0:3"}));
+  EXPECT_NEAR(*framing.distance, fitting(4), kSampling * fitting(4));
+  EXPECT_NEAR(glm::length(*framing.target), 0, 1e-9);
+  EXPECT_EQ(framing.moments.size(), 1U);  // neither camera nor nodes move
+}
+
+TEST(Framing, LooksAtTheMiddleOfTheWay) {
+  const Framing framing = framing_of(sphere({"r=1", "a=t", "t=0:10"}));
+  EXPECT_NEAR(framing.target->x, 5, kSampling);
+  EXPECT_NEAR(*framing.distance, fitting(6), kSampling * fitting(6));
+}
+
+TEST(Framing, DependsOnTheRangeAlone) {
+  Scene scene;
+  for (const std::string& text : sphere({"r=1+t", "a=t^2", "t=0:3"})) assign(scene, text);
+  Timeline one(scene);
+  scene.t = 2;
+  scene.animation->frames = 7;
+  Timeline other(scene);
+  const Framing a = frame_scene(one, 1);
+  const Framing b = frame_scene(other, 2);
+  EXPECT_EQ(*a.distance, *b.distance);
+  EXPECT_EQ(*a.target, *b.target);
+}
+
+TEST(Framing, KeepsWhatTheSceneSays) {
+  Scene scene;
+  for (const std::string& text : sphere({"r=1", "a=t", "t=0:10"})) assign(scene, text);
+  scene.camera.distance = 7;
+  scene.camera.target = Vector(Number(std::string("t")), 0, 0);
+  Timeline timeline(scene);
+  const Framing framing = frame_scene(timeline, 1);
+  EXPECT_FALSE(framing.target);
+  EXPECT_FALSE(framing.distance);
+  EXPECT_GT(framing.moments.size(), 30U);  // the camera moves
+}
+
+TEST(Framing, SeesNodesTurn) {
+  Scene scene;
+  for (const std::string& text : sphere({"r=1", "a=0", "t=0:1"})) assign(scene, text);
+  scene.surfaces[0].in = {"arm"};
+  Transform turn{Transform::Kind::Rotate, {0, 0, 1}, Number(std::string("360*t"))};
+  scene.nodes = {{"arm", "", {turn, {Transform::Kind::Translate, {9, 0, 0}}}}};
+  Timeline timeline(scene);
+  const Framing framing = frame_scene(timeline, 1);
+  // In 34 directions the nearest one to any is within 5.3 degrees or so.
+  EXPECT_NEAR(*framing.distance, fitting(10), 0.01 * fitting(10));
+  EXPECT_NEAR(glm::length(*framing.target), 0, 0.05);
+}
+
+TEST(Framing, HoldsAPeakAndCutsAPole) {
+  const Framing peak = framing_of({"z=10*exp(-40*(u^2+v^2))+0*t", "t=0:1"});
+  EXPECT_NEAR(peak.target->z, 5, 0.01);
+  const Framing pole = framing_of({"z=1/(u^2+v^2)+0*t", "t=0:1"});
+  EXPECT_LT(pole.target->z, 20);
+}
+
+}  // namespace
+}  // namespace saddle
