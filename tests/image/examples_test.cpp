@@ -380,7 +380,20 @@ TEST(Examples, DrawWithoutWarnings) {
     std::filesystem::remove(errors + ".png");
     ++drawn;
   }
-  EXPECT_GE(drawn, 10);
+  EXPECT_GE(drawn, 17);
+}
+
+TEST(Examples, AreListedOnTheirPage) {
+  std::stringstream page;
+  page << std::ifstream(SADDLE_SOURCE_DIR "/examples/README.md").rdbuf();
+  for (const auto& file : std::filesystem::directory_iterator(SADDLE_SOURCE_DIR "/examples")) {
+    if (file.path().extension() != ".toml") continue;
+    const std::string name = file.path().stem();
+    EXPECT_NE(page.str().find("[" + name + "](" + name + ".toml) | ![](../tests/golden/example-" +
+                              name + ".png)"),
+              std::string::npos)
+        << name;
+  }
 }
 
 }  // namespace

@@ -38,6 +38,17 @@ std::vector<Golden> golden_pictures() {
       {"hole-where-undefined", "z='sqrt(u*v)' u=-1:1 v=-1:1"},
       {"no-antialiasing", "enneper --antialias 1"},
   };
+  for (const auto& [name, arguments] :
+       std::vector<std::pair<std::string, std::string>>{{"catenoid-helicoid", "--t 1.2"},
+                                                        {"drum", ""},
+                                                        {"shell", ""},
+                                                        {"over-a-disc", "--t 0.5"},
+                                                        {"knot", ""},
+                                                        {"planets", "--t 2"},
+                                                        {"colonnade", ""}}) {
+    pictures.push_back({"example-" + name, SADDLE_SOURCE_DIR "/examples/" + name + ".toml " +
+                                               arguments + " -s 240x180"});
+  }
   const std::string examples = SADDLE_SOURCE_DIR "/examples/lighting/";
   pictures.push_back({"see-through", SADDLE_SOURCE_DIR "/examples/see-through.toml"});
   for (const auto& [name, arguments] :
