@@ -211,10 +211,9 @@ std::vector<std::string> plain_arguments(const CLI::App& app) {
 void check_options(const CLI::App& app, const std::string& verb) {
   // What a chart compares, and the look of its exact image, are not for options to choose.
   const std::vector<std::string> of_graph_alone = {
-      "--reference",  "--threshold", "--report",   "--strict",  "--grid",
-      "--samples",    "--tolerance", "--front",    "--back",    "--verbose",
-      "--background", "--shading",   "--specular", "--opacity",
-      "--frames",     "--fps",       "--frame-range",
+      "--reference", "--threshold", "--report", "--strict",  "--grid",        "--samples",
+      "--tolerance", "--front",     "--back",   "--verbose", "--background",  "--shading",
+      "--specular",  "--opacity",   "--frames", "--fps",     "--frame-range",
   };
   for (const CLI::Option* option : app.get_options()) {
     const auto names_option = [&](const std::string& name) { return option->check_name(name); };

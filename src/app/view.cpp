@@ -3,6 +3,7 @@
 
 #include "app/build_scene.h"
 #include "app/commands.h"
+#include "app/framing.h"
 #include "app/outputs.h"
 #include "app/tessellate.h"
 #include "base/error.h"
@@ -23,6 +24,10 @@ void check_options(const CommandLine& line) {
     throw Error(Status::Input, "the viewer draws with the OpenGL of its display",
                 {"--renderer", "", {}}, "it is for outputs: -o FILE.png");
   }
+  if (line.frame_range) {
+    throw Error(Status::Input, "the viewer plays all frames", {"--frame-range", "", {}},
+                "it is for outputs: -o frame-%04d.png");
+  }
   if (line.strict) {
     throw Error(Status::Input, "the viewer shows warnings and goes on", {"--strict", "", {}},
                 "it is for outputs, -o FILE.png, and for saddle check");
@@ -39,12 +44,24 @@ SurfaceMesh mesh_for_viewer(const Scene& scene, std::size_t surface, Detail deta
   return {std::move(result.mesh), std::move(result.report.mesh), std::move(result.warnings)};
 }
 
+/// The camera of an animation, where it fits itself, holds all of it. A scene with an error is left
+/// as it is: the viewer will show that.
+void frame_animation(Scene& scene, unsigned threads) {
+  try {
+    Timeline timeline(scene);
+    frame_scene(timeline, threads).apply(scene);
+  } catch (const Error&) {
+  }
+}
+
 }  // namespace
 
 void run_view(const CommandLine& line) {
   check_options(line);
   ViewerSetup setup;
   setup.scene = build_scene(line);
+  setup.frame = [threads = line.threads](Scene& scene) { frame_animation(scene, threads); };
+  setup.frame(setup.scene);
   setup.tessellate = [line](const Scene& scene, std::size_t surface, Detail detail) {
     return mesh_for_viewer(scene, surface, detail, line);
   };

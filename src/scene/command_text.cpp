@@ -48,10 +48,10 @@ Scene sayable(const Scene& scene) {
   result.picture = scene.picture;
   result.clip = scene.clip;
   result.t = scene.t;
+  result.animation = scene.animation;
   // These change nothing about the picture.
   result.title = scene.title;
   result.sliders = scene.sliders;
-  result.animation = scene.animation;
   return result;
 }
 
@@ -110,6 +110,22 @@ void add_look(Command& command, const Scene& scene) {
   }
 }
 
+std::string text_of(const Number& number) {
+  return number.text.empty() ? format_number(number) : number.text;
+}
+
+void add_time(Command& command, const Scene& scene) {
+  Number start;
+  if (scene.animation) {
+    const Animation& a = *scene.animation;
+    command.assignment("t", text_of(a.from) + ":" + text_of(a.to));
+    if (a.frames != Animation{}.frames) command.option("frames", std::to_string(a.frames));
+    if (double(a.fps) != double(Animation{}.fps)) command.option("fps", text_of(a.fps));
+    start = a.from;
+  }
+  if (double(scene.t) != double(start)) command.option("t", format_number(scene.t));
+}
+
 void add_settings(Command& command, const Scene& scene) {
   const auto& [width, height, antialias, shading, specular] = scene.picture;
   const PictureSettings usual;
@@ -155,7 +171,7 @@ std::optional<std::string> command_text(const Scene& scene) {
     }
   }
   for (const Definition& d : plain.definitions) command.assignment(display_name(d), d.text);
-  if (double(plain.t) != 0) command.option("t", format_number(plain.t));
+  add_time(command, plain);
   add_camera(command, plain.camera);
   add_look(command, plain);
   add_settings(command, plain);

@@ -102,6 +102,7 @@ Model::Model(ViewerSetup setup, std::function<void()> wake)
     : table_up(setup.scene.camera.up),
       scene_(std::move(setup.scene)),
       reload_(std::move(setup.reload)),
+      frame_(std::move(setup.frame)),
       worker_(std::move(setup.tessellate), std::move(wake)) {
   own_lights_ = scene_.lights;
   wish(Manner::PreviewFirst);
@@ -263,7 +264,8 @@ void Model::pass(Clock::time_point now) {
   last_tick_ = now;
   const Animation animation = scene_.animation.value_or(Animation{});
   const double length = animation.to - animation.from;
-  const double t = scene_.t - animation.from + speed * passed;
+  const double rate = length * animation.fps / animation.frames;  // of the animation's film
+  const double t = scene_.t - animation.from + speed * rate * passed;
   set_time(animation.from + t - std::floor(t / length) * length);
 }
 
@@ -360,7 +362,9 @@ bool Model::act(Action action) {
           seen_along(scene_.camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)));
       return true;
     case Action::Fit:
-      look_through(fit_again(scene_.camera));
+      changed.camera = fit_again(scene_.camera);
+      if (frame_) frame_(changed);
+      look_through(changed.camera);
       return true;
     case Action::Play:
       playing = !playing;

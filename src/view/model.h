@@ -34,9 +34,10 @@ std::string describe(const PickedPoint& picked);
 struct ViewerSetup {
   Scene scene;
   Tessellate tessellate;
-  std::function<Scene()> reload;  ///< the scene anew, from where it came from
-  std::filesystem::path watched;  ///< reload when this file changes; empty: do not
-  bool verbose = false;           ///< say at the end what it took
+  std::function<Scene()> reload;      ///< the scene anew, from where it came from
+  std::function<void(Scene&)> frame;  ///< lets a camera that fits itself hold all of an animation
+  std::filesystem::path watched;      ///< reload when this file changes; empty: do not
+  bool verbose = false;               ///< say at the end what it took
 };
 
 /// A box around all that is drawn of the meshes, and their farthest point from `centre`.
@@ -110,7 +111,7 @@ class Model {
   bool wireframe = false;
   bool turntable = false;
   bool playing = false;
-  double speed = 1;  ///< of t, in its own units per second
+  double speed = 1;  ///< of t, in that of the animation's film
   dvec3 table_up{0, 0, 1};
 
  private:
@@ -126,6 +127,7 @@ class Model {
 
   Scene scene_;
   std::function<Scene()> reload_;
+  std::function<void(Scene&)> frame_;
   History history_;
   Meshed good_;  // the last one without an error
   std::optional<Error> error_;

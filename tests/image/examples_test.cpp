@@ -389,10 +389,8 @@ TEST(Examples, AreListedOnTheirPage) {
   for (const auto& file : std::filesystem::directory_iterator(SADDLE_SOURCE_DIR "/examples")) {
     if (file.path().extension() != ".toml") continue;
     const std::string name = file.path().stem();
-    EXPECT_NE(page.str().find("[" + name + "](" + name + ".toml) | ![](../tests/golden/example-" +
-                              name + ".png)"),
-              std::string::npos)
-        << name;
+    const std::string row = "[" + name + "](" + name + ".toml) | ![](../tests/golden/";
+    EXPECT_NE(page.str().find(row), std::string::npos) << name;
   }
 }
 

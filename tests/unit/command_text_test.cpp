@@ -4,6 +4,7 @@
 
 #include "scene/assignments.h"
 #include "scene/gallery.h"
+#include "scene/resolve.h"
 
 namespace saddle {
 namespace {
@@ -36,6 +37,16 @@ TEST(CommandText, SaysCameraLookAndSettings) {
   EXPECT_EQ(command_text(scene),
             "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --flip --opacity 0.5 "
             "--grid off --size 100x600 --tolerance 0.25px");
+}
+
+TEST(CommandText, SaysTheRangeOfTime) {
+  Scene scene;
+  assign(scene, "z=u*t");
+  assign(scene, "t=1:tau");
+  scene.animation->frames = 60;
+  EXPECT_EQ(command_text(resolve(scene)), "saddle 'z=u*t' t=1:tau --frames 60");
+  scene.t = 3;
+  EXPECT_EQ(command_text(resolve(scene)), "saddle 'z=u*t' t=1:tau --frames 60 --t 3");
 }
 
 TEST(CommandText, LeavesToASceneFileWhatOnlyThatCanSay) {
