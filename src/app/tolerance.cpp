@@ -152,7 +152,7 @@ std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpo
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip) {
   constexpr double kAny = std::numeric_limits<double>::infinity();
-  if (probe.bounds().empty()) return [](const dvec3&) { return kAny; };
+  if (probe.bounds().empty()) return kAny;
   const double diagonal = visible(probe, clip).diagonal();
   double length = kAny;
   double pixels = kAny;
@@ -160,7 +160,7 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
     double& least = is_in_pixels ? pixels : length;
     least = std::min(least, is_in_pixels ? value : value * diagonal);
   }
-  if (pixels == kAny) return [length](const dvec3&) { return length; };
+  if (pixels == kAny) return length;
   double same_everywhere = kAny;
   std::vector<PixelSize> sizes;  // that are not
   for (const auto& [camera, place] : views(scene, spec, purpose)) {
@@ -173,6 +173,7 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
     }
   }
   if (sizes.empty() && same_everywhere == kAny) same_everywhere = diagonal;
+  if (sizes.empty()) return std::min(length, pixels * same_everywhere);
   return [=](const dvec3& p, double reach) {
     double pixel = same_everywhere;
     for (const PixelSize& size : sizes) pixel = std::min(pixel, size(p, reach));

@@ -3,9 +3,10 @@
 // Source: D. Filip, R. Magedson, R. Markot, "Surface algorithms using bounds on derivatives", 1986.
 #pragma once
 
+#include <concepts>
 #include <functional>
+#include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,21 +22,26 @@ namespace saddle {
 /// everywhere in the ball around it.
 class Tolerance {
  public:
+  /// The same everywhere.
+  Tolerance(double same) : same_(same) {}
+
   /// From a function of place and reach, or of the place alone.
-  template <typename Function>
-  Tolerance(Function function) {
-    if constexpr (std::is_invocable_v<Function, const dvec3&, double>) {
-      near_ = std::move(function);
-    } else {
-      near_ = [function = std::move(function)](const dvec3& place, double) {
-        return function(place);
-      };
-    }
+  template <std::invocable<const dvec3&, double> Function>
+  Tolerance(Function function) : near_(std::move(function)) {}
+  template <std::invocable<const dvec3&> Function>
+  Tolerance(Function function)
+      : near_([function = std::move(function)](const dvec3& place, double) {
+          return function(place);
+        }) {}
+
+  double operator()(const dvec3& place, double reach = 0) const {
+    return same_ ? *same_ : near_(place, reach);
   }
 
-  double operator()(const dvec3& place, double reach = 0) const { return near_(place, reach); }
+  bool is_same_everywhere() const { return same_.has_value(); }
 
  private:
+  std::optional<double> same_;
   std::function<double(const dvec3&, double)> near_;
 };
 

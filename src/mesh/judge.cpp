@@ -51,6 +51,7 @@ Samples request_samples(const Leaf& leaf, Lattice& lattice) {
 }
 
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice) {
+  if (tolerance.is_same_everywhere()) return tolerance(dvec3(0));
   Ball ball;
   for (const LatticePlace& corner : leaf.corners()) {
     ball.add(lattice.mesh().position[*lattice.used_vertex(corner)]);
@@ -69,13 +70,7 @@ int count_defined(const Lattice& lattice, const Samples& samples) {
 
 Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const auto& [corner, side, centre] = samples;
-  Ball ball;
-  ball.add(mesh_.position[centre]);
-  for (std::size_t k = 0; k < 4; ++k) {
-    ball.add(mesh_.position[corner[k]]);
-    ball.add(mesh_.position[side[k]]);
-  }
-  const double eps = ball.allowed_by(options_.tolerance);
+  const double eps = allowed(samples);
   const bool normals_count = diameter(corner) > kVisible * eps;
   Verdict verdict;
   const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
@@ -104,6 +99,17 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
     along = std::max(along, 2.0);
   }
   return verdict;
+}
+
+double Judge::allowed(const Samples& samples) const {
+  if (options_.tolerance.is_same_everywhere()) return options_.tolerance(dvec3(0));
+  Ball ball;
+  ball.add(mesh_.position[samples.centre]);
+  for (std::size_t k = 0; k < 4; ++k) {
+    ball.add(mesh_.position[samples.corner[k]]);
+    ball.add(mesh_.position[samples.side[k]]);
+  }
+  return ball.allowed_by(options_.tolerance);
 }
 
 bool Judge::splits_u(const Scores& scores, const Samples& samples) const {

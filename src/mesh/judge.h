@@ -74,6 +74,7 @@ class Judge {
  private:
   using Corners = std::array<std::uint32_t, 4>;
 
+  double allowed(const Samples& samples) const;
   std::vector<dvec3> defined_positions(const Samples& samples) const;
   double diameter(const Corners& corner) const;
   bool is_on_border(const Leaf& leaf, std::size_t side) const;
