@@ -1,4 +1,7 @@
 // saddle without an output: the viewer.
+#include "app/view.h"
+
+#include <string>
 #include <utility>
 
 #include "app/build_scene.h"
@@ -56,7 +59,7 @@ void frame_animation(Scene& scene, unsigned threads) {
 
 }  // namespace
 
-void run_view(const CommandLine& line) {
+ViewerSetup viewer_setup(const CommandLine& line) {
   check_options(line);
   ViewerSetup setup;
   setup.scene = build_scene(line);
@@ -74,6 +77,18 @@ void run_view(const CommandLine& line) {
     }
   }
   setup.verbose = line.verbose;
+  return setup;
+}
+
+#ifdef SADDLE_WITHOUT_VIEWER
+void run_view(const CommandLine& line) {
+  viewer_setup(line);  // what is wrong with the scene comes first
+  throw Error(Status::Machine, "this saddle was built without its viewer", {},
+              std::string("build it with -DSADDLE_VIEWER=ON\n") + kWayOut);
+}
+#else
+void run_view(const CommandLine& line) {
+  ViewerSetup setup = viewer_setup(line);
   try {
     Viewer(std::move(setup)).run();
   } catch (const Error& error) {
@@ -82,5 +97,6 @@ void run_view(const CommandLine& line) {
     throw Error(Status::Machine, error.what(), {}, hint + kWayOut);
   }
 }
+#endif
 
 }  // namespace saddle

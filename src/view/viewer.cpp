@@ -86,11 +86,12 @@ void Viewer::say_what_it_took() const {
     return std::chrono::duration<double, std::milli>(d).count();
   };
   const std::size_t pictures = drawing_.figures().frames;
-  const double outside = ms(busy_ - drawing_.spent() - showing_);
-  std::cerr << "viewer: " << pictures << " pictures, " << paints_ << " frames, "
-            << ms(drawing_.spent()) / static_cast<double>(std::max<std::size_t>(1, pictures))
+  const Spent all = spent();
+  const double outside = ms(all.busy - all.drawing - all.showing);
+  std::cerr << "viewer: " << pictures << " pictures, " << all.frames << " frames, "
+            << ms(all.drawing) / static_cast<double>(std::max<std::size_t>(1, pictures))
             << " ms in OpenGL for a picture, " << outside << " ms outside of it in all, "
-            << 100 * outside / ms(busy_) << " %\n";
+            << 100 * outside / ms(all.busy) << " %\n";
 }
 
 // --- what happens

@@ -18,6 +18,14 @@
 
 namespace saddle {
 
+/// What a viewer has spent its time on.
+struct Spent {
+  std::chrono::steady_clock::duration busy{};     ///< from what happened to the screen
+  std::chrono::steady_clock::duration drawing{};  ///< of that, pictures
+  std::chrono::steady_clock::duration showing{};  ///< copying them to the window, with the panel
+  std::size_t frames = 0;
+};
+
 class Viewer {
  public:
   /// Opens a window. Throws Error (Machine) without a display or OpenGL 3.3.
@@ -35,6 +43,7 @@ class Viewer {
   /// Nothing has happened that is not shown yet, and nothing goes on.
   bool is_at_rest() const;
   const Model& model() const { return model_; }
+  Spent spent() const { return {busy_, drawing_.spent(), showing_, paints_}; }
   const Drawing& drawing() const { return drawing_; }
 
  private:

@@ -63,7 +63,7 @@ bool is_there(const std::string& program) {
 }  // namespace
 
 void ViewerTest::SetUp() {
-  for (const char* program : {"Xvfb", "xdotool", "import"}) {
+  for (const char* program : {"Xvfb", "xdotool", "import", "xprop"}) {
     if (!is_there(program)) GTEST_SKIP() << "there is no " << program;
   }
   std::string pattern = testing::TempDir() + "saddle-viewer-XXXXXX";
@@ -110,11 +110,11 @@ int ViewerTest::status() {
   return result;
 }
 
-int ViewerTest::headless(const std::vector<std::string>& arguments) {
+int ViewerTest::run(const std::vector<std::string>& arguments, const std::string& display) {
   std::vector<std::string> words{SADDLE_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t child = start(words, [&] {
-    unsetenv("DISPLAY");
+    display.empty() ? unsetenv("DISPLAY") : setenv("DISPLAY", display.c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
     if (chdir(folder_.c_str()) != 0) _exit(126);
     redirect(STDOUT_FILENO, path("out"));
@@ -123,6 +123,14 @@ int ViewerTest::headless(const std::vector<std::string>& arguments) {
   int result = -1;
   eventually([&] { return (result = status_of(child)) != -1; });
   return result;
+}
+
+void ViewerTest::set_dots_per_inch(int dots) const {
+  const std::string command =
+      "DISPLAY=" + display_ +
+      " xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: " +
+      std::to_string(dots) + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 
 void ViewerTest::act(const std::string& words) const {

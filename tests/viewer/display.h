@@ -25,8 +25,11 @@ class ViewerTest : public ::testing::Test {
   void open(std::vector<std::string> arguments);
   /// Waits for the viewer's end: its exit status, or -1 if it does not end.
   int status();
-  /// Runs saddle to its end, without a display.
-  int headless(const std::vector<std::string>& arguments);
+  /// Runs saddle to its end, without a display, or on this one.
+  int headless(const std::vector<std::string>& arguments) { return run(arguments, {}); }
+  int run(const std::vector<std::string>& arguments, const std::string& display);
+  /// What the display says of its dots per inch, for those who ask from now on.
+  void set_dots_per_inch(int dots) const;
 
   /// Feeds words to xdotool: "key g", "mousemove 10 20 click 1".
   void act(const std::string& words) const;

@@ -195,6 +195,36 @@ TEST_F(ViewerTest, DrawsNothingWhileNothingHappens) {
   EXPECT_LE(frames, 20) << "waiting for the picture to settle takes a second";
 }
 
+TEST_F(ViewerTest, SaysTheWayOutWhereNoWindowCanBe) {
+  const auto fails = [&](const std::string& on) {
+    EXPECT_EQ(run({"torus"}, on), 1);
+    EXPECT_NE(standard_error().find("-o FILE.png"), std::string::npos) << standard_error();
+  };
+  fails("");      // no display
+  fails(":999");  // one that is not there
+  setenv("LIBGL_DRIVERS_PATH", "/nowhere", 1);
+  fails(display());  // no driver
+  unsetenv("LIBGL_DRIVERS_PATH");
+  setenv("MESA_GL_VERSION_OVERRIDE", "3.2", 1);
+  fails(display());  // an old OpenGL
+  unsetenv("MESA_GL_VERSION_OVERRIDE");
+}
+
+TEST_F(ViewerTest, RefusesOptionsThatItWouldIgnore) {
+  for (const std::string option : {"--strict", "--renderer=osmesa"}) {
+    EXPECT_EQ(run({"torus", option}, display()), 2) << option;
+  }
+}
+
+TEST_F(ViewerTest, IsTwiceAsLargeWhereDotsAreHalfAsLarge) {
+  set_dots_per_inch(192);
+  open({"torus", "-s", "300x300"});
+  const Image screen = screenshot();
+  const auto is_panel = [&](int x) { return screen.pixel(x, 500)[0] > 5; };
+  EXPECT_TRUE(is_panel(500)) << "the panel is 520 pixels wide, of a window of 1160";
+  EXPECT_FALSE(is_panel(530));
+}
+
 TEST_F(ViewerTest, SurvivesAnything) {
   open({"torus"});
   const std::vector<std::string> things{

@@ -1,0 +1,13 @@
+// What the viewer gets from the command line.
+#pragma once
+
+#include "app/cli.h"
+#include "view/model.h"
+
+namespace saddle {
+
+/// The scene, its meshes within a picture's tolerance, and where to read it anew. Throws Error as
+/// build_scene() does, and (Input) for options that the viewer would ignore.
+ViewerSetup viewer_setup(const CommandLine& line);
+
+}  // namespace saddle

@@ -1,0 +1,172 @@
+// What the viewer takes, on the display that there is: ./dev bench viewer.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/view.h"
+#include "base/error.h"
+#include "scene/gallery.h"
+#include "view/viewer.h"
+
+namespace {
+
+using namespace saddle;
+using Clock = std::chrono::steady_clock;
+
+double ms(Clock::duration d) {
+  return std::chrono::duration<double, std::milli>(d).count();
+}
+
+ViewerSetup setup_of(const std::vector<std::string>& arguments) {
+  std::vector<const char*> words{"saddle"};
+  for (const std::string& argument : arguments) words.push_back(argument.c_str());
+  return viewer_setup(parse_command_line(static_cast<int>(words.size()), words.data()));
+}
+
+void rest(Viewer& viewer) {
+  while (!viewer.is_at_rest()) viewer.step();
+}
+
+/// From before the window to a picture of the surface, its first mesh and its last one.
+void first_picture() {
+  const auto begin = Clock::now();
+  Viewer viewer(setup_of({"torus"}));
+  while (viewer.model().meshes().empty()) viewer.step();
+  const double first = ms(Clock::now() - begin);
+  rest(viewer);
+  std::printf("torus: first picture after %.0f ms\n", first);
+}
+
+/// While a hand turns a torus of 2 n^2 triangles.
+void turning(int n) {
+  constexpr int kFrames = 100;
+  const std::string cells = std::to_string(n);
+  Viewer viewer(setup_of({"torus", "--samples", cells + "x" + cells}));
+  rest(viewer);
+  Event event;
+  event.place = {700, 300};
+  viewer.receive(event);
+  event.kind = Event::Kind::Press;
+  viewer.receive(event);
+  while (viewer.has_events()) viewer.step();
+  const Spent before = viewer.spent();
+  event.kind = Event::Kind::Move;
+  for (int i = 0; i < kFrames; ++i) {
+    event.place = {700 + 200 * std::sin(0.1 * i), 300 + 100 * std::cos(0.1 * i)};
+    viewer.receive(event);
+    viewer.step();
+  }
+  const Spent after = viewer.spent();
+  const double busy = ms(after.busy - before.busy);
+  const double gl = ms(after.drawing - before.drawing + after.showing - before.showing);
+  std::printf("%d triangles: %.1f ms a frame, of that %.1f %% outside of OpenGL\n", 2 * n * n,
+              busy / kFrames, 100 * (busy - gl) / busy);
+}
+
+void press(Viewer& viewer, int code) {
+  for (const auto kind : {Event::Kind::KeyDown, Event::Kind::KeyUp}) {
+    Event event;
+    event.kind = kind;
+    event.place = {200, 116};
+    event.code = code;
+    viewer.receive(event);
+    while (viewer.has_events()) viewer.step();
+  }
+}
+
+void type(Viewer& viewer, char letter) {
+  Event event;
+  event.kind = Event::Kind::Character;
+  event.place = {200, 116};
+  event.code = letter;
+  viewer.receive(event);
+}
+
+/// From the last letter of a formula to the picture of its first mesh, without OpenGL's part.
+double edit(const std::string& name) {
+  Viewer viewer(setup_of({name}));
+  rest(viewer);
+  Event event;
+  event.place = {200, 116};  // z
+  viewer.receive(event);
+  for (const auto kind : {Event::Kind::Press, Event::Kind::Release}) {
+    event.kind = kind;
+    viewer.receive(event);
+    viewer.step();
+  }
+  constexpr int kKeyEnd = 269;
+  press(viewer, kKeyEnd);
+  type(viewer, '+');
+  rest(viewer);
+  const auto shown = viewer.model().meshes();
+  const Spent before = viewer.spent();
+  const auto begin = Clock::now();
+  type(viewer, '0');
+  while (viewer.model().meshes() == shown) {
+    viewer.step();
+    if (Clock::now() - begin > std::chrono::seconds(20)) return NAN;
+  }
+  const Spent after = viewer.spent();
+  return ms(Clock::now() - begin - (after.drawing - before.drawing) -
+            (after.showing - before.showing));
+}
+
+void edits() {
+  std::vector<double> times;
+  for (const GalleryEntry& entry : gallery()) {
+    const double time = edit(std::string(entry.name));
+    if (std::isnan(time)) {
+      std::printf("%s: no picture\n", std::string(entry.name).c_str());
+    } else {
+      times.push_back(time);
+    }
+  }
+  std::ranges::sort(times);
+  std::printf(
+      "an edit to its first picture, without OpenGL: median %.1f ms, 9 of 10 within %.1f ms"
+      " (%zu surfaces)\n",
+      times[times.size() / 2], times[times.size() * 9 / 10], times.size());
+}
+
+double processor_ms() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto of = [](const timeval& t) {
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+  };
+  return of(used.ru_utime) + of(used.ru_stime);
+}
+
+void at_rest() {
+  static constexpr std::chrono::seconds kLong{5};
+  Viewer viewer(setup_of({"torus"}));
+  rest(viewer);
+  const double before = processor_ms();
+  const std::jthread alarm([] {
+    std::this_thread::sleep_for(kLong);
+    Window::wake();
+  });
+  viewer.step();
+  std::printf("at rest: %.2f %% of a core\n", 100 * (processor_ms() - before) / ms(kLong));
+}
+
+}  // namespace
+
+int main() {
+  try {
+    first_picture();
+    turning(100);
+    turning(316);
+    at_rest();
+    edits();
+  } catch (const Error& error) {
+    std::fputs(format_error(error).c_str(), stderr);
+    return 1;
+  }
+}
