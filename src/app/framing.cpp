@@ -52,6 +52,7 @@ struct Sampled {
 
 std::vector<double> parts_of(double from, double to) {
   std::vector<double> parts;
+  parts.reserve(kCells + 1);
   for (int i = 0; i <= kCells; ++i) {
     const double share = static_cast<double>(i) / kCells;
     parts.push_back((1 - share) * from + share * to);
@@ -74,6 +75,7 @@ Bounds box_of_poles(const std::vector<dvec3>& positions, const Bounds& coarse) {
   bool grows = false;
   for (int k = 0; k < 3 && !positions.empty(); ++k) {
     std::vector<double> numbers;
+    numbers.reserve(positions.size());
     for (const dvec3& p : positions) numbers.push_back(p[k]);
     robust.low[k] = quantile(numbers, kTail);
     robust.high[k] = quantile(numbers, 1 - kTail);

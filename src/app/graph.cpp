@@ -115,11 +115,17 @@ class Run {
     }
     // OpenGL takes as long to load as a surface to tessellate.
     if (purpose_.picture) preloading_ = std::jthread(preload_renderer, line.renderer);
-    framing_ = frame_scene(timeline_, line.threads);
+    if (needs_camera()) framing_ = frame_scene(timeline_, line.threads);
     Purpose purpose = purpose_;
     purpose.moments = framing_.moments;
     meshes_.emplace(std::move(purpose), line.threads);
     if (frames() > 1) progress_.emplace(!line.quiet);
+  }
+
+  /// Pixels are drawn, or are what the mesh is to be exact to.
+  bool needs_camera() const {
+    const auto& tolerance = timeline_.scene().mesh.tolerance;
+    return purpose_.picture || (tolerance && tolerance->pixels);
   }
 
   int frames() const {
@@ -202,22 +208,32 @@ class Run {
     if (report_.frames > 1 && !meshes_->move() && !timeline_.moves()) {
       report_.warnings.emplace_back("nothing depends on t: all frames are the same");
     }
+    for (const Film& film : films_) {
+      if (!film.video->hides_transparency()) continue;
+      report_.warnings.push_back(film.path + ": MP4 has no transparency: the background is black");
+    }
     print_warnings(line_, report_.warnings);
   }
 
   /// With --strict a warning ends the run; the report has it, other outputs are not written.
-  void fail_strictly() {
-    gather_warnings();
+  void check_strictness() {
+    if (!line_.strict || report_.warnings.empty()) return;
     report_.times.total = since(start_);
     send_report(line_.report, report_);
     fail_on_warnings(report_);
   }
 
+  void fail_strictly() {
+    gather_warnings();
+    check_strictness();
+  }
+
   void finish() {
     report_.frames = frames();
-    if (report_.frames > 0)
-      report_.times.frame = since(began_) / static_cast<double>(shots_.size());
+    const auto shots = static_cast<double>(shots_.size());
+    if (report_.frames > 0) report_.times.frame = since(began_) / shots;
     gather_warnings();
+    check_strictness();
     const auto writing = Clock::now();
     for (const Output& output : outputs_) {
       if (output.format != Format::Toml) continue;

@@ -89,6 +89,7 @@ pid_t spawn(const std::vector<std::string>& command, const std::string& package,
   // Onto itself: it is not closed at exec() then.
   for (const int file : files) posix_spawn_file_actions_adddup2(actions.get(), file, file);
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& argument : command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
@@ -150,7 +151,10 @@ int Child::wait() {
 void Child::finish() {
   const int status = wait();
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  const std::string reason = last_line(said_);
+  std::string reason = last_line(said_);
+  if (reason.empty() && WIFSIGNALED(status)) {
+    reason = std::string("it was ended: ") + strsignal(WTERMSIG(status));
+  }
   throw Error(Status::Machine, name_ + " failed" + (reason.empty() ? "" : ": " + reason));
 }
 

@@ -95,15 +95,17 @@ Video::Video(const VideoOptions& options)
     : options_(options),
       ffmpeg_(command(options, file_.path()), kPackage, std::array{file_.descriptor()}) {}
 
+bool Video::hides_transparency() const {
+  return options_.transparent && options_.format == VideoFormat::Mp4;
+}
+
 void Video::add(const Image& frame) {
   assert(frame.width == options_.width && frame.height == options_.height);
   const auto feed = [this](const Image& image) {
     const auto* const bytes = reinterpret_cast<const char*>(image.rgba.data());
     return ffmpeg_.feed({bytes, image.rgba.size()});
   };
-  const bool taken = options_.transparent && options_.format == VideoFormat::Mp4
-                         ? feed(flattened(frame))
-                         : feed(frame);
+  const bool taken = hides_transparency() ? feed(flattened(frame)) : feed(frame);
   if (taken) return;
   ffmpeg_.finish();
   throw Error(Status::Machine, "ffmpeg wants no more frames");

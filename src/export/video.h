@@ -14,7 +14,7 @@
 namespace saddle {
 
 enum class VideoFormat {
-  Gif,  ///< repeats for ever; 256 colours chosen for all frames together
+  Gif,  ///< repeats for ever; 256 colours for all frames, which ffmpeg keeps in memory
   Mp4,  ///< H.264, yuv420p, which every player understands; no transparency
   Webm  ///< VP9
 };
@@ -37,6 +37,9 @@ class Video {
  public:
   /// Starts ffmpeg. Throws Error (Machine) if it is missing.
   explicit Video(const VideoOptions& options);
+
+  /// What is transparent in its frames is on black in it.
+  bool hides_transparency() const;
 
   /// The next frame, of the video's size. Throws Error (Machine), with its last words, if ffmpeg
   /// has ended.

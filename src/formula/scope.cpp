@@ -58,10 +58,37 @@ struct Scope::Impl {
   std::vector<Entry> entries;
   std::vector<std::size_t> running;  // entries being parsed, outermost first
   std::unordered_map<Symbol, NodeId> parameter_values;
-  std::unordered_map<std::string, NodeId> constant_texts;  // what that constant() has parsed
+  /// What constant() has found: many numbers of a scene have the same text.
+  struct KnownConstant {
+    NodeId node = 0;
+    double value = 0;
+    std::optional<double> t;  // that it is the value at
+  };
+  std::unordered_map<std::string, KnownConstant> known_constants;  // by their texts
   bool has_used_time = false;
 
   explicit Impl(Graph& g) : graph(g) {}
+
+  bool depends_on_time(NodeId node) const { return (graph[node].depends & kDependsT) != 0; }
+
+  /// The root with every parameter replaced by its value, and t by `t` if that is there.
+  NodeId bind(NodeId root, std::optional<double> t) {
+    const std::array roots = {root};
+    if (!t || !depends_on_time(root)) return substitute(graph, roots, parameter_values)[0];
+    std::unordered_map<Symbol, NodeId> values = parameter_values;
+    values[kSymbolT] = graph.constant(*t);
+    return substitute(graph, roots, values)[0];
+  }
+
+  /// Throws Error (Input) if it is no constant.
+  double value(NodeId root, const FormulaText& formula, std::optional<double> t) {
+    if (depends_on_time(root)) has_used_time = true;
+    const NodeId bound = bind(root, t);
+    if (graph.is_constant(bound)) return graph[bound].value;
+    throw formula.error("this must be a constant", formula.part,
+                        t ? "it may use numbers, constants, parameters and t, not u or v"
+                          : "it may use numbers, constants and parameters, not u, v or t");
+  }
 
   Entry* find(std::string_view name) {
     for (Entry& entry : entries) {
@@ -226,20 +253,21 @@ NodeId Scope::parse(const std::string& name, const std::string& text, std::optio
 
 double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
                        std::optional<double> t) {
-  const auto known = impl_->constant_texts.find(text);
-  const bool is_known = !part && known != impl_->constant_texts.end();
-  const std::array root = {is_known ? known->second : parse(name, text, part)};
-  if (!part) impl_->constant_texts.emplace(text, root[0]);
-  if ((impl_->graph[root[0]].depends & kDependsT) != 0) impl_->has_used_time = true;
-  const NodeId bound =
-      t ? bind(root, *t)[0] : substitute(impl_->graph, root, impl_->parameter_values)[0];
-  if (!impl_->graph.is_constant(bound)) {
-    const FormulaText formula = {name, text, part.value_or(Span{0, text.size()})};
-    throw formula.error("this must be a constant", formula.part,
-                        t ? "it may use numbers, constants, parameters and t, not u or v"
-                          : "it may use numbers, constants and parameters, not u, v or t");
+  if (part) return impl_->value(parse(name, text, part), {name, text, *part}, t);
+  const FormulaText formula = {name, text, {0, text.size()}};
+  const auto known = impl_->known_constants.find(text);
+  if (known == impl_->known_constants.end()) {
+    const NodeId node = parse(name, text);
+    const double value = impl_->value(node, formula, t);
+    impl_->known_constants.emplace(text, Impl::KnownConstant{node, value, t});
+    return value;
   }
-  return impl_->graph[bound].value;
+  Impl::KnownConstant& constant = known->second;
+  if (impl_->depends_on_time(constant.node) && constant.t != t) {
+    constant.value = impl_->value(constant.node, formula, t);
+    constant.t = t;
+  }
+  return constant.value;
 }
 
 bool Scope::has_used_time() const {

@@ -60,15 +60,14 @@ class Resolver {
 
   void number(const std::string& name, Number& number, const Limits& limits) {
     if (!number.text.empty()) number.value = scope().constant(name, number.text, {}, t_);
+    if (std::isfinite(number.value) && limits.contain(number.value)) return;
     const std::string text = number.text.empty() ? format_number(number.value) : number.text;
     const Place place{name, text, {0, text.size()}};
     const std::string is = number.text.empty() ? "" : "it is " + format_number(number.value);
     if (!std::isfinite(number.value)) {
       throw Error(Status::Input, "not a finite number", place, is);
     }
-    if (!limits.contain(number.value)) {
-      throw Error(Status::Input, "must be " + describe(limits), place, is);
-    }
+    throw Error(Status::Input, "must be " + describe(limits), place, is);
   }
 
   void vector(const std::string& name, Vector& v) {

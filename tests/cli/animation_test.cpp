@@ -201,6 +201,15 @@ TEST_F(AnimationTest, SaysWhenNothingMoves) {
   const Outcome outcome = run({"z=u*v", "t=0:1"}, {"-o", "f-%d.png", "--frames", "2"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "saddle: warning: nothing depends on t: all frames are the same\n");
+  EXPECT_EQ(run({"z=u*v", "t=0:1"}, {"-o", "g.gif", "--frames", "2", "--strict"}).status, 2);
+  EXPECT_FALSE(exists("g.gif"));
+}
+
+TEST_F(AnimationTest, SaysThatMp4HasNoTransparency) {
+  const Outcome outcome = run(kWave, {"-o", "w.mp4", "-o", "w.gif", "--background", "transparent"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "saddle: warning: w.mp4: MP4 has no transparency: the background is black\n");
 }
 
 TEST_F(AnimationTest, SaysAtWhichFrameANumberIsWrong) {

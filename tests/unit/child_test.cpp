@@ -46,6 +46,15 @@ TEST(RunWithInput, PassesOnTheLastThingThatAFailingProgramSaid) {
   }
 }
 
+TEST(RunWithInput, SaysThatAProgramWasEnded) {
+  try {
+    run_with_input({"sh", "-c", "kill -9 $$"}, "", "dash");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()), "sh failed: it was ended: Killed");
+  }
+}
+
 TEST(RunWithInput, OutlivesAProgramThatDoesNotRead) {
   const auto before = std::signal(SIGPIPE, SIG_IGN);  // as main does
   EXPECT_THROW(run_with_input({"false"}, std::string(1'000'000, 'x'), "coreutils"), Error);

@@ -123,5 +123,19 @@ TEST(Scope, StopsChainsThatAreTooDeep) {
   EXPECT_STREQ(error_of(definitions).what(), "definitions use each other more than 256 deep");
 }
 
+TEST(Scope, KnowsWhichConstantsTimeChanges) {
+  Graph graph;
+  Scope scope(graph, {{"a", "2"}, {"w", "a*t"}});
+  EXPECT_EQ(scope.constant("n", "a+1", {}, 5), 3);
+  EXPECT_EQ(scope.constant("n", "a+1"), 3);
+  EXPECT_FALSE(scope.has_used_time());
+  EXPECT_EQ(scope.constant("n", "w+1", {}, 5), 11);
+  EXPECT_EQ(scope.constant("other", "w+1", {}, 5), 11);
+  EXPECT_EQ(scope.constant("n", "w+1", {}, 7), 15);
+  EXPECT_TRUE(scope.has_used_time());
+  EXPECT_THROW(scope.constant("n", "w+1"), Error);
+  EXPECT_THROW(scope.constant("n", "u", {}, 7), Error);
+}
+
 }  // namespace
 }  // namespace saddle
