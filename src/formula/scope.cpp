@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 #include "formula/language.h"
@@ -65,26 +66,46 @@ struct Scope::Impl {
     std::optional<double> t;  // that it is the value at
   };
   std::unordered_map<std::string, KnownConstant> known_constants;  // by their texts
+  std::vector<double> values;  // of the graph's nodes, at values_t
+  double values_t = 0;
   bool has_used_time = false;
 
   explicit Impl(Graph& g) : graph(g) {}
 
   bool depends_on_time(NodeId node) const { return (graph[node].depends & kDependsT) != 0; }
 
-  /// The root with every parameter replaced by its value, and t by `t` if that is there.
-  NodeId bind(NodeId root, std::optional<double> t) {
-    const std::array roots = {root};
-    if (!t || !depends_on_time(root)) return substitute(graph, roots, parameter_values)[0];
-    std::unordered_map<Symbol, NodeId> values = parameter_values;
-    values[kSymbolT] = graph.constant(*t);
-    return substitute(graph, roots, values)[0];
+  double value_of_variable(Symbol symbol, double t) const {
+    if (symbol == kSymbolT) return t;
+    const auto parameter = parameter_values.find(symbol);
+    return parameter == parameter_values.end() ? std::numeric_limits<double>::quiet_NaN()
+                                               : graph[parameter->second].value;
+  }
+
+  /// The value of a root that depends on parameters and t alone. All nodes up to it are computed,
+  /// once for each t: a scene's numbers share most of theirs.
+  double evaluate(NodeId root, double t) {
+    if (t != values_t) values.clear();
+    values_t = t;
+    for (NodeId id = static_cast<NodeId>(values.size()); id <= root; ++id) {
+      const Node& node = graph[id];
+      const auto& [a, b, c] = node.args;
+      values.push_back(node.op == Op::Constant   ? node.value
+                       : node.op == Op::Variable ? value_of_variable(node.symbol, t)
+                                                 : apply(node.op, values[a], values[b], values[c]));
+    }
+    return values[root];
   }
 
   /// Throws Error (Input) if it is no constant.
   double value(NodeId root, const FormulaText& formula, std::optional<double> t) {
-    if (depends_on_time(root)) has_used_time = true;
-    const NodeId bound = bind(root, t);
-    if (graph.is_constant(bound)) return graph[bound].value;
+    const bool moves = depends_on_time(root);
+    has_used_time = has_used_time || moves;
+    const bool is_of_parameters = (graph[root].depends & (kDependsU | kDependsV)) == 0;
+    if (is_of_parameters && (t || !moves)) return evaluate(root, t.value_or(values_t));
+    std::unordered_map<Symbol, NodeId> known = parameter_values;
+    if (t) known[kSymbolT] = graph.constant(*t);
+    const NodeId bound = substitute(graph, std::array{root}, known)[0];
+    if (graph.is_constant(bound)) return graph[bound].value;  // what was chosen has no u and v
     throw formula.error("this must be a constant", formula.part,
                         t ? "it may use numbers, constants, parameters and t, not u or v"
                           : "it may use numbers, constants and parameters, not u, v or t");
