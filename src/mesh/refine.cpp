@@ -62,7 +62,6 @@ class Refiner {
  public:
   Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
       : options_(options),
-        grid_(grid),
         lattice_(lattice),
         judge_(options, grid, lattice),
         oscillation_(grid) {}
@@ -231,7 +230,6 @@ class Refiner {
   }
 
   const RefineOptions& options_;
-  const Grid& grid_;
   Lattice& lattice_;
   Judge judge_;
   std::vector<Candidate> next_;
