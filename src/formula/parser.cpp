@@ -202,8 +202,8 @@ class Lifter {
       return k < tokens_.size() && tokens_[k].kind == TokenKind::Open;
     };
     // 2(u) has become 2*(u) by now.
-    const bool is_power = is_operand(i + 2) && tokens_[i + 1].text == "^" &&
-                          (is_bracket(i + 3) || is_bracket(i + 4));
+    const bool is_power =
+        is_operand(i + 2) && tokens_[i + 1].text == "^" && (is_bracket(i + 3) || is_bracket(i + 4));
     if (is_power) {
       const std::string exponent = written(i + 2);
       return name + "(...)" + (tokens_[i + 2].text.empty() ? exponent : "^" + exponent);

@@ -61,10 +61,7 @@ struct Judged {
 class Refiner {
  public:
   Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
-      : options_(options),
-        lattice_(lattice),
-        judge_(options, grid, lattice),
-        oscillation_(grid) {}
+      : options_(options), lattice_(lattice), judge_(options, grid, lattice), oscillation_(grid) {}
 
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
