@@ -71,17 +71,17 @@ double quantile(std::vector<double> numbers, double share) {
 Bounds box_of_poles(const std::vector<dvec3>& positions, const Bounds& coarse) {
   Bounds all;
   for (const dvec3& p : positions) all.add(p);
+  const dvec3 growth = all.size() - kGrowth * coarse.size();
+  if (positions.empty() || std::max({growth.x, growth.y, growth.z}) <= 0) return {};
   Bounds robust;
-  bool grows = false;
-  for (int k = 0; k < 3 && !positions.empty(); ++k) {
+  for (int k = 0; k < 3; ++k) {
     std::vector<double> numbers;
     numbers.reserve(positions.size());
     for (const dvec3& p : positions) numbers.push_back(p[k]);
     robust.low[k] = quantile(numbers, kTail);
     robust.high[k] = quantile(numbers, 1 - kTail);
-    grows = grows || all.size()[k] > kGrowth * coarse.size()[k];
   }
-  return grows ? clip_box(all, robust) : Bounds{};
+  return clip_box(all, robust);
 }
 
 bool inside(const Bounds& box, const dvec3& p) {
