@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -24,6 +23,8 @@ namespace saddle {
 
 namespace {
 
+/// The part of the tolerance that is aimed at: samples miss some of the largest distance.
+constexpr double kAim = 0.98;
 /// Times that leaves which fail on fresh samples are halved again.
 constexpr int kRounds = 12;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
@@ -95,42 +96,11 @@ double excess(const Deviation& d, double eps, double normal_tolerance, double di
   return std::max(d.distance / eps, turn * turn);
 }
 
-/// Halves a leaf until each suspect is a leaf of its own: it was a box of halvings.
-std::vector<Leaf> isolate(const Leaf& leaf, const std::vector<Suspect>& suspects,
-                          Lattice& lattice) {
-  struct Part {
-    Leaf leaf;
-    std::vector<Suspect> inside;
-  };
-  std::vector<Leaf> parts;
-  std::vector<Part> stack = {{leaf, suspects}};
-  while (!stack.empty()) {
-    const Part part = std::move(stack.back());
-    stack.pop_back();
-    const dvec2 low = lattice.parameters(part.leaf.low);
-    const dvec2 size = glm::abs(lattice.parameters(part.leaf.high) - low);
-    std::optional<std::array<Leaf, 2>> halves;
-    if (!part.inside.empty()) {
-      const dvec2 ratio = size / part.inside.front().size;
-      constexpr double kSame = 1.5;  // between the same size and twice of it
-      if (std::max(ratio.x, ratio.y) > kSame)
-        halves = halve(part.leaf, ratio.x >= ratio.y, lattice);
-    }
-    if (!halves) {
-      parts.push_back(part.leaf);
-      continue;
-    }
-    std::array<std::vector<Suspect>, 2> inside;
-    for (const Suspect& suspect : part.inside) {
-      const dvec2 reach = glm::abs(suspect.middle - low);
-      const dvec2 first = glm::abs(lattice.parameters((*halves)[0].high) - low);
-      inside[reach.x < first.x && reach.y < first.y ? 0 : 1].push_back(suspect);
-    }
-    stack.push_back({(*halves)[1], std::move(inside[1])});
-    stack.push_back({(*halves)[0], std::move(inside[0])});
-  }
-  return parts;
-}
+/// Leaves that are to be refined, and the witnesses against them.
+struct Failed {
+  std::vector<Leaf> leaves;
+  std::vector<Witness> witnesses;
+};
 
 /// Makes one mesh.
 class Mesher {
@@ -149,15 +119,15 @@ class Mesher {
 
   /// Refines until tests, fresh samples and bounds find nothing more. False if no cell of the root
   /// grid is defined.
-  bool refine_all() {
+  bool refine_all(std::vector<Witness> witnesses) {
     if (grid_.left_out_count == grid_.cell_count()) return false;
-    add(root_leaves(grid_));
+    add({root_leaves(grid_), std::move(witnesses)});
     std::size_t boxes = boxes_for(surface_.bounds);  // left for proofs
     for (int round = 0; round < kRounds; ++round) {
-      std::vector<Leaf> failed = take_failed();
-      if (failed.empty() && measure_singular()) failed = take_failed();
-      if (failed.empty() && options_.certify) failed = take_suspects(boxes);
-      if (failed.empty()) break;
+      Failed failed{take_failed(), {}};
+      if (failed.leaves.empty() && measure_singular()) failed.leaves = take_failed();
+      if (failed.leaves.empty() && options_.certify) failed = take_suspects(boxes);
+      if (failed.leaves.empty()) break;
       add(failed);
     }
     return true;
@@ -319,8 +289,9 @@ class Mesher {
   }
 
   /// Refines leaves, adds what comes out and measures it.
-  void add(std::span<const Leaf> active) {
-    const Refinement refinement = refine(active, refining_, grid_, lattice_);
+  void add(const Failed& failed) {
+    const Refinement refinement =
+        refine(failed.leaves, failed.witnesses, refining_, grid_, lattice_);
     reached_limit_ = reached_limit_ || refinement.reached_limit;
     auto& leaves = mesh_.leaves;
     leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
@@ -381,6 +352,18 @@ class Mesher {
     return taken;
   }
 
+  /// Which way to halve a leaf that deviates: the one that its tests find worse, or the longer one:
+  /// what the tests along its sides did not see, they see at half.
+  bool splits_u(const Leaf& leaf, const Deviation& deviation) {
+    if (deviation.on_crease) return is_cut_along_u(leaf, lattice_);
+    const Samples samples = request_samples(leaf, lattice_);
+    if (leaf.on_rim) return judge_.splits_rim_u(leaf, samples);
+    const Scores scores = judge_.score(leaf, samples).distance;
+    constexpr double kTells = 0.5;  // of the tolerance
+    const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
+    return tells ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
+  }
+
   /// Halves of the leaves that deviate too much.
   std::vector<Leaf> take_failed() {
     Oscillation oscillation(grid_);
@@ -396,10 +379,7 @@ class Mesher {
       const double too_much = excess(mesh_.deviations[k], tolerance_of(leaf),
                                      options_.normal_tolerance, diameter(leaf));
       if (!(too_much > 1) || leaf.given_up || is_clipped(leaf) || is_full()) return {};
-      // The leaf's longer way: what the tests along its sides did not see, they see at half.
-      const bool across_u = leaf.on_rim ? judge_.splits_rim_u(leaf, request_samples(leaf, lattice_))
-                                        : leaf.size_u() >= leaf.size_v();
-      auto halves = halve(leaf, across_u, lattice_);
+      auto halves = halve(leaf, splits_u(leaf, mesh_.deviations[k]), lattice_);
       if (!halves) return {};
       for (Leaf& half : *halves) {
         half.strictness *= static_cast<float>(std::min(too_much, kMostStrict));
@@ -408,8 +388,8 @@ class Mesher {
     });
   }
 
-  /// Parts of the leaves in which bounds found a place that deviates too much.
-  std::vector<Leaf> take_suspects(std::size_t& boxes) {
+  /// The leaves in which bounds found places that deviate too much.
+  Failed take_suspects(std::size_t& boxes) {
     const Certification proof =
         certify(surface_, grid_, lattice_, mesh_.leaves, refining_.tolerance, boxes);
     certified_ = proof.complete && proof.suspects.empty();
@@ -422,22 +402,30 @@ class Mesher {
     const LeafTriangles triangles =
         triangulate_leaves(mesh_.leaves, suspected, SingularCorners(), grid_, lattice_);
     const std::vector<SurfacePoint> points = evaluate(surface_, middles, options_.threads);
-    std::map<std::size_t, std::vector<Suspect>> guilty;  // by leaf
+    std::set<std::size_t> guilty;
+    std::vector<Witness> witnesses;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const std::size_t leaf = proof.suspects[k].leaf;
-      const Deviation d = deviation(grid_, triangles.of(k), middles[k], points[k], surface_.flip);
-      Deviation& worst = mesh_.deviations[leaf];
-      worst.distance = std::max(worst.distance, d.distance);
-      if (is_clipped(mesh_.leaves[leaf])) continue;
-      const bool is_guilty = d.distance > tolerance_of(mesh_.leaves[leaf]);
-      if (is_guilty && !mesh_.leaves[leaf].given_up && !is_full())
-        guilty[leaf].push_back(proof.suspects[k]);
+      const Suspect& suspect = proof.suspects[k];
+      const Leaf& leaf = mesh_.leaves[suspect.leaf];
+      const double distance =
+          distance_from(grid_, triangles.of(k), suspect.middle, points[k].position);
+      Deviation& worst = mesh_.deviations[suspect.leaf];
+      worst.distance = std::max(worst.distance, distance);
+      if (!(distance > tolerance_of(leaf)) || leaf.given_up || is_clipped(leaf) || is_full())
+        continue;
+      guilty.insert(suspect.leaf);
+      witnesses.push_back({suspect.middle, points[k].position, suspect.size, suspect.leaf});
     }
-    return take_out([&](std::size_t k) -> std::vector<Leaf> {
-      const auto found = guilty.find(k);
-      if (found == guilty.end()) return {};
-      return isolate(mesh_.leaves[k], found->second, lattice_);
+    for (Witness& witness : witnesses) {
+      witness.cell =
+          static_cast<std::size_t>(std::distance(guilty.begin(), guilty.find(witness.cell)));
+    }
+    Failed failed{{}, std::move(witnesses)};
+    failed.leaves = take_out([&](std::size_t k) -> std::vector<Leaf> {
+      if (!guilty.contains(k)) return {};
+      return {mesh_.leaves[k]};
     });
+    return failed;
   }
 
   const Surface& surface_;
@@ -462,13 +450,15 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
   GridMesh result;
   MeshReport& report = result.report;
-  FixedLines lines = root_lines(probe, surface.domain, tolerance, options, report);
+  const Tolerance aim = [&](const dvec3& p) { return kAim * tolerance(p); };
+  FixedLines lines = root_lines(probe, surface.domain, aim, options, report);
   if (std::max(lines.u.size(), lines.v.size()) > kMaxLines) return std::nullopt;
   report.tolerance = tolerance(probe.bounds().centre(), probe.bounds().diagonal());
   report.least_triangles = probe.least_triangles(tolerance);
   report.evaluations = probe.evaluations();
-  Mesher mesher(surface, options, tolerance, std::move(lines));
-  if (!mesher.refine_all()) return std::nullopt;
+  std::vector<Witness> witnesses = probe.witnesses(lines, aim);
+  Mesher mesher(surface, options, aim, std::move(lines));
+  if (!mesher.refine_all(std::move(witnesses))) return std::nullopt;
   return mesher.take(std::move(result));
 }
 

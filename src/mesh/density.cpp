@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "base/random.h"
 #include "eval/batch.h"
@@ -22,7 +23,7 @@ constexpr double kJitter = 0.4;
 constexpr double kShare = 0.5;
 /// Density falls by at most this factor from one probe to the next, and to no less than this share
 /// of the largest: a straight stretch between curved ones is not skipped in one step.
-constexpr double kFallOff = 0.7;
+constexpr double kFallOff = 0.5;
 constexpr double kFloor = 0.02;
 /// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
 constexpr int kRatios = 6;
@@ -34,6 +35,10 @@ constexpr double kTail = 0.05;
 constexpr double kSeam = 1e-9;
 /// Cells that rounding may add to a sum of densities; a whole number of them is not exceeded by it.
 constexpr double kRoundingOfSums = 1e-9;
+constexpr int kPasses = 2;
+/// A cell that is off by so many tolerances at a sample is no cell that most of a line is good for:
+/// its own tests might not see why.
+constexpr double kFarTooLarge = 4;
 /// No interval between fixed lines is cut into more cells to begin with.
 constexpr double kMaxPerInterval = 1000;
 
@@ -81,6 +86,25 @@ double quantile(std::vector<double>& numbers, double share) {
 /// within half of the tolerance, the other half being the other direction's: h^2 bend / 8 <= 1 / 2.
 double density(double bend) {
   return std::sqrt(bend / 4);
+}
+
+/// The error of a cell of sides h and k that is cut along its shorter diagonal, beside its bound
+/// (|L| h^2 + 2 |M| h k + |N| k^2) / 8. Where the surface curves to both sides errors do not add
+/// up; where it curves to one side the error is largest at the centre of the circle through a
+/// triangle's corners, in the metric of curvature, if that is inside.
+struct CellBend {
+  double error, bound;
+};
+CellBend bend_of_cell(double L, double M, double N, double h, double k) {
+  const double a = L * h * h;
+  const double b = std::fabs(M * h * k);
+  const double c = N * k * k;
+  const double diagonal = std::min(std::fabs(a + c + 2 * b), std::fabs(a + c - 2 * b));
+  const double edges = std::max({std::fabs(a), std::fabs(c), diagonal});
+  const double determinant = a * c - b * b;
+  const bool is_acute = std::min(std::fabs(a), std::fabs(c)) > b;
+  const double circle = determinant > 0 && is_acute ? std::fabs(a * c) * diagonal / determinant : 0;
+  return {0.125 * std::max(edges, circle), 0.125 * (std::fabs(a) + 2 * b + std::fabs(c))};
 }
 
 void limit_fall_off(std::vector<double>& density) {
@@ -292,29 +316,35 @@ std::vector<Probe::Bend> Probe::bends(const Tolerance& tolerance) const {
   bends.reserve(samples_.size());
   for (const Sample& s : samples_) {
     const double per_eps = s.regular ? 1 / tolerance(s.position) : 0;
-    bends.push_back({per_eps * std::fabs(s.L), per_eps * std::fabs(s.M), per_eps * std::fabs(s.N)});
+    bends.push_back({per_eps * s.L, per_eps * s.M, per_eps * s.N});
   }
   return bends;
 }
 
 Probe::Densities Probe::densities(const Tolerance& tolerance, std::span<const Bend> bends,
-                                  double rho, std::size_t every) const {
+                                  double rho, const Densities* shape, std::size_t every) const {
   Densities result;
   std::vector<double> line;
+  // What of the tolerance the bend along u takes, or along v.
+  const auto add = [&](std::size_t i, std::size_t j, bool along_u) {
+    const std::size_t s = j * u_.size() + i;
+    if (!samples_[s].regular) return;
+    const auto& [L, M, N] = bends[s];
+    const double h = shape != nullptr ? shape->of_v[j] : 1;
+    const double k = shape != nullptr ? shape->of_u[i] : rho;
+    const double bend =
+        along_u ? std::fabs(L) + rho * std::fabs(M) : std::fabs(N) + std::fabs(M) / rho;
+    const CellBend cell = bend_of_cell(L, M, N, h, k);
+    line.push_back(cell.bound > 0 ? bend * cell.error / cell.bound : bend);
+  };
   for (std::size_t i = 0; i < u_.size(); ++i) {
     line.clear();
-    for (std::size_t j = 0; j < v_.size(); j += every) {
-      const std::size_t k = j * u_.size() + i;
-      if (samples_[k].regular) line.push_back(bends[k].L + rho * bends[k].M);
-    }
+    for (std::size_t j = 0; j < v_.size(); j += every) add(i, j, true);
     result.of_u.push_back(density(quantile(line, kShare)));
   }
   for (std::size_t j = 0; j < v_.size(); ++j) {
     line.clear();
-    for (std::size_t i = 0; i < u_.size(); i += every) {
-      const std::size_t k = j * u_.size() + i;
-      if (samples_[k].regular) line.push_back(bends[k].N + bends[k].M / rho);
-    }
+    for (std::size_t i = 0; i < u_.size(); i += every) add(i, j, false);
     result.of_v.push_back(density(quantile(line, kShare)));
   }
   // Along the domain's edge the mesh must follow the edge itself, with all of the tolerance.
@@ -343,16 +373,49 @@ FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& toleranc
   double least = std::numeric_limits<double>::infinity();
   for (int power = -kRatios; power <= kRatios; ++power) {
     const double ratio = std::ldexp(own_ratio, power);
-    const Densities d = densities(tolerance, bent, ratio, kEveryForRatio);
+    const Densities d = densities(tolerance, bent, ratio, nullptr, kEveryForRatio);
     const double cells = total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), shared.u) *
                          total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), shared.v);
     if (!(cells < least)) continue;
     least = cells;
     best_ratio = ratio;
   }
-  const Densities d = densities(tolerance, bent, best_ratio, 1);
+  Densities d = densities(tolerance, bent, best_ratio, nullptr, 1);
+  for (int k = 0; k < kPasses; ++k) d = densities(tolerance, bent, best_ratio, &d, 1);
   return {place(Cumulative(d.of_u, domain_.u0, domain_.u1), shared.u),
           place(Cumulative(d.of_v, domain_.v0, domain_.v1), shared.v)};
+}
+
+std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& tolerance) const {
+  const auto cells = [](std::span<const double> places, std::span<const double> lines_across) {
+    const bool backwards = lines_across.front() > lines_across.back();
+    std::vector<std::size_t> result;
+    for (const double place : places) {
+      const auto next = backwards ? std::ranges::upper_bound(lines_across, place, std::greater())
+                                  : std::ranges::upper_bound(lines_across, place);
+      result.push_back(static_cast<std::size_t>(next - lines_across.begin() - 1));
+    }
+    return result;
+  };
+  const std::vector<std::size_t> columns = cells(u_, lines.u);
+  const std::vector<std::size_t> rows = cells(v_, lines.v);
+  const std::vector<Bend> bent = bends(tolerance);
+  const dvec2 size = glm::abs(dvec2(domain_.u1 - domain_.u0, domain_.v1 - domain_.v0)) /
+                     static_cast<double>(kProbes);
+  std::vector<Witness> result;
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    const std::size_t i = columns[s % u_.size()];
+    const std::size_t j = rows[s / u_.size()];
+    const auto& [L, M, N] = bent[s];
+    const double h = lines.u[i + 1] - lines.u[i];
+    const double k = lines.v[j + 1] - lines.v[j];
+    if (!(bend_of_cell(L, M, N, h, k).error > kFarTooLarge)) continue;
+    result.push_back({{u_[s % u_.size()], v_[s / u_.size()]},
+                      samples_[s].position,
+                      size,
+                      j * (lines.u.size() - 1) + i});
+  }
+  return result;
 }
 
 double Probe::least_triangles(const Tolerance& tolerance) const {

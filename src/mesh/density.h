@@ -50,6 +50,14 @@ struct FixedLines {
   std::vector<double> u, v;  ///< at least two each, from the range's first end to its last
 };
 
+/// A known point of the surface, in a cell of a grid that may be too large for it.
+struct Witness {
+  dvec2 uv;
+  dvec3 position;
+  dvec2 size;        ///< of the box of parameters that it stands for
+  std::size_t cell;  ///< its number, of whatever it is a witness against
+};
+
 /// Second derivatives, normals and curvatures on a coarse grid that keeps step with nothing.
 class Probe {
  public:
@@ -67,6 +75,9 @@ class Probe {
   /// Where the lines of a tensor grid go, so that most of its cells are within the tolerance: local
   /// peaks are left to local refinement.
   FixedLines place_lines(const FixedLines& fixed, const Tolerance& tolerance) const;
+
+  /// The samples beside which a cell of these lines is far too large; `cell` counts with u inner.
+  std::vector<Witness> witnesses(const FixedLines& lines, const Tolerance& tolerance) const;
 
   /// The number of triangles that no mesh with its corners on the surface can do without, for small
   /// tolerances: (0.3849 I+ + 0.2236 I-) / eps, I+ and I- the integrals of sqrt|K| dA where K > 0
@@ -97,14 +108,14 @@ class Probe {
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
   Seam find_seam(const Surface& surface, bool along_v) const;
-  /// Magnitudes of second derivatives along the normal, in tolerances; 0 where there is none.
+  /// Second derivatives along the normal, in tolerances; 0 where there is none.
   struct Bend {
     double L, M, N;
   };
   std::vector<Bend> bends(const Tolerance& tolerance) const;
   /// From each `every`-th sample of each column and row.
   Densities densities(const Tolerance& tolerance, std::span<const Bend> bends, double rho,
-                      std::size_t every) const;
+                      const Densities* shape, std::size_t every) const;
 
   std::vector<double> u_, v_;
   Domain domain_;

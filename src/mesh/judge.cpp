@@ -5,7 +5,10 @@
 #include <optional>
 #include <span>
 
+#include <glm/common.hpp>
+
 #include "mesh/clip.h"
+#include "mesh/measure.h"
 #include "mesh/triangulate.h"
 
 namespace saddle {
@@ -16,7 +19,47 @@ namespace {
 /// along the normal says nothing.
 constexpr double kSmallArc = 0.3;
 /// Corner normals of a leaf spread by at most this, degrees: samples between them are then enough.
-constexpr double kMaxSpread = 40;
+constexpr double kMaxSpread = 90;
+
+/// An arc of the surface above a chord, from its normals at both ends and about the middle.
+struct Arc {
+  dvec3 chord;
+  dvec3 first, last;  ///< normals at the ends
+  dvec3 normal;       ///< along which heights are taken
+
+  /// The largest height of the polynomial of fourth order that has the arc's slopes at its ends and
+  /// `height` above the part `share` of the chord: of an arc that turns, its middle tells little.
+  double largest_height(double share, double height) const {
+    constexpr double kSteep = 0.5;  // slopes beyond 60 degrees are no small ones
+    constexpr double kAside = 0.2;  // the sample is not about the middle
+    const double facing = std::min(glm::dot(first, normal), glm::dot(last, normal));
+    if (!(facing > kSteep) || !(std::fabs(share - 0.5) < kAside)) return std::fabs(height);
+    // s (1 - s) (a + b s + c s^2), s the share of the chord.
+    const double a = -glm::dot(first, chord) / glm::dot(first, normal);
+    const double end = glm::dot(last, chord) / glm::dot(last, normal);  // a + b + c
+    const double middle = height / (share * (1 - share)) - a;           // b s + c s^2
+    const double c = ((end - a) * share - middle) / (share * (1 - share));
+    const double b = end - a - c;
+    double largest = std::fabs(height);
+    for (const double s : {0.25, 0.375, 0.625, 0.75}) {
+      largest = std::max(largest, std::fabs(s * (1 - s) * (a + s * (b + s * c))));
+    }
+    return largest;
+  }
+};
+
+/// The largest height of a quadratic function above a triangle, from those at the middles of its
+/// sides: where it curves to one side, at the centre of the circle through the corners in the
+/// metric of the curvature. 0 if that is outside: one of the sides has the largest height.
+double bulge(double a, double b, double c) {
+  if (!(a * b > 0) || !(b * c > 0)) return 0;
+  const double x = std::fabs(a);
+  const double y = std::fabs(b);
+  const double z = std::fabs(c);
+  const bool is_acute = x < y + z && y < z + x && z < x + y;
+  const double area = 2 * (x * y + y * z + z * x) - x * x - y * y - z * z;  // squared
+  return is_acute && area > 0 ? 4 * x * y * z / area : 0;
+}
 
 /// Around the first of some points, as far as the others; points that are not finite are nowhere.
 class Ball {
@@ -68,6 +111,22 @@ int count_defined(const Lattice& lattice, const Samples& samples) {
   return count;
 }
 
+/// The distance of the leaf's triangles from the surface in their midst.
+double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) const {
+  const auto& [corner, side, centre] = samples;
+  if (!is_regular(centre)) return 0;
+  const dvec3& normal = mesh_.normal[centre];
+  const auto height = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample) {
+    const dvec3 middle = 0.5 * (mesh_.position[a] + mesh_.position[b]);
+    return glm::dot(mesh_.position[sample] - middle, normal);
+  };
+  std::array<double, 4> sides{};
+  for (std::size_t k = 0; k < 4; ++k) sides[k] = height(corner[k], corner[(k + 1) % 4], side[k]);
+  const double diagonal = height(corner[first], corner[first + 2], centre);
+  return std::max(bulge(sides[first], sides[first + 1], diagonal),
+                  bulge(sides[first + 2], sides[(first + 3) % 4], diagonal));
+}
+
 Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const auto& [corner, side, centre] = samples;
   const double eps = allowed(samples);
@@ -91,6 +150,8 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   }
   const std::size_t first = cut_from(corner);
   judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
+  verdict.distance.centre =
+      std::max(verdict.distance.centre, bulge_of_triangles(samples, first) / eps);
   verdict.is_folded = normals_count && has_opposed(corner);
   if (normals_count && spread(corner) > kMaxSpread) {
     const double u = turn(corner[0], corner[1]) + turn(corner[3], corner[2]);
@@ -110,6 +171,15 @@ double Judge::allowed(const Samples& samples) const {
     ball.add(mesh_.position[samples.side[k]]);
   }
   return ball.allowed_by(options_.tolerance);
+}
+
+bool Judge::misses(const Leaf& leaf, const Samples& samples, const Witness& witness) const {
+  const dvec2 size = glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
+  if (size.x <= witness.size.x && size.y <= witness.size.y) return false;
+  Array<Triangle> triangles;
+  cut_cell(grid_, samples.corner, triangles);
+  return distance_from(grid_, triangles, witness.uv, witness.position) >
+         options_.tolerance(witness.position);
 }
 
 bool Judge::splits_u(const Scores& scores, const Samples& samples) const {
@@ -225,7 +295,11 @@ double Judge::distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t
     const double share = length > 0 ? glm::dot(off, chord) / (length * length) : 0;
     return glm::length(off - std::clamp(share, -0.5, 0.5) * chord);
   }
-  if (!border && is_regular(sample)) return std::fabs(glm::dot(off, mesh_.normal[sample]));
+  if (!border && is_regular(sample)) {
+    const Arc arc{chord, mesh_.normal[a], mesh_.normal[b], mesh_.normal[sample]};
+    return arc.largest_height(0.5 + glm::dot(off, chord) / (length * length),
+                              glm::dot(off, mesh_.normal[sample]));
+  }
   const dvec3 along = length > 0 ? chord / length : dvec3(0);
   return glm::length(off - glm::dot(off, along) * along);
 }

@@ -57,6 +57,9 @@ class Judge {
   /// Of a leaf all of whose samples are defined.
   Verdict score(const Leaf& leaf, const Samples& samples) const;
 
+  /// Whether a leaf that passes its tests misses the surface at a witness.
+  bool misses(const Leaf& leaf, const Samples& samples, const Witness& witness) const;
+
   /// Which way to halve a leaf that failed.
   bool splits_u(const Scores& scores, const Samples& samples) const;
 
@@ -87,6 +90,7 @@ class Judge {
   double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
                             bool border) const;
   std::size_t cut_from(const Corners& corner) const;
+  double bulge_of_triangles(const Samples& samples, std::size_t first) const;
   double normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
 
   const RefineOptions& options_;

@@ -60,15 +60,21 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   return best;
 }
 
-/// How deep (u, v) is in a triangle: its least weight there; negative outside.
-double depth_in(const Grid& grid, const Triangle& t, const dvec2& uv) {
+/// What the corners of a triangle weigh at (u, v); negative outside.
+dvec3 weights_at(const Grid& grid, const Triangle& t, const dvec2& uv) {
   const auto& at = grid.mesh.uv;
   const auto area = [](const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; };
   const double whole = area(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
   const auto weight = [&](std::size_t a, std::size_t b) {
     return area(at[t[a]] - uv, at[t[b]] - uv) / whole;
   };
-  return std::min({weight(0, 1), weight(1, 2), weight(2, 0)});
+  return {weight(1, 2), weight(2, 0), weight(0, 1)};
+}
+
+/// How deep (u, v) is in a triangle.
+double depth_in(const Grid& grid, const Triangle& t, const dvec2& uv) {
+  const dvec3 weights = weights_at(grid, t, uv);
+  return std::min({weights.x, weights.y, weights.z});
 }
 
 /// The triangle that (u, v) is in, or is least outside of.
@@ -87,6 +93,33 @@ const Triangle& deepest_triangle(const Grid& grid, std::span<const Triangle> tri
 
 Nearest nearest_on(const Grid& grid, const Triangle& t, const dvec3& p) {
   return nearest_on_triangle({grid.local(t[0]), grid.local(t[1]), grid.local(t[2])}, p);
+}
+
+/// Of a point, in local units, from triangles, one of which is thought to be the nearest.
+double distance(const Grid& grid, std::span<const Triangle> triangles, const dvec3& p,
+                const Nearest& on_own) {
+  double distance = on_own.distance;
+  if (on_own.inside) return distance;
+  for (const Triangle& t : triangles)
+    distance = std::min(distance, nearest_on(grid, t, p).distance);
+  return distance;
+}
+
+/// The distance of a triangle's point at (u, v) from the surface, which is at `p` there, in local
+/// units: along its normal, since what is along the surface is no distance. 0 where the two are too
+/// far apart along the surface for that, or (u, v) is not in the triangle.
+double height_above(const Grid& grid, const Triangle& t, const dvec2& uv, const dvec3& p,
+                    const dvec3& normal) {
+  constexpr double kBeside = 0.3;  // of the longest side: then curvature adds a third at most
+  const dvec3 weights = weights_at(grid, t, uv);
+  if (!(std::min({weights.x, weights.y, weights.z}) >= -kRounding)) return 0;
+  const std::array<dvec3, 3> at = {grid.local(t[0]), grid.local(t[1]), grid.local(t[2])};
+  const dvec3 off = weights.x * at[0] + weights.y * at[1] + weights.z * at[2] - p;
+  const double height = std::fabs(glm::dot(off, normal));
+  const double longest = std::max(
+      {glm::distance(at[0], at[1]), glm::distance(at[1], at[2]), glm::distance(at[2], at[0])});
+  const double aside = glm::dot(off, off) - height * height;
+  return aside <= kBeside * kBeside * longest * longest ? height : 0;
 }
 
 class Measurer {
@@ -194,23 +227,28 @@ class Measurer {
 
 }  // namespace
 
+double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                     const dvec3& position) {
+  if (triangles.empty() || !is_finite(position)) return 0;
+  const Triangle& own = deepest_triangle(grid, triangles, uv);
+  const dvec3 p = grid.local_scale * position;
+  return distance(grid, triangles, p, nearest_on(grid, own, p)) / grid.local_scale;
+}
+
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip) {
   if (triangles.empty() || !is_finite(point.position)) return {};
   const Triangle& own = deepest_triangle(grid, triangles, uv);
   const dvec3 p = grid.local_scale * point.position;
   const Nearest on_own = nearest_on(grid, own, p);
-  double distance = on_own.distance;
-  if (!on_own.inside) {
-    for (const Triangle& t : triangles)
-      distance = std::min(distance, nearest_on(grid, t, p).distance);
-  }
   dvec3 interpolated(0);
   for (int k = 0; k < 3; ++k) {
     interpolated += on_own.weights[k] * grid.mesh.normal[own[static_cast<std::size_t>(k)]];
   }
   const auto exact = unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), flip);
-  return {distance / grid.local_scale, exact ? degrees_between(*exact, interpolated) : 0};
+  double away = distance(grid, triangles, p, on_own);
+  if (exact) away = std::max(away, height_above(grid, own, uv, p, *exact));
+  return {away / grid.local_scale, exact ? degrees_between(*exact, interpolated) : 0};
 }
 
 MeasuredError measure_error(const Surface& surface, const Grid& grid,

@@ -10,14 +10,20 @@ namespace saddle {
 
 /// Of a point of the surface from triangles that stand for it.
 struct Deviation {
-  double distance = 0;  ///< in units of length; 0 where the surface is undefined
-  double degrees = 0;   ///< of exact and interpolated normal; 0 where there is none
+  double distance = 0;     ///< in units of length; 0 where the surface is undefined
+  double degrees = 0;      ///< of exact and interpolated normal; 0 where there is none
+  bool on_crease = false;  ///< of a point of a crease from its chord
 };
 /// `point` is at (u, v). Its distance is from the triangle that (u, v) is in, if it is straight
-/// above it, else from the nearest one. Its normal is compared with that triangle's, since near a
-/// cusp the other sheet may be as near.
+/// above it, else from the nearest one; or that triangle's point at (u, v) from the surface, if
+/// that is larger, as at an edge that sticks out. Its normal is compared with that triangle's,
+/// since near a cusp the other sheet may be as near.
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip);
+
+/// Its distance alone.
+double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                     const dvec3& position);
 
 struct MeasuredError {
   double distance = 0;        ///< largest, from a point of the surface to the triangles of its cell

@@ -194,6 +194,19 @@ bool has_pole(const Leaf& leaf, const Lattice& lattice) {
   return has_pole;
 }
 
+bool is_cut_along_u(const Leaf& leaf, const Lattice& lattice) {
+  Bounds cuts;
+  for (const Side& side : sides_of(leaf, lattice)) {
+    const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
+    if (crossing) cuts.add(dvec3(lattice.place_between(crossing->beside_first), 0));
+  }
+  const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
+  const double along_u = size.x / leaf.size_u();
+  const double along_v = size.y / leaf.size_v();
+  if (along_u == 0 && along_v == 0) return leaf.size_u() >= leaf.size_v();
+  return along_u >= along_v;
+}
+
 CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
   CutCount count;
   for (const Side& side : sides_of(leaf, lattice)) {

@@ -42,6 +42,7 @@ int halvings(const Leaf& leaf) {
 /// A leaf that is still to be judged, and how bad the one was that it is a half of.
 struct Candidate {
   Leaf leaf;
+  std::vector<std::uint32_t> witnesses;  ///< against it
   double parent_distance;
   double parent_turn;
 };
@@ -60,8 +61,13 @@ struct Judged {
 
 class Refiner {
  public:
-  Refiner(const RefineOptions& options, const Grid& grid, Lattice& lattice)
-      : options_(options), lattice_(lattice), judge_(options, grid, lattice), oscillation_(grid) {}
+  Refiner(std::span<const Witness> witnesses, const RefineOptions& options, const Grid& grid,
+          Lattice& lattice)
+      : witnesses_(witnesses),
+        options_(options),
+        lattice_(lattice),
+        judge_(options, grid, lattice),
+        oscillation_(grid) {}
 
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
@@ -110,7 +116,7 @@ class Refiner {
     }
     for (Leaf half : *halves) {
       half.on_rim = false;
-      next_.push_back({half, judged.candidate.parent_distance, judged.candidate.parent_turn});
+      push(half, judged.candidate, judged.candidate.parent_distance, judged.candidate.parent_turn);
     }
   }
 
@@ -207,7 +213,7 @@ class Refiner {
     const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain && !is_cut_off;
     const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain && !is_cut_off;
     std::optional<std::array<Leaf, 2>> halves;
-    if (is_far || is_turned) {
+    if (is_far || is_turned || misses_witness(judged)) {
       const bool full = lattice_.is_full(options_.max_triangles);
       result_.reached_limit = result_.reached_limit || full;
       const Scores scores = !is_turned ? verdict.distance
@@ -223,9 +229,32 @@ class Refiner {
       result_.leaves.push_back(leaf);
       return;
     }
-    for (const Leaf& half : *halves) next_.push_back({half, distance, turn});
+    for (const Leaf& half : *halves) push(half, judged.candidate, distance, turn);
   }
 
+  /// Leaves a candidate's half with the witnesses that are in it.
+  void push(const Leaf& half, const Candidate& whole, double distance, double turn) {
+    Candidate candidate{half, {}, distance, turn};
+    if (!whole.witnesses.empty()) {
+      const dvec2 low = lattice_.parameters(half.low);
+      const dvec2 size = lattice_.parameters(half.high) - low;
+      for (const std::uint32_t witness : whole.witnesses) {
+        const dvec2 part = (witnesses_[witness].uv - low) / size;
+        const bool is_inside = part.x >= 0 && part.x <= 1 && part.y >= 0 && part.y <= 1;
+        if (is_inside) candidate.witnesses.push_back(witness);
+      }
+    }
+    next_.push_back(std::move(candidate));
+  }
+
+  bool misses_witness(const Judged& judged) const {
+    const auto& [candidate, samples, verdict] = judged;
+    return std::ranges::any_of(candidate.witnesses, [&](std::uint32_t witness) {
+      return judge_.misses(candidate.leaf, samples, witnesses_[witness]);
+    });
+  }
+
+  std::span<const Witness> witnesses_;
   const RefineOptions& options_;
   Lattice& lattice_;
   Judge judge_;
@@ -288,14 +317,17 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattic
   return halves;
 }
 
-Refinement refine(std::span<const Leaf> active, const RefineOptions& options, const Grid& grid,
-                  Lattice& lattice) {
-  Refiner refiner(options, grid, lattice);
+Refinement refine(std::span<const Leaf> active, std::span<const Witness> witnesses,
+                  const RefineOptions& options, const Grid& grid, Lattice& lattice) {
+  Refiner refiner(witnesses, options, grid, lattice);
   std::vector<Candidate> candidates;
   candidates.reserve(active.size());
   for (const Leaf& leaf : active) {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
-    candidates.push_back({leaf, kUnknown, kUnknown});
+    candidates.push_back({leaf, {}, kUnknown, kUnknown});
+  }
+  for (std::uint32_t k = 0; k < witnesses.size(); ++k) {
+    candidates[witnesses[k].cell].witnesses.push_back(k);
   }
   while (!candidates.empty()) refiner.advance(candidates);
   return refiner.take();

@@ -59,9 +59,10 @@ struct Refinement {
 };
 
 /// Halves leaves, one direction at a time, generation by generation, until each one passes the
-/// tests at the middles of its sides and at its centre, or halving does not help.
-Refinement refine(std::span<const Leaf> active, const RefineOptions& options, const Grid& grid,
-                  Lattice& lattice);
+/// tests at the middles of its sides and at its centre and is near enough to the witnesses against
+/// it, whose `cell` is the index of an active leaf, or halving does not help.
+Refinement refine(std::span<const Leaf> active, std::span<const Witness> witnesses,
+                  const RefineOptions& options, const Grid& grid, Lattice& lattice);
 
 /// The cells of the root grid.
 std::vector<Leaf> root_leaves(const Grid& grid);

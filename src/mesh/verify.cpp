@@ -1,7 +1,10 @@
 #include "mesh/verify.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+
+#include <glm/common.hpp>
 
 #include "base/random.h"
 
@@ -13,7 +16,10 @@ namespace {
 /// middle: there the error of an arc with a turning point is largest, which its middle does not
 /// show.
 constexpr std::size_t kQuarters = 4;
-constexpr double kJitter = 0.15;
+constexpr double kJitter = 0.1;
+
+/// Samples on a diagonal: an arc with a turning point is not highest above its middle.
+constexpr std::array kOnDiagonal = {0.36, 0.5, 0.64};
 
 /// Where a leaf's s-th sample is, in sides of the leaf: always the same for the same leaf.
 dvec2 sample_place(const Leaf& leaf, std::size_t s) {
@@ -31,6 +37,13 @@ dvec2 sample_place(const Leaf& leaf, std::size_t s) {
 bool share_corner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
+}
+
+/// Whether a triangle runs from corner a to corner b.
+bool has_side(std::span<const Triangle> triangles, std::uint32_t a, std::uint32_t b) {
+  return std::ranges::any_of(triangles, [&](const Triangle& t) {
+    return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+  });
 }
 
 /// Triangles from the front that are connected; those of a leaf's pieces follow each other.
@@ -64,39 +77,76 @@ Deviation Verifier::deviation_of(const Leaf& leaf, std::span<const Triangle> tri
 }
 
 void Verifier::append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
-                              std::vector<dvec2>& uv) const {
+                              std::vector<Sample>& samples) const {
   const dvec2 low = lattice_.parameters(leaf.low);
   const dvec2 high = lattice_.parameters(leaf.high);
   for (std::size_t s = 0; s < kQuarters; ++s) {
     const dvec2 part = sample_place(leaf, s);
-    uv.push_back(low * (1.0 - part) + high * part);
+    samples.push_back({low * (1.0 - part) + high * part, false, {}});
   }
-  if (triangles.size() <= 2) return;
-  // The diagonals of a leaf with more corners were not tested: the middles of its triangles are.
+  const bool is_creased = leaf.is_split && count_cuts(leaf, lattice_).only_creases;
+  if (triangles.size() <= 2 && !is_creased) return;
+  // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
+  // chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
-  for (const Triangle& t : triangles) uv.push_back((at[t[0]] + at[t[1]] + at[t[2]]) / 3.0);
+  const auto is_inside = [&](const dvec2& place) {
+    const dvec2 part = (place - low) / (high - low);
+    return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
+  };
+  for (const Triangle& t : triangles) {
+    if (triangles.size() > 2)
+      samples.push_back({(at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, false, {}});
+    if (leaf.is_split && !is_creased) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k];
+      const std::uint32_t b = t[(k + 1) % 3];
+      const bool inside = is_inside(0.5 * (at[a] + at[b]));
+      if (!inside && !is_creased) continue;
+      const bool on_crease = inside && is_creased && !has_side(triangles, b, a);
+      if (a > b && inside && !on_crease) continue;  // a diagonal is a side of two triangles
+      const std::optional<Chord> crease = on_crease ? std::optional(Chord{a, b}) : std::nullopt;
+      for (const double share : kOnDiagonal) {
+        samples.push_back({glm::mix(at[a], at[b], share), leaf.is_split, crease});
+      }
+    }
+  }
+}
+
+/// Of a point that is as good as on a crease, from the crease's chord: along the chord is none.
+double Verifier::distance_from_chord(const Chord& chord, const SurfacePoint& point) const {
+  const dvec3 first = grid_.local(chord[0]);
+  const dvec3 edge = grid_.local(chord[1]) - first;
+  const dvec3 off = grid_.local_scale * point.position - first;
+  const double square = glm::dot(edge, edge);
+  if (!(square > 0) || !is_finite(off)) return 0;
+  return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
 }
 
 void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
                        const LeafTriangles& triangles) {
-  std::vector<dvec2> uv;
-  uv.reserve(which.size() * kQuarters);
+  std::vector<Sample> samples;
+  samples.reserve(which.size() * kQuarters);
   std::vector<std::size_t> first;  // sample of each leaf, and the end
   first.reserve(which.size() + 1);
   for (std::size_t k = 0; k < which.size(); ++k) {
-    first.push_back(uv.size());
-    append_samples(mesh.leaves[which[k]], triangles.of(k), uv);
+    first.push_back(samples.size());
+    append_samples(mesh.leaves[which[k]], triangles.of(k), samples);
   }
-  first.push_back(uv.size());
+  first.push_back(samples.size());
+  std::vector<dvec2> uv(samples.size());
+  std::ranges::transform(samples, uv.begin(), &Sample::uv);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += points.size();
   mesh.deviations.resize(mesh.leaves.size());
   for (std::size_t k = 0; k < which.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[which[k]];
     Deviation& worst = mesh.deviations[which[k]] = {};
     for (std::size_t s = first[k]; s < first[k + 1]; ++s) {
-      const Deviation d = deviation_of(mesh.leaves[which[k]], triangles.of(k), uv[s], points[s]);
-      worst.distance = std::max(worst.distance, d.distance);
-      worst.degrees = std::max(worst.degrees, d.degrees);
+      const auto& [place, beside_cut, crease] = samples[s];
+      const Deviation d = crease ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
+                                 : deviation_of(leaf, triangles.of(k), place, points[s]);
+      if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease};
+      if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
     }
   }
 }

@@ -1,6 +1,8 @@
 // Leaves measured on points that nobody has looked at before.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +14,8 @@ namespace saddle {
 /// The leaves of a mesh and what they were last found to deviate by.
 struct Measured {
   std::vector<Leaf> leaves;
-  std::vector<Deviation> deviations;  ///< as many as leaves, or fewer: the rest is not measured yet
+  /// As many as leaves, or fewer: the rest is not measured yet.
+  std::vector<Deviation> deviations;
 };
 
 class Verifier {
@@ -27,8 +30,16 @@ class Verifier {
   std::size_t evaluations() const { return evaluations_; }
 
  private:
+  using Chord = std::array<std::uint32_t, 2>;  ///< from corner to corner
+  /// A place at which a leaf is measured.
+  struct Sample {
+    dvec2 uv;
+    bool beside_cut;              ///< the normal may be that of the other side
+    std::optional<Chord> crease;  ///< whose chord it is on
+  };
   void append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
-                      std::vector<dvec2>& uv) const;
+                      std::vector<Sample>& samples) const;
+  double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;
   Deviation deviation_of(const Leaf& leaf, std::span<const Triangle> triangles, const dvec2& uv,
                          const SurfacePoint& point) const;
 
