@@ -48,6 +48,13 @@ FixedLines fixed_lines(const Domain& domain, const AdaptiveOptions& options) {
           lines(domain.v0, domain.v1, options.lines_v)};
 }
 
+/// Which of the grid's lines are among the fixed ones: their chords are seen.
+std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<const double> fixed) {
+  std::vector<std::uint8_t> seen;
+  for (const double line : lines) seen.push_back(std::ranges::count(fixed, line) > 0 ? 1 : 0);
+  return seen;
+}
+
 /// Boxes that proofs may try: fewer where special functions make each one dear.
 std::size_t boxes_for(const Tape& tape) {
   std::size_t cost = 1;
@@ -109,7 +116,12 @@ class Mesher {
          FixedLines lines)
       : surface_(surface),
         options_(options),
-        refining_{tolerance, options.normal_tolerance, options.max_triangles, options.clip,
+        refining_{tolerance,
+                  options.normal_tolerance,
+                  options.max_triangles,
+                  options.clip,
+                  seen_lines(lines.u, fixed_lines(surface.domain, options).u),
+                  seen_lines(lines.v, fixed_lines(surface.domain, options).v),
                   options.threads},
         grid_(sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads)),
         seams_(weld_if_two_dimensional()),
@@ -361,7 +373,8 @@ class Mesher {
     const Scores scores = judge_.score(leaf, samples).distance;
     constexpr double kTells = 0.5;  // of the tolerance
     const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
-    return tells ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
+    const bool is_narrow = Oscillation(grid_).is_narrow(leaf, lattice_);
+    return tells && !is_narrow ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
   }
 
   /// Halves of the leaves that deviate too much.
@@ -414,7 +427,8 @@ class Mesher {
       if (!(distance > tolerance_of(leaf)) || leaf.given_up || is_clipped(leaf) || is_full())
         continue;
       guilty.insert(suspect.leaf);
-      witnesses.push_back({suspect.middle, points[k].position, suspect.size, suspect.leaf});
+      witnesses.push_back(
+          {suspect.middle, points[k].position, suspect.size, suspect.bend, suspect.leaf});
     }
     for (Witness& witness : witnesses) {
       witness.cell =
@@ -450,7 +464,7 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
   GridMesh result;
   MeshReport& report = result.report;
-  const Tolerance aim = [&](const dvec3& p) { return kAim * tolerance(p); };
+  const Tolerance aim = [&](const dvec3& p, double reach) { return kAim * tolerance(p, reach); };
   FixedLines lines = root_lines(probe, surface.domain, aim, options, report);
   if (std::max(lines.u.size(), lines.v.size()) > kMaxLines) return std::nullopt;
   report.tolerance = tolerance(probe.bounds().centre(), probe.bounds().diagonal());

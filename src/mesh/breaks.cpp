@@ -1,6 +1,7 @@
 #include "mesh/breaks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -20,6 +21,9 @@ constexpr double kPoleGrowth = 50;
 /// Where lines are halved: a little off their middles, which are the places where a formula for
 /// half of a range has its cusps, and no normal.
 constexpr double kShare = 0.498;
+
+/// Places beyond the ends of a jump, in its widths: adjacent doubles.
+constexpr std::array kOutward = {1.0, 2.0, 4.0, 8.0};
 
 /// A line on its way.
 struct Search {
@@ -56,8 +60,9 @@ void advance(Search& search, const dvec2& middle, const dvec3& at_middle, double
 }
 
 /// At the very place of a jump a formula may have a value of its own, as sign(0) is 0. It belongs
-/// to neither side: an end that is far from the next place outward goes there. If that is far from
-/// the one after it, too, the surface goes to infinity.
+/// to neither side, and rounding may give it to some doubles: an end that is far from what is a few
+/// places outward goes there. If the last two of those are far from each other, too, the surface
+/// goes to infinity.
 template <class F>
 void look_outward(const Surface& surface, std::span<Search> searches, double delta,
                   unsigned threads, F value) {
@@ -67,7 +72,7 @@ void look_outward(const Surface& surface, std::span<Search> searches, double del
     if (search.found.kind != Break::Jump) continue;
     jumps.push_back(&search);
     const dvec2 step = search.ends[1] - search.ends[0];
-    for (const double steps : {1.0, 2.0}) {
+    for (const double steps : kOutward) {
       uv.push_back(search.ends[0] - steps * step);
       uv.push_back(search.ends[1] + steps * step);
     }
@@ -75,12 +80,16 @@ void look_outward(const Surface& surface, std::span<Search> searches, double del
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   for (std::size_t k = 0; k < jumps.size(); ++k) {
     for (std::size_t end = 0; end < 2; ++end) {
-      const std::size_t next = 4 * k + end;
-      const dvec3 outward = value(points[next]);
-      if (!(glm::distance(outward, jumps[k]->at_ends[end]) >= delta)) continue;
-      jumps[k]->found.ends[end] = uv[next];
-      const bool goes_on = glm::distance(value(points[next + 2]), outward) >= delta;
-      if (goes_on) jumps[k]->found.kind = Break::Pole;
+      dvec3 before = jumps[k]->at_ends[end];
+      for (std::size_t step = 0; step < kOutward.size(); ++step) {
+        const std::size_t next = 2 * (k * kOutward.size() + step) + end;
+        const dvec3 outward = value(points[next]);
+        if (glm::distance(outward, before) >= delta) {
+          jumps[k]->found.ends[end] = uv[next];
+          if (step + 1 == kOutward.size()) jumps[k]->found.kind = Break::Pole;
+        }
+        before = outward;
+      }
     }
   }
 }

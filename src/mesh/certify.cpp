@@ -154,7 +154,9 @@ class Certifier {
       stack.pop_back();
       if (is_proved(box, size, eps)) continue;
       if (depth == kMaxDepth) {
-        result_.suspects.push_back({index, box.middle(), box.size()});
+        const std::span<const Interval> second = std::span(outputs_).subspan(9);
+        const dvec2 bend(length(second.first(3)), length(second.subspan(6, 3)));
+        result_.suspects.push_back({index, box.middle(), box.size(), bend});
         continue;
       }
       Box a = box;

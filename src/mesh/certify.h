@@ -21,6 +21,7 @@ struct Suspect {
   std::size_t leaf;
   dvec2 middle;
   dvec2 size;
+  dvec2 bend;  ///< bounds of |r_uu| and |r_vv|
 };
 
 struct Certification {

@@ -23,7 +23,7 @@ constexpr double kJitter = 0.4;
 constexpr double kShare = 0.5;
 /// Density falls by at most this factor from one probe to the next, and to no less than this share
 /// of the largest: a straight stretch between curved ones is not skipped in one step.
-constexpr double kFallOff = 0.5;
+constexpr double kFallOff = 0.7;
 constexpr double kFloor = 0.02;
 /// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
 constexpr int kRatios = 6;
@@ -413,6 +413,7 @@ std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& 
     result.push_back({{u_[s % u_.size()], v_[s / u_.size()]},
                       samples_[s].position,
                       size,
+                      {std::fabs(L), std::fabs(N)},
                       j * (lines.u.size() - 1) + i});
   }
   return result;

@@ -55,6 +55,7 @@ struct Witness {
   dvec2 uv;
   dvec3 position;
   dvec2 size;        ///< of the box of parameters that it stands for
+  dvec2 bend;        ///< second derivatives along u and along v there, in any unit
   std::size_t cell;  ///< its number, of whatever it is a witness against
 };
 

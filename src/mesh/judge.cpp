@@ -145,7 +145,7 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   };
   for (std::size_t k = 0; k < 4; ++k) {
     if (lattice_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
-    judge(corner[k], corner[(k + 1) % 4], side[k], is_on_border(leaf, k),
+    judge(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
           k % 2 == 0 ? &Scores::along_u : &Scores::along_v);
   }
   const std::size_t first = cut_from(corner);
@@ -175,11 +175,19 @@ double Judge::allowed(const Samples& samples) const {
 
 bool Judge::misses(const Leaf& leaf, const Samples& samples, const Witness& witness) const {
   const dvec2 size = glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
-  if (size.x <= witness.size.x && size.y <= witness.size.y) return false;
+  const int along = splits_u(leaf, samples, witness) ? 0 : 1;
+  if (size[along] <= witness.size[along]) return false;
   Array<Triangle> triangles;
   cut_cell(grid_, samples.corner, triangles);
   return distance_from(grid_, triangles, witness.uv, witness.position) >
          options_.tolerance(witness.position);
+}
+
+bool Judge::splits_u(const Leaf& leaf, const Samples& samples, const Witness& witness) const {
+  const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
+  const dvec2 arc = size * size * witness.bend;
+  return arc.x == arc.y || !std::isfinite(arc.x + arc.y) ? splits_u(Scores(), samples)
+                                                         : arc.x > arc.y;
 }
 
 bool Judge::splits_u(const Scores& scores, const Samples& samples) const {
@@ -238,16 +246,19 @@ double Judge::diameter(const Corners& corner) const {
                   glm::distance(p[corner[1]], p[corner[3]]));
 }
 
-bool Judge::is_on_border(const Leaf& leaf, std::size_t side) const {
+bool Judge::is_seen(const Leaf& leaf, std::size_t side) const {
+  const auto is_among = [](std::uint32_t place, std::span<const std::uint8_t> lines) {
+    return place % kCellUnit == 0 && lines[place / kCellUnit] != 0;
+  };
   switch (side) {
     case 0:
-      return leaf.low.v == 0;
+      return is_among(leaf.low.v, options_.seen_v);
     case 1:
-      return leaf.high.u == grid_.cells_u * kCellUnit;
+      return is_among(leaf.high.u, options_.seen_u);
     case 2:
-      return leaf.high.v == grid_.cells_v * kCellUnit;
+      return is_among(leaf.high.v, options_.seen_v);
     default:
-      return leaf.low.u == 0;
+      return is_among(leaf.low.u, options_.seen_u);
   }
 }
 

@@ -59,6 +59,8 @@ class Judge {
 
   /// Whether a leaf that passes its tests misses the surface at a witness.
   bool misses(const Leaf& leaf, const Samples& samples, const Witness& witness) const;
+  /// Which way to halve it then: the one along which the surface bends more at the witness.
+  bool splits_u(const Leaf& leaf, const Samples& samples, const Witness& witness) const;
 
   /// Which way to halve a leaf that failed.
   bool splits_u(const Scores& scores, const Samples& samples) const;
@@ -80,7 +82,8 @@ class Judge {
   double allowed(const Samples& samples) const;
   std::vector<dvec3> defined_positions(const Samples& samples) const;
   double diameter(const Corners& corner) const;
-  bool is_on_border(const Leaf& leaf, std::size_t side) const;
+  /// Whether a side is on a line that is seen: then its distance counts in any direction.
+  bool is_seen(const Leaf& leaf, std::size_t side) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
   double turn(std::uint32_t a, std::uint32_t b) const;
   bool has_opposed(const Corners& corner) const;

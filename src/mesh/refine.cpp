@@ -213,13 +213,16 @@ class Refiner {
     const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain && !is_cut_off;
     const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain && !is_cut_off;
     std::optional<std::array<Leaf, 2>> halves;
-    if (is_far || is_turned || misses_witness(judged)) {
+    const bool passes = !is_far && !is_turned;
+    const Witness* const missed = passes ? missed_witness(judged) : nullptr;
+    if (!passes || missed != nullptr) {
       const bool full = lattice_.is_full(options_.max_triangles);
       result_.reached_limit = result_.reached_limit || full;
       const Scores scores = !is_turned ? verdict.distance
                             : !is_far  ? verdict.turn
                                        : worse(verdict.distance, verdict.turn);
-      const bool across_u = judge_.splits_u(scores, judged.samples);
+      const bool across_u = missed != nullptr ? judge_.splits_u(leaf, judged.samples, *missed)
+                                              : judge_.splits_u(scores, judged.samples);
       const bool oscillates = oscillation_.contains(leaf, lattice_);
       if (!full && !oscillates) halves = halve(leaf, across_u, lattice_);
     }
@@ -247,11 +250,13 @@ class Refiner {
     next_.push_back(std::move(candidate));
   }
 
-  bool misses_witness(const Judged& judged) const {
+  /// The first witness that a leaf misses.
+  const Witness* missed_witness(const Judged& judged) const {
     const auto& [candidate, samples, verdict] = judged;
-    return std::ranges::any_of(candidate.witnesses, [&](std::uint32_t witness) {
-      return judge_.misses(candidate.leaf, samples, witnesses_[witness]);
-    });
+    for (const std::uint32_t witness : candidate.witnesses) {
+      if (judge_.misses(candidate.leaf, samples, witnesses_[witness])) return &witnesses_[witness];
+    }
+    return nullptr;
   }
 
   std::span<const Witness> witnesses_;

@@ -35,9 +35,10 @@ class Oscillation {
   void add(const Leaf& leaf, double distance, const Lattice& lattice);
   /// Whether a leaf, narrow as well, is part of an oscillation, as far as leaves have been counted.
   bool contains(const Leaf& leaf, const Lattice& lattice) const;
+  /// Whether a leaf is as narrow as half a pixel of a large picture, in one direction.
+  bool is_narrow(const Leaf& leaf, const Lattice& lattice) const;
 
  private:
-  bool is_narrow(const Leaf& leaf, const Lattice& lattice) const;
   std::size_t root_cell(const Leaf& leaf) const;
 
   const Grid& grid_;
@@ -50,6 +51,8 @@ struct RefineOptions {
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
   std::optional<Bounds> clip = {};  ///< what is outside of it does not matter
+  std::vector<std::uint8_t> seen_u,
+      seen_v;  ///< the grid's lines that are drawn or the domain's ends
   unsigned threads = 0;
 };
 
