@@ -79,7 +79,7 @@ FixedLines root_lines(const Probe& probe, const Domain& domain, const Tolerance&
   for (double factor = 2; 2 * cells(lines) > options.max_triangles && cells(lines) > cells(fixed);
        factor *= 2) {
     report.reached_limit = true;
-    lines = probe.place_lines(fixed, [&](const dvec3& p) { return factor * tolerance(p); });
+    lines = probe.place_lines(fixed, tolerance.times(factor));
   }
   return lines;
 }
@@ -464,7 +464,7 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
   GridMesh result;
   MeshReport& report = result.report;
-  const Tolerance aim = [&](const dvec3& p, double reach) { return kAim * tolerance(p, reach); };
+  const Tolerance aim = tolerance.times(kAim);
   FixedLines lines = root_lines(probe, surface.domain, aim, options, report);
   if (std::max(lines.u.size(), lines.v.size()) > kMaxLines) return std::nullopt;
   report.tolerance = tolerance(probe.bounds().centre(), probe.bounds().diagonal());

@@ -40,6 +40,14 @@ class Tolerance {
 
   bool is_same_everywhere() const { return same_.has_value(); }
 
+  /// So many times this tolerance.
+  Tolerance times(double factor) const {
+    if (same_) return factor * *same_;
+    return [factor, near = near_](const dvec3& place, double reach) {
+      return factor * near(place, reach);
+    };
+  }
+
  private:
   std::optional<double> same_;
   std::function<double(const dvec3&, double)> near_;
