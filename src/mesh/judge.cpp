@@ -18,8 +18,6 @@ namespace {
 /// A chord's sample that is farther away than this part of the chord is no small arc: its distance
 /// along the normal says nothing.
 constexpr double kSmallArc = 0.3;
-/// Corner normals of a leaf spread by at most this, degrees: samples between them are then enough.
-constexpr double kMaxSpread = 90;
 
 /// An arc of the surface above a chord, from its normals at both ends and about the middle.
 struct Arc {
@@ -153,12 +151,6 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   verdict.distance.centre =
       std::max(verdict.distance.centre, bulge_of_triangles(samples, first) / eps);
   verdict.is_folded = normals_count && has_opposed(corner);
-  if (normals_count && spread(corner) > kMaxSpread) {
-    const double u = turn(corner[0], corner[1]) + turn(corner[3], corner[2]);
-    const double v = turn(corner[0], corner[3]) + turn(corner[1], corner[2]);
-    double& along = u >= v ? verdict.turn.along_u : verdict.turn.along_v;
-    along = std::max(along, 2.0);
-  }
   return verdict;
 }
 
@@ -262,11 +254,6 @@ bool Judge::is_seen(const Leaf& leaf, std::size_t side) const {
   }
 }
 
-double Judge::turn(std::uint32_t a, std::uint32_t b) const {
-  if (!is_regular(a) || !is_regular(b)) return 0;
-  return turn_of_line(degrees_between(mesh_.normal[a], mesh_.normal[b]));
-}
-
 bool Judge::has_opposed(const Corners& corner) const {
   const auto& n = mesh_.normal;
   // The products with a normal of no direction, which is zero, are not negative.
@@ -274,14 +261,6 @@ bool Judge::has_opposed(const Corners& corner) const {
     if (glm::dot(n[corner[0]], n[corner[k]]) < 0) return true;
   }
   return glm::dot(n[corner[1]], n[corner[3]]) < 0;
-}
-
-double Judge::spread(const Corners& corner) const {
-  double largest = 0;
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = a + 1; b < 4; ++b) largest = std::max(largest, turn(corner[a], corner[b]));
-  }
-  return largest;
 }
 
 double Judge::distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {

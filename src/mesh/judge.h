@@ -85,9 +85,7 @@ class Judge {
   /// Whether a side is on a line that is seen: then its distance counts in any direction.
   bool is_seen(const Leaf& leaf, std::size_t side) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
-  double turn(std::uint32_t a, std::uint32_t b) const;
   bool has_opposed(const Corners& corner) const;
-  double spread(const Corners& corner) const;
   double distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   bool is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,

@@ -172,6 +172,27 @@ TEST(AdaptiveMesh, IsWithinItsToleranceAtPlacesThatNobodyLookedAt) {
   }
 }
 
+AdaptiveOptions without_lines(double share) {
+  AdaptiveOptions options = share_of_diagonal(share, 180);
+  options.lines_u = options.lines_v = 0;
+  return options;
+}
+
+TEST(AdaptiveMesh, IsAsCoarseAsASaddleAllows) {
+  // Where a surface bends to both sides its errors along u and along v do not add up.
+  const Case catenoid = {
+      "catenoid", "cosh(v)*cos(u)", "cosh(v)*sin(u)", "v", {0, 2 * kPi, -1.2, 1.2}};
+  const GridMesh result = mesh_within_tolerance(surface_of(catenoid), without_lines(1e-3)).value();
+  EXPECT_LT(static_cast<double>(result.mesh.triangles.size()), 1.9 * result.report.least_triangles);
+}
+
+TEST(AdaptiveMesh, IsHalvedNoFurtherThanAPeakNeeds) {
+  const Case peak = {"peak", "u", "v", "exp(-40*((u-0.3)^2+(v+0.2)^2))", {-1, 1, -1, 1}};
+  const GridMesh result = mesh_within_tolerance(surface_of(peak), without_lines(1e-2)).value();
+  EXPECT_GT(result.mesh.bounds.high.z, 0.95);
+  EXPECT_LT(result.mesh.triangles.size(), 250U);
+}
+
 TEST(AdaptiveMesh, KeepsTheToleranceOfNormals) {
   for (const Case& c : cases()) {
     const GridMesh loose = mesh_of(c, 1e-3);
