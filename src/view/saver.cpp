@@ -58,7 +58,7 @@ std::string write(const Image& image, const Scene& scene) {
 }  // namespace
 
 std::filesystem::path save_scene(const Scene& scene) {
-  const auto path = free_name(scene.title, ".toml");
+  auto path = free_name(scene.title, ".toml");
   const std::string text = write_scene(scene);
   write_file_whole(path, [&](std::ostream& out) { out << text; });
   return path;
