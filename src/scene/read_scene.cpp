@@ -402,7 +402,9 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
 
 /// What only the whole scene tells: formulas, ranges, nodes.
 void check_scene(const TomlReader& reader, const Scene& scene) {
-  const Scene resolved = reader.in_place([&] { return resolve(scene); });
+  // Numbers may use x, y and z of the last surface.
+  const std::string last = surface_prefix(scene.surfaces.size() - 1);
+  const Scene resolved = reader.in_place([&] { return resolve(scene); }, last);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     reader.in_place([&] { bind_surface(resolved, resolved.surfaces[i]); }, surface_prefix(i));
   }

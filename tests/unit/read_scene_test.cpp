@@ -280,6 +280,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{kFront + "[[light]]\ncolor = \"#12345\"", "4:10", "3, 6 or 8"},
         Malformed{kFront + "[animation]\nfps = 0", "4:7", "more than 0"},
         Malformed{kFront + "[animation]\nfps = 1000", "4:7", "less than 1000"},
+        Malformed{"[[surface]]\nz = \"mode(u)\"\nfront = { shininess = \"2*3\" }", "2:6", "known"},
         Malformed{kFront + "[animation]\nt = [0, 0.0]", "4:6", "the range of t is empty"},
         Malformed{kFront + "[animation]\nt = [2, \"1\"]", "4:10", "runs backwards"},
         Malformed{kFront + "[animation]\nt = [0, \"t\"]", "4:10", "not u, v or t"},
