@@ -10,6 +10,7 @@
 //   SPECULAR     some material mirrors; HIGHLIGHTS: light has a colour of its own for that; BLINN
 //   POWERS       SPECULAR or FOCUS
 //   EMISSION     some material shines by itself
+//   COLORED      the surface has a colour of its own at each point, in place of its materials'
 //   TWO_SIDED    back faces are seen; TWO_MATERIALS: they look different
 // Those of the default scene follow, so that this file is valid on its own.
 #ifndef LIGHT_COUNT
@@ -42,25 +43,38 @@ uniform vec3 spot_edge[LIGHT_COUNT];  // cosine of the cutoff, 1 / width of the 
 #endif
 #endif
 
+#ifdef COLORED
+uniform sampler2D colormap;
+uniform float color_scale;  // from the mesh's numbers to places in the colormap
+uniform float color_offset;
+vec3 tint;  // of the point that is lit
+#else
 uniform vec3 front_diffuse;
+#endif
 #ifdef SPECULAR
 uniform vec3 front_specular;
 uniform float front_shininess;
 #endif
 #ifdef AMBIENT
+#ifndef COLORED
 uniform vec3 front_ambient;
+#endif
 #endif
 #ifdef EMISSION
 uniform vec3 front_emission;
 #endif
 #ifdef TWO_MATERIALS
+#ifndef COLORED
 uniform vec3 back_diffuse;
+#endif
 #ifdef SPECULAR
 uniform vec3 back_specular;
 uniform float back_shininess;
 #endif
 #ifdef AMBIENT
+#ifndef COLORED
 uniform vec3 back_ambient;
+#endif
 #endif
 #ifdef EMISSION
 uniform vec3 back_emission;
@@ -243,10 +257,14 @@ vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
   ambient = vec3(0.0);
 #endif
   LIGHTS
+#ifdef COLORED
+  color += diffuse * tint;
+#else
 #ifdef TWO_MATERIALS
   color += diffuse * (front ? front_diffuse : back_diffuse);
 #else
   color += diffuse * front_diffuse;
+#endif
 #endif
 #ifdef SPECULAR
 #ifdef TWO_MATERIALS
@@ -256,10 +274,14 @@ vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
 #endif
 #endif
 #ifdef AMBIENT
+#ifdef COLORED
+  color += ambient * tint;
+#else
 #ifdef TWO_MATERIALS
   color += ambient * (front ? front_ambient : back_ambient);
 #else
   color += ambient * front_ambient;
+#endif
 #endif
 #endif
 #endif
@@ -274,3 +296,14 @@ vec3 eye_from(vec3 at) {
   return unit(-at);
 #endif
 }
+
+#ifdef COLORED
+// The colour of a number; what has none, -1 at all corners of a triangle, is grey. The colormap's
+// first and last colours are in the middles of its first and last texel.
+vec3 color_of(float number) {
+  if (number < -0.5) return vec3(0.5);
+  float place = clamp(color_scale * number + color_offset, 0.0, 1.0);
+  float texels = float(textureSize(colormap, 0).x);
+  return texture(colormap, vec2((place * (texels - 1.0) + 0.5) / texels, 0.5)).rgb;
+}
+#endif

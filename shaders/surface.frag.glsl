@@ -9,6 +9,9 @@ in vec3 back_color;
 #else
 in vec3 eye_position;
 in vec3 eye_normal;
+#ifdef COLORED
+in float color_number;
+#endif
 #endif
 
 #ifdef SEE_THROUGH
@@ -40,6 +43,9 @@ vec3 color() {
   n = front ? n : -n;
 #else
   const bool front = true;
+#endif
+#ifdef COLORED
+  tint = color_of(color_number);
 #endif
   return shade(front, eye_position, facing(n, eye_direction), eye_direction);
 #endif

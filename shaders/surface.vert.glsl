@@ -4,6 +4,9 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 corner_normal;
+#ifdef COLORED
+layout(location = 3) in float corner_color;
+#endif
 
 // Composed in double: the product of two float matrices would lose depth where the eye is far away.
 uniform mat4 model_to_clip;
@@ -20,6 +23,9 @@ out vec3 back_color;
 #else
 out vec3 eye_position;
 out vec3 eye_normal;
+#ifdef COLORED
+out float color_number;
+#endif
 #endif
 
 invariant gl_Position;  // the lines' must be the same bits
@@ -34,6 +40,9 @@ void main() {
 #endif
 #ifdef PER_VERTEX
   n = unit(n);
+#ifdef COLORED
+  tint = color_of(corner_color);
+#endif
   front_color = shade(true, at, n, eye_from(at));
 #ifdef TWO_SIDED
   back_color = shade(false, at, -n, eye_from(at));
@@ -41,5 +50,8 @@ void main() {
 #else
   eye_position = at;
   eye_normal = n;
+#ifdef COLORED
+  color_number = corner_color;
+#endif
 #endif
 }

@@ -100,8 +100,8 @@ void add_picture(const CommandLine& line, Subject& subject) {
   subject.clip = report.clip ? report.clip : scene.clip.box;
   one_pixel.surfaces = {subject.spec};
   one_pixel.surfaces[0].in.clear();  // as it is, wherever the scene moves it
-  subject.camera = fit_to_meshes(one_pixel, std::span(&mesh.mesh, 1),
-                                 static_cast<double>(subject.width) / subject.height);
+  subject.camera =
+      fit_to_meshes(one_pixel, std::span(&mesh.mesh, 1), dvec2(subject.width, subject.height));
 }
 
 void write(const ChartOutput& output, std::span<const Measurement> measurements,
@@ -142,8 +142,10 @@ void run_chart(const CommandLine& line) {
   const bool draws = std::ranges::any_of(
       outputs, [](const ChartOutput& output) { return output.kind != Kind::Csv; });
   if (draws) check_gnuplot();
-  const Scene scene = build_scene(line);
+  Scene scene = build_scene(line);
   check_one_surface(scene);
+  scene.axes = false;  // the exact image is of the surface alone
+  scene.surfaces[0].color.clear();
   Subject subject(scene, scene.surfaces[0]);
   add_picture(line, subject);
   std::vector<Measurement> measurements;

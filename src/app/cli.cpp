@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/nearest.h"
 #include "scene/color.h"
+#include "scene/colormap.h"
 #include "scene/prepare.h"
 #include "scene/values.h"
 
@@ -65,6 +66,8 @@ void add_picture_options(CLI::App& app, CommandLine& line) {
            [](Scene& scene, Shading shading) { scene.picture.shading = shading; });
   add_edit(app, line, "--specular", parse_specular,
            [](Scene& scene, Specular specular) { scene.picture.specular = specular; });
+  app.add_flag_callback("--axes",
+                        [&line] { line.edits.push_back([](Scene& s) { s.axes = true; }); });
   add_edit(app, line, "--background", parse_color,
            [](Scene& scene, const Color& color) { scene.background = color; });
 }
@@ -102,6 +105,20 @@ void add_surface_options(CLI::App& app, CommandLine& line) {
            each_surface([](SurfaceSpec& spec, const Color& c) { spec.back.diffuse = c; }));
   add_edit(app, line, "--opacity", parse_share,
            each_surface([](SurfaceSpec& spec, double opacity) { spec.opacity = opacity; }));
+  add_edit(
+      app, line, "--color",
+      [](Text name, Text text) {
+        if (text.empty()) throw Error(Status::Input, "the value is empty", {name, "", {}});
+        return text == "off" ? std::string() : text;
+      },
+      each_surface([](SurfaceSpec& spec, Text formula) { spec.color = formula; }));
+  add_edit(app, line, "--colormap", parse_colormap, [](Scene& scene, Text name) {
+    if (std::ranges::all_of(scene.surfaces, &std::string::empty, &SurfaceSpec::color)) {
+      throw Error(Status::Input, "there is nothing to colour", {"--colormap", name, {}},
+                  "--color z colours by height, --color gauss by curvature");
+    }
+    for (SurfaceSpec& spec : scene.surfaces) spec.colormap = name;
+  });
   add_edit(app, line, "--grid", parse_grid_lines,
            each_surface([](SurfaceSpec& spec, GridSize lines) {
              spec.grid_u = lines.u;
@@ -211,9 +228,10 @@ std::vector<std::string> plain_arguments(const CLI::App& app) {
 void check_options(const CLI::App& app, const std::string& verb) {
   // What a chart compares, and the look of its exact image, are not for options to choose.
   const std::vector<std::string> of_graph_alone = {
-      "--reference", "--threshold", "--report", "--strict",  "--grid",        "--samples",
-      "--tolerance", "--front",     "--back",   "--verbose", "--background",  "--shading",
-      "--specular",  "--opacity",   "--frames", "--fps",     "--frame-range",
+      "--reference",  "--threshold",   "--report",   "--strict",   "--grid",
+      "--samples",    "--tolerance",   "--front",    "--back",     "--verbose",
+      "--background", "--shading",     "--specular", "--opacity",  "--frames",
+      "--fps",        "--frame-range", "--color",    "--colormap", "--axes",
   };
   for (const CLI::Option* option : app.get_options()) {
     const auto names_option = [&](const std::string& name) { return option->check_name(name); };

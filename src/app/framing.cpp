@@ -9,7 +9,9 @@
 #include "base/error.h"
 #include "eval/batch.h"
 #include "eval/tape.h"
+#include "render/annotations.h"
 #include "scene/camera.h"
+#include "scene/color_scale.h"
 #include "scene/instances.h"
 #include "scene/prepare.h"
 #include "scene/values.h"
@@ -151,6 +153,13 @@ double farthest(const dvec3& centre, const Sampled& samples, const glm::dmat4& p
   return radius;
 }
 
+/// Beside what is written. The numbers of colours are known when there is a mesh: their labels are
+/// about as wide as these.
+Room room_in(const Scene& scene, const Bounds& bounds, const dvec2& size) {
+  const std::vector<std::optional<ColorRange>> ranges(scene.surfaces.size(), ColorRange{-1, 1});
+  return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
+}
+
 /// Finds what the scene's cameras do not say. `scenes` are those of all moments.
 void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
   std::vector<Samples> samples;
@@ -175,8 +184,10 @@ void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
     for (const Instance& at : places[k]) {
       radius = farthest(target, *samples[k][at.surface], at.to_world, radius);
     }
-    const double aspect = static_cast<double>(picture.width) / picture.height;
-    distance = std::max(distance, fit_camera(scenes[k].camera, bounds, aspect, radius).distance);
+    const dvec2 size(picture.width, picture.height);
+    const Room room = room_in(scenes[k], bounds, size);
+    const FittedCamera fitted = fit_camera(scenes[k].camera, bounds, size.x / size.y, radius, room);
+    distance = std::max(distance, fitted.distance);
   }
   framing.distance = distance;
 }

@@ -45,6 +45,9 @@ Camera
 Look
       --background COLOR, --front COLOR, --back COLOR   (default black, #ffff80, #8080ff)
                         #rrggbb, #rrggbbaa, a CSS colour name or transparent
+      --axes            a box with ticks, labels and the title (default: off)
+      --color EXPR      by a number of u, v, x, y, z or curvature (gauss, mean), with a bar (off)
+      --colormap NAME   viridis plasma inferno magma cividis turbo coolwarm gray (default viridis)
       --flip            swap front and back (the front is where r_u x r_v points)
       --opacity A       0 to 1; below 1 surfaces are see-through, their lines are not (default 1)
       --grid MxN        lines of constant u and of constant v, or off (default 16x16)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "base/image_png.h"
 #include "base/nearest.h"
 #include "export/ply.h"
+#include "scene/color_scale.h"
 #include "scene/instances.h"
 #include "scene/scene_file.h"
 
@@ -150,6 +152,27 @@ std::vector<Mesh> placed(const Scene& scene, std::span<const Mesh> meshes) {
   return result;
 }
 
+/// The colours of the corners of placed() meshes; nothing if the scene has none.
+std::vector<std::vector<Rgb>> placed_colors(const Scene& scene, std::span<const Mesh> meshes) {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const Mesh& mesh : meshes) ranges.push_back(color_range_of(mesh));
+  const std::vector<ColorScale> scales = color_scales(scene, ranges);
+  if (scales.empty()) return {};
+  std::vector<std::vector<Rgb>> result;
+  for (const Instance& instance : instances(scene)) {
+    std::vector<Rgb>& colors = result.emplace_back();
+    const SurfaceSpec& spec = scene.surfaces[instance.surface];
+    for (const double number : meshes[instance.surface].color) {
+      const dvec3 color = color_of(scale_of(spec, scales), number);
+      Rgb& rgb = colors.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        rgb[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * color[k]));
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string Output::path_of(int frame) const {
@@ -199,7 +222,9 @@ void write_picture(const std::string& path, const Image& image, const Scene& sce
 }
 
 void write_meshes(const std::string& path, const Scene& scene, std::span<const Mesh> meshes) {
-  write_to(path, [&](std::ostream& out) { write_ply(out, placed(scene, meshes)); });
+  write_to(path, [&](std::ostream& out) {
+    write_ply(out, placed(scene, meshes), placed_colors(scene, meshes));
+  });
 }
 
 }  // namespace saddle

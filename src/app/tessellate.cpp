@@ -12,6 +12,7 @@
 #include "app/warnings.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh/clip.h"
+#include "mesh/color_mesh.h"
 #include "mesh/grid_mesh.h"
 #include "mesh/tidy.h"
 #include "mesh/topology.h"
@@ -121,6 +122,26 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
   return mesh;
 }
 
+/// Without a tolerance, as of a uniform grid, edges of this share of the diagonal are short enough
+/// for colours: a pixel or less of a picture.
+constexpr double kLeastEdge = 1.0 / 2048;
+/// Curvatures that differ by less than this of what a sphere around the surface has are the same.
+constexpr double kFlat = 1e-9;
+
+ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,
+                           GridMesh& mesh, unsigned threads) {
+  const double diagonal = mesh.mesh.bounds.diagonal();
+  ColorOptions options;
+  options.least_edge = mesh.report.tolerance.value_or(kLeastEdge * diagonal);
+  if (spec.color == "mean") options.rounding = kFlat / diagonal;
+  if (spec.color == "gauss") options.rounding = kFlat / (diagonal * diagonal);
+  options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);
+  options.threads = threads;
+  const ColorReport report = color_mesh(surface, options, mesh.mesh);
+  mesh.report.evaluations += report.evaluations;
+  return report;
+}
+
 /// Puts the user's (u, v) in place of the surface's parameters wherever a place is named. Returns
 /// the domain in them; the box around the mesh's where v depends on u.
 Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Facts>& facts) {
@@ -155,6 +176,8 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   const auto begin = std::chrono::steady_clock::now();
   GridMesh mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
   mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
+  std::optional<ColorReport> color;
+  if (!spec.color.empty()) color = color_as_asked(scene, spec, surface, mesh, threads);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   if (scene.clip.box || mesh.report.clip) mesh.report.least_triangles = 0;  // it is of the whole
   Tessellation result;
@@ -170,6 +193,11 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   }
   const Domain domain = name_parameters(surface, mesh, result.report.facts);
   result.warnings = mesh_warnings(spec.name, mesh, domain);
+  if (color) {
+    for (std::string& warning : color_warnings(spec.name, mesh.mesh, *color)) {
+      result.warnings.push_back(std::move(warning));
+    }
+  }
   result.report.name = spec.name;
   result.report.triangles = mesh.mesh.triangles.size();
   result.report.vertices = mesh.mesh.position.size();

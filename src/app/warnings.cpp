@@ -117,4 +117,23 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
   return warnings;
 }
 
+std::vector<std::string> color_warnings(const std::string& name, const Mesh& mesh,
+                                        const ColorReport& report) {
+  std::vector<std::string> warnings;
+  if (report.undefined_share > 0) {
+    warnings.push_back(name + ": the colour is undefined on " +
+                       number(100 * report.undefined_share) + " % of the surface, which is grey");
+  }
+  if (report.is_clamped) {
+    warnings.push_back(name + ": the colour goes to infinity; its range is cut to " +
+                       number(mesh.color_range.low) + ":" + number(mesh.color_range.high));
+  }
+  if (report.reached_limit) {
+    warnings.push_back(name +
+                       ": the limit of triangles stopped refinement for the colour, which is "
+                       "blurred; --max-triangles allows more");
+  }
+  return warnings;
+}
+
 }  // namespace saddle

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/color_mesh.h"
 #include "mesh/grid_mesh.h"
 #include "surface/surface.h"
 
@@ -12,6 +13,10 @@ namespace saddle {
 /// One sentence per kind of finding, with its count.
 std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
                                        const Domain& domain);
+
+/// The same about its colour.
+std::vector<std::string> color_warnings(const std::string& name, const Mesh& mesh,
+                                        const ColorReport& report);
 
 /// Where the surface is defined: the box around the mesh's parameters, if it is smaller than the
 /// domain, else only that it is in places.

@@ -62,26 +62,43 @@ bool needs_doubles(std::span<const Mesh> meshes) {
   return std::isinf(worst) || worst > kFloatRounding * bounds.diagonal();
 }
 
-void write_header(std::ostream& out, bool doubles, std::size_t vertices, std::size_t faces) {
-  const std::string real = doubles ? "double" : "float";
+/// What the header tells.
+struct Layout {
+  bool doubles = false;
+  bool colored = false;
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+};
+
+void write_header(std::ostream& out, const Layout& layout) {
+  const std::string real = layout.doubles ? "double" : "float";
   std::string header = "ply\nformat binary_little_endian 1.0\n";
-  header += "element vertex " + std::to_string(vertices) + "\n";
+  header += "element vertex " + std::to_string(layout.vertices) + "\n";
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) {
     header += "property " + real + " " + name + "\n";
   }
   header += "property double u\nproperty double v\n";
-  header += "element face " + std::to_string(faces) + "\n";
+  if (layout.colored) {
+    for (const char* name : {"red", "green", "blue"}) {
+      header += std::string("property uchar ") + name + "\n";
+    }
+  }
+  header += "element face " + std::to_string(layout.faces) + "\n";
   header += "property list uchar int vertex_indices\nend_header\n";
   out << header;
 }
 
+/// `colors`: of each corner; nullptr: the file has none.
 template <typename Real>
-void write_vertices(NumberWriter& writer, const Mesh& mesh) {
+void write_vertices(NumberWriter& writer, const Mesh& mesh, const std::vector<Rgb>* colors) {
+  constexpr Rgb kWhite = {255, 255, 255};
   for (std::size_t i = 0; i < mesh.position.size(); ++i) {
     for (int k = 0; k < 3; ++k) writer.put(static_cast<Real>(mesh.position[i][k]));
     for (int k = 0; k < 3; ++k) writer.put(static_cast<Real>(mesh.normal[i][k]));
     writer.put(mesh.uv[i].x);
     writer.put(mesh.uv[i].y);
+    if (colors == nullptr) continue;
+    for (const std::uint8_t channel : colors->empty() ? kWhite : (*colors)[i]) writer.put(channel);
   }
 }
 
@@ -97,22 +114,25 @@ void write_faces(NumberWriter& writer, const Mesh& mesh, std::size_t first) {
 
 }  // namespace
 
-void write_ply(std::ostream& out, std::span<const Mesh> meshes) {
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
+void write_ply(std::ostream& out, std::span<const Mesh> meshes,
+               std::span<const std::vector<Rgb>> colors) {
+  Layout layout;
+  layout.doubles = needs_doubles(meshes);
+  layout.colored = !colors.empty();
   for (const Mesh& mesh : meshes) {
-    vertices += mesh.position.size();
-    faces += mesh.triangles.size();
+    layout.vertices += mesh.position.size();
+    layout.faces += mesh.triangles.size();
   }
-  if (vertices > std::numeric_limits<std::int32_t>::max()) {
+  if (layout.vertices > std::numeric_limits<std::int32_t>::max()) {
     throw Error(Status::Input, "the mesh has more vertices than a PLY file can number", {},
                 "a coarser tolerance gives fewer");
   }
-  const bool doubles = needs_doubles(meshes);
-  write_header(out, doubles, vertices, faces);
+  write_header(out, layout);
   NumberWriter writer(out);
-  for (const Mesh& mesh : meshes) {
-    doubles ? write_vertices<double>(writer, mesh) : write_vertices<float>(writer, mesh);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::vector<Rgb>* const own = layout.colored ? &colors[i] : nullptr;
+    layout.doubles ? write_vertices<double>(writer, meshes[i], own)
+                   : write_vertices<float>(writer, meshes[i], own);
   }
   std::size_t first = 0;
   for (const Mesh& mesh : meshes) {

@@ -1,8 +1,11 @@
 // Meshes as PLY, binary little endian.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <iosfwd>
 #include <span>
+#include <vector>
 
 #include "mesh/mesh.h"
 
@@ -12,8 +15,12 @@ namespace saddle {
 /// would round a position by more than kFloatRounding of the diagonal), `u v` as double; faces
 /// `list uchar int vertex_indices`, triangles. A vertex is a corner of a mesh. Streamed: the file
 /// is never in memory.
-/// Source: G. Turk, "The PLY polygon file format", 1994.
-void write_ply(std::ostream& out, std::span<const Mesh> meshes);
+/// Where a mesh is coloured, vertices end with `red green blue` as uchar: colors[i] are those of
+/// the corners of mesh i, white for a mesh that has none. Source: G. Turk, "The PLY polygon file
+/// format", 1994.
+using Rgb = std::array<std::uint8_t, 3>;
+void write_ply(std::ostream& out, std::span<const Mesh> meshes,
+               std::span<const std::vector<Rgb>> colors = {});
 
 /// Rounding of positions to float beyond this share of the bounding box's diagonal makes them
 /// doubles: a tenth of the finest tolerance that meshes are asked for.

@@ -272,6 +272,22 @@ NodeId Scope::parse(const std::string& name, const std::string& text, std::optio
   return parse_formula(impl_->graph, formula, impl_->names({}, {}));
 }
 
+NodeId Scope::parse_with(const LocalNames& locals, const std::string& name,
+                         const std::string& text) {
+  Names names = impl_->names({}, {});
+  names.variable = [this, &locals](std::string_view word) -> std::optional<NodeId> {
+    const auto local = locals.find(std::string(word));
+    const bool is_local = local != locals.end() && impl_->find(word) == nullptr;
+    return is_local ? local->second() : impl_->variable(word);
+  };
+  names.known_variables = [known = names.known_variables, &locals] {
+    std::vector<std::string> all = known();
+    for (const auto& [local, node] : locals) all.push_back(local);
+    return all;
+  };
+  return parse_formula(impl_->graph, {name, text, {0, text.size()}}, names);
+}
+
 double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
                        std::optional<double> t) {
   if (part) return impl_->value(parse(name, text, part), {name, text, *part}, t);

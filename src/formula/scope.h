@@ -2,6 +2,7 @@
 // demand. This is the way from text to graph; formula/parser.h is its inner part.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -44,7 +45,12 @@ class Scope {
   NodeId parse(const std::string& name, const std::string& text,
                std::optional<Span> part = std::nullopt);
 
-  /// The same for a formula that must not depend on u, v or, unless that has a value here, t: its
+  /// The same where some names mean more than elsewhere, unless the user has defined them; they are
+  /// made when they are used.
+  using LocalNames = std::map<std::string, std::function<NodeId()>>;
+  NodeId parse_with(const LocalNames& locals, const std::string& name, const std::string& text);
+
+  /// parse() for a formula that must not depend on u, v or, unless that has a value here, t: its
   /// value. It may be infinite or NaN: what is allowed is for the caller to say.
   double constant(const std::string& name, const std::string& text,
                   std::optional<Span> part = std::nullopt, std::optional<double> t = std::nullopt);

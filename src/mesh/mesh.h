@@ -33,6 +33,13 @@ struct Bounds {
   double diagonal() const { return empty() ? 0 : glm::length(size()); }
 };
 
+/// The numbers at the first and the last of the colours; those outside have the colours of the
+/// ends.
+struct ColorRange {
+  double low = 0;
+  double high = 0;
+};
+
 /// Three corners.
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -47,11 +54,22 @@ struct Mesh {
   /// Corner indices, counter-clockwise seen from the front.
   Array<Triangle> triangles;
 
+  /// The number that the surface is coloured by at each corner, NaN or infinite where undefined:
+  /// at all three corners of a triangle or at none. Empty where the surface is not coloured.
+  Array<double> color;
+  ColorRange color_range;
+
   /// The scene's grid lines, each a chain of corners along edges of the mesh.
   std::vector<std::vector<std::uint32_t>> lines;
 
   Bounds bounds;
 };
+
+/// Nothing if the mesh is not coloured.
+inline std::optional<ColorRange> color_range_of(const Mesh& mesh) {
+  if (mesh.color.empty()) return std::nullopt;
+  return mesh.color_range;
+}
 
 /// A place of the surface that the report names.
 struct SingularPoint {

@@ -1,5 +1,6 @@
 #include "render/gpu_mesh.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -20,6 +21,9 @@ struct Vertex {
   glm::vec3 position;
   glm::vec3 normal;
 };
+
+/// Stands for no number.
+constexpr float kUndefined = -1;
 
 /// Ends a strip; no mesh has that many corners.
 constexpr GLuint kRestart = std::numeric_limits<GLuint>::max();
@@ -51,6 +55,21 @@ void describe_vertices() {
   attribute(kNormal, offsetof(Vertex, normal));
 }
 
+/// The numbers of the corners as a share of their range.
+void upload_colors(const Mesh& mesh) {
+  const auto [low, high] = mesh.color_range;
+  std::vector<float> shares;
+  shares.reserve(mesh.color.size());
+  for (const double number : mesh.color) {
+    const double share = high > low ? (std::clamp(number, low, high) - low) / (high - low) : 0.5;
+    shares.push_back(std::isnan(number) ? kUndefined : static_cast<float>(share));
+  }
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shares.size() * sizeof(float)),
+               shares.data(), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(kColor);
+  glVertexAttribPointer(kColor, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+}
+
 /// All chains in one list, a restart after each. GL leaves out the last pixel of a line, so that
 /// the next one may begin there: each chain goes back one step at its end.
 std::vector<GLuint> strip_indices(const Mesh& mesh) {
@@ -71,6 +90,20 @@ ModelFrame model_frame(const Bounds& bounds) {
   const dvec3 half = 0.5 * bounds.size();
   const double size = std::hypot(half.x, half.y, half.z);
   return {bounds.centre(), size > 0 ? size : 1};
+}
+
+Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines) {
+  Mesh mesh;
+  for (const std::array<dvec3, 2>& line : lines) {
+    const auto first = static_cast<std::uint32_t>(mesh.position.size());
+    for (const dvec3& end : line) {
+      mesh.position.push_back(dvec3(end));
+      mesh.normal.push_back({0, 0, 1});
+      mesh.bounds.add(end);
+    }
+    mesh.lines.push_back({first, first + 1});
+  }
+  return mesh;
 }
 
 GpuMesh::GpuMesh(const Mesh& mesh)
@@ -94,6 +127,15 @@ GpuMesh::GpuMesh(const Mesh& mesh)
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(mesh.triangles[0])),
                mesh.triangles.data(), GL_STATIC_DRAW);
+
+  if (!mesh.color.empty()) {
+    assert(mesh.color.size() == mesh.position.size());
+    color_range_ = mesh.color_range;
+    colors_ = make_name<GlBuffer>(glGenBuffers);
+    glBindBuffer(GL_ARRAY_BUFFER, colors_->get());
+    upload_colors(mesh);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+  }
 
   const std::vector<GLuint> indices = strip_indices(mesh);
   line_indices_ = static_cast<GLsizei>(indices.size());

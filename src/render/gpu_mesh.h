@@ -1,6 +1,10 @@
 // A mesh in GL buffers: the one place where doubles become floats.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
+
 #include "mesh/mesh.h"
 #include "render/gl.h"
 
@@ -16,6 +20,9 @@ struct ModelFrame {
 /// The frame in which `bounds` lies within distance 1 of the origin.
 ModelFrame model_frame(const Bounds& bounds);
 
+/// A mesh that has only these lines.
+Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines);
+
 /// Positions, normals, triangles and lines of one mesh. Needs a current context.
 class GpuMesh {
  public:
@@ -24,6 +31,8 @@ class GpuMesh {
   const Bounds& bounds() const { return bounds_; }
   const ModelFrame& frame() const { return frame_; }
   bool hides_its_back() const { return hides_its_back_; }
+  /// The range of the numbers that it is coloured by; nothing if it is not.
+  const std::optional<ColorRange>& color_range() const { return color_range_; }
   bool has_lines() const { return line_indices_ > 0; }
   void draw_triangles() const;
   void draw_lines() const;
@@ -32,11 +41,13 @@ class GpuMesh {
   Bounds bounds_;
   ModelFrame frame_;  ///< of the bounds
   bool hides_its_back_;
+  std::optional<ColorRange> color_range_;
   GlVertexArray triangle_array_;
   GlVertexArray line_array_;
   GlBuffer vertices_;
   GlBuffer triangles_;
   GlBuffer lines_;
+  std::optional<GlBuffer> colors_;  ///< of the corners, 0 to 1 in that range, -1: undefined
   GLsizei triangle_indices_ = 0;
   GLsizei line_indices_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "base/error.h"
+#include "render/annotations.h"
 #include "render/average.h"
 #include "render/context.h"
 #include "render/picture_in_tiles.h"
@@ -46,18 +47,27 @@ double radius_around(const dvec3& target, std::span<const Instance> all,
   return radius;
 }
 
+/// Of the numbers that the meshes are coloured by.
+std::vector<std::optional<ColorRange>> ranges_of(std::span<const Mesh> meshes) {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const Mesh& mesh : meshes) ranges.push_back(color_range_of(mesh));
+  return ranges;
+}
+
 }  // namespace
 
-FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, double aspect) {
+FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, const dvec2& size) {
   const std::vector<Instance> all = instances(scene);
   Bounds bounds;
   for (const Instance& instance : all) {
     bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
   }
   if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
-  if (scene.camera.distance) return fit_camera(scene.camera, bounds, aspect);
+  if (scene.camera.distance) return fit_camera(scene.camera, bounds, size.x / size.y);
   const double radius = radius_around(camera_target(scene.camera, bounds), all, meshes);
-  return fit_camera(scene.camera, bounds, aspect, radius);
+  return fit_camera(
+      scene.camera, bounds, size.x / size.y, radius,
+      room_for_annotations(scene, bounds, color_scales(scene, ranges_of(meshes)), size));
 }
 
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
@@ -119,9 +129,9 @@ Image PictureMaker::draw_in_tiles(const Scene& scene, std::span<const Mesh> mesh
   assert(options.width > 0 && options.height > 0);
   assert(options.antialias >= 1 && options.antialias <= kMaxAntialias);
   Stopwatch stopwatch;
-  const double aspect = static_cast<double>(options.width) / options.height;
+  const dvec2 size(options.width, options.height);
   try {
-    Image image = draw_image(gpu_->renderer, scene, fit_to_meshes(scene, meshes, aspect), options,
+    Image image = draw_image(gpu_->renderer, scene, fit_to_meshes(scene, meshes, size), options,
                              tile_samples);
     times_.draw += stopwatch.lap();
     return image;

@@ -8,8 +8,8 @@
 
 namespace saddle {
 
-/// The camera that render() draws with.
-FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, double aspect);
+/// The camera that render() draws a picture of this size with.
+FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, const dvec2& size);
 
 /// Draws a picture off screen, at most `tile_samples` samples a side at once, and reads it back.
 /// Leaves another framebuffer bound than there was.

@@ -72,8 +72,8 @@ void Program::find_uniforms() {
 }
 
 void Program::check_attributes() const {
-  static const std::map<std::string, GLint> known{{"position", kPosition},
-                                                  {"corner_normal", kNormal}};
+  static const std::map<std::string, GLint> known{
+      {"position", kPosition}, {"corner_normal", kNormal}, {"corner_color", kColor}};
   GLint count = 0;
   glGetProgramiv(program_.get(), GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {

@@ -15,7 +15,7 @@
 namespace saddle {
 
 /// Attribute locations, as the shaders' layout(location = ...) have them.
-enum Attribute : GLuint { kPosition = 0, kNormal = 1 };
+enum Attribute : GLuint { kPosition = 0, kNormal = 1, kColor = 3 };
 
 class Program {
  public:

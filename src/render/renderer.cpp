@@ -10,6 +10,7 @@
 #include <new>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include "base/error.h"
@@ -20,6 +21,8 @@ namespace {
 
 constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
 constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
+/// The box around the surfaces is less conspicuous than what is written about it.
+constexpr double kBoxInk = 0.3;
 
 /// Columns of a matrix that differ from a rotation's by this share of their length are even enough
 /// for float normals.
@@ -45,29 +48,35 @@ bool same(const Color& a, const Color& b) {
   return rgb(a) == rgb(b);
 }
 
-bool same(const Material& a, const Material& b) {
-  return same(a.diffuse, b.diffuse) && same(a.specular, b.specular) &&
-         a.shininess == b.shininess.value && same(ambient(a), ambient(b)) &&
+bool same_but_for_colors(const Material& a, const Material& b) {
+  return same(a.specular, b.specular) && a.shininess == b.shininess.value &&
          same(a.emission, b.emission);
+}
+
+bool same(const Material& a, const Material& b) {
+  return same(a.diffuse, b.diffuse) && same(ambient(a), ambient(b)) && same_but_for_colors(a, b);
 }
 
 /// One side's part of what the program was made for.
 void set_material(Program& program, const std::string& side, const Material& material,
                   const ShaderNeeds& needs) {
   const bool lit = !needs.lights.empty();
-  program.set(side + "_diffuse", rgb(material.diffuse));
+  if (!needs.colored) program.set(side + "_diffuse", rgb(material.diffuse));
   if (lit && needs.specular) {
     program.set(side + "_specular", rgb(material.specular));
     program.set(side + "_shininess", material.shininess);
   }
-  if (lit && needs.ambient) program.set(side + "_ambient", rgb(ambient(material)));
+  if (lit && needs.ambient && !needs.colored)
+    program.set(side + "_ambient", rgb(ambient(material)));
   if (needs.emission) program.set(side + "_emission", rgb(material.emission));
 }
 
 void add_material_needs(const SurfaceSpec& surface, ShaderNeeds& needs) {
   needs.specular =
       !is_black(surface.front.specular) || (needs.two_sided && !is_black(surface.back.specular));
-  needs.two_materials = needs.two_sided && !same(surface.front, surface.back);
+  const bool is_same = needs.colored ? same_but_for_colors(surface.front, surface.back)
+                                     : same(surface.front, surface.back);
+  needs.two_materials = needs.two_sided && !is_same;
 }
 
 bool emits(const SurfaceSpec& surface) {
@@ -188,17 +197,25 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   std::vector<Item> items = items_of(scene, camera, unit);
   for (Item& item : items) item.model_to_clip = to_rect * item.model_to_clip;
   const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
+  scales_ = scales_of(scene);
 
   const int n = viewport.per_side;
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
-  clear(scene.background);
-  glEnable(GL_DEPTH_TEST);
   std::vector<Item> hiding;
   std::vector<Item> see_through;
   for (const Item& item : items) {
     if (item.opacity == 1) hiding.push_back(item);
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
+  const Annotations annotations =
+      annotate(scene, camera, bounds, scales_, dvec2(viewport.width, viewport.height));
+  const dvec3 ink = ink_on(scene.background);
+  Color background = scene.background;
+  // Letters blend into what is there: on nothing at all that must not darken them.
+  const bool is_bare = background.a == 0 && see_through.empty() && !annotations.empty();
+  if (is_bare) background = {ink.r, ink.g, ink.b, 0};
+  clear(background);
+  glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, n, look);
   if (look.lines) draw_lines(items, n);
   if (marks_) {
@@ -206,11 +223,18 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     item.model_to_clip = to_rect * item.model_to_clip;
     draw_marks(item, n);
   }
+  if (!annotations.edges.empty()) draw_box(annotations.edges, camera, viewport, ink);
   if (!see_through.empty()) {
     const double least = std::ranges::min(see_through, {}, &Item::opacity).opacity;
     left_out_layers_ |= !layers(viewport).draw(
         {[&](Program& peel) { draw_depths(see_through, peel, n, look); },
          [&] { draw_surfaces(scene, see_through, lights, n, look); }, least});
+  }
+  if (!annotations.empty()) {
+    line_program().use();
+    line_program().set("line_color", ink);
+    if (!overlay_) overlay_.emplace();
+    overlay_->draw(annotations, viewport, ink, line_program(), colormaps_);
   }
   glUseProgram(0);  // who remembers what was in use may find it deleted
   check_gl();
@@ -271,6 +295,23 @@ std::size_t Renderer::lights_at_once() {
         std::min(saddle::lights_at_once(std::min(vertex, fragment)), kMostLightsAtOnce);
   }
   return lights_at_once_;
+}
+
+std::vector<ColorScale> Renderer::scales_of(const Scene& scene) const {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const GpuMesh& mesh : meshes_) ranges.push_back(mesh.color_range());
+  return color_scales(scene, ranges);
+}
+
+/// From the mesh's own range, in which its numbers are uploaded, to the scale that it shares.
+void Renderer::set_color(Program& program, const Scene& scene, std::size_t surface) {
+  const ColorScale& scale = scale_of(scene.surfaces[surface], scales_);
+  const ColorRange& range = *meshes_[surface].color_range();
+  const double first = place_on(scale, range.low);
+  program.set("color_offset", first);
+  program.set("color_scale", place_on(scale, range.high) - first);
+  program.set_texture("colormap", 0);
+  colormaps_.bind(scale.colormap);
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
@@ -336,6 +377,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
     needs.see_through = first && item.opacity < 1;  // later passes leave alpha alone
     needs.normal_matrix = !item.even;
     needs.emission = first && emits(surface);  // once, whatever the lights
+    needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
     add_material_needs(surface, needs);
     if (program == nullptr || needs != made_for) {
       program = &surface_program(needs);
@@ -347,6 +389,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
     program->set("model_to_eye", item.model_to_eye);
     if (needs.normal_matrix) program->set("normal_to_eye", item.normal_to_eye);
     if (needs.see_through) program->set("opacity", item.opacity);
+    if (needs.colored) set_color(*program, scene, item.surface);
     set_material(*program, "front", surface.front, needs);
     if (needs.two_materials) set_material(*program, "back", surface.back, needs);
     program->check_all_set();
@@ -371,6 +414,24 @@ void Renderer::draw_lines(std::span<const Item> items, int line_width) {
     program.check_all_set();
     meshes_[item.surface].draw_lines();
   }
+}
+
+/// Fainter than what is written about it.
+void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
+                        const Viewport& viewport, const dvec3& ink) {
+  const GpuMesh box(mesh_of_lines(edges));
+  const Item item({}, box, camera, box.frame().size);
+  Program& program = line_program();
+  program.use();
+  program.set("line_color", glm::mix(dvec3(0.5), ink, kBoxInk));
+  program.set("model_to_clip",
+              clip_to_rect(viewport.width, viewport.height, viewport.rect, viewport.margin) *
+                  item.model_to_clip);
+  program.check_all_set();
+  glLineWidth(static_cast<float>(viewport.per_side));
+  glEnable(GL_DEPTH_CLAMP);
+  box.draw_lines();
+  glDisable(GL_DEPTH_CLAMP);
 }
 
 /// They may stand out of the box that the camera's near and far planes enclose.

@@ -10,13 +10,16 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "render/colormap_textures.h"
 #include "render/gpu_mesh.h"
 #include "render/layers.h"
+#include "render/overlay_drawer.h"
 #include "render/program.h"
 #include "render/shader_lights.h"
 #include "render/surface_shader.h"
 #include "render/tiles.h"
 #include "scene/camera.h"
+#include "scene/color_scale.h"
 #include "scene/instances.h"
 #include "scene/scene.h"
 
@@ -78,19 +81,26 @@ class Renderer {
   void start_faces(int line_width, const Look& look) const;
   static void end_faces();
   void draw_depths(std::span<const Item> items, Program& program, int line_width, const Look& look);
+  std::vector<ColorScale> scales_of(const Scene& scene) const;
+  void set_color(Program& program, const Scene& scene, std::size_t surface);
   void draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights, int line_width,
                      const Look& look);
   void draw_pass(const Scene& scene, std::span<const Item> items, Lights lights, bool first);
   void draw_lines(std::span<const Item> items, int line_width);
   void draw_marks(const Item& item, int line_width);
+  void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
+                const Viewport& viewport, const dvec3& ink);
 
   std::size_t lights_at_once_ = 0;
   std::vector<GpuMesh> meshes_;
   std::optional<GpuMesh> marks_;
   std::map<std::string, Program> surface_programs_;  // by their text
+  ColormapTextures colormaps_;
+  std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Program> line_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
+  std::optional<OverlayDrawer> overlay_;
 };
 
 }  // namespace saddle

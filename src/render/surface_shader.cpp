@@ -46,6 +46,7 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   add(needs.two_sided && needs.two_materials, "TWO_MATERIALS");
   add(needs.per_vertex, "PER_VERTEX");
   add(needs.orthographic, "ORTHOGRAPHIC");
+  add(needs.colored, "COLORED");
   add(needs.normal_matrix, "NORMAL_MATRIX");
   add(needs.see_through, "SEE_THROUGH");
   return names;

@@ -25,6 +25,7 @@ struct ShaderNeeds {
   bool two_materials = false;  ///< and look different
   bool per_vertex = false;
   bool orthographic = false;
+  bool colored = false;        ///< each point has a colour of its own, in place of the materials'
   bool normal_matrix = false;  ///< the model is not only turned, moved and scaled evenly
   bool see_through = false;    ///< it is a layer of what is seen, with others behind
 

@@ -166,8 +166,7 @@ Definition parse_definition(const std::string& assignment) {
   }
   result.text = cut(assignment, trim(assignment, {equals + 1, assignment.size()}));
   if (result.text.empty()) {
-    throw Error(Status::Input, "the expression is empty",
-                {result.name, "", {}},
+    throw Error(Status::Input, "the expression is empty", {result.name, "", {}},
                 "for example " + result.name + (is_parameter(result.name) ? "=0:1" : "=u*v"));
   }
   return result;

@@ -89,11 +89,26 @@ double sphere_radius(const Bounds& bounds, const dvec3& target) {
   return radius > 0 ? radius : std::max(1.0, length(target));
 }
 
-/// Distance at which a sphere of `radius` fills the narrower side of the picture.
-double fitting_distance(double radius, double half_fov, double aspect, bool ortho) {
-  const double slope = std::tan(half_fov) * std::min(1.0, aspect);  // half the narrower side at 1
+/// Distance at which a sphere of `radius` fills the narrower side of the room in the picture.
+double fitting_distance(double radius, double half_fov, double aspect, bool ortho,
+                        const Room& room) {
+  // Half the narrower side at distance 1.
+  const double slope = std::tan(half_fov) * std::min(room.down, aspect * room.across);
   const double ratio = ortho ? slope : slope / std::hypot(1.0, slope);  // sin(atan(slope))
   return kFitMargin * radius / ratio;
+}
+
+/// The least distance at which all corners of the box are in the room.
+double distance_of_box(const Bounds& bounds, const FittedCamera& fitted, const Axes& axes,
+                       const dvec2& slopes, bool ortho) {
+  double least = 0;
+  for (const dvec3& corner : corners(bounds)) {
+    const dvec3 q = corner - fitted.target;
+    const double nearer = ortho ? 0 : glm::dot(axes.z, q);
+    least = std::max({least, nearer + std::abs(glm::dot(axes.x, q)) / slopes.x,
+                      nearer + std::abs(glm::dot(axes.y, q)) / slopes.y});
+  }
+  return least;
 }
 
 void check(const Camera& camera) {
@@ -160,7 +175,7 @@ dvec3 camera_target(const Camera& camera, const Bounds& bounds) {
 }
 
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
-                        std::optional<double> radius) {
+                        std::optional<double> radius, const Room& room) {
   check(camera);
   const Axes axes = camera_axes(camera);
   const double half_fov = camera.fov * std::numbers::pi / 360;
@@ -168,8 +183,12 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
   fitted.target = camera_target(camera, bounds);
   const bool known = radius && *radius > 0;
   const double sphere = known ? *radius : sphere_radius(bounds, fitted.target);
-  fitted.distance =
-      camera.distance.value_or(fitting_distance(sphere, half_fov, aspect, camera.ortho));
+  double fit = fitting_distance(sphere, half_fov, aspect, camera.ortho, room);
+  if (room.holds_box) {
+    const dvec2 slopes = std::tan(half_fov) * dvec2(aspect * room.across, room.down);
+    fit = std::max(fit, distance_of_box(bounds, fitted, axes, slopes, camera.ortho));
+  }
+  fitted.distance = camera.distance.value_or(fit);
   fitted.eye = fitted.target + fitted.distance * axes.z;
   fitted.world_to_eye = view_matrix(axes, fitted.eye);
   fit_depth(fitted, bounds, axes.z, camera.ortho);

@@ -20,13 +20,21 @@ struct FittedCamera {
   double far_plane = 1;
 };
 
+/// The part of a picture that what is looked at may take, the rest being for what is written.
+struct Room {
+  double across = 1;  ///< shares of the width and the height, in the middle
+  double down = 1;
+  bool holds_box = false;  ///< the whole bounding box is to be in there
+};
+
 /// Fits `camera` to what is in `bounds` (not empty) in a picture of width/height `aspect`. Without
 /// a distance the sphere of `radius` around the target fills the narrower side (radius not given:
-/// that around the box); near and far enclose the box, whatever the distance. An up vector along
-/// the view is replaced by one that is not. Throws Error (Input) for a view or up vector of length
-/// 0, a distance that is not positive, a fov outside (0, 180).
+/// that around the box), in a part of the picture if `room` leaves only that; near and far enclose
+/// the box, whatever the distance. An up vector along the view is replaced by one that is not.
+/// Throws Error (Input) for a view or up vector of length 0, a distance that is not positive, a fov
+/// outside (0, 180).
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
-                        std::optional<double> radius = std::nullopt);
+                        std::optional<double> radius = std::nullopt, const Room& room = {});
 
 /// Where `camera` looks: its target, or the centre of the box.
 dvec3 camera_target(const Camera& camera, const Bounds& bounds);

@@ -36,6 +36,8 @@ Scene sayable(const Scene& scene) {
   plain.v = spec.v;
   plain.grid_u = spec.grid_u;
   plain.grid_v = spec.grid_v;
+  plain.color = spec.color;
+  plain.colormap = spec.colormap;
   plain.flip = spec.flip;
   plain.opacity = double(spec.opacity);
   plain.front.diffuse = spec.front.diffuse;
@@ -44,6 +46,7 @@ Scene sayable(const Scene& scene) {
   result.definitions = scene.definitions;
   result.camera = scene.camera;
   result.background = scene.background;
+  result.axes = scene.axes;
   result.mesh = scene.mesh;
   result.picture = scene.picture;
   result.clip = scene.clip;
@@ -102,6 +105,11 @@ void add_look(Command& command, const Scene& scene) {
   color("background", scene.background, Scene{}.background);
   color("front", spec.front.diffuse, kFrontMaterial.diffuse);
   color("back", spec.back.diffuse, kBackMaterial.diffuse);
+  if (scene.axes) command.flag("axes");
+  if (!spec.color.empty()) command.option("color", spec.color);
+  if (!spec.color.empty() && spec.colormap != SurfaceSpec{}.colormap) {
+    command.option("colormap", spec.colormap);
+  }
   if (spec.flip) command.flag("flip");
   if (double(spec.opacity) != 1) command.option("opacity", format_number(spec.opacity));
   const bool off = spec.grid_u == 0 && spec.grid_v == 0;

@@ -1,6 +1,7 @@
 // Text to graph (Scope), graph to surface (derivatives and tapes), with both timed apart.
 #include "scene/prepare.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -92,6 +93,21 @@ Ends constant_ends(Scope& scope, const RangeText& range, double t) {
   return {values[0], values[1]};
 }
 
+/// A formula of u, v, x, y, z and the curvatures.
+NodeId parse_color(Graph& graph, Scope& scope, const std::string& text, bool flip) {
+  const auto curvature = [&](std::size_t which) {
+    const Coordinates r = {scope.node("x"), scope.node("y"), scope.node("z")};
+    return curvature_outputs(graph, tangents_of(graph, r))[which];
+  };
+  // Its sign goes with the front, as that of the normals does.
+  const auto mean = [&] {
+    return flip ? graph.make(Op::Neg, curvature(kMeanCurvature)) : curvature(kMeanCurvature);
+  };
+  const Scope::LocalNames curvatures = {{"gauss", [&] { return curvature(kGaussCurvature); }},
+                                        {"mean", mean}};
+  return scope.parse_with(curvatures, "color", text);
+}
+
 }  // namespace
 
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
@@ -125,23 +141,27 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   const std::array<NodeId, 2> ends = parse_ends(scope, range_v);
   check_dependence(graph, range_v, ends);
   const Ends u = constant_ends(scope, range_u, scene.t);
-  const std::array<NodeId, 3> xyz = {scope.node("x"), scope.node("y"), scope.node("z")};
-  for (const NodeId node : {xyz[0], xyz[1], xyz[2], ends_u[0], ends_u[1], ends[0], ends[1]}) {
-    result.moves = result.moves || depends(graph, node, kDependsT);
+  const bool leans = depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU);
+  if (leans && ends[0] == ends[1]) {
+    throw Error(Status::Input, "the range of v is empty", range_v.place());
   }
-  std::vector<NodeId> r = scope.bind(xyz, scene.t);
-  if (depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU)) {
-    if (ends[0] == ends[1]) throw Error(Status::Input, "the range of v is empty", range_v.place());
+  const Ends v = leans ? Ends{0, 1} : constant_ends(scope, range_v, scene.t);
+  result.domain = {u.min, u.max, v.min, v.max};
+  result.flip = spec.flip != runs_backwards(result.domain);
+  std::vector<NodeId> roots = {scope.node("x"), scope.node("y"), scope.node("z")};
+  if (!spec.color.empty()) roots.push_back(parse_color(graph, scope, spec.color, result.flip));
+  const auto depends_on_t = [&](NodeId node) { return depends(graph, node, kDependsT); };
+  result.moves = std::ranges::any_of(roots, depends_on_t) ||
+                 std::ranges::any_of(ends_u, depends_on_t) ||
+                 std::ranges::any_of(ends, depends_on_t);
+  std::vector<NodeId> r = scope.bind(roots, scene.t);
+  if (leans) {
     const std::vector<NodeId> bound = scope.bind(ends, scene.t);
     result.v = between(graph, {bound[0], bound[1]});
     r = substitute(graph, r, {{kSymbolV, *result.v}});
-    result.domain = {u.min, u.max, 0, 1};
-  } else {
-    const Ends v = constant_ends(scope, range_v, scene.t);
-    result.domain = {u.min, u.max, v.min, v.max};
   }
   result.r = {r[0], r[1], r[2]};
-  result.flip = spec.flip != runs_backwards(result.domain);
+  if (!spec.color.empty()) result.color = r[3];
   return result;
 }
 
@@ -152,6 +172,7 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
   PreparedSurface result;
   result.surface = make_surface(bound.graph, bound.r, bound.domain, bound.flip, order);
   result.moves = bound.moves;
+  if (bound.color) result.surface.color = compile(bound.graph, std::array{*bound.color});
   if (bound.v) result.surface.v = compile(bound.graph, std::array{*bound.v});
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());

@@ -23,8 +23,9 @@ NodeId between(Graph& graph, const std::array<NodeId, 2>& ends);
 /// on u, the part of the way between them, 0 to 1, takes the place of v.
 struct BoundSurface {
   Graph graph;
-  std::array<NodeId, 3> r = {};  ///< x, y, z
-  std::optional<NodeId> v = {};  ///< v itself, where it is not the variable
+  std::array<NodeId, 3> r = {};      ///< x, y, z
+  std::optional<NodeId> v = {};      ///< v itself, where it is not the variable
+  std::optional<NodeId> color = {};  ///< the number that it is coloured by
   Domain domain;
   bool flip = false;   ///< the front is where r_v x r_u points
   bool moves = false;  ///< it is another one at another time

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/image_png.h"
 #include "scene/assignments.h"
+#include "scene/colormap.h"
 #include "scene/prepare.h"
 #include "scene/resolve.h"
 #include "scene/scene_file.h"
@@ -105,9 +106,9 @@ std::vector<std::string> read_names(TomlReader& reader, const std::string& subje
 }
 
 SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
-  reader.source().check_keys(
-      "surface", table,
-      {"name", "x", "y", "z", "u", "v", "grid", "front", "back", "flip", "opacity", "in"});
+  reader.source().check_keys("surface", table,
+                             {"name", "x", "y", "z", "u", "v", "color", "colormap", "grid", "front",
+                              "back", "flip", "opacity", "in"});
   SurfaceSpec spec;
   const auto formula = [&](const char* key, std::string& into) {
     with(table, key, [&](const TomlValue& v) { into = reader.formula(prefix + key, v); });
@@ -119,6 +120,15 @@ SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const To
   formula("z", spec.z);
   with(table, "u", [&](const TomlValue& v) { spec.u = read_range(reader, prefix + "u", v); });
   with(table, "v", [&](const TomlValue& v) { spec.v = read_range(reader, prefix + "v", v); });
+  formula("color", spec.color);
+  with(table, "colormap", [&](const TomlValue& v) {
+    const std::string text = reader.text("colormap", v, "the name of a colormap");
+    if (spec.color.empty()) {
+      throw reader.source().error("colormap", "there is nothing to colour", v.span,
+                                  "color = \"z\" colours by height");
+    }
+    spec.colormap = reader.in_place([&] { return parse_colormap("colormap", text); });
+  });
   with(table, "grid", [&](const TomlValue& v) {
     const std::string text = reader.option("grid", v, "two whole numbers, [16, 16], or \"off\"");
     const GridSize lines = reader.in_place([&] { return parse_grid_lines("grid", text); });
@@ -360,16 +370,32 @@ void read_settings(TomlReader& reader, const TomlValue& table, Scene& scene) {
 }
 
 Scene read_tables(TomlReader& reader, const TomlValue& root) {
-  reader.source().check_keys(
-      "scene", root,
-      {"title", "background", "size", "antialias", "shading", "specular", "tolerance",
-       "normal-tolerance", "max-triangles", "samples", "clip", "t", "params", "functions",
-       "surface", "node", "light", "camera", "animation"});
+  reader.source().check_keys("scene", root, {"title",
+                                             "background",
+                                             "axes",
+                                             "size",
+                                             "antialias",
+                                             "shading",
+                                             "specular",
+                                             "tolerance",
+                                             "normal-tolerance",
+                                             "max-triangles",
+                                             "samples",
+                                             "clip",
+                                             "t",
+                                             "params",
+                                             "functions",
+                                             "surface",
+                                             "node",
+                                             "light",
+                                             "camera",
+                                             "animation"});
   Scene scene;
   with(root, "title",
        [&](const TomlValue& v) { scene.title = reader.text("title", v, "text in quotes"); });
   with(root, "background",
        [&](const TomlValue& v) { scene.background = reader.color("background", v, true); });
+  with(root, "axes", [&](const TomlValue& v) { scene.axes = reader.boolean("axes", v); });
   read_settings(reader, root, scene);
   with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
   with(root, "functions", [&](const TomlValue& v) { read_functions(reader, v, scene); });

@@ -69,6 +69,8 @@ struct SurfaceSpec {
   int grid_v = 16;
   Material front = kFrontMaterial;
   Material back = kBackMaterial;
+  std::string color;  ///< in place of the materials': of u, v, x, y, z, gauss, mean; empty: none
+  std::string colormap = "viridis";
   bool flip = false;
   Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
@@ -209,6 +211,7 @@ struct Scene {
   Camera camera;
   Color background{0, 0, 0, 1};
   Clip clip;
+  bool axes = false;  ///< a box with ticks and labels around all of it, and the title
   MeshSettings mesh;
   PictureSettings picture;
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another

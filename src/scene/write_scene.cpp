@@ -175,6 +175,8 @@ std::string surface(const SurfaceSpec& spec) {
   formula("y", spec.y, standard.y);
   formula("z", spec.z, standard.z);
   text += range("u", spec.u) + range("v", spec.v);
+  formula("color", spec.color, standard.color);
+  if (!spec.color.empty()) formula("colormap", spec.colormap, standard.colormap);
   if (spec.grid_u != standard.grid_u || spec.grid_v != standard.grid_v) {
     text += "grid = [" + std::to_string(spec.grid_u) + ", " + std::to_string(spec.grid_v) + "]\n";
   }
@@ -330,6 +332,7 @@ std::string write_scene(const Scene& scene) {
   if (!same(scene.background, standard.background)) {
     text += "background = " + color(scene.background) + "\n";
   }
+  if (scene.axes) text += "axes = true\n";
   text += settings(scene.mesh, scene.picture) + clip(scene.clip);
   const Number start = scene.animation ? scene.animation->from : standard.t;
   if (!same(scene.t, start)) text += "t = " + number(scene.t) + "\n";

@@ -32,6 +32,8 @@ std::vector<NodeId> normal_outputs(Graph& graph, const Tangents& tangents);
 /// r_uu, r_uv, r_vv (three numbers each), the Gauss curvature, the mean curvature, and the
 /// principal curvatures, larger first. These have the unit 1/length and are positive where the
 /// surface bends toward the side that r_u x r_v points to; the Gauss curvature is their product.
+inline constexpr std::size_t kGaussCurvature = 9;  ///< of these, counted from 0
+inline constexpr std::size_t kMeanCurvature = 10;
 std::vector<NodeId> curvature_outputs(Graph& graph, const Tangents& tangents);
 
 }  // namespace saddle

@@ -89,7 +89,7 @@ NormalColumns normal_columns(std::size_t count, Evaluate evaluate) {
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
                      Order order) {
   const Tangents tangents = tangents_of(graph, r);
-  Surface surface{domain, flip, {}, {}, {}, {}, {}};
+  Surface surface{domain, flip, {}, {}, {}, {}, {}, {}};
   surface.tangents = compile(graph, tangent_outputs(tangents));
   surface.normals = compile(graph, normal_outputs(graph, tangents));
   if (order == Order::Second) {
@@ -145,6 +145,11 @@ std::vector<Curvature> evaluate_curvature(const Surface& surface, std::span<cons
     }
   }
   return curvatures;
+}
+
+std::vector<double> evaluate_color(const Surface& surface, std::span<const dvec2> uv,
+                                   unsigned threads) {
+  return evaluate_records<double>(surface.color, uv, threads);
 }
 
 std::vector<SurfacePoint> evaluate_on_grid(const Surface& surface, std::span<const double> u,

@@ -35,6 +35,7 @@ struct Surface {
   Tape curvatures;    ///< curvature_outputs(); without outputs unless compiled for second order
   Tape bounds;        ///< r, r_u, r_v, r_uu, r_uv, r_vv for enclosures; the same holds
   Tape v;             ///< v at (u, s); without outputs where v is its own
+  Tape color;         ///< the number it is coloured by; without outputs where it is not
 };
 
 /// x, y, z: nodes that depend on u and v alone. The derivatives come from the formulas.
@@ -89,5 +90,9 @@ struct Curvature {
 /// For a surface of second order.
 std::vector<Curvature> evaluate_curvature(const Surface& surface, std::span<const dvec2> uv,
                                           unsigned threads = 0);
+
+/// The numbers that a coloured surface is coloured by; NaN or infinite where undefined.
+std::vector<double> evaluate_color(const Surface& surface, std::span<const dvec2> uv,
+                                   unsigned threads = 0);
 
 }  // namespace saddle

@@ -32,15 +32,9 @@ void Drawing::show_normals(const Model& model, bool shown) {
   make_marks(model);
 }
 
-void Drawing::show_axes(const Model& model, bool shown) {
-  axes_ = shown;
-  make_marks(model);
-}
-
-/// Normals and axes, if they are wanted.
+/// Normals, if they are wanted.
 void Drawing::make_marks(const Model& model) {
   renderer_.remove_marks();
-  labels_.clear();
   Mesh marks;
   if (normals_) {
     for (const Instance& instance : instances(model.last_good().scene)) {
@@ -48,7 +42,6 @@ void Drawing::make_marks(const Model& model) {
                           kNormalLength * model.surface_size(), marks);
     }
   }
-  if (axes_) labels_ = append_axes(model.bounds(), marks);
   if (!marks.lines.empty()) renderer_.set_marks(marks);
 }
 

@@ -8,7 +8,6 @@
 
 #include "render/canvas.h"
 #include "render/renderer.h"
-#include "view/axes.h"
 #include "view/model.h"
 
 namespace saddle {
@@ -28,10 +27,7 @@ class Drawing {
   void take_meshes(const Model& model);
 
   void show_normals(const Model& model, bool shown);
-  void show_axes(const Model& model, bool shown);
   bool has_normals() const { return normals_; }
-  bool has_axes() const { return axes_; }
-  const std::vector<AxisLabel>& labels() const { return labels_; }
 
   /// What is to be seen is another picture.
   void change();
@@ -64,8 +60,6 @@ class Drawing {
   Canvas canvas_;
   std::vector<std::shared_ptr<const SurfaceMesh>> uploaded_;
   bool normals_ = false;
-  bool axes_ = false;
-  std::vector<AxisLabel> labels_;
   bool stale_ = true;    ///< the picture is not what is to be seen
   bool coarse_ = false;  ///< it has fewer samples than it should
   int per_side_ = 1;

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <utility>
+#include <vector>
 
+#include "render/annotations.h"
+#include "scene/color_scale.h"
 #include "scene/instances.h"
 #include "scene/prepare.h"
 #include "scene/resolve.h"
@@ -72,6 +78,18 @@ std::string describe(const PickedPoint& picked) {
   return text.str();
 }
 
+namespace {
+
+/// The part of the picture that these surfaces of the scene may take.
+Room room_for(const Scene& scene, std::span<const std::shared_ptr<const SurfaceMesh>> surfaces,
+              const Bounds& bounds, const dvec2& size) {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const auto& surface : surfaces) ranges.push_back(color_range_of(surface->mesh));
+  return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
+}
+
+}  // namespace
+
 Bounds bounds_of(const Meshed& meshed) {
   Bounds bounds;
   for (const Instance& instance : instances(meshed.scene)) {
@@ -94,8 +112,10 @@ double radius_around(const dvec3& centre, const Meshed& meshed) {
 FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture) {
   Bounds bounds = bounds_of(meshed);
   if (bounds.empty()) bounds.add(dvec3(0));
-  const double aspect = static_cast<double>(picture.width) / picture.height;
-  return fit_camera(camera, bounds, aspect, radius_around(camera_target(camera, bounds), meshed));
+  const dvec2 size(picture.width, picture.height);
+  return fit_camera(camera, bounds, size.x / size.y,
+                    radius_around(camera_target(camera, bounds), meshed),
+                    room_for(meshed.scene, meshed.surfaces, bounds, size));
 }
 
 Model::Model(ViewerSetup setup, std::function<void()> wake)
@@ -120,8 +140,10 @@ Grip Model::grip() const {
   if (bounds.empty()) bounds.add(dvec3(0));
   const dvec3 target = camera_target(scene_.camera, bounds);
   const dvec2 pixels = size();
+  const Room room = room_for(drawn_scene(), good_.surfaces, bounds, pixels);
   return {scene_.camera,
-          fit_camera(scene_.camera, bounds, pixels.x / pixels.y, surface_radius(target)), pixels};
+          fit_camera(scene_.camera, bounds, pixels.x / pixels.y, surface_radius(target), room),
+          pixels};
 }
 
 dvec2 Model::size() const {
@@ -351,6 +373,10 @@ bool Model::act(Action action) {
     case Action::Orthographic:
       changed.camera.ortho = !changed.camera.ortho;
       look_through(changed.camera);
+      return true;
+    case Action::Axes:
+      changed.axes = !changed.axes;
+      change_look(std::move(changed));
       return true;
     case Action::Turntable:
       turntable = !turntable;

@@ -7,7 +7,6 @@ namespace saddle {
 namespace {
 
 constexpr ImU32 kMarkColor = IM_COL32(255, 80, 60, 255);
-constexpr ImU32 kLabelColor = IM_COL32(160, 210, 180, 255);
 constexpr ImU32 kMarkRim = IM_COL32(0, 0, 0, 255);
 
 void show_text(const char* id, const std::string& text, const ImVec2& place, const ImVec2& pivot) {
@@ -34,12 +33,6 @@ void show_overlay(const Overlay& overlay) {
   show_text("message", overlay.message, {middle, size.y - ImGui::GetFontSize()}, {0.5F, 1});
   show_text("help", overlay.help, {middle, size.y / 2}, {0.5F, 0.5F});
   ImDrawList& background = *ImGui::GetBackgroundDrawList();
-  for (const Label& label : overlay.labels) {
-    const ImVec2 text = ImGui::CalcTextSize(label.text.c_str());
-    const ImVec2 at{left + static_cast<float>(label.pixel.x) - text.x / 2,
-                    static_cast<float>(label.pixel.y) - text.y / 2};
-    if (at.x > left) background.AddText(at, kLabelColor, label.text.c_str());
-  }
   if (!overlay.mark) return;
   const ImVec2 at{left + static_cast<float>(overlay.mark->x), static_cast<float>(overlay.mark->y)};
   if (at.x < left) return;

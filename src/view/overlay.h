@@ -4,24 +4,16 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/vec.h"
 
 namespace saddle {
 
-/// A text in the middle of a pixel of the picture.
-struct Label {
-  dvec2 pixel;
-  std::string text;
-};
-
 struct Overlay {
   double left = 0;            ///< where the picture begins, in pixels
   std::optional<dvec2> mark;  ///< a pixel of the picture
-  std::vector<Label> labels;
-  std::string message;  ///< a line at the bottom
-  std::string help;     ///< lines in the middle
+  std::string message;        ///< a line at the bottom
+  std::string help;           ///< lines in the middle
 };
 
 /// Between Window::begin_panel() and end_panel().

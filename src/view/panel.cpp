@@ -14,6 +14,7 @@
 #include <imgui_stdlib.h>
 
 #include "scene/assignments.h"
+#include "scene/colormap.h"
 #include "scene/gallery.h"
 #include "scene/values.h"
 
@@ -156,7 +157,20 @@ void Panel::show_surface(Model& model, std::size_t index) {
   };
   range("u", spec.u);
   range("v", spec.v);
+  formula("color", spec.color);
+  if (!spec.color.empty()) show_colormaps(model, scene, spec);
   ImGui::PopID();
+}
+
+void Panel::show_colormaps(Model& model, const Scene& scene, SurfaceSpec& spec) {
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##colormap", spec.colormap.c_str())) return;
+  for (const std::string& name : colormap_names()) {
+    if (!ImGui::Selectable(name.c_str(), name == spec.colormap)) continue;
+    spec.colormap = name;
+    model.change_look(scene);
+  }
+  ImGui::EndCombo();
 }
 
 /// A definition: a slider if it is a number, its formula otherwise.
@@ -277,6 +291,9 @@ void Panel::show_look(Model& model) {
   ImGui::Checkbox("grid", &model.grid);
   ImGui::SameLine();
   ImGui::Checkbox("wires", &model.wireframe);
+  ImGui::SameLine();
+  bool axes = model.scene().axes;
+  if (ImGui::Checkbox("axes", &axes)) model.act(Action::Axes);
   bool ortho = model.scene().camera.ortho;
   if (ImGui::Checkbox("ortho", &ortho)) model.act(Action::Orthographic);
   ImGui::SameLine();

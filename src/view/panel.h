@@ -30,6 +30,7 @@ class Panel {
   void show_gallery(Model& model);
   void show_surface(Model& model, std::size_t index);
   void show_definitions(Model& model);
+  void show_colormaps(Model& model, const Scene& scene, SurfaceSpec& spec);
   void show_parameter(Model& model, Scene& scene, std::size_t index);
   void show_slider(Model& model, Scene& scene, Definition& definition, double number);
   void show_time(Model& model);

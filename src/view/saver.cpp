@@ -31,7 +31,7 @@ std::filesystem::path free_name(const std::string& title, const std::string& ext
   return path;
 }
 
-/// The scene's picture and nothing else: no axes, no normals.
+/// The scene's picture and nothing else: no normals, no wires.
 Image draw_meshed(const Meshed& meshed) {
   const Scene& scene = meshed.scene;
   Renderer renderer;

@@ -184,8 +184,6 @@ void Viewer::act(Action action) {
         return;
       case Action::Normals:
         return drawing_.show_normals(model_, !drawing_.has_normals());
-      case Action::Axes:
-        return drawing_.show_axes(model_, !drawing_.has_axes());
       case Action::CopyCommand:
       case Action::CopyScene:
         return copy(action);
@@ -279,11 +277,6 @@ Overlay Viewer::overlay() {
   }
   if (help_shown_) overlay.help = key_help();
   const Grip grip = model_.grip();
-  for (const AxisLabel& label : drawing_.labels()) {
-    if (is_in_front(grip, label.place)) {
-      overlay.labels.push_back({pixel_of(grip, label.place), label.text});
-    }
-  }
   const auto& picked = model_.picked();
   if (picked && is_in_front(grip, picked->world)) {
     overlay.mark = pixel_of(grip, picked->world);

@@ -74,7 +74,7 @@ void draw(benchmark::State& state, int width, int height, int antialias) {
   const Mesh torus_mesh = mesh_of(1e-3, 0)->mesh;
   renderer.set_mesh(0, torus_mesh);
   const FittedCamera camera =
-      fit_to_meshes(torus(), std::span(&torus_mesh, 1), static_cast<double>(width) / height);
+      fit_to_meshes(torus(), std::span(&torus_mesh, 1), dvec2(width, height));
   const PictureSettings settings{width, height, antialias};
   draw_image(renderer, torus(), camera, settings);  // compiles the shaders
   for (auto _ : state) {

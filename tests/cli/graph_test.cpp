@@ -356,6 +356,45 @@ TEST_F(GraphCommand, WritesTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
+TEST_F(GraphCommand, ColoursBySomethingAndSaysWhatIsWrongWithIt) {
+  done({"torus", "-o", "plain.png"});
+  done({"torus", "--color", "z", "--colormap", "magma", "-o", "color.png", "-o", "color.toml"});
+  done({"color.toml", "--colormap", "viridis", "-o", "viridis.png"});
+  done({"color.toml", "--color", "off", "-o", "off.png"});
+  EXPECT_NE(picture("color.png").rgba, picture("viridis.png").rgba);
+  EXPECT_EQ(picture("off.png").rgba, picture("plain.png").rgba);
+  const auto refused = [&](std::vector<std::string> options, const std::string& part) {
+    options.insert(options.begin(), "torus");
+    const std::string message = error_of(small(options), 2);
+    EXPECT_TRUE(contains(message, part)) << message;
+  };
+  refused({"--color", "z+zz", "-o", "x.png"}, "color = z+zz\n            ^~");
+  refused({"--color", "", "-o", "x.png"}, "the value is empty");
+  refused({"--color", "z", "--colormap", "jet", "-o", "x.png"}, "known: viridis");
+  refused({"--colormap", "magma", "-o", "x.png"}, "nothing to colour");
+  EXPECT_FALSE(exists("x.png"));
+}
+
+TEST_F(GraphCommand, GivesColoursToAMeshThatHasThem) {
+  done({"torus", "-o", "plain.ply"});
+  EXPECT_FALSE(contains(contents(path("plain.ply")), "property uchar red"));
+  done({"z=0", "--color", "u", "--colormap", "gray", "--samples", "2x1", "--grid", "off", "-o",
+        "color.ply"});
+  const std::string ply = contents(path("color.ply"));
+  EXPECT_TRUE(contains(ply,
+                       "property double v\nproperty uchar red\nproperty uchar green\n"
+                       "property uchar blue\nelement face"));
+  // The first vertex is at u = -1: six floats, u and v, black.
+  const std::string first = ply.substr(ply.find("end_header\n") + 11, 43);
+  EXPECT_EQ(first.substr(40), std::string(3, '\0'));
+}
+
+TEST_F(GraphCommand, DrawsAxesOnlyWhenTheyAreWanted) {
+  done({"torus", "-o", "plain.png"});
+  done({"torus", "--axes", "-o", "axes.png"});
+  EXPECT_NE(picture("axes.png").rgba, picture("plain.png").rgba);
+}
+
 TEST_F(GraphCommand, PassesAgainstItsOwnPicture) {
   done({"torus", "-o", "ref.png"});
   done({"torus", "--reference", "ref.png"});

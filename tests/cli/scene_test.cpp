@@ -24,30 +24,15 @@ class SceneFiles : public ProgramTest {
 
 TEST_F(SceneFiles, GiveTheSamePictureToTheBit) {
   const std::vector<std::string> formulas = {"z=a*sin(u)*cos(w)", "a=0.1+0.2", "w=v+t", "u=-3:pi"};
-  const std::vector<std::string> options = {"-s",
-                                            "90x70",
-                                            "--view",
-                                            "1,-2,0.3",
-                                            "--fov",
-                                            "25",
-                                            "--background",
-                                            "#10203040",
-                                            "--grid",
-                                            "7x0",
-                                            "--flip",
-                                            "--opacity",
-                                            "0.3",
-                                            "--t",
-                                            "1/3",
-                                            "-q",
-                                            "--tolerance",
-                                            "0.3px",
-                                            "--antialias",
-                                            "3",
-                                            "--front",
-                                            "tomato",
-                                            "--normal-tolerance",
-                                            "7"};
+  const std::vector<std::string> options = {
+      "-s",         "90x70",       "--view",       "1,-2,0.3",
+      "--fov",      "25",          "--background", "#10203040",
+      "--grid",     "7x0",         "--flip",       "--opacity",
+      "0.3",        "--axes",      "--color",      "z*w",
+      "--colormap", "magma",       "--t",          "1/3",
+      "-q",         "--tolerance", "0.3px",        "--antialias",
+      "3",          "--front",     "tomato",       "--normal-tolerance",
+      "7"};
   std::vector<std::string> first = formulas;
   first.insert(first.end(), options.begin(), options.end());
   first.insert(first.end(), {"-o", "a.png", "-o", "a.toml"});

@@ -37,6 +37,13 @@ std::vector<Golden> golden_pictures() {
       {"mobius-coloured", "mobius --front tomato --back '#00ff00' --grid off"},
       {"hole-where-undefined", "z='sqrt(u*v)' u=-1:1 v=-1:1"},
       {"no-antialiasing", "enneper --antialias 1"},
+      {"axes-torus", "torus --axes -s 320x240"},
+      {"axes-from-above", "torus --axes --view 0,0,1 -s 320x240"},
+      {"axes-orthographic",
+       "monkey-saddle --axes --ortho --view 1,0,0 --background white -s 320x240"},
+      {"axes-from-below", "z='u*v^2+1e6' --axes --view -2,1,-1.5 -s 320x240"},
+      {"color-height", "z='sin(u)*cos(v)' u=-3:3 v=-3:3 --axes --color z -s 320x240"},
+      {"color-undefined", "z='u*v' --color 'sqrt(u)+floor(2*v)' --colormap plasma -s 320x240"},
   };
   for (const auto& [name, arguments] :
        std::vector<std::pair<std::string, std::string>>{{"catenoid-helicoid", "--t 1.2"},
@@ -45,6 +52,9 @@ std::vector<Golden> golden_pictures() {
                                                         {"over-a-disc", "--t 0.5"},
                                                         {"knot", ""},
                                                         {"planets", "--t 2"},
+                                                        {"axes", ""},
+                                                        {"curvature", ""},
+                                                        {"color", ""},
                                                         {"colonnade", ""}}) {
     pictures.push_back({"example-" + name, SADDLE_SOURCE_DIR "/examples/" + name + ".toml " +
                                                arguments + " -s 240x180"});

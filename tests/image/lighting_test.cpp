@@ -285,7 +285,7 @@ TEST(Lighting, IsTheSameInSeveralPasses) {
     const auto context = make_osmesa_context();
     Renderer renderer(lights_at_once);
     renderer.set_mesh(0, mesh);
-    return draw_image(renderer, scene, fit_to_meshes(scene, std::span(&mesh, 1), 1),
+    return draw_image(renderer, scene, fit_to_meshes(scene, std::span(&mesh, 1), dvec2(kHeight)),
                       {kHeight, kHeight, 1});
   };
   const Image one = picture(100);

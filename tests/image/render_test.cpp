@@ -330,7 +330,7 @@ TEST(Renderer, DrawsTheSameAgainAndAfterAMeshIsReplaced) {
   Renderer renderer;
   renderer.set_mesh(0, plane_mesh(dvec3(5), 3));
   renderer.set_mesh(1, meshes[1]);
-  const FittedCamera camera = fit_to_meshes(scene, meshes, 120.0 / 90);
+  const FittedCamera camera = fit_to_meshes(scene, meshes, dvec2(120, 90));
   EXPECT_NE(draw_image(renderer, scene, camera, options).rgba, fresh.rgba);
   renderer.set_mesh(0, meshes[0]);
   EXPECT_EQ(draw_image(renderer, scene, camera, options).rgba, fresh.rgba);

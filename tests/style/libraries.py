@@ -15,6 +15,7 @@ HOMES = {
     r"toml\+\+/.*": r"src/scene/toml\.cpp",
     r"GLFW/.*|backends/imgui.*": r"src/view/window\.cpp",
     r"imgui.*": r"src/view/(window|panel|overlay)\.cpp",
+    r"stb_truetype\.h": r"src/render/font\.cpp",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -14,12 +14,24 @@ VARIANTS = [
     (["LIT", "DIRECTIONAL", "SEE_THROUGH"], "directional_light(0);"),
     (["LIT", "POINT", "SPECULAR", "POWERS", "BLINN", "ORTHOGRAPHIC", "TWO_SIDED"],
      "point_light(0);"),
+    (["LIT", "POINT", "COLORED"], "point_light(0);"),
+    (["LIT", "POINT", "AMBIENT", "SPECULAR", "POWERS", "COLORED", "TWO_SIDED", "TWO_MATERIALS",
+      "SEE_THROUGH"], "point_light(0);"),
     (["LIT", "ATTENUATED", "ATTENUATION", "FADES", "AMBIENT", "EMISSION", "NORMAL_MATRIX"],
      "attenuated_light(0);"),
     (["LIT", "SPOT", "SMOOTH_SPOT", "CONE", "FOCUS", "POWERS", "FADES", "AMBIENT", "SPECULAR",
       "HIGHLIGHTS", "ATTENUATION", "EMISSION", "TWO_SIDED", "TWO_MATERIALS"],
      "spot_light(0); smooth_spot_light(1);"),
 ]
+
+
+# Fragment shaders that share a vertex shader, which has none of its own.
+VERTEX_OF = {"text": "overlay", "color_bar": "overlay"}
+
+
+def vertex_of(fragment):
+    stem = fragment.name.split(".")[0]
+    return fragment.with_name(VERTEX_OF.get(stem, stem) + ".vert.glsl")
 
 
 def with_lines(text, lines):
@@ -40,7 +52,7 @@ def validate(name, vertex, fragment):
 
 def complaints(fragment):
     texts = [(tree.ROOT / name).read_text() for name in
-             (fragment.with_name(fragment.name.replace(".frag.", ".vert.")), fragment)]
+             (vertex_of(fragment), fragment)]
     if "shade(" not in texts[1]:
         yield from validate(fragment, *texts)
         return
@@ -68,9 +80,10 @@ def library_complaints(name):
 LIBRARIES = [pathlib.Path("shaders/functions.glsl"), pathlib.Path("shaders/lighting.glsl")]
 shaders = [name for name in tree.files("shaders") if name.suffix == ".glsl"]
 fragments = [name for name in shaders if ".frag." in name.name]
+paired = {*fragments, *(vertex_of(name) for name in fragments)}
 unpaired = [f"{name}: neither X.vert.glsl nor X.frag.glsl of a pair" for name in shaders
-            if name not in LIBRARIES and not all((tree.ROOT / name.with_name(name.name.split(".")[0] + s)).is_file()
-                       for s in (".vert.glsl", ".frag.glsl"))]
+            if name not in LIBRARIES and name not in paired]
+unpaired += [f"{name}: no such file" for name in paired if not (tree.ROOT / name).is_file()]
 broken = [c for name in fragments for c in complaints(name)]
 broken += [c for name in LIBRARIES for c in library_complaints(name)]
 tree.finish(unpaired + broken, len(shaders), "shaders")

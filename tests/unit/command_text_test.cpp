@@ -31,12 +31,16 @@ TEST(CommandText, SaysCameraLookAndSettings) {
   scene.background = {1, 1, 1};
   scene.surfaces[0].flip = true;
   scene.surfaces[0].opacity = 0.5;
+  scene.surfaces[0].color = "u*v";
+  scene.surfaces[0].colormap = "magma";
+  scene.axes = true;
   scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
   scene.picture.width = 100;
   scene.mesh.tolerance = ToleranceValue{0.25, true};
   EXPECT_EQ(command_text(scene),
-            "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --flip --opacity 0.5 "
-            "--grid off --size 100x600 --tolerance 0.25px");
+            "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --axes --color 'u*v' "
+            "--colormap magma --flip --opacity 0.5 --grid off "
+            "--size 100x600 --tolerance 0.25px");
 }
 
 TEST(CommandText, SaysTheRangeOfTime) {

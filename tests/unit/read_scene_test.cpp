@@ -215,7 +215,12 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"t = 99999999999999999999", "1:25", "TOML"},
         // keys
         Malformed{"titel = \"x\"\n" + kFront, "1:1", "did you mean 'title'?"},
-        Malformed{kFront + "colour = 1", "3:1", "known keys: name"},
+        Malformed{kFront + "colour = 1", "3:1", "did you mean 'color'?"},
+        Malformed{kFront + "hue = 1", "3:1", "known keys: name"},
+        Malformed{kFront + "color = \"z+foo\"", "3:12", "unknown name 'foo'"},
+        Malformed{kFront + "color = \"z\"\ncolormap = \"virdis\"", "4:13", "'viridis'"},
+        Malformed{kFront + "colormap = \"magma\"", "3:12", "nothing to colour"},
+        Malformed{"axes = 1\n" + kFront, "1:8", "true or false"},
         Malformed{kFront + "fornt = \"red\"", "3:1", "did you mean 'front'?"},
         Malformed{kFront + "front = { difuse = \"red\" }", "3:11", "did you mean 'diffuse'?"},
         Malformed{kFront + "[camera]\nfow = 3", "4:1", "did you mean 'fov'?"},

@@ -40,6 +40,9 @@ TEST(SceneFile, WritesWhatOptionsChange) {
   scene.background = {1, 1, 1, 0};
   scene.t = 0.1;
   scene.surfaces[0].grid_u = 0;
+  scene.axes = true;
+  scene.surfaces[0].color = "gauss";
+  scene.surfaces[0].colormap = "gray";
   scene.surfaces[0].flip = true;
   scene.surfaces[0].opacity = Number("1/3");
   scene.surfaces[0].front.diffuse = {1, 0, 0, 1};
@@ -53,10 +56,13 @@ TEST(SceneFile, WritesWhatOptionsChange) {
   scene.lights = {{.position = {1, 2, 3}, .directional = true, .color = {1, 1, 1}}};
   EXPECT_EQ(write_scene(scene),
             "background = \"#ffffff00\"\n"
+            "axes = true\n"
             "t = 0.1\n"
             "\n"
             "[[surface]]\n"
             "z = \"u\"\n"
+            "color = \"gauss\"\n"
+            "colormap = \"gray\"\n"
             "grid = [0, 16]\n"
             "front = { diffuse = \"#ff0000\" }\n"
             "back = { diffuse = [0.1, 0.2, 0.3], shininess = 8 }\n"

@@ -81,7 +81,6 @@ class RandomHand {
     while (viewer_.has_events()) viewer_.step();
     if (viewer_.model().playing) press_key_named("Space");
     if (viewer_.drawing().has_normals()) press_key_named("n");
-    if (viewer_.drawing().has_axes()) press_key_named("a");
   }
 
   void press_key_named(const std::string& name) {

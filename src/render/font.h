@@ -1,0 +1,44 @@
+// Letters: how wide a line of text is, and what of each pixel it covers.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace saddle {
+
+/// A line of text as shares of pixels, 0 to 255, rows from the top.
+struct TextBitmap {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> coverage;
+};
+
+/// DejaVu Sans, not hinted, with kerning. Characters that it does not have are boxes.
+class Font {
+ public:
+  Font();
+  ~Font();
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+
+  /// Of a line of UTF-8 in letters of `size` pixels: what its letters reach across.
+  double width(const std::string& text, double size) const;
+
+  /// From the top of the tallest to the bottom of the lowest letters, the same for all texts.
+  double height(double size) const;
+
+  /// The line in a bitmap of just that size, rounded up.
+  TextBitmap draw(const std::string& text, double size) const;
+
+ private:
+  struct Face;
+  std::unique_ptr<Face> face_;
+};
+
+/// The font's file, which is part of the program.
+std::span<const unsigned char> font_file();
+
+}  // namespace saddle

@@ -1,0 +1,106 @@
+#include "scene/colormap.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "base/error.h"
+#include "scene/color_scale.h"
+
+namespace saddle {
+namespace {
+
+void expect_color(const std::string& name, double x, const dvec3& expected, double tolerance) {
+  const dvec3 color = colormap_at(name, x);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(color[k], expected[k], tolerance) << name << " at " << x;
+}
+
+TEST(Colormaps, HaveTheColoursThatTheirAuthorsPublished) {
+  constexpr double kHalfStep = 0.5 / 255;  // tables of eight bits
+  expect_color("viridis", 0, {0.267004, 0.004874, 0.329415}, kHalfStep);
+  expect_color("viridis", 1, {0.993248, 0.906157, 0.143936}, kHalfStep);
+  expect_color("viridis", 128.0 / 255, {0.127568, 0.566949, 0.550556}, kHalfStep);
+  expect_color("plasma", 0, {0.050383, 0.029803, 0.527975}, kHalfStep);
+  expect_color("inferno", 1, {0.988362, 0.998364, 0.644924}, kHalfStep);
+  expect_color("magma", 1, {0.987053, 0.991438, 0.749504}, kHalfStep);
+  expect_color("turbo", 0, {0.18995, 0.07176, 0.23217}, kHalfStep);
+  expect_color("coolwarm", 0.5, {0.865395, 0.865410, 0.865396}, kHalfStep);
+  expect_color("gray", 0.25, {0.25, 0.25, 0.25}, 1e-12);
+}
+
+TEST(Colormaps, AreContinuousAndStayAtTheirEnds) {
+  for (const std::string& name : colormap_names()) {
+    EXPECT_EQ(colormap_at(name, -1), colormap_at(name, 0)) << name;
+    EXPECT_EQ(colormap_at(name, 2), colormap_at(name, 1)) << name;
+    for (double x = 0; x < 1; x += 0.001) {
+      const dvec3 step = glm::abs(colormap_at(name, x + 0.001) - colormap_at(name, x));
+      // turbo rises from one end to the other within a seventh of the way
+      EXPECT_LT(std::max({step.x, step.y, step.z}), 0.009) << name << " at " << x;
+    }
+  }
+}
+
+TEST(Colormaps, GrowLighterAllTheWayIfTheyAreSequential) {
+  for (const char* name : {"viridis", "plasma", "inferno", "magma", "cividis", "gray"}) {
+    const auto luma = [&](double x) {
+      return glm::dot(colormap_at(name, x), dvec3(0.2126, 0.7152, 0.0722));
+    };
+    for (double x = 0; x < 0.99; x += 0.02) EXPECT_LT(luma(x), luma(x + 0.02)) << name << x;
+  }
+}
+
+TEST(Colormaps, AreFoundByNameOrTheNearestIsNamed) {
+  EXPECT_EQ(parse_colormap("--colormap", "plasma"), "plasma");
+  try {
+    parse_colormap("--colormap", "virdis");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.hint()).find("did you mean 'viridis'"), std::string::npos);
+  }
+}
+
+Scene coloured(const std::vector<std::pair<std::string, std::string>>& surfaces) {
+  Scene scene;
+  for (const auto& [color, colormap] : surfaces) {
+    SurfaceSpec& spec = scene.surfaces.emplace_back();
+    spec.color = color;
+    spec.colormap = colormap;
+  }
+  return scene;
+}
+
+using Ranges = std::vector<std::optional<ColorRange>>;
+
+TEST(ColorScales, AreSharedBySurfacesWithTheSameFormulaAndColormap) {
+  const Scene scene =
+      coloured({{"z", "viridis"}, {"z", "viridis"}, {"z", "magma"}, {"gauss", "viridis"}});
+  const Ranges ranges = {ColorRange{0, 1}, ColorRange{-2, 0.5}, ColorRange{3, 4}, ColorRange{5, 6}};
+  const auto scales = color_scales(scene, ranges);
+  ASSERT_EQ(scales.size(), 3U);
+  EXPECT_EQ(scales[0].range.low, -2);
+  EXPECT_EQ(scales[0].range.high, 1);
+  EXPECT_EQ(&scale_of(scene.surfaces[1], scales), &scales[0]);
+  EXPECT_EQ(&scale_of(scene.surfaces[3], scales), &scales[2]);
+}
+
+TEST(ColorScales, LeaveOutWhatHasNoColour) {
+  const Scene scene = coloured({{"", "viridis"}, {"z", "viridis"}});
+  EXPECT_TRUE(color_scales(scene, Ranges{ColorRange{0, 1}, std::nullopt}).empty());
+}
+
+TEST(ColorScales, HaveZeroInTheMiddleOfDivergingMaps) {
+  const Scene scene = coloured({{"mean", "coolwarm"}});
+  const auto scales = color_scales(scene, Ranges{ColorRange{-1, 3}});
+  EXPECT_EQ(scales[0].range.low, -3);
+  EXPECT_EQ(scales[0].range.high, 3);
+  EXPECT_EQ(place_on(scales[0], 0), 0.5);
+}
+
+TEST(ColorScales, HaveOneNumberInTheMiddle) {
+  const Scene scene = coloured({{"1", "viridis"}});
+  const auto scales = color_scales(scene, Ranges{ColorRange{1, 1}});
+  EXPECT_EQ(place_on(scales[0], 1), 0.5);
+}
+
+}  // namespace
+}  // namespace saddle
