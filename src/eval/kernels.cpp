@@ -60,15 +60,9 @@ const char* level_name(CpuLevel level) {
 }
 
 const Kernels& kernels(CpuLevel level) {
-  switch (level) {
-    case CpuLevel::Sse2:
-      return has_fma() ? kernels_sse2() : kernels_sse2_without_fma();
-    case CpuLevel::Avx2:
-      return kernels_avx2();
-    case CpuLevel::Avx512:
-      return kernels_avx512();
-  }
-  return kernels_sse2();
+  if (!has_fma()) return kernels_sse2_without_fma();
+  constexpr std::array kLevels = {kernels_sse2, kernels_avx2, kernels_avx512};
+  return kLevels[static_cast<std::size_t>(level)]();
 }
 
 }  // namespace saddle

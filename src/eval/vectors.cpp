@@ -1,5 +1,7 @@
 #include "eval/vectors.h"
 
+#include <array>
+
 namespace saddle {
 
 // One copy of vector_loops.cpp each.
@@ -8,15 +10,8 @@ const VectorLoops& vectors_avx2();
 const VectorLoops& vectors_avx512();
 
 const VectorLoops& vector_loops(CpuLevel level) {
-  switch (level) {
-    case CpuLevel::Sse2:
-      return vectors_sse2();
-    case CpuLevel::Avx2:
-      return vectors_avx2();
-    case CpuLevel::Avx512:
-      return vectors_avx512();
-  }
-  return vectors_sse2();
+  constexpr std::array kLevels = {vectors_sse2, vectors_avx2, vectors_avx512};
+  return kLevels[static_cast<std::size_t>(level)]();
 }
 
 }  // namespace saddle

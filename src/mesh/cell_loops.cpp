@@ -8,15 +8,8 @@ void cut_cells_avx2(const Strip&, const Strip&, std::size_t, double, Cuts&);
 void cut_cells_avx512(const Strip&, const Strip&, std::size_t, double, Cuts&);
 
 CutCells cell_loop(CpuLevel level) {
-  switch (level) {
-    case CpuLevel::Sse2:
-      return cut_cells_sse2;
-    case CpuLevel::Avx2:
-      return cut_cells_avx2;
-    case CpuLevel::Avx512:
-      return cut_cells_avx512;
-  }
-  return cut_cells_sse2;
+  constexpr std::array kLevels = {cut_cells_sse2, cut_cells_avx2, cut_cells_avx512};
+  return kLevels[static_cast<std::size_t>(level)];
 }
 
 }  // namespace saddle
