@@ -107,10 +107,11 @@ double distance(const Grid& grid, std::span<const Triangle> triangles, const dve
 
 /// The distance of a triangle's point at (u, v) from the surface, which is at `p` there, in local
 /// units: along its normal, since what is along the surface is no distance. 0 where the two are too
-/// far apart along the surface for that, or (u, v) is not in the triangle.
+/// far apart for that, or (u, v) is not in the triangle.
 double height_above(const Grid& grid, const Triangle& t, const dvec2& uv, const dvec3& p,
                     const dvec3& normal) {
   constexpr double kBeside = 0.3;  // of the longest side: then curvature adds a third at most
+  constexpr double kFlat = 0.1;    // of it: beyond, the triangle bridges a front that is nearer
   const dvec3 weights = weights_at(grid, t, uv);
   if (!(std::min({weights.x, weights.y, weights.z}) >= -kRounding)) return 0;
   const std::array<dvec3, 3> at = {grid.local(t[0]), grid.local(t[1]), grid.local(t[2])};
@@ -119,6 +120,7 @@ double height_above(const Grid& grid, const Triangle& t, const dvec2& uv, const 
   const double longest = std::max(
       {glm::distance(at[0], at[1]), glm::distance(at[1], at[2]), glm::distance(at[2], at[0])});
   const double aside = glm::dot(off, off) - height * height;
+  if (!(height <= kFlat * longest)) return 0;
   return aside <= kBeside * kBeside * longest * longest ? height : 0;
 }
 
