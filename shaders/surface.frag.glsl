@@ -13,6 +13,15 @@ in vec3 eye_normal;
 in float color_number;
 #endif
 #endif
+#ifdef EXACT
+in vec2 uv;  // where the formula gives the normal
+in float trust_in_formula;
+#ifdef NORMAL_MATRIX
+uniform mat3 normal_to_eye;
+#else
+uniform mat4 model_to_eye;
+#endif
+#endif
 
 #ifdef SEE_THROUGH
 uniform float opacity;  // of a see-through surface
@@ -28,6 +37,23 @@ vec3 facing(vec3 n, vec3 eye_direction) {
 }
 #endif
 
+#ifdef EXACT
+// Near a corner where the formula is not to be trusted, over an eighth of the way from there to
+// others, the interpolated normal becomes the formula's.
+vec3 surface_normal() {
+  vec3 between = unit(eye_normal);
+  float share = clamp(8.0 * trust_in_formula, 0.0, 1.0);
+  vec3 n = formula_normal(uv.x, uv.y);
+  if (share == 0.0 || !(dot(n, n) > 0.0)) return between;
+#ifdef NORMAL_MATRIX
+  n = unit(normal_to_eye * n);
+#else
+  n = unit(mat3(model_to_eye) * n);
+#endif
+  return share == 1.0 ? n : unit(mix(between, n, share));
+}
+#endif
+
 vec3 color() {
 #ifdef PER_VERTEX
 #ifdef TWO_SIDED
@@ -37,7 +63,11 @@ vec3 color() {
 #endif
 #else
   vec3 eye_direction = eye_from(eye_position);
+#ifdef EXACT
+  vec3 n = surface_normal();
+#else
   vec3 n = unit(eye_normal);
+#endif
 #ifdef TWO_SIDED
   bool front = gl_FrontFacing;
   n = front ? n : -n;

@@ -7,6 +7,10 @@ layout(location = 1) in vec3 corner_normal;
 #ifdef COLORED
 layout(location = 3) in float corner_color;
 #endif
+#ifdef EXACT
+layout(location = 2) in vec2 parameters;
+layout(location = 4) in float trust;
+#endif
 
 // Composed in double: the product of two float matrices would lose depth where the eye is far away.
 uniform mat4 model_to_clip;
@@ -26,6 +30,10 @@ out vec3 eye_normal;
 #ifdef COLORED
 out float color_number;
 #endif
+#endif
+#ifdef EXACT
+out vec2 uv;
+out float trust_in_formula;  // whether floats know the normal there: shaders/trust.vert.glsl
 #endif
 
 invariant gl_Position;  // the lines' must be the same bits
@@ -53,5 +61,9 @@ void main() {
 #ifdef COLORED
   color_number = corner_color;
 #endif
+#endif
+#ifdef EXACT
+  uv = parameters;
+  trust_in_formula = trust;
 #endif
 }

@@ -155,7 +155,7 @@ class Run {
     write_meshes_of(shot, scene);
     if (!purpose_.picture) return;
     if (!maker_) maker_.emplace(line_.renderer);
-    for (const std::size_t i : updated) maker_->set_mesh(i, meshes_->meshes()[i]);
+    for (const std::size_t i : updated) maker_->set_surface(seen, i, meshes_->meshes()[i]);
     Image image = maker_->draw(seen, meshes_->meshes(), seen.picture);
     if (line_.strict && !maker_->warnings().empty()) fail_strictly();
     if (shot.still && reference_) compared_ = image;

@@ -51,7 +51,8 @@ Look
       --flip            swap front and back (the front is where r_u x r_v points)
       --opacity A       0 to 1; below 1 surfaces are see-through, their lines are not (default 1)
       --grid MxN        lines of constant u and of constant v, or off (default 16x16)
-      --shading HOW     vertex (colours at corners, blended) or pixel (default pixel)
+      --shading HOW     vertex (colours at corners, blended), pixel (normals, blended) or exact (the
+                        normal of the formula at each pixel) (default pixel)
       --specular HOW    highlights: phong or blinn (default phong)
       --antialias N     samples per pixel and side, 1 to 16; 1 is off (default 2)
 Mesh

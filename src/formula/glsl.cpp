@@ -1,5 +1,6 @@
 #include "formula/glsl.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -58,12 +59,15 @@ std::string with_arguments(std::string_view text, const std::array<std::string, 
   return result;
 }
 
-std::string operand(const Graph& graph, NodeId id) {
+std::string operand(const Graph& graph, NodeId id, std::span<const Symbol> constants) {
   const Node& node = graph[id];
   if (node.op == Op::Constant) return literal(node.value);
   if (node.op == Op::Variable) {
-    assert(node.symbol == kSymbolU || node.symbol == kSymbolV);
-    return node.symbol == kSymbolU ? "u" : "v";
+    if (node.symbol == kSymbolU) return "u";
+    if (node.symbol == kSymbolV) return "v";
+    const auto found = std::ranges::find(constants, node.symbol);
+    assert(found != constants.end());
+    return "constant[" + std::to_string(found - constants.begin()) + "]";
   }
   return "t" + std::to_string(id);
 }
@@ -93,7 +97,8 @@ std::string_view glsl_text(Op op) {
 }
 
 std::optional<std::string> print_glsl(const Graph& graph, std::span<const NodeId> outputs,
-                                      std::span<const std::string_view> names) {
+                                      std::span<const std::string_view> names,
+                                      std::span<const Symbol> constants) {
   assert(outputs.size() == names.size());
   std::vector<NodeId> roots(outputs.begin(), outputs.end());
   const Graph lowered = lower(graph, roots);
@@ -104,12 +109,14 @@ std::optional<std::string> print_glsl(const Graph& graph, std::span<const NodeId
     const Node& node = lowered[id];
     if (!needed[id] || arity(node.op) == 0) continue;
     std::array<std::string, 3> arguments;
-    for (int i = 0; i < arity(node.op); ++i) arguments[i] = operand(lowered, node.args[i]);
-    code += "float " + operand(lowered, id) + " = ";
+    for (int i = 0; i < arity(node.op); ++i) {
+      arguments[i] = operand(lowered, node.args[i], constants);
+    }
+    code += "float " + operand(lowered, id, constants) + " = ";
     code += with_arguments(glsl_text(node.op), arguments) + ";\n";
   }
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    code.append(names[i]).append(" = ").append(operand(lowered, roots[i])).append(";\n");
+    code.append(names[i]).append(" = ").append(operand(lowered, roots[i], constants)).append(";\n");
   }
   return code;
 }

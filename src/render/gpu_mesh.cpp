@@ -6,13 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "base/error.h"
 #include "mesh/topology.h"
-#include "render/program.h"
 
 namespace saddle {
 namespace {
@@ -144,6 +145,37 @@ GpuMesh::GpuMesh(const Mesh& mesh)
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, lines_.get());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
                indices.data(), GL_STATIC_DRAW);
+}
+
+double GpuMesh::measure_trust(Program& program, std::span<const dvec2> uv) {
+  const auto count = static_cast<GLsizei>(uv.size());
+  const std::vector<glm::vec2> rounded(uv.begin(), uv.end());
+  parameters_.emplace(make_name<GlBuffer>(glGenBuffers));
+  trust_.emplace(make_name<GlBuffer>(glGenBuffers));
+  glBindVertexArray(triangle_array_.get());
+  glBindBuffer(GL_ARRAY_BUFFER, parameters_->get());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(rounded.size() * sizeof(glm::vec2)),
+               rounded.data(), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(kParameters);
+  glVertexAttribPointer(kParameters, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+
+  std::vector<GLfloat> trust(rounded.size());
+  const auto bytes = static_cast<GLsizeiptr>(trust.size() * sizeof(GLfloat));
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, trust_->get());
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STATIC_DRAW);
+  program.use();
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, count);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, trust.data());
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+
+  glBindBuffer(GL_ARRAY_BUFFER, trust_->get());
+  glEnableVertexAttribArray(kTrust);
+  glVertexAttribPointer(kTrust, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  return std::accumulate(trust.begin(), trust.end(), 0.0) / count;
 }
 
 void GpuMesh::draw_triangles() const {

@@ -7,6 +7,7 @@
 
 #include "mesh/mesh.h"
 #include "render/gl.h"
+#include "render/program.h"
 
 namespace saddle {
 
@@ -34,6 +35,9 @@ class GpuMesh {
   /// The range of the numbers that it is coloured by; nothing if it is not.
   const std::optional<ColorRange>& color_range() const { return color_range_; }
   bool has_lines() const { return line_indices_ > 0; }
+  /// Gives its corners their u and v, and what the program of trust_shader() finds out about each
+  /// of them. Returns the share of corners that it trusts.
+  double measure_trust(Program& program, std::span<const dvec2> uv);
   void draw_triangles() const;
   void draw_lines() const;
 
@@ -48,6 +52,8 @@ class GpuMesh {
   GlBuffer triangles_;
   GlBuffer lines_;
   std::optional<GlBuffer> colors_;  ///< of the corners, 0 to 1 in that range, -1: undefined
+  std::optional<GlBuffer> parameters_;
+  std::optional<GlBuffer> trust_;
   GLsizei triangle_indices_ = 0;
   GLsizei line_indices_ = 0;
 };

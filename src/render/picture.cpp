@@ -112,9 +112,9 @@ std::vector<std::string> PictureMaker::warnings() const {
   return gpu_->renderer.warnings();
 }
 
-void PictureMaker::set_mesh(std::size_t surface, const Mesh& mesh) {
+void PictureMaker::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
   Stopwatch stopwatch;
-  gpu_->renderer.set_mesh(surface, mesh);
+  gpu_->renderer.set_surface(scene, surface, mesh);
   times_.upload += stopwatch.lap();
 }
 
@@ -146,7 +146,7 @@ Image PictureMaker::draw_in_tiles(const Scene& scene, std::span<const Mesh> mesh
 Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
                           const PictureSettings& options, int tile_samples, Backend backend) {
   PictureMaker maker(backend);
-  for (std::size_t i = 0; i < meshes.size(); ++i) maker.set_mesh(i, meshes[i]);
+  for (std::size_t i = 0; i < meshes.size(); ++i) maker.set_surface(scene, i, meshes[i]);
   Rendering result;
   result.image = maker.draw_in_tiles(scene, meshes, options, tile_samples);
   result.times = maker.times();

@@ -29,8 +29,9 @@ class PictureMaker {
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
-  /// Uploads the mesh of scene.surfaces[surface], in place of the one that is there.
-  void set_mesh(std::size_t surface, const Mesh& mesh);
+  /// Uploads the mesh of scene.surfaces[surface], in place of the one that is there, with what the
+  /// scene's shading needs.
+  void set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh);
 
   /// Draws the meshes as they are uploaded: `meshes[i]` is that of `scene.surfaces[i]`. Throws
   /// Error as render() does.

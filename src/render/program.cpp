@@ -30,10 +30,14 @@ GlShader compile(GLenum stage, const std::string& source) {
   return shader;
 }
 
-GlProgram link(const GlShader& vertex, const GlShader& fragment) {
+GlProgram link(const GlShader& vertex, const GlShader& fragment, const std::string& captured) {
   GlProgram program(glCreateProgram());
   glAttachShader(program.get(), vertex.get());
   glAttachShader(program.get(), fragment.get());
+  if (!captured.empty()) {
+    const char* const name = captured.c_str();
+    glTransformFeedbackVaryings(program.get(), 1, &name, GL_SEPARATE_ATTRIBS);
+  }
   glLinkProgram(program.get());
   glDetachShader(program.get(), vertex.get());
   glDetachShader(program.get(), fragment.get());
@@ -49,10 +53,11 @@ GlProgram link(const GlShader& vertex, const GlShader& fragment) {
 
 }  // namespace
 
-Program::Program(const std::string& vertex_source, const std::string& fragment_source)
+Program::Program(const std::string& vertex_source, const std::string& fragment_source,
+                 const std::string& captured)
     : source_(vertex_source + fragment_source),
       program_(link(compile(GL_VERTEX_SHADER, vertex_source),
-                    compile(GL_FRAGMENT_SHADER, fragment_source))) {
+                    compile(GL_FRAGMENT_SHADER, fragment_source), captured)) {
   find_uniforms();
   check_attributes();
 }
@@ -72,8 +77,11 @@ void Program::find_uniforms() {
 }
 
 void Program::check_attributes() const {
-  static const std::map<std::string, GLint> known{
-      {"position", kPosition}, {"corner_normal", kNormal}, {"corner_color", kColor}};
+  static const std::map<std::string, GLint> known{{"position", kPosition},
+                                                  {"corner_normal", kNormal},
+                                                  {"parameters", kParameters},
+                                                  {"corner_color", kColor},
+                                                  {"trust", kTrust}};
   GLint count = 0;
   glGetProgramiv(program_.get(), GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {
@@ -120,6 +128,11 @@ void Program::set(const std::string& name, const glm::dmat3& value) {
 void Program::set(const std::string& name, std::span<const dvec3> values) {
   std::vector<glm::vec3> rounded(values.begin(), values.end());
   glUniform3fv(location(name), static_cast<GLsizei>(rounded.size()), &rounded[0][0]);
+}
+
+void Program::set(const std::string& name, std::span<const double> values) {
+  std::vector<float> rounded(values.begin(), values.end());
+  glUniform1fv(location(name), static_cast<GLsizei>(rounded.size()), rounded.data());
 }
 
 void Program::set_texture(const std::string& name, int unit) {

@@ -15,13 +15,15 @@
 namespace saddle {
 
 /// Attribute locations, as the shaders' layout(location = ...) have them.
-enum Attribute : GLuint { kPosition = 0, kNormal = 1, kColor = 3 };
+enum Attribute : GLuint { kPosition = 0, kNormal = 1, kParameters = 2, kColor = 3, kTrust = 4 };
 
 class Program {
  public:
   /// Compiles and links. Throws Error (Machine) with the compiler's log: the shaders are ours, so
-  /// an error in them is a defect of the program or of the driver.
-  Program(const std::string& vertex_source, const std::string& fragment_source);
+  /// an error in them is a defect of the program or of the driver. `captured`: an output of the
+  /// vertex shader for transform feedback.
+  Program(const std::string& vertex_source, const std::string& fragment_source,
+          const std::string& captured = "");
 
   void use() const { glUseProgram(program_.get()); }
 
@@ -31,6 +33,7 @@ class Program {
   void set(const std::string& name, const glm::dmat4& value);
   void set(const std::string& name, const glm::dmat3& value);
   void set(const std::string& name, std::span<const dvec3> values);
+  void set(const std::string& name, std::span<const double> values);
   /// Of a sampler: the unit that its texture is bound to.
   void set_texture(const std::string& name, int unit);
 

@@ -14,6 +14,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/error.h"
+#include "render/normal_shader.h"
 #include "render/shaders.h"
 
 namespace saddle {
@@ -31,6 +32,10 @@ constexpr double kEven = 1e-6;
 /// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
 /// it any longer.
 constexpr std::size_t kMostLightsAtOnce = 512;
+
+/// Share of a mesh's corners at which floats must know the normal. Where they do not at most of
+/// them, they do at the others by chance.
+constexpr double kLeastTrust = 0.5;
 
 dvec3 rgb(const Color& color) {
   return {color.r, color.g, color.b};
@@ -165,11 +170,35 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
   } else {
     meshes_.push_back(std::move(uploaded));
   }
+  normals_.resize(meshes_.size());
+  normals_[surface] = {};
+}
+
+void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
+  set_mesh(surface, mesh);
+  if (scene.picture.shading != Shading::Exact || mesh.triangles.empty()) return;
+  ShaderNormal formula = shader_normal(scene, scene.surfaces[surface]);
+  if (!formula.obstacle) {
+    Program& trust = program(trust_shader(formula), "trust_in_formula");
+    trust.use();
+    if (!formula.constants.empty()) trust.set("constant", formula.constants);
+    trust.check_all_set();
+    const double share = meshes_[surface].measure_trust(trust, mesh.uv);
+    if (share < kLeastTrust) formula.obstacle = "a shader's floats have too few digits for it";
+  }
+  if (formula.obstacle) {
+    normals_[surface].warning =
+        scene.surfaces[surface].name +
+        ": shaded with interpolated normals, not exact ones: " + *formula.obstacle;
+  } else {
+    normals_[surface].formula = std::move(formula);
+  }
 }
 
 void Renderer::keep_meshes(std::size_t count) {
   if (count >= meshes_.size()) return;
   meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(count), meshes_.end());
+  normals_.resize(count);
 }
 
 std::vector<Renderer::Item> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
@@ -250,16 +279,18 @@ Layers& Renderer::layers(const Viewport& viewport) {
   return *layers_;
 }
 
-Program& Renderer::surface_program(const ShaderNeeds& needs) {
-  const ShaderText text = assemble_surface_shader(needs);
+Program& Renderer::program(const ShaderText& text, const std::string& captured) {
   const std::string both = text.vertex + text.fragment;
-  const auto known = surface_programs_.find(both);
-  if (known != surface_programs_.end()) return known->second;
-  return surface_programs_.emplace(both, Program(text.vertex, text.fragment)).first->second;
+  const auto known = programs_.find(both);
+  if (known != programs_.end()) return known->second;
+  return programs_.emplace(both, Program(text.vertex, text.fragment, captured)).first->second;
 }
 
 std::vector<std::string> Renderer::warnings() const {
   std::vector<std::string> all;
+  for (const Normals& normals : normals_) {
+    if (normals.warning) all.push_back(*normals.warning);
+  }
   if (left_out_layers_) {
     all.push_back("more than " + std::to_string(kMostLayers) +
                   " see-through layers lie behind each other: those farther away are not drawn");
@@ -269,7 +300,7 @@ std::vector<std::string> Renderer::warnings() const {
 
 std::string Renderer::shader_texts() const {
   std::string all;
-  for (const auto& [text, program] : surface_programs_) all += text;
+  for (const auto& [text, program] : programs_) all += text;
   return all;
 }
 
@@ -368,6 +399,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
   needs.blinn = scene.picture.specular == Specular::Blinn;
   needs.per_vertex = scene.picture.shading == Shading::Vertex;
   needs.orthographic = scene.camera.ortho;
+  const bool exact = scene.picture.shading == Shading::Exact;
   add_light_needs(lights, needs);
   Program* program = nullptr;
   ShaderNeeds made_for;
@@ -376,11 +408,13 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
     needs.two_sided = item.two_sided;
     needs.see_through = first && item.opacity < 1;  // later passes leave alpha alone
     needs.normal_matrix = !item.even;
+    const auto& formula = normals_[item.surface].formula;
+    needs.normal = exact && formula ? &*formula : nullptr;
     needs.emission = first && emits(surface);  // once, whatever the lights
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
     add_material_needs(surface, needs);
     if (program == nullptr || needs != made_for) {
-      program = &surface_program(needs);
+      program = &this->program(assemble_surface_shader(needs));
       program->use();
       set_lights(*program, lights, needs);
       made_for = needs;
@@ -388,6 +422,9 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
     program->set("model_to_clip", item.model_to_clip);
     program->set("model_to_eye", item.model_to_eye);
     if (needs.normal_matrix) program->set("normal_to_eye", item.normal_to_eye);
+    if (needs.normal != nullptr && !formula->constants.empty()) {
+      program->set("constant", formula->constants);
+    }
     if (needs.see_through) program->set("opacity", item.opacity);
     if (needs.colored) set_color(*program, scene, item.surface);
     set_material(*program, "front", surface.front, needs);

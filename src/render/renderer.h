@@ -50,6 +50,9 @@ class Renderer {
   /// Surfaces get their first mesh in order.
   void set_mesh(std::size_t surface, const Mesh& mesh);
 
+  /// The same with what scene.picture.shading needs: for exact normals, the surface's formula.
+  void set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh);
+
   /// Takes the meshes from the `count`th on away.
   void keep_meshes(std::size_t count);
 
@@ -70,10 +73,15 @@ class Renderer {
 
  private:
   struct Item;
+  /// How a surface's normals are computed in Shading::Exact.
+  struct Normals {
+    std::optional<ShaderNormal> formula;  // none: they are interpolated
+    std::optional<std::string> warning;   // and why
+  };
   using Lights = std::span<const ShaderLight>;
 
   std::vector<Item> items_of(const Scene& scene, const FittedCamera& camera, double unit) const;
-  Program& surface_program(const ShaderNeeds& needs);
+  Program& program(const ShaderText& text, const std::string& captured = "");
   Program& line_program();
   Layers& layers(const Viewport& viewport);
   bool has_lines() const;
@@ -93,8 +101,9 @@ class Renderer {
 
   std::size_t lights_at_once_ = 0;
   std::vector<GpuMesh> meshes_;
+  std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
-  std::map<std::string, Program> surface_programs_;  // by their text
+  std::map<std::string, Program> programs_;  // for surfaces, by their text
   ColormapTextures colormaps_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Program> line_program_;

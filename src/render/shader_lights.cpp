@@ -27,8 +27,9 @@ constexpr double kMostAttenuation = 1e30;
 
 /// Most uniform components of a light: seven vectors, each of which may take the room of four.
 constexpr int kComponentsPerLight = 28;
-/// Set aside for matrices and materials, and for what a driver adds.
-constexpr int kOtherComponents = 160;
+/// Set aside for matrices and materials, for what a driver adds, and for the constants of a
+/// formula, each of which may take the room of four.
+constexpr int kOtherComponents = 160 + 4 * static_cast<int>(kMostConstants);
 
 dvec3 rgb(const Color& color) {
   return glm::min(dvec3(color.r, color.g, color.b), dvec3(kBrightest));

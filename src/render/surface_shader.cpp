@@ -7,6 +7,7 @@
 #include <cassert>
 #include <sstream>
 
+#include "render/normal_shader.h"
 #include "render/shaders.h"
 
 namespace saddle {
@@ -49,6 +50,7 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   add(needs.colored, "COLORED");
   add(needs.normal_matrix, "NORMAL_MATRIX");
   add(needs.see_through, "SEE_THROUGH");
+  add(needs.normal != nullptr, "EXACT");
   return names;
 }
 
@@ -125,7 +127,8 @@ ShaderText assemble_surface_shader(const ShaderNeeds& needs) {
   ShaderText result{keep_defined(source("surface.vert.glsl"), names),
                     keep_defined(source("surface.frag.glsl"), names)};
   std::string& lit = needs.per_vertex ? result.vertex : result.fragment;
-  lit.insert(lit.find('\n') + 1, lighting(needs, names));  // after #version
+  const std::string normal = needs.normal == nullptr ? "" : normal_shader(*needs.normal);
+  lit.insert(lit.find('\n') + 1, normal + lighting(needs, names));  // after #version
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/shader_normal.h"
 
 namespace saddle {
 
@@ -27,7 +28,8 @@ struct ShaderNeeds {
   bool orthographic = false;
   bool colored = false;        ///< each point has a colour of its own, in place of the materials'
   bool normal_matrix = false;  ///< the model is not only turned, moved and scaled evenly
-  bool see_through = false;    ///< it is a layer of what is seen, with others behind
+  const ShaderNormal* normal = nullptr;  ///< the formula for normals; none: they are interpolated
+  bool see_through = false;              ///< it is a layer of what is seen, with others behind
 
   bool operator==(const ShaderNeeds&) const = default;
 };

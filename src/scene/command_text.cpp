@@ -140,6 +140,7 @@ void add_settings(Command& command, const Scene& scene) {
   if (width != usual.width || height != usual.height) command.option("size", pair(width, height));
   if (antialias != usual.antialias) command.option("antialias", std::to_string(antialias));
   if (shading == Shading::Vertex) command.option("shading", "vertex");
+  if (shading == Shading::Exact) command.option("shading", "exact");
   if (specular == Specular::Blinn) command.option("specular", "blinn");
   const MeshSettings& mesh = scene.mesh;
   if (mesh.tolerance) {

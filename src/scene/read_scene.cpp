@@ -340,7 +340,7 @@ void read_settings(TomlReader& reader, const TomlValue& table, Scene& scene) {
     scene.picture.antialias = reader.whole("antialias", v, 1, kMaxAntialias);
   });
   with(table, "shading", [&](const TomlValue& v) {
-    const std::string text = reader.text("shading", v, "\"vertex\" or \"pixel\"");
+    const std::string text = reader.text("shading", v, "\"vertex\", \"pixel\" or \"exact\"");
     scene.picture.shading = reader.in_place([&] { return parse_shading("shading", text); });
   });
   with(table, "specular", [&](const TomlValue& v) {

@@ -163,8 +163,9 @@ struct MeshSettings {
 /// Most samples per pixel and side: 256 per pixel are more than eight bits can show.
 inline constexpr int kMaxAntialias = 16;
 
-/// Where the lighting equation is computed.
-enum class Shading { Vertex, Pixel };
+/// Where the lighting equation is computed: at corners; at pixels, with the normal that is blended
+/// from the corners'; or there with the formula's.
+enum class Shading { Vertex, Pixel, Exact };
 
 /// What a highlight's angle is measured from: the mirrored light, or the half vector.
 enum class Specular { Phong, Blinn };

@@ -184,7 +184,7 @@ GridSize parse_pair(const std::string& option, const std::string& text, int low,
 }
 
 Shading parse_shading(const std::string& option, const std::string& text) {
-  return static_cast<Shading>(choice(option, text, {"vertex", "pixel"}));
+  return static_cast<Shading>(choice(option, text, {"vertex", "pixel", "exact"}));
 }
 
 Specular parse_specular(const std::string& option, const std::string& text) {

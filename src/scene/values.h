@@ -52,7 +52,7 @@ Clip parse_clip(const std::string& option, const std::string& text);
 /// `MxN`, both from `low` to `high`.
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);
 
-/// `vertex` or `pixel`.
+/// `vertex`, `pixel` or `exact`.
 Shading parse_shading(const std::string& option, const std::string& text);
 
 /// `phong` or `blinn`.

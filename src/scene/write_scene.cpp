@@ -300,6 +300,7 @@ std::string settings(const MeshSettings& mesh, const PictureSettings& picture) {
     text += "antialias = " + std::to_string(picture.antialias) + "\n";
   }
   if (picture.shading == Shading::Vertex) text += "shading = \"vertex\"\n";
+  if (picture.shading == Shading::Exact) text += "shading = \"exact\"\n";
   if (picture.specular == Specular::Blinn) text += "specular = \"blinn\"\n";
   if (mesh.tolerance) {
     const std::string value = format_number(mesh.tolerance->value);

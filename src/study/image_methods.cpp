@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "mesh/adaptive_mesh.h"
@@ -27,6 +28,8 @@ Scene plain_scene(const Subject& subject) {
   scene.surfaces[0].back = kBackMaterial;
   scene.surfaces[0].in.clear();  // as it is, wherever the scene moves it
   scene.camera = subject.scene.camera;
+  scene.definitions = subject.scene.definitions;  // for the formulas of exact normals
+  scene.t = subject.scene.t;
   return scene;
 }
 
@@ -39,9 +42,14 @@ class ImageStudy {
         context_(make_context(Backend::Any)) {}
 
   std::vector<Measurement> measure() {
-    compile_shaders();
-    for (const double pixels : kTolerances) {
-      if (!add("per pixel", number_text(pixels) + " px", pixels, subject_.antialias)) break;
+    for (const auto& [shading, method] :
+         {std::pair{Shading::Vertex, "per vertex"}, std::pair{Shading::Exact, "exact normal"},
+          std::pair{Shading::Pixel, "per pixel"}}) {
+      scene_.picture.shading = shading;
+      compile_shaders();
+      for (const double pixels : kTolerances) {
+        if (!add(method, number_text(pixels) + " px", pixels, subject_.antialias)) break;
+      }
     }
     for (const int n : kSamples) {
       const std::string setting = std::to_string(n) + "x" + std::to_string(n);
@@ -56,10 +64,11 @@ class ImageStudy {
     Image image;
     std::size_t triangles = 0;
     const auto draw = [&] {
-      const std::optional<GridMesh> mesh = tessellate(pixels);
+      std::optional<GridMesh> mesh = tessellate(pixels);
       if (!mesh) return;
+      take_user_parameters(subject_.surface, mesh->mesh.uv);
       triangles = mesh->mesh.triangles.size();
-      renderer_.set_mesh(0, mesh->mesh);
+      renderer_.set_surface(scene_, 0, mesh->mesh);
       image = draw_image(renderer_, scene_, subject_.camera,
                          {subject_.width, subject_.height, antialias});
     };
@@ -71,7 +80,7 @@ class ImageStudy {
   }
 
   void compile_shaders() {
-    renderer_.set_mesh(0, mesh_on_grid(subject_.surface, {8, 8, 0, 0, 1}).mesh);
+    renderer_.set_surface(scene_, 0, mesh_on_grid(subject_.surface, {8, 8, 0, 0, 1}).mesh);
     draw_image(renderer_, scene_, subject_.camera, {64, 48, 1});
   }
 

@@ -17,9 +17,14 @@ constexpr double kNormalLength = 0.03;
 
 void Drawing::take_meshes(const Model& model) {
   const auto& meshes = model.meshes();
+  Scene scene = model.last_good().scene;
+  scene.picture.shading = model.scene().picture.shading;
+  const bool exact = scene.picture.shading == Shading::Exact;
+  if (exact && !exact_) uploaded_.clear();
+  exact_ = exact;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (i < uploaded_.size() && uploaded_[i] == meshes[i]) continue;
-    renderer_.set_mesh(i, meshes[i]->mesh);
+    renderer_.set_surface(scene, i, meshes[i]->mesh);
   }
   renderer_.keep_meshes(meshes.size());
   uploaded_ = meshes;
@@ -59,6 +64,7 @@ void Drawing::draw(const Model& model) {
   const auto begin = Clock::now();
   const bool rested = is_due(begin);
   if (!stale_ && !rested) return;
+  if (!exact_ && model.scene().picture.shading == Shading::Exact) take_meshes(model);
   const bool fast_enough = figures_.frame_ms * (per_side_ == 1 ? 4 : 1) <= kSmoothMs;
   PictureSettings picture = model.scene().picture;
   const int most = std::min(2, picture.antialias);
@@ -71,6 +77,7 @@ void Drawing::draw(const Model& model) {
   spent_ += passed;
   figures_.frame_ms = std::chrono::duration<double, std::milli>(passed).count();
   ++figures_.frames;
+  figures_.warnings = renderer_.warnings();
   stale_ = false;
 }
 

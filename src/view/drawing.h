@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "render/canvas.h"
@@ -14,8 +15,9 @@ namespace saddle {
 
 /// What drawing takes.
 struct Figures {
-  std::size_t frames = 0;  ///< pictures drawn so far
-  double frame_ms = 0;     ///< the last one, from scene to finished pixels
+  std::size_t frames = 0;             ///< pictures drawn so far
+  double frame_ms = 0;                ///< the last one, from scene to finished pixels
+  std::vector<std::string> warnings;  ///< in which ways it is not what was asked for
 };
 
 /// Needs the window's context from the first to the last of its calls.
@@ -59,6 +61,7 @@ class Drawing {
   Renderer renderer_;
   Canvas canvas_;
   std::vector<std::shared_ptr<const SurfaceMesh>> uploaded_;
+  bool exact_ = false;  ///< with what exact normals need
   bool normals_ = false;
   bool stale_ = true;    ///< the picture is not what is to be seen
   bool coarse_ = false;  ///< it has fewer samples than it should

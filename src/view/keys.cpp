@@ -16,6 +16,7 @@ constexpr std::array kTable{
     KeyBinding{Action::NextLights, "l", "next light setup: three lights, at the eye, from above"},
     KeyBinding{Action::ShadeVertices, "1", "colours of corners, blended"},
     KeyBinding{Action::ShadePixels, "2", "lighting of each pixel"},
+    KeyBinding{Action::ShadeExactly, "3", "the same, with the normal of the formula"},
     KeyBinding{Action::Orthographic, "o", "orthographic or perspective"},
     KeyBinding{Action::Turntable, "t", "turn on a table, which keeps up up, or on a ball"},
     KeyBinding{Action::AlongX, "x", "look along x; again: from the other side"},

@@ -15,6 +15,7 @@ enum class Action {
   NextLights,
   ShadeVertices,
   ShadePixels,
+  ShadeExactly,
   Orthographic,
   Turntable,
   AlongX,

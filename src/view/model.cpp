@@ -367,7 +367,10 @@ bool Model::act(Action action) {
       return true;
     case Action::ShadeVertices:
     case Action::ShadePixels:
-      changed.picture.shading = action == Action::ShadeVertices ? Shading::Vertex : Shading::Pixel;
+    case Action::ShadeExactly:
+      changed.picture.shading = action == Action::ShadeVertices ? Shading::Vertex
+                                : action == Action::ShadePixels ? Shading::Pixel
+                                                                : Shading::Exact;
       change_look(std::move(changed));
       return true;
     case Action::Orthographic:

@@ -310,7 +310,8 @@ void Panel::show_shading(const Model& model) {
     Action action;
   };
   constexpr std::array kChoices{Choice{Shading::Vertex, "vertex", Action::ShadeVertices},
-                                Choice{Shading::Pixel, "pixel", Action::ShadePixels}};
+                                Choice{Shading::Pixel, "pixel", Action::ShadePixels},
+                                Choice{Shading::Exact, "exact", Action::ShadeExactly}};
   for (const auto& [shading, text, action] : kChoices) {
     if (action != kChoices.front().action) ImGui::SameLine();
     if (ImGui::RadioButton(text, model.scene().picture.shading == shading)) action_ = action;

@@ -36,7 +36,7 @@ Image draw_meshed(const Meshed& meshed) {
   const Scene& scene = meshed.scene;
   Renderer renderer;
   for (std::size_t i = 0; i < meshed.surfaces.size(); ++i) {
-    renderer.set_mesh(i, meshed.surfaces[i]->mesh);
+    renderer.set_surface(scene, i, meshed.surfaces[i]->mesh);
   }
   const FittedCamera camera = fit_to(meshed, scene.camera, scene.picture);
   return draw_image(renderer, scene, camera, scene.picture);

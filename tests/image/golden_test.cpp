@@ -60,6 +60,7 @@ std::vector<Golden> golden_pictures() {
                                                arguments + " -s 240x180"});
   }
   const std::string examples = SADDLE_SOURCE_DIR "/examples/lighting/";
+  pictures.push_back({"exact-normals", SADDLE_SOURCE_DIR "/examples/exact-normals.toml"});
   pictures.push_back({"see-through", SADDLE_SOURCE_DIR "/examples/see-through.toml"});
   for (const auto& [name, arguments] :
        std::vector<std::pair<std::string, std::string>>{{"viewpoint-cube", "light=1"},

@@ -53,6 +53,9 @@ def validate(name, vertex, fragment):
 def complaints(fragment):
     texts = [(tree.ROOT / name).read_text() for name in
              (vertex_of(fragment), fragment)]
+    normal = (tree.ROOT / "shaders/normal.glsl").read_text()
+    if "formula_normal(" in texts[0]:
+        texts[0] = with_lines(texts[0], normal)
     if "shade(" not in texts[1]:
         yield from validate(fragment, *texts)
         return
@@ -63,6 +66,9 @@ def complaints(fragment):
                              *(f"#define {name}" for name in names)])
         yield from validate(f"{fragment} with {names}", with_lines(texts[0], defines),
                             with_lines(texts[1], f"{defines}\n{lighting}"))
+        exact = f"#define EXACT\n{defines}"
+        yield from validate(f"{fragment} exact with {names}", with_lines(texts[0], exact),
+                            with_lines(texts[1], f"{exact}\n{normal}\n{lighting}"))
         per_vertex = f"#define PER_VERTEX\n{defines}"
         yield from validate(f"{fragment} per vertex with {names}",
                             with_lines(texts[0], f"{per_vertex}\n{lighting}"),
@@ -77,7 +83,8 @@ def library_complaints(name):
         yield f"{name}, one line below its own numbers:\n{done.stdout}"
 
 
-LIBRARIES = [pathlib.Path("shaders/functions.glsl"), pathlib.Path("shaders/lighting.glsl")]
+LIBRARIES = [pathlib.Path("shaders/functions.glsl"), pathlib.Path("shaders/lighting.glsl"),
+             pathlib.Path("shaders/normal.glsl")]
 shaders = [name for name in tree.files("shaders") if name.suffix == ".glsl"]
 fragments = [name for name in shaders if ".frag." in name.name]
 paired = {*fragments, *(vertex_of(name) for name in fragments)}
