@@ -78,7 +78,7 @@ TEST(Colors, RefineAPlaneWhoseColourWavesAlthoughItsRimIsConstant) {
 
 TEST(Colors, OfATorusRunOverItsGaussCurvature) {
   const Mesh mesh = coloured(of_gallery("torus"), "gauss").mesh;  // R = 2, r = 0.8
-  const double step = 1.5 / kColorSteps;  // the ends need not be corners
+  const double step = 1.5 / kColorSteps;                          // the ends need not be corners
   EXPECT_NEAR(mesh.color_range.low, -1 / (0.8 * 1.2), step);
   EXPECT_NEAR(mesh.color_range.high, 1 / (0.8 * 2.8), step);
   for (std::size_t i = 0; i < mesh.uv.size(); i += 7) {
