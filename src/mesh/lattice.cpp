@@ -162,8 +162,12 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
   if (vertices.empty()) return;
   const Domain& d = surface_.domain;
   const dvec2 step = kNear * dvec2(d.u1 - d.u0, d.v1 - d.v0);
-  const std::array<dvec2, 4> ways = {dvec2(step.x, 0), dvec2(-step.x, 0), dvec2(0, step.y),
-                                     dvec2(0, -step.y)};
+  // Twice as far, too: from all sides alike, 1/(u^2+v^2) goes to infinity.
+  const std::array<dvec2, 8> ways = {dvec2(step.x, 0),       dvec2(-step.x, 0),
+                                     dvec2(0, step.y),       dvec2(0, -step.y),
+                                     2.0 * dvec2(step.x, 0), 2.0 * dvec2(-step.x, 0),
+                                     2.0 * dvec2(0, step.y), 2.0 * dvec2(0, -step.y)};
+  constexpr std::size_t kNearest = 4;
   std::vector<dvec2> uv;
   for (const std::uint32_t vertex : vertices) {
     for (const dvec2& way : ways) uv.push_back(grid_.mesh.uv[vertex] + way);
@@ -175,12 +179,12 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
     dvec3 sum(0);
     for (std::size_t w = 0; w < ways.size(); ++w) {
       const dvec3& p = points[k * ways.size() + w].position;
-      sum += p;
+      if (w < kNearest) sum += p;
       around.add(p);
     }
     const bool agree = is_finite(sum) && around.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
     if (!agree) continue;
-    grid_.mesh.position[vertices[k]] = 0.25 * sum;
+    grid_.mesh.position[vertices[k]] = sum / static_cast<double>(kNearest);
     defined_[vertices[k]] = 1;
     regular_[vertices[k]] = 0;
   }

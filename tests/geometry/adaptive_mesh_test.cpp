@@ -481,5 +481,11 @@ TEST(AdaptiveMesh, NeedsFewTrianglesBesideTheLeastPossible) {
   EXPECT_LT(std::pow(product, 1.0 / count), 3.5);
 }
 
+TEST(AdaptiveMesh, TakesAPoleThatIsTheSameFromAllSidesForNoLimit) {
+  for (const char* z : {"1/(u^2+v^2)", "-1/hypot(u,v)", "ln(u^2+v^2)"}) {
+    EXPECT_GT(mesh_of({"pole", "u", "v", z, {-1, 1, -1, 1}}, 1e-3).report.pole_count, 0U) << z;
+  }
+}
+
 }  // namespace
 }  // namespace saddle
