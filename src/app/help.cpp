@@ -3,8 +3,10 @@
 
 namespace saddle {
 
-std::string help_text() {
-  return R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
+namespace {
+
+constexpr const char* kHelp =
+    R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
 
   saddle NAME=EXPRESSION... [options]                  graph formulas
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
@@ -79,6 +81,11 @@ Computing
                         --help keys the keys of the viewer
       --version         the version
 )";
+
+}  // namespace
+
+std::string help_text() {
+  return kHelp;
 }
 
 std::string version() {

@@ -297,8 +297,8 @@ class ColorMesher {
     if (halved == 0) return;
     // Turn it so that the side from the first corner is halved and, of two, the next one not.
     while (!middles[0] || (halved == 2 && middles[1])) {
-      std::ranges::rotate(triangle, triangle.begin() + 1);
-      std::ranges::rotate(middles, middles.begin() + 1);
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+      std::rotate(middles.begin(), middles.begin() + 1, middles.end());
     }
     const auto [a, b, c] = triangle;
     const std::uint32_t m = *middles[0];

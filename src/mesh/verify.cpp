@@ -93,22 +93,22 @@ void Verifier::append_samples(const Leaf& leaf, std::span<const Triangle> triang
     const dvec2 part = (place - low) / (high - low);
     return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
   };
-  for (const Triangle& t : triangles) {
-    if (triangles.size() > 2)
-      samples.push_back({(at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, false, {}});
-    if (leaf.is_split && !is_creased) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k];
-      const std::uint32_t b = t[(k + 1) % 3];
-      const bool inside = is_inside(0.5 * (at[a] + at[b]));
-      if (!inside && !is_creased) continue;
-      const bool on_crease = inside && is_creased && !has_side(triangles, b, a);
-      if (a > b && inside && !on_crease) continue;  // a diagonal is a side of two triangles
-      const std::optional<Chord> crease = on_crease ? std::optional(Chord{a, b}) : std::nullopt;
-      for (const double share : kOnDiagonal) {
-        samples.push_back({glm::mix(at[a], at[b], share), leaf.is_split, crease});
-      }
+  const auto append_chord = [&](std::uint32_t a, std::uint32_t b) {
+    const bool inside = is_inside(0.5 * (at[a] + at[b]));
+    if (!inside && !is_creased) return;
+    const bool on_crease = inside && is_creased && !has_side(triangles, b, a);
+    if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
+    const std::optional<Chord> crease = on_crease ? std::optional(Chord{a, b}) : std::nullopt;
+    for (const double share : kOnDiagonal) {
+      samples.push_back({glm::mix(at[a], at[b], share), leaf.is_split, crease});
     }
+  };
+  for (const Triangle& t : triangles) {
+    if (triangles.size() > 2) {
+      samples.push_back({(at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, false, {}});
+    }
+    if (leaf.is_split && !is_creased) continue;
+    for (std::size_t k = 0; k < 3; ++k) append_chord(t[k], t[(k + 1) % 3]);
   }
 }
 

@@ -34,12 +34,13 @@ struct Font::Face {
       const Character letter = decode_utf8(text, at);
       at += letter.bytes;
       const int glyph = stbtt_FindGlyphIndex(&info, static_cast<int>(letter.code));
-      if (previous != 0) pen += scale(size) * stbtt_GetGlyphKernAdvance(&info, previous, glyph);
+      if (previous != 0)
+        pen += scale(size) * static_cast<float>(stbtt_GetGlyphKernAdvance(&info, previous, glyph));
       visit(glyph, pen);
       int advance = 0;
       int bearing = 0;
       stbtt_GetGlyphHMetrics(&info, glyph, &advance, &bearing);
-      pen += scale(size) * advance;
+      pen += scale(size) * static_cast<float>(advance);
       previous = glyph;
     }
     return pen;

@@ -17,8 +17,9 @@ __asm__(
     ".text\n");
 
 extern "C" {
-extern const unsigned char saddle_font_begin[];
-extern const unsigned char saddle_font_end[];
+// The assembler's names.
+extern const unsigned char saddle_font_begin[];  // NOLINT(readability-identifier-naming)
+extern const unsigned char saddle_font_end[];    // NOLINT(readability-identifier-naming)
 }
 
 namespace saddle {

@@ -183,6 +183,7 @@ dvec3 entry(std::string_view table, std::size_t index) {
 const std::vector<std::string>& colormap_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(kMaps.size());
     for (const Map& map : kMaps) all.emplace_back(map.name);
     return all;
   }();

@@ -34,6 +34,7 @@ constexpr Clip within(const dvec3& low, const dvec3& high) {
 }
 
 /// A function, so that the table is made when it is asked for first, not at every start.
+// NOLINTNEXTLINE(readability-function-size): all of it is data
 const auto& entries() {
   static const auto kEntries = std::to_array<GalleryEntry>({
       // Quadrics and surfaces of revolution.

@@ -36,6 +36,7 @@ class Columns {
     assert(sizeof(Record) == starts_.size() * sizeof(double));
     parallel_chunks(records.size(), kPackChunk, threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
+        // NOLINTNEXTLINE(bugprone-sizeof-expression): a record may be a single double
         std::array<double, sizeof(Record) / sizeof(double)> row;
         for (std::size_t k = 0; k < row.size(); ++k) row[k] = starts_[k][i];
         std::memcpy(&records[i], row.data(), sizeof(Record));
