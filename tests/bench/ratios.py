@@ -74,7 +74,7 @@ def chart(times, file):
 set output '{file}'
 set multiplot layout 1,2
 set logscale xy; unset key; set border 3; set tics nomirror; set grid lc rgb '#e4e4e4'
-set ylabel 'processor time, ms'; set format x '10^{%L}'
+set ylabel 'processor time, ms'; set format x '10^{{%L}}'
 """
     for title, label, points in (("torus to mesh", "diagonal / tolerance", meshes),
                                  ("mesh to antialiased picture", "megapixels", pictures)):
