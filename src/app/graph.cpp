@@ -142,8 +142,7 @@ class Run {
   static Error located(const Error& error, const Shot& shot) {
     const std::string name = name_of(shot);
     if (name.empty() || error.status() == Status::Machine) return error;
-    const std::string hint = error.hint().empty() ? "" : error.hint() + "\n";
-    return {error.status(), error.what(), error.place(), hint + "this is " + name};
+    return with_hint_line(error, "this is " + name);
   }
 
   void take(const Shot& shot) {

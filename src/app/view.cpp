@@ -93,8 +93,7 @@ void run_view(const CommandLine& line) {
     Viewer(std::move(setup)).run();
   } catch (const Error& error) {
     if (error.status() != Status::Machine) throw;
-    const std::string hint = error.hint().empty() ? "" : error.hint() + "\n";
-    throw Error(Status::Machine, error.what(), {}, hint + kWayOut);
+    throw with_hint_line(error, kWayOut);
   }
 }
 #endif

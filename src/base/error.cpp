@@ -170,6 +170,12 @@ Error::Error(Status status, std::string message, Place place, std::string hint)
       place_(std::move(place)),
       hint_(std::move(hint)) {}
 
+Error with_hint_line(const Error& error, std::string_view line) {
+  std::string hint = error.hint();
+  if (!hint.empty()) hint += '\n';
+  return {error.status(), error.what(), error.place(), hint.append(line)};
+}
+
 std::string format_error(const Error& error) {
   std::string text = "saddle: ";
   if (!error.place().where.empty()) text += printable(error.place().where) + ": ";

@@ -47,6 +47,9 @@ class Error : public std::exception {
   std::string hint_;
 };
 
+/// The same error with one more line below its hint.
+Error with_hint_line(const Error& error, std::string_view line);
+
 /// The text for standard error, ending in a newline:
 ///
 ///     saddle: y: unknown name 'foo'

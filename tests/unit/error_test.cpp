@@ -25,6 +25,16 @@ TEST(Error, CarriesItsParts) {
   EXPECT_EQ(error.hint(), "hint");
 }
 
+TEST(Error, TakesOneMoreLineBelowItsHint) {
+  const Error bare(Status::Machine, "message", {"y", "text", {1, 3}});
+  const Error once = with_hint_line(bare, "first");
+  EXPECT_EQ(once.hint(), "first");
+  EXPECT_EQ(with_hint_line(once, "second").hint(), "first\nsecond");
+  EXPECT_STREQ(once.what(), "message");
+  EXPECT_EQ(once.status(), Status::Machine);
+  EXPECT_EQ(once.place().text, "text");
+}
+
 TEST(FormatError, ShowsNameMessageTextCaretAndHint) {
   const Error error(Status::Input, "unknown name 'foo'", {"y", "cos(u)*foo(v)", {7, 10}},
                     "did you mean 'floor'?");
