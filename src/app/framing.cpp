@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "eval/batch.h"
 #include "eval/tape.h"
+#include "mesh/grid.h"
+#include "mesh/robust_box.h"
 #include "render/annotations.h"
 #include "scene/camera.h"
 #include "scene/color_scale.h"
@@ -27,10 +29,8 @@ constexpr int kMoments = 32;
 constexpr double kGoldenPart = 0.6180339887498949;
 /// Samples of a surface, cells each way: what a smooth surface does between them is less than the
 /// room that the camera leaves around the sphere.
-constexpr int kCells = 96;
+constexpr std::size_t kCells = 96;
 
-/// Of the samples in each coordinate, those that the surface may leave on its way to infinity.
-constexpr double kTail = 0.05;
 /// Twice as many samples each way go so many times as far where there is a pole: at a simple one
 /// twice as far. A peak that all samples see stays as it is.
 constexpr double kGrowth = 1.3;
@@ -52,22 +52,6 @@ struct Sampled {
   bool moves = false;
 };
 
-std::vector<double> parts_of(double from, double to) {
-  std::vector<double> parts;
-  parts.reserve(kCells + 1);
-  for (int i = 0; i <= kCells; ++i) {
-    const double share = static_cast<double>(i) / kCells;
-    parts.push_back((1 - share) * from + share * to);
-  }
-  return parts;
-}
-
-double quantile(std::vector<double> numbers, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
-  std::ranges::nth_element(numbers, numbers.begin() + at);
-  return numbers[static_cast<std::size_t>(at)];
-}
-
 /// The box that a surface is clipped to if it has poles; nothing if it seems to have none.
 /// `coarse`: a box around each other sample.
 Bounds box_of_poles(const std::vector<dvec3>& positions, const Bounds& coarse) {
@@ -75,29 +59,14 @@ Bounds box_of_poles(const std::vector<dvec3>& positions, const Bounds& coarse) {
   for (const dvec3& p : positions) all.add(p);
   const dvec3 growth = all.size() - kGrowth * coarse.size();
   if (positions.empty() || std::max({growth.x, growth.y, growth.z}) <= 0) return {};
-  Bounds robust;
-  for (int k = 0; k < 3; ++k) {
-    std::vector<double> numbers;
-    numbers.reserve(positions.size());
-    for (const dvec3& p : positions) numbers.push_back(p[k]);
-    robust.low[k] = quantile(numbers, kTail);
-    robust.high[k] = quantile(numbers, 1 - kTail);
-  }
-  return clip_box(all, robust);
-}
-
-bool inside(const Bounds& box, const dvec3& p) {
-  for (int k = 0; k < 3; ++k) {
-    if (p[k] < box.low[k] || p[k] > box.high[k]) return false;
-  }
-  return true;
+  return clip_box(all, robust_box(positions));
 }
 
 Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
   BoundSurface bound = bind_surface(scene, spec);
   const Domain& d = bound.domain;
-  const std::vector<double> u = parts_of(d.u0, d.u1);
-  const std::vector<double> v = parts_of(d.v0, d.v1);
+  const std::vector<double> u = even_lines(d.u0, d.u1, kCells);
+  const std::vector<double> v = even_lines(d.v0, d.v1, kCells);
   std::array<std::vector<double>, 3> xyz;
   for (auto& coordinates : xyz) coordinates.resize(u.size() * v.size());
   const std::array<double*, 3> outputs = {xyz[0].data(), xyz[1].data(), xyz[2].data()};
@@ -107,7 +76,7 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
   Bounds coarse;
   for (std::size_t i = 0; i < xyz[0].size(); ++i) {
     const dvec3 p(xyz[0][i], xyz[1][i], xyz[2][i]);
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+    if (!is_finite(p)) continue;
     result.positions.push_back(p);
     if (i / u.size() % 2 == 0 && i % u.size() % 2 == 0) coarse.add(p);
   }
@@ -115,7 +84,7 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
   if (scene.clip.box) box = *scene.clip.box;
   if (!scene.clip.box && scene.clip.automatic) box = box_of_poles(result.positions, coarse);
   if (!box.empty())
-    std::erase_if(result.positions, [&](const dvec3& p) { return !inside(box, p); });
+    std::erase_if(result.positions, [&](const dvec3& p) { return !box.contains(p); });
   for (const dvec3& p : result.positions) result.bounds.add(p);
   return result;
 }
@@ -208,9 +177,7 @@ Framing frame_scene(Timeline& timeline, unsigned threads) {
     try {
       scenes.push_back(timeline.at(t));
     } catch (const Error& error) {
-      const std::string hint = error.hint().empty() ? "" : error.hint() + "\n";
-      throw Error(error.status(), error.what(), error.place(),
-                  hint + "this is at t = " + format_number(t));
+      throw with_hint_line(error, "this is at t = " + format_number(t));
     }
   }
   if (!written.camera.target || !written.camera.distance) fit(scenes, framing, threads);

@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "eval/batch.h"
 #include "mesh/grid.h"
+#include "mesh/robust_box.h"
 
 namespace saddle {
 namespace {
@@ -29,8 +30,6 @@ constexpr double kFloor = 0.02;
 constexpr int kRatios = 6;
 /// Every fourth sample of a column or row is enough to tell which ratio is best.
 constexpr std::size_t kEveryForRatio = 4;
-/// The share of samples that is left out at either end of robust bounds.
-constexpr double kTail = 0.05;
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
 constexpr double kSeam = 1e-9;
 /// Cells that rounding may add to a sum of densities; a whole number of them is not exceeded by it.
@@ -71,16 +70,6 @@ class GridColumns {
  private:
   std::vector<std::vector<double>> columns_;
 };
-
-/// The value below which `share` of the numbers are; 0 if there are none.
-double quantile(std::vector<double>& numbers, double share) {
-  if (numbers.empty()) return 0;
-  const auto place = std::min(static_cast<std::size_t>(share * static_cast<double>(numbers.size())),
-                              numbers.size() - 1);
-  std::nth_element(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(place),
-                   numbers.end());
-  return numbers[place];
-}
 
 /// Lines per unit of parameter for which arcs of second derivative `bend`, in tolerances, stay
 /// within half of the tolerance, the other half being the other direction's: h^2 bend / 8 <= 1 / 2.
@@ -275,16 +264,11 @@ double Probe::radius(const dvec3& centre) const {
 }
 
 Bounds Probe::robust_bounds() const {
-  Bounds bounds;
-  for (int k = 0; k < 3; ++k) {
-    std::vector<double> numbers;
-    for (const Sample& s : samples_) {
-      if (is_finite(s.position)) numbers.push_back(s.position[k]);
-    }
-    bounds.low[k] = quantile(numbers, kTail);
-    bounds.high[k] = quantile(numbers, 1 - kTail);
+  std::vector<dvec3> positions;
+  for (const Sample& s : samples_) {
+    if (is_finite(s.position)) positions.push_back(s.position);
   }
-  return bounds;
+  return robust_box(positions);
 }
 
 Seam Probe::find_seam(const Surface& surface, bool along_v) const {

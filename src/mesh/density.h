@@ -75,7 +75,7 @@ class Probe {
 
   /// A box around the finite positions.
   const Bounds& bounds() const { return bounds_; }
-  /// In each coordinate, where all but the lowest and the highest twentieth of the samples are.
+  /// The robust_box() of the finite positions.
   Bounds robust_bounds() const;
   /// The largest distance of a finite position from `centre`.
   double radius(const dvec3& centre) const;

@@ -30,6 +30,10 @@ struct Bounds {
   }
   dvec3 centre() const { return 0.5 * (low + high); }
   dvec3 size() const { return high - low; }
+  /// Whether a point is in the box or on its faces.
+  bool contains(const dvec3& p) const {
+    return glm::all(glm::lessThanEqual(low, p)) && glm::all(glm::lessThanEqual(p, high));
+  }
   double diagonal() const { return empty() ? 0 : glm::length(size()); }
 };
 

@@ -44,11 +44,7 @@ constexpr std::size_t kChunk = 64;
 constexpr std::uint64_t kSeed = 0x5eed;
 
 bool is_inside(const std::optional<Bounds>& box, const dvec3& p) {
-  if (!box) return true;
-  for (int k = 0; k < 3; ++k) {
-    if (p[k] < box->low[k] || p[k] > box->high[k]) return false;
-  }
-  return true;
+  return !box || box->contains(p);
 }
 
 dvec2 at_share(const Domain& d, const dvec2& share) {

@@ -1,0 +1,35 @@
+#include "mesh/robust_box.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace saddle {
+namespace {
+
+/// The share of the points that is left out at either end: what a surface takes to infinity is
+/// seldom more, and what is left shows how large the rest is.
+constexpr double kTail = 0.05;
+
+}  // namespace
+
+double quantile(std::vector<double>& numbers, double share) {
+  if (numbers.empty()) return 0;
+  const auto place = std::min(static_cast<std::size_t>(share * static_cast<double>(numbers.size())),
+                              numbers.size() - 1);
+  std::ranges::nth_element(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(place));
+  return numbers[place];
+}
+
+Bounds robust_box(std::span<const dvec3> points) {
+  Bounds box;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> numbers;
+    numbers.reserve(points.size());
+    for (const dvec3& p : points) numbers.push_back(p[k]);
+    box.low[k] = quantile(numbers, kTail);
+    box.high[k] = quantile(numbers, 1 - kTail);
+  }
+  return box;
+}
+
+}  // namespace saddle

@@ -1,0 +1,45 @@
+#include "mesh/robust_box.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace saddle {
+namespace {
+
+TEST(Quantile, HasTheShareOfTheNumbersBelowIt) {
+  std::vector<double> numbers;
+  for (int i = 0; i < 100; ++i) numbers.push_back((37 * i) % 100);
+  EXPECT_EQ(quantile(numbers, 0), 0);
+  EXPECT_EQ(quantile(numbers, 0.05), 5);
+  EXPECT_EQ(quantile(numbers, 0.95), 95);
+  EXPECT_EQ(quantile(numbers, 1), 99);
+}
+
+TEST(Quantile, IsZeroOfNoNumbers) {
+  std::vector<double> none;
+  EXPECT_EQ(quantile(none, 0.5), 0);
+}
+
+TEST(RobustBox, KeepsToWhatMostPointsKeepTo) {
+  std::vector<dvec3> points;
+  for (int i = 0; i < 100; ++i) points.emplace_back(i, -i, 7);
+  points[0].x = -1e300;
+  points[99].x = 1e300;
+  const Bounds box = robust_box(points);
+  EXPECT_EQ(box.low, dvec3(5, -94, 7));
+  EXPECT_EQ(box.high, dvec3(95, -4, 7));
+}
+
+TEST(Bounds, ContainTheirFacesAndNothingBeyond) {
+  Bounds box;
+  box.add(dvec3(0));
+  box.add(dvec3(1, 2, 3));
+  EXPECT_TRUE(box.contains(dvec3(0, 2, 1.5)));
+  EXPECT_FALSE(box.contains(dvec3(0, 2.1, 1.5)));
+  EXPECT_FALSE(box.contains(dvec3(-0.1, 1, 1)));
+  EXPECT_FALSE(Bounds().contains(dvec3(0)));
+}
+
+}  // namespace
+}  // namespace saddle
