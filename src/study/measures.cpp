@@ -197,19 +197,27 @@ class Measurer {
     }
   }
 
-  /// Gauss or mean curvatures; NaN where they would have lost most of their digits.
-  std::vector<double> curvatures(std::span<const dvec2> uv, double Curvature::*which) const {
-    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
-    const std::vector<Curvature> all = evaluate_curvature(surface_, uv, threads_);
-    std::vector<double> result;
-    result.reserve(uv.size());
+  /// Curvatures; Gauss and mean are NaN where they would have lost most of their digits.
+  std::vector<Curvature> curvatures(std::span<const dvec2> uv,
+                                    std::span<const SurfacePoint> points) const {
+    std::vector<Curvature> result = evaluate_curvature(surface_, uv, threads_);
     for (std::size_t k = 0; k < uv.size(); ++k) {
       const double size_u = safe_length(points[k].r_u);
       const double size_v = safe_length(points[k].r_v);
       const dvec3 across = glm::cross(points[k].r_u / size_u, points[k].r_v / size_v);
       const bool usable = glm::length(across) > kWellConditioned &&
                           size_u >= kShortTangent * usual_u_ && size_v >= kShortTangent * usual_v_;
-      result.push_back(usable && std::isfinite(all[k].*which) ? all[k].*which : std::nan(""));
+      if (!usable) result[k].gauss = result[k].mean = std::nan("");
+    }
+    return result;
+  }
+
+  static std::vector<double> numbers(std::span<const Curvature> curvatures,
+                                     double Curvature::*which) {
+    std::vector<double> result;
+    result.reserve(curvatures.size());
+    for (const Curvature& c : curvatures) {
+      result.push_back(std::isfinite(c.*which) ? c.*which : std::nan(""));
     }
     return result;
   }
@@ -219,12 +227,13 @@ class Measurer {
     usual_u_ = usual_length(points, &SurfacePoint::r_u);
     usual_v_ = usual_length(points, &SurfacePoint::r_v);
     result_.evaluations += points.size();
-    add_curvature(&Curvature::gauss, result_.gauss);
-    add_curvature(&Curvature::mean, result_.mean);
+    const std::vector<Curvature> all = curvatures(mesh_.uv, points);
+    add_curvature(&Curvature::gauss, numbers(all, &Curvature::gauss), result_.gauss);
+    add_curvature(&Curvature::mean, numbers(all, &Curvature::mean), result_.mean);
   }
 
-  void add_curvature(double Curvature::*which, Extremes& range) const {
-    const std::vector<double> at_vertices = curvatures(mesh_.uv, which);
+  void add_curvature(double Curvature::*which, const std::vector<double>& at_vertices,
+                     Extremes& range) const {
     for (const double x : at_vertices) {
       if (!std::isnan(x)) range.add(x);
     }
@@ -236,7 +245,7 @@ class Measurer {
         return numbers;
       };
       const ValuesAt value = [&](std::span<const dvec2> uv) {
-        return turned(curvatures(uv, which));
+        return turned(numbers(curvatures(uv, evaluate(surface_, uv, threads_)), which));
       };
       double& end = sign > 0 ? range.high : range.low;
       const double found = sign * largest(value, turned(at_vertices)).value;
