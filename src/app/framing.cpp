@@ -10,7 +10,6 @@
 #include "eval/batch.h"
 #include "eval/tape.h"
 #include "mesh/grid.h"
-#include "mesh/robust_box.h"
 #include "render/annotations.h"
 #include "scene/camera.h"
 #include "scene/color_scale.h"
@@ -59,7 +58,7 @@ Bounds box_of_poles(const std::vector<dvec3>& positions, const Bounds& coarse) {
   for (const dvec3& p : positions) all.add(p);
   const dvec3 growth = all.size() - kGrowth * coarse.size();
   if (positions.empty() || std::max({growth.x, growth.y, growth.z}) <= 0) return {};
-  return clip_box(all, robust_box(positions));
+  return clip_box(all, positions);
 }
 
 Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {

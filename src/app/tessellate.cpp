@@ -95,7 +95,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     options.clip = scene.clip.box;
     Bounds box;
     options.tolerance = [&](const Probe& probe) {
-      box = clip_box(probe);
+      box = clip_box(probe.bounds(), probe.positions());
       return tolerance_of(scene, spec, purpose, probe, options.clip);
     };
     options.normal_tolerance = scene.mesh.normal_tolerance;

@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/robust_box.h"
 #include "scene/camera.h"
 #include "scene/instances.h"
 
@@ -22,6 +23,9 @@ constexpr ToleranceValue kMeshTolerance = {1e-3, false};
 constexpr double kNearest = 0.05;
 /// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
 constexpr double kFarOut = 3;
+/// What goes to infinity is shown so many times as far as the surface's other sides are long, if
+/// that shows half of it: beside the spikes of 1/(u v) its square would be too small to be seen.
+constexpr double kTall = 4;
 /// An eye is close to a surface whose nearest part has pixels smaller than this share of those of a
 /// picture that it fills: then each part of it has its own, and what is not seen has large ones.
 constexpr double kClose = 0.5;
@@ -185,21 +189,22 @@ bool Moment::operator==(const Moment& other) const {
   return same(camera, other.camera) && nodes == other.nodes;
 }
 
-Bounds clip_box(const Bounds& samples, const Bounds& robust) {
-  Bounds box;
-  const dvec3 size = samples.size();
+Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
+  const Bounds most = robust_box(points);
+  const auto is_far_out = [&](int k) { return all.size()[k] > kFarOut * most.size()[k]; };
+  double usual = 0;  // the largest side that needs no clipping
   for (int k = 0; k < 3; ++k) {
-    const bool is_far_out = size[k] > kFarOut * robust.size()[k];
-    const Bounds& most = is_far_out ? robust : samples;
-    const double margin = is_far_out ? 0 : kBeyondProbe * size[k];
-    box.low[k] = most.low[k] - margin;
-    box.high[k] = most.high[k] + margin;
+    if (!is_far_out(k)) usual = std::max(usual, all.size()[k]);
+  }
+  const Bounds shapely = usual > 0 ? robust_box(points, dvec3(kTall * usual)) : most;
+  Bounds box;
+  for (int k = 0; k < 3; ++k) {
+    const Bounds& kept = is_far_out(k) ? shapely : all;
+    const double margin = is_far_out(k) ? 0 : kBeyondProbe * all.size()[k];
+    box.low[k] = kept.low[k] - margin;
+    box.high[k] = kept.high[k] + margin;
   }
   return box;
-}
-
-Bounds clip_box(const Probe& probe) {
-  return clip_box(probe.bounds(), probe.robust_bounds());
 }
 
 double tolerance_share(const Scene& scene, const Purpose& purpose) {

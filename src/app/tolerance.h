@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/adaptive_mesh.h"
@@ -34,10 +35,10 @@ struct Purpose {
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
 
-/// The box that a surface which goes to infinity is clipped to: in each coordinate the bounds of
-/// its samples, or the robust ones, if the samples go far beyond.
-Bounds clip_box(const Bounds& samples, const Bounds& robust);
-Bounds clip_box(const Probe& probe);
+/// The box that a surface which goes to infinity is clipped to, if `points` (finite) are spread
+/// over it and `all` is around them: in each coordinate `all`, or what most of the points keep to,
+/// if some go far beyond, and less of that if it is much longer than the box's other sides.
+Bounds clip_box(const Bounds& all, std::span<const dvec3> points);
 
 /// The same for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.

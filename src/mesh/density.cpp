@@ -263,12 +263,12 @@ double Probe::radius(const dvec3& centre) const {
   return largest;
 }
 
-Bounds Probe::robust_bounds() const {
+std::vector<dvec3> Probe::positions() const {
   std::vector<dvec3> positions;
   for (const Sample& s : samples_) {
     if (is_finite(s.position)) positions.push_back(s.position);
   }
-  return robust_box(positions);
+  return positions;
 }
 
 Seam Probe::find_seam(const Surface& surface, bool along_v) const {

@@ -75,8 +75,8 @@ class Probe {
 
   /// A box around the finite positions.
   const Bounds& bounds() const { return bounds_; }
-  /// The robust_box() of the finite positions.
-  Bounds robust_bounds() const;
+  /// The finite positions that are spread over the surface, not those of its edges.
+  std::vector<dvec3> positions() const;
   /// The largest distance of a finite position from `centre`.
   double radius(const dvec3& centre) const;
   std::size_t evaluations() const { return evaluations_; }

@@ -31,6 +31,18 @@ TEST(RobustBox, KeepsToWhatMostPointsKeepTo) {
   EXPECT_EQ(box.high, dvec3(95, -4, 7));
 }
 
+TEST(RobustBox, LeavesOutMoreWhereItWouldBeTooLong) {
+  std::vector<dvec3> points;
+  for (int i = 0; i < 100; ++i) points.emplace_back(i, i, i);
+  const Bounds box = robust_box(points, dvec3(1000, 70, 1));
+  EXPECT_EQ(box.low.x, 5);
+  EXPECT_EQ(box.high.x, 95);
+  EXPECT_LE(box.size().y, 70);
+  EXPECT_GE(box.size().y, 65);
+  EXPECT_EQ(box.low.z, 25) << "half of the points stay";
+  EXPECT_EQ(box.high.z, 75);
+}
+
 TEST(Bounds, ContainTheirFacesAndNothingBeyond) {
   Bounds box;
   box.add(dvec3(0));
