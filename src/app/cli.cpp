@@ -237,6 +237,7 @@ void check_options(const CLI::App& app, const std::string& verb) {
     const auto names_option = [&](const std::string& name) { return option->check_name(name); };
     if (option->count() == 0) continue;
     if (verb == "chart" && std::ranges::none_of(of_graph_alone, names_option)) continue;
+    if (verb == "list" && names_option("--verbose")) continue;
     throw Error(Status::Input, "saddle " + verb + " takes no option " + option->get_name());
   }
 }

@@ -14,7 +14,7 @@ constexpr const char* kHelp =
   saddle check FORMULAS or GALLERY-NAME [options]      what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
                                                        this surface: .svg .png .csv
-  saddle list                                          names of the built-in surfaces
+  saddle list [-v]                                     names of the built-in surfaces, described
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
 
 Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges

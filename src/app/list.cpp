@@ -1,4 +1,4 @@
-// saddle list: the gallery, a line each.
+// saddle list: the gallery, a line each: names for scripts, with descriptions for people.
 #include <algorithm>
 
 #include "app/commands.h"
@@ -12,12 +12,14 @@ void run_list(const CommandLine& line) {
   if (!line.arguments.empty()) {
     throw Error(Status::Input, "saddle list takes no arguments, not '" + line.arguments[0] + "'");
   }
+  const bool describe = line.verbose || standard_output_is_terminal();
   std::size_t width = 0;
   for (const GalleryEntry& entry : gallery()) width = std::max(width, entry.name.size());
   std::string text;
   for (const GalleryEntry& entry : gallery()) {
-    text += std::string(entry.name) + std::string(width + 2 - entry.name.size(), ' ') +
-            std::string(entry.description) + "\n";
+    text += entry.name;
+    if (describe) text.append(width + 2 - entry.name.size(), ' ').append(entry.description);
+    text += '\n';
   }
   print(text);
 }

@@ -78,7 +78,8 @@ TEST_F(Usage, PrintsItsVersion) {
 TEST_F(Usage, ListsTheGalleryALineEach) {
   const Outcome run = saddle({"list"});
   EXPECT_EQ(run.status, 0);
-  EXPECT_TRUE(contains(run.out, "\ntrefoil-tube "));
+  EXPECT_TRUE(contains(run.out, "\ntrefoil-tube\n"));
+  EXPECT_TRUE(contains(saddle({"list", "--verbose"}).out, "\ntrefoil-tube  "));
   EXPECT_GE(std::ranges::count(run.out, '\n'), 24);
   EXPECT_TRUE(contains(refusal({"list", "torus"}), "takes no arguments"));
   EXPECT_TRUE(contains(refusal({"list", "--quiet"}), "--quiet"));

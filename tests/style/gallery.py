@@ -43,5 +43,5 @@ def complaints(entries):
     yield from tree.check_page("docs/GALLERY.md", "saddle list", "".join(table(entries)))
 
 
-entries = [line.split(maxsplit=1) for line in run("list").splitlines()]
+entries = [line.split(maxsplit=1) for line in run("list", "--verbose").splitlines()]
 tree.finish(complaints(entries), len(entries), "surfaces")
