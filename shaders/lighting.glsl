@@ -81,11 +81,13 @@ uniform vec3 back_emission;
 #endif
 #endif
 
+// Squares of lengths are divided by no less, about the least float.
+const float LEAST_SQUARE = 1e-37;
+
 // Zero for a zero vector, which normalize leaves undefined: a light at the shaded point, an eye at
 // it, a normal at a singular point.
 vec3 unit(vec3 w) {
-  float square = dot(w, w);
-  return square > 0.0 ? w * inversesqrt(square) : vec3(0.0);
+  return w * inversesqrt(max(dot(w, w), LEAST_SQUARE));
 }
 
 #ifdef POWERS
@@ -288,12 +290,12 @@ vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
   return color;
 }
 
-// The unit direction to the eye.
-vec3 eye_from(vec3 at) {
+// The way to the eye, of any length.
+vec3 way_to_eye(vec3 at) {
 #ifdef ORTHOGRAPHIC
   return vec3(0.0, 0.0, 1.0);
 #else
-  return unit(-at);
+  return -at;
 #endif
 }
 

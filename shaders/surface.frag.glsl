@@ -31,9 +31,10 @@ out vec4 pixel;
 
 #ifndef PER_VERTEX
 // The side is the winding's, never the sign of normal.view: an interpolated normal may lean away
-// from the viewer at a silhouette, and is then pulled back into the plane of sight.
-vec3 facing(vec3 n, vec3 eye_direction) {
-  return unit(n - min(0.0, dot(n, eye_direction)) * eye_direction);
+// from the viewer at a silhouette, and is then pulled back into the plane of sight. Neither vector
+// need have length 1: a dull surface needs the direction to the eye nowhere else.
+vec3 facing(vec3 n, vec3 way) {
+  return unit(n - (min(0.0, dot(n, way)) / max(dot(way, way), LEAST_SQUARE)) * way);
 }
 #endif
 
@@ -62,11 +63,11 @@ vec3 color() {
   return front_color;
 #endif
 #else
-  vec3 eye_direction = eye_from(eye_position);
+  vec3 way = way_to_eye(eye_position);
 #ifdef EXACT
   vec3 n = surface_normal();
 #else
-  vec3 n = unit(eye_normal);
+  vec3 n = eye_normal;
 #endif
 #ifdef TWO_SIDED
   bool front = gl_FrontFacing;
@@ -77,7 +78,7 @@ vec3 color() {
 #ifdef COLORED
   tint = color_of(color_number);
 #endif
-  return shade(front, eye_position, facing(n, eye_direction), eye_direction);
+  return shade(front, eye_position, facing(n, way), unit(way));
 #endif
 }
 

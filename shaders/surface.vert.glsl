@@ -51,9 +51,9 @@ void main() {
 #ifdef COLORED
   tint = color_of(corner_color);
 #endif
-  front_color = shade(true, at, n, eye_from(at));
+  front_color = shade(true, at, n, unit(way_to_eye(at)));
 #ifdef TWO_SIDED
-  back_color = shade(false, at, -n, eye_from(at));
+  back_color = shade(false, at, -n, unit(way_to_eye(at)));
 #endif
 #else
   eye_position = at;
