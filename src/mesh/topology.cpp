@@ -141,19 +141,6 @@ Topology topology(const Mesh& mesh) {
   return result;
 }
 
-bool hides_its_back(const Mesh& mesh) {
-  if (mesh.triangles.empty()) return false;
-  const dvec3 middle = mesh.bounds.centre();
-  for (const Triangle& t : mesh.triangles) {
-    const dvec3 a = mesh.position[t[0]] - middle;
-    const dvec3 b = mesh.position[t[1]] - middle;
-    const dvec3 c = mesh.position[t[2]] - middle;
-    if (!(glm::dot(a, glm::cross(b, c)) > 0)) return false;
-  }
-  const Topology shape = topology(mesh);
-  return shape.is_closed() && shape.orientable;
-}
-
 bool is_orientable(const Mesh& mesh, const MeshReport& report) {
   const bool reversed = report.closed_u == "reversed" || report.closed_v == "reversed";
   return !reversed || topology(mesh).orientable;

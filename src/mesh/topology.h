@@ -21,11 +21,6 @@ struct Topology {
 
 Topology topology(const Mesh& mesh);
 
-/// Whether nobody outside of it sees its back: it is closed, and all of it faces away from the
-/// middle of its box. Rays from there then only ever go outward through it, so that it winds around
-/// every point inside at least once, and the first face that a ray from outside meets is a front.
-bool hides_its_back(const Mesh& mesh);
-
 /// Topology::orientable, for less. All triangles run around (u, v) alike, so that only a seam that
 /// joins edges in reverse can make a surface one-sided.
 bool is_orientable(const Mesh& mesh, const MeshReport& report);

@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "base/error.h"
-#include "mesh/topology.h"
+#include "mesh/hidden_back.h"
 
 namespace saddle {
 namespace {

@@ -71,7 +71,7 @@ Layers::Layers(int width, int height)
       front_buffer_(make_name<GlFramebuffer>(glGenFramebuffers)),
       no_vertices_(make_name<GlVertexArray>(glGenVertexArrays)),
       drawn_(make_name<GlQuery>(glGenQueries)),
-      peel_(std::string(shader_source("peel.vert.glsl")),
+      peel_(std::string(shader_source("unlit.vert.glsl")),
             std::string(shader_source("peel.frag.glsl"))),
       under_(layer_program({})),
       over_(layer_program({"LAST"})) {

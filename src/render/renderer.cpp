@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <new>
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/matrix.hpp>
 
 #include "base/error.h"
 #include "render/normal_shader.h"
+#include "render/shader_materials.h"
 #include "render/shaders.h"
 
 namespace saddle {
@@ -25,10 +23,6 @@ constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
 /// The box around the surfaces is less conspicuous than what is written about it.
 constexpr double kBoxInk = 0.3;
 
-/// Columns of a matrix that differ from a rotation's by this share of their length are even enough
-/// for float normals.
-constexpr double kEven = 1e-6;
-
 /// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
 /// it any longer.
 constexpr std::size_t kMostLightsAtOnce = 512;
@@ -36,67 +30,6 @@ constexpr std::size_t kMostLightsAtOnce = 512;
 /// Share of a mesh's corners at which floats must know the normal. Where they do not at most of
 /// them, they do at the others by chance.
 constexpr double kLeastTrust = 0.5;
-
-dvec3 rgb(const Color& color) {
-  return {color.r, color.g, color.b};
-}
-
-bool is_black(const Color& color) {
-  return color.r == 0 && color.g == 0 && color.b == 0;
-}
-
-const Color& ambient(const Material& material) {
-  return material.ambient ? *material.ambient : material.diffuse;
-}
-
-bool same(const Color& a, const Color& b) {
-  return rgb(a) == rgb(b);
-}
-
-bool same_but_for_colors(const Material& a, const Material& b) {
-  return same(a.specular, b.specular) && a.shininess == b.shininess.value &&
-         same(a.emission, b.emission);
-}
-
-bool same(const Material& a, const Material& b) {
-  return same(a.diffuse, b.diffuse) && same(ambient(a), ambient(b)) && same_but_for_colors(a, b);
-}
-
-/// One side's part of what the program was made for.
-void set_material(Program& program, const std::string& side, const Material& material,
-                  const ShaderNeeds& needs) {
-  const bool lit = !needs.lights.empty();
-  if (!needs.colored) program.set(side + "_diffuse", rgb(material.diffuse));
-  if (lit && needs.specular) {
-    program.set(side + "_specular", rgb(material.specular));
-    program.set(side + "_shininess", material.shininess);
-  }
-  if (lit && needs.ambient && !needs.colored)
-    program.set(side + "_ambient", rgb(ambient(material)));
-  if (needs.emission) program.set(side + "_emission", rgb(material.emission));
-}
-
-void add_material_needs(const SurfaceSpec& surface, ShaderNeeds& needs) {
-  needs.specular =
-      !is_black(surface.front.specular) || (needs.two_sided && !is_black(surface.back.specular));
-  const bool is_same = needs.colored ? same_but_for_colors(surface.front, surface.back)
-                                     : same(surface.front, surface.back);
-  needs.two_materials = needs.two_sided && !is_same;
-}
-
-bool emits(const SurfaceSpec& surface) {
-  return !is_black(surface.front.emission) || !is_black(surface.back.emission);
-}
-
-/// A rotation times a positive factor, for which normals need no matrix of their own.
-bool is_even(const glm::dmat3& m) {
-  const double length = glm::length(m[0]);
-  const double slack = kEven * length * length;
-  return glm::determinant(m) > 0 && std::abs(glm::dot(m[0], m[1])) <= slack &&
-         std::abs(glm::dot(m[1], m[2])) <= slack && std::abs(glm::dot(m[2], m[0])) <= slack &&
-         std::abs(glm::length(m[1]) - length) <= kEven * length &&
-         std::abs(glm::length(m[2]) - length) <= kEven * length;
-}
 
 void clear(const Color& background) {
   const auto channel = [](double value) { return static_cast<float>(value); };
@@ -113,54 +46,7 @@ void check_gl() {
               "this is a defect of saddle or of the OpenGL driver; please report it");
 }
 
-/// Of the box's corners, along the view; before the near plane there is nothing to see.
-double nearest_depth(const Bounds& box, const FittedCamera& camera) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int corner = 0; corner < 8; ++corner) {
-    dvec3 p;
-    for (int k = 0; k < 3; ++k) p[k] = ((corner >> k) & 1) != 0 ? box.high[k] : box.low[k];
-    const double z = (glm::dmat3(camera.world_to_eye) * (p - camera.target)).z;
-    nearest = std::min(nearest, camera.distance - z);
-  }
-  return nearest;
-}
-
 }  // namespace
-
-/// A mesh that is drawn once, with the way from its coordinates to the screen.
-struct Renderer::Item {
-  std::size_t surface = 0;
-  glm::dmat4 model_to_eye;  // in units of the scene
-  glm::dmat4 model_to_clip;
-  glm::dmat3 normal_to_eye;
-  bool even = true;  // normals go as directions do
-  bool mirrored = false;
-  bool two_sided = true;  // back faces can be seen
-  double opacity = 1;
-
-  /// Everything relative to the camera's target, all in double.
-  Item(const Instance& instance, const GpuMesh& mesh, const FittedCamera& camera, double unit)
-      : surface(instance.surface), model_to_clip(camera.eye_to_clip) {
-    const glm::dmat3 rotation(camera.world_to_eye);
-    const glm::dmat3 turned = rotation * glm::dmat3(instance.to_world);
-    const dvec3 centre(instance.to_world * glm::dvec4(mesh.frame().centre, 1));
-    const dvec3 seen = rotation * (centre - camera.target) - dvec3(0, 0, camera.distance);
-    model_to_eye = glm::dmat4(turned * (mesh.frame().size / unit));
-    model_to_eye[3] = {seen / unit, 1};
-    for (int column = 0; column < 3; ++column) model_to_clip[column] *= unit;
-    // A factor of clip coordinates means nothing; w in units of the scene keeps to a float's range.
-    if (model_to_clip[2][3] != 0) model_to_clip /= unit;
-    model_to_clip = model_to_clip * model_to_eye;
-    even = is_even(turned);
-    normal_to_eye = normal_matrix(turned);
-    mirrored = glm::determinant(turned) < 0;
-    const Bounds box = transformed(mesh.bounds(), instance.to_world);
-    two_sided = !mesh.hides_its_back() || nearest_depth(box, camera) <= camera.near_plane;
-  }
-
-  /// Its transform leaves something to see.
-  bool is_visible() const { return normal_to_eye != glm::dmat3(0); }
-};
 
 void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
   assert(surface <= meshes_.size());
@@ -201,13 +87,13 @@ void Renderer::keep_meshes(std::size_t count) {
   normals_.resize(count);
 }
 
-std::vector<Renderer::Item> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
-                                               double unit) const {
-  std::vector<Item> items;
+std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
+                                           double unit, const Look& look) const {
+  std::vector<PlacedMesh> items;
   for (const Instance& instance : instances(scene)) {
-    Item item(instance, meshes_[instance.surface], camera, unit);
+    PlacedMesh item(instance, meshes_[instance.surface], camera, unit);
     item.opacity = scene.surfaces[instance.surface].opacity;
-    if (item.opacity < 1) item.two_sided = true;
+    if (item.opacity < 1 || look.wireframe) item.two_sided = true;
     if (item.is_visible()) items.push_back(item);
   }
   return items;
@@ -223,16 +109,16 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const double unit = model_frame(bounds).size;
   const PixelRect& rect = viewport.rect;
   const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
-  std::vector<Item> items = items_of(scene, camera, unit);
-  for (Item& item : items) item.model_to_clip = to_rect * item.model_to_clip;
+  std::vector<PlacedMesh> items = items_of(scene, camera, unit, look);
+  for (PlacedMesh& item : items) item.model_to_clip = to_rect * item.model_to_clip;
   const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
 
   const int n = viewport.per_side;
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
-  std::vector<Item> hiding;
-  std::vector<Item> see_through;
-  for (const Item& item : items) {
+  std::vector<PlacedMesh> hiding;
+  std::vector<PlacedMesh> see_through;
+  for (const PlacedMesh& item : items) {
     if (item.opacity == 1) hiding.push_back(item);
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
@@ -248,13 +134,13 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   draw_surfaces(scene, hiding, lights, n, look);
   if (look.lines) draw_lines(items, n);
   if (marks_) {
-    Item item({}, *marks_, camera, unit);
+    PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
     draw_marks(item, n);
   }
   if (!annotations.edges.empty()) draw_box(annotations.edges, camera, viewport, ink);
   if (!see_through.empty()) {
-    const double least = std::ranges::min(see_through, {}, &Item::opacity).opacity;
+    const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
     left_out_layers_ |= !layers(viewport).draw(
         {[&](Program& peel) { draw_depths(see_through, peel, n, look); },
          [&] { draw_surfaces(scene, see_through, lights, n, look); }, least});
@@ -306,7 +192,7 @@ std::string Renderer::shader_texts() const {
 
 Program& Renderer::line_program() {
   if (!line_program_) {
-    line_program_.emplace(std::string(shader_source("line.vert.glsl")),
+    line_program_.emplace(std::string(shader_source("unlit.vert.glsl")),
                           std::string(shader_source("line.frag.glsl")));
   }
   return *line_program_;
@@ -361,10 +247,10 @@ void Renderer::end_faces() {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Renderer::draw_depths(std::span<const Item> items, Program& program, int line_width,
+void Renderer::draw_depths(std::span<const PlacedMesh> items, Program& program, int line_width,
                            const Look& look) {
   start_faces(line_width, look);
-  for (const Item& item : items) {
+  for (const PlacedMesh& item : items) {
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
     meshes_[item.surface].draw_triangles();
@@ -373,7 +259,7 @@ void Renderer::draw_depths(std::span<const Item> items, Program& program, int li
 }
 
 /// Passes after the first add light to what is in front.
-void Renderer::draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights,
+void Renderer::draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                              int line_width, const Look& look) {
   start_faces(line_width, look);
   const std::size_t most = lights_at_once();
@@ -393,7 +279,7 @@ void Renderer::draw_surfaces(const Scene& scene, std::span<const Item> items, Li
   end_faces();
 }
 
-void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights lights,
+void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                          bool first) {
   ShaderNeeds needs;
   needs.blinn = scene.picture.specular == Specular::Blinn;
@@ -403,16 +289,15 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
   add_light_needs(lights, needs);
   Program* program = nullptr;
   ShaderNeeds made_for;
-  for (const Item& item : items) {
+  for (const PlacedMesh& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
     needs.two_sided = item.two_sided;
     needs.see_through = first && item.opacity < 1;  // later passes leave alpha alone
     needs.normal_matrix = !item.even;
     const auto& formula = normals_[item.surface].formula;
     needs.normal = exact && formula ? &*formula : nullptr;
-    needs.emission = first && emits(surface);  // once, whatever the lights
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
-    add_material_needs(surface, needs);
+    add_material_needs(surface, first, needs);
     if (program == nullptr || needs != made_for) {
       program = &this->program(assemble_surface_shader(needs));
       program->use();
@@ -427,8 +312,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
     }
     if (needs.see_through) program->set("opacity", item.opacity);
     if (needs.colored) set_color(*program, scene, item.surface);
-    set_material(*program, "front", surface.front, needs);
-    if (needs.two_materials) set_material(*program, "back", surface.back, needs);
+    set_materials(*program, surface, needs);
     program->check_all_set();
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.two_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
@@ -439,13 +323,13 @@ void Renderer::draw_pass(const Scene& scene, std::span<const Item> items, Lights
 }
 
 /// `line_width` in samples.
-void Renderer::draw_lines(std::span<const Item> items, int line_width) {
+void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
   if (!has_lines()) return;
   Program& program = line_program();
   program.use();
   program.set("line_color", kLineColor);
   glLineWidth(static_cast<float>(line_width));
-  for (const Item& item : items) {
+  for (const PlacedMesh& item : items) {
     if (!meshes_[item.surface].has_lines()) continue;
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
@@ -457,7 +341,7 @@ void Renderer::draw_lines(std::span<const Item> items, int line_width) {
 void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                         const Viewport& viewport, const dvec3& ink) {
   const GpuMesh box(mesh_of_lines(edges));
-  const Item item({}, box, camera, box.frame().size);
+  const PlacedMesh item({}, box, camera, box.frame().size);
   Program& program = line_program();
   program.use();
   program.set("line_color", glm::mix(dvec3(0.5), ink, kBoxInk));
@@ -472,7 +356,7 @@ void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const Fitte
 }
 
 /// They may stand out of the box that the camera's near and far planes enclose.
-void Renderer::draw_marks(const Item& item, int line_width) {
+void Renderer::draw_marks(const PlacedMesh& item, int line_width) {
   Program& program = line_program();
   program.use();
   program.set("line_color", kMarkColor);

@@ -14,13 +14,13 @@
 #include "render/gpu_mesh.h"
 #include "render/layers.h"
 #include "render/overlay_drawer.h"
+#include "render/placed_mesh.h"
 #include "render/program.h"
 #include "render/shader_lights.h"
 #include "render/surface_shader.h"
 #include "render/tiles.h"
 #include "scene/camera.h"
 #include "scene/color_scale.h"
-#include "scene/instances.h"
 #include "scene/scene.h"
 
 namespace saddle {
@@ -72,7 +72,6 @@ class Renderer {
   std::string shader_texts() const;
 
  private:
-  struct Item;
   /// How a surface's normals are computed in Shading::Exact.
   struct Normals {
     std::optional<ShaderNormal> formula;  // none: they are interpolated
@@ -80,7 +79,8 @@ class Renderer {
   };
   using Lights = std::span<const ShaderLight>;
 
-  std::vector<Item> items_of(const Scene& scene, const FittedCamera& camera, double unit) const;
+  std::vector<PlacedMesh> items_of(const Scene& scene, const FittedCamera& camera, double unit,
+                                   const Look& look) const;
   Program& program(const ShaderText& text, const std::string& captured = "");
   Program& line_program();
   Layers& layers(const Viewport& viewport);
@@ -88,14 +88,15 @@ class Renderer {
   std::size_t lights_at_once();
   void start_faces(int line_width, const Look& look) const;
   static void end_faces();
-  void draw_depths(std::span<const Item> items, Program& program, int line_width, const Look& look);
+  void draw_depths(std::span<const PlacedMesh> items, Program& program, int line_width,
+                   const Look& look);
   std::vector<ColorScale> scales_of(const Scene& scene) const;
   void set_color(Program& program, const Scene& scene, std::size_t surface);
-  void draw_surfaces(const Scene& scene, std::span<const Item> items, Lights lights, int line_width,
-                     const Look& look);
-  void draw_pass(const Scene& scene, std::span<const Item> items, Lights lights, bool first);
-  void draw_lines(std::span<const Item> items, int line_width);
-  void draw_marks(const Item& item, int line_width);
+  void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
+                     int line_width, const Look& look);
+  void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
+  void draw_lines(std::span<const PlacedMesh> items, int line_width);
+  void draw_marks(const PlacedMesh& item, int line_width);
   void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                 const Viewport& viewport, const dvec3& ink);
 

@@ -9,6 +9,7 @@
 
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
+#include "image/passes.h"
 #include "mesh/grid_mesh.h"
 #include "render/context.h"
 #include "render/picture_in_tiles.h"
@@ -281,21 +282,10 @@ TEST(Lighting, IsTheSameInSeveralPasses) {
     scene.lights.push_back(light);
   }
   scene.surfaces[0].front.emission = {0.1, 0, 0};
-  const auto picture = [&](std::size_t lights_at_once) {
-    const auto context = make_osmesa_context();
-    Renderer renderer(lights_at_once);
-    renderer.set_mesh(0, mesh);
-    return draw_image(renderer, scene, fit_to_meshes(scene, std::span(&mesh, 1), dvec2(kHeight)),
-                      {kHeight, kHeight, 1});
-  };
-  const Image one = picture(100);
-  const Image several = picture(10);
-  int largest = 0;
-  for (std::size_t i = 0; i < one.rgba.size(); ++i) {
-    largest = std::max(largest, std::abs(one.rgba[i] - several.rgba[i]));
-  }
+  const Image one = draw_in_passes(scene, mesh, kHeight, 100);
+  const Image several = draw_in_passes(scene, mesh, kHeight, 10);
   EXPECT_GT(one.pixel(kHeight / 2, kHeight / 2)[0], 30);
-  EXPECT_LE(largest, 3);
+  EXPECT_LE(largest_difference(one, several), 3);
 }
 
 TEST(Lighting, PerVertexBlendsTheColoursOfCorners) {

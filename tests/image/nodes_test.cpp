@@ -5,10 +5,13 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <string>
 
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
-#include "render/picture.h"
+#include "render/context.h"
+#include "render/gl.h"
+#include "render/picture_in_tiles.h"
 #include "scene/instances.h"
 
 namespace saddle {
@@ -101,6 +104,34 @@ TEST(Nodes, DrawAMeshOnceForEachThatItIsIn) {
   EXPECT_GT(int{image.pixel(kWidth / 2 - offset, kHeight / 2)[0]}, 100);
   EXPECT_GT(int{image.pixel(kWidth / 2 + offset, kHeight / 2)[0]}, 100);
   EXPECT_EQ(int{image.pixel(kWidth / 2, kHeight / 2)[0]}, 0);
+}
+
+TEST(Nodes, ShareOneMeshHoweverManyTheyAre) {
+  const auto context = make_osmesa_context();
+  const Mesh mesh = sphere_mesh(dvec3(0), 1);
+  const auto next_name = [] {  // of a buffer: that many have been made
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    glDeleteBuffers(1, &name);
+    return name;
+  };
+  const auto buffers_for = [&](int nodes) {
+    const GLuint before = next_name();
+    Scene scene;
+    scene.surfaces.resize(1);
+    for (int i = 0; i < nodes; ++i) {
+      scene.nodes.push_back({std::to_string(i), "", {translate(dvec3(2.5 * i, 0, 0))}});
+      scene.surfaces[0].in.push_back(std::to_string(i));
+    }
+    Renderer renderer;
+    renderer.set_mesh(0, mesh);
+    draw_image(renderer, scene, fit_to_meshes(scene, std::span(&mesh, 1), dvec2(kWidth, kHeight)),
+               {kWidth, kHeight, 1});
+    return next_name() - before;
+  };
+  const GLuint one = buffers_for(1);
+  EXPECT_GE(one, 3U);  // vertices, triangles, lines
+  EXPECT_EQ(buffers_for(200), one);
 }
 
 TEST(Nodes, ApplyTransformsAsTheyAreWrittenOutermostFirst) {

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
+#include "image/passes.h"
 #include "render/context.h"
 #include "render/layers.h"
 #include "render/picture_in_tiles.h"
@@ -240,21 +241,11 @@ TEST(Transparency, LightsEachLayerInSeveralPasses) {
     scene.lights.push_back({.position = {std::cos(i), std::sin(i), -48}, .color = {0.2, 0.1, 0.3}});
   }
   const Mesh mesh = torus_mesh(1.2, 0.5, {48, 24, 0});
-  const auto picture = [&](std::size_t lights_at_once) {
-    const auto context = make_osmesa_context();
-    Renderer renderer(lights_at_once);
-    renderer.set_mesh(0, mesh);
-    return draw_image(renderer, scene, fit_to_meshes(scene, std::span(&mesh, 1), dvec2(kSize)),
-                      {kSize, kSize, 1});
-  };
-  const Image one = picture(100);
-  const Image several = picture(5);
-  int largest = 0;
-  for (std::size_t i = 0; i < one.rgba.size(); ++i) {
-    largest = std::max(largest, std::abs(one.rgba[i] - several.rgba[i]));
-  }
+  const Image one = draw_in_passes(scene, mesh, kSize, 100);
+  const Image several = draw_in_passes(scene, mesh, kSize, 5);
   EXPECT_GT(int{one.pixel(kSize / 2 + 18, kSize / 2)[0]}, 100);
-  EXPECT_LE(largest, 3);  // half a level for each pass, and for adding them
+  // Half a level for each pass, and for adding them.
+  EXPECT_LE(largest_difference(one, several), 3);
 }
 
 TEST(Transparency, LightsALayerAsItLightsWhatHides) {

@@ -26,7 +26,7 @@ VARIANTS = [
 
 
 # Fragment shaders that share a vertex shader, which has none of its own.
-VERTEX_OF = {"text": "overlay", "color_bar": "overlay"}
+VERTEX_OF = {"text": "overlay", "color_bar": "overlay", "line": "unlit", "peel": "unlit"}
 
 
 def vertex_of(fragment):

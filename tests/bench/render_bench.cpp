@@ -1,7 +1,7 @@
-// Frames of a scene with one directional light, beside a program written by hand for just that: the
-// same mesh, matrices and framebuffer, and the same picture. Compare within one run; of the pairs,
+// Frames of the renderer: of a scene with one directional light, beside a program written by hand
+// for just that (the same mesh, matrices, framebuffer and picture), and of 200 nodes. Of the pairs,
 // ./dev bench --benchmark_filter=one_light --benchmark_enable_random_interleaving=true
-// --benchmark_repetitions=9 has medians that other work does not shift.
+// --benchmark_repetitions=9 has medians of processor time that other work does not shift.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -130,8 +130,7 @@ Scene scene_with_one_light(Look look) {
 
 /// A plane sheet with waves, so that both sides are seen and nothing is culled.
 Mesh waves(std::size_t cells) {
-  const Surface surface =
-      compile_surface({"waves", "u", "v", "sin(3*u)*cos(3*v)", {-2, 2, -2, 2}});
+  const Surface surface = compile_surface({"waves", "u", "v", "sin(3*u)*cos(3*v)", {-2, 2, -2, 2}});
   GridOptions grid;
   grid.cells_u = grid.cells_v = cells;
   grid.lines_u = grid.lines_v = 0;
@@ -170,8 +169,8 @@ struct Setup {
     return image;
   }
 
-  /// Largest difference of the two pictures, in levels; but for normals that lean away from the eye,
-  /// of which the program by hand knows nothing.
+  /// Largest difference of the two pictures, in levels; but for normals that lean away from the
+  /// eye, of which the program by hand knows nothing.
   int difference() {
     draw_scene();
     const Image one = picture();
@@ -208,12 +207,43 @@ void by_saddle(benchmark::State& state, Look look, std::size_t cells) {
   frames(state, setup, [&] { setup.draw_scene(); });
 }
 
+// --- nodes --------------------------------------------------------------------------------------
+
+constexpr int kNodes = 200;
+
+/// Spheres in a row: one that is in 200 nodes, or 200 that are in one each.
+void spheres(benchmark::State& state, bool share) {
+  const auto context = make_osmesa_context();
+  const Target target(kWidth, kHeight);
+  const Surface surface = compile_surface(
+      {"sphere", "cos(u)*cos(v)", "sin(u)*cos(v)", "sin(v)", {0, 2 * kPi, -kPi / 2, kPi / 2}});
+  GridOptions grid;
+  grid.cells_u = grid.cells_v = 24;
+  const Mesh mesh = mesh_on_grid(surface, grid).mesh;
+  Scene scene;
+  scene.surfaces.resize(share ? 1 : kNodes);
+  for (int i = 0; i < kNodes; ++i) {
+    const std::string name = std::to_string(i);
+    const Vector way(3.0 * (i % 20), 3.0 * (i / 20), 0);  // NOLINT: rows of whole spheres
+    scene.nodes.push_back({name, "", {{Transform::Kind::Translate, way, 0}}});
+    scene.surfaces[share ? 0 : static_cast<std::size_t>(i)].in.push_back(name);
+  }
+  Renderer renderer;
+  const std::vector<Mesh> meshes(scene.surfaces.size(), mesh);
+  for (std::size_t i = 0; i < meshes.size(); ++i) renderer.set_mesh(i, meshes[i]);
+  const FittedCamera camera = fit_to_meshes(scene, meshes, dvec2(kWidth, kHeight));
+  for (auto _ : state) {
+    renderer.draw(scene, camera, {kWidth, kHeight, {0, 0, kWidth, kHeight}, 0, 1});
+    glFinish();
+  }
+  state.counters["meshes"] = static_cast<double>(meshes.size());
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
   for (const std::size_t cells : {50, 300}) {
     for (const Look look : {Look::Dull, Look::Shiny}) {
-      const std::string name = std::string("one_light/") +
-                               (look == Look::Dull ? "dull" : "shiny") + " " +
-                               std::to_string(2 * cells * cells) + " triangles/";
+      const std::string name = std::string("one_light/") + (look == Look::Dull ? "dull" : "shiny") +
+                               " " + std::to_string(2 * cells * cells) + " triangles/";
       const auto add = [&](const char* what, auto function) {
         benchmark::RegisterBenchmark((name + what).c_str(), function, look, cells)
             ->Unit(benchmark::kMillisecond)
@@ -223,6 +253,13 @@ void by_saddle(benchmark::State& state, Look look, std::size_t cells) {
       add("by hand", by_hand);
       add("saddle", by_saddle);
     }
+  }
+  for (const bool share : {true, false}) {
+    const char* const name = share ? "nodes/200 of one mesh" : "nodes/200 meshes";
+    benchmark::RegisterBenchmark(name, spheres, share)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->MeasureProcessCPUTime();
   }
   return true;
 }();

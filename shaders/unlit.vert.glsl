@@ -1,5 +1,6 @@
 #version 330 core
-// A corner of a see-through surface: on the screen exactly where it is lit later.
+// A corner of a line, or of a layer that is looked for: on the screen exactly where the surface has
+// it when it is lit.
 
 layout(location = 0) in vec3 position;
 
