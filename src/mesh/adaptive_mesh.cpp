@@ -96,13 +96,6 @@ std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
   return result;
 }
 
-/// How many times worse than allowed a leaf is.
-double excess(const Deviation& d, double eps, double normal_tolerance, double diameter) {
-  if (diameter <= kVisible * eps) return d.distance / eps;
-  const double turn = turn_of_line(d.degrees) / normal_tolerance;
-  return std::max(d.distance / eps, turn * turn);
-}
-
 /// Leaves that are to be refined, and the witnesses against them.
 struct Failed {
   std::vector<Leaf> leaves;
@@ -133,6 +126,7 @@ class Mesher {
   /// grid is defined.
   bool refine_all(std::vector<Witness> witnesses) {
     if (grid_.left_out_count == grid_.cell_count()) return false;
+    lattice_.add_middles(options_.threads);
     add({root_leaves(grid_), std::move(witnesses)});
     std::size_t boxes = boxes_for(surface_.bounds);  // left for proofs
     for (int round = 0; round < kRounds; ++round) {
@@ -157,7 +151,7 @@ class Mesher {
         triangulate_leaves(leaves, numbers(0, leaves.size()), singular, grid_, lattice_);
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       if (triangles.of(k).empty() || is_clipped(leaves[k])) continue;
-      const double eps = tolerance_of(leaves[k]);
+      const double eps = mesh_.allowed[k];
       const double off = std::max(mesh_.deviations[k].distance, leaves[k].known_error * eps);
       // Where the tolerance depends on the place: as if it were the strictest everywhere.
       report.max_error =
@@ -269,10 +263,6 @@ class Mesher {
     return share > kAllCovered ? share : 0;
   }
 
-  double tolerance_of(const Leaf& leaf) const {
-    return saddle::tolerance_of(leaf, refining_.tolerance, lattice_);
-  }
-
   /// Whether one more halving could exceed the limit of triangles.
   bool is_full() {
     const bool full = lattice_.is_full(options_.max_triangles);
@@ -284,7 +274,7 @@ class Mesher {
     std::array<dvec3, 4> p;
     const auto corners = leaf.corners();
     for (std::size_t k = 0; k < 4; ++k) {
-      p[k] = grid_.mesh.position[*lattice_.used_vertex(corners[k])];
+      p[k] = grid_.mesh.position[lattice_.vertex_at_corner(corners[k])];
     }
     return p;
   }
@@ -320,6 +310,9 @@ class Mesher {
     join_poles(std::span(leaves).subspan(mesh_.deviations.size()), grid_, lattice_, points);
     points.settle();
     std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.deviations.size(); });
+    for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
+      mesh_.allowed.push_back(tolerance_of(leaves[k], refining_.tolerance, lattice_));
+    }
     const std::vector<std::size_t> fresh = numbers(mesh_.deviations.size(), leaves.size());
     changed.insert(changed.end(), fresh.begin(), fresh.end());
     measure(changed, SingularCorners());
@@ -347,23 +340,6 @@ class Mesher {
     return true;
   }
 
-  /// Takes leaves out for which `parts` has something in their place.
-  template <class F>
-  std::vector<Leaf> take_out(F parts) {
-    Measured kept;
-    std::vector<Leaf> taken;
-    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      const std::vector<Leaf> instead = parts(k);
-      if (instead.empty()) {
-        kept.leaves.push_back(mesh_.leaves[k]);
-        kept.deviations.push_back(mesh_.deviations[k]);
-      }
-      taken.insert(taken.end(), instead.begin(), instead.end());
-    }
-    mesh_ = std::move(kept);
-    return taken;
-  }
-
   /// Which way to halve a leaf that deviates: the one that its tests find worse, or the longer one:
   /// what the tests along its sides did not see, they see at half.
   bool splits_u(const Leaf& leaf, const Deviation& deviation) {
@@ -377,34 +353,46 @@ class Mesher {
     return tells && !is_narrow ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
   }
 
+  /// How many times worse than allowed a leaf is.
+  double excess(std::size_t leaf) const {
+    const double off = mesh_.off(leaf);
+    const double turn = turn_of_line(mesh_.deviations[leaf].degrees) / options_.normal_tolerance;
+    const double share = turn * turn;
+    if (!(std::max(off, share) > 1)) return off;
+    return diameter(mesh_.leaves[leaf]) <= kVisible * mesh_.allowed[leaf] ? off
+                                                                          : std::max(off, share);
+  }
+
   /// Halves of the leaves that deviate too much.
   std::vector<Leaf> take_failed() {
     Oscillation oscillation(grid_);
-    const auto off = [this](std::size_t k) {
-      return mesh_.deviations[k].distance / tolerance_of(mesh_.leaves[k]);
-    };
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      oscillation.add(mesh_.leaves[k], off(k), lattice_);
+      oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
     }
-    return take_out([&](std::size_t k) -> std::vector<Leaf> {
+    std::vector<std::size_t> failed;
+    std::vector<Leaf> halves;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const double too_much = excess(k);
+      if (!(too_much > 1)) continue;
       const Leaf& leaf = mesh_.leaves[k];
-      if (oscillation.contains(leaf, lattice_)) return {};
-      const double too_much = excess(mesh_.deviations[k], tolerance_of(leaf),
-                                     options_.normal_tolerance, diameter(leaf));
-      if (!(too_much > 1) || leaf.given_up || is_clipped(leaf) || is_full()) return {};
-      auto halves = halve(leaf, splits_u(leaf, mesh_.deviations[k]), lattice_);
-      if (!halves) return {};
-      for (Leaf& half : *halves) {
+      if (oscillation.contains(leaf, lattice_)) continue;
+      if (leaf.given_up || is_clipped(leaf) || is_full()) continue;
+      const auto both = halve(leaf, splits_u(leaf, mesh_.deviations[k]), lattice_);
+      if (!both) continue;
+      failed.push_back(k);
+      for (Leaf half : *both) {
         half.strictness *= static_cast<float>(std::min(too_much, kMostStrict));
+        halves.push_back(half);
       }
-      return {halves->begin(), halves->end()};
-    });
+    }
+    mesh_.remove(failed);
+    return halves;
   }
 
   /// The leaves in which bounds found places that deviate too much.
   Failed take_suspects(std::size_t& boxes) {
     const Certification proof =
-        certify(surface_, grid_, lattice_, mesh_.leaves, refining_.tolerance, boxes);
+        certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, boxes);
     certified_ = proof.complete && proof.suspects.empty();
     std::vector<dvec2> middles;
     std::vector<std::size_t> suspected;
@@ -424,7 +412,8 @@ class Mesher {
           distance_from(grid_, triangles.of(k), suspect.middle, points[k].position);
       Deviation& worst = mesh_.deviations[suspect.leaf];
       worst.distance = std::max(worst.distance, distance);
-      if (!(distance > tolerance_of(leaf)) || leaf.given_up || is_clipped(leaf) || is_full())
+      if (!(distance > mesh_.allowed[suspect.leaf]) || leaf.given_up || is_clipped(leaf) ||
+          is_full())
         continue;
       guilty.insert(suspect.leaf);
       witnesses.push_back(
@@ -435,10 +424,9 @@ class Mesher {
           static_cast<std::size_t>(std::distance(guilty.begin(), guilty.find(witness.cell)));
     }
     Failed failed{{}, std::move(witnesses)};
-    failed.leaves = take_out([&](std::size_t k) -> std::vector<Leaf> {
-      if (!guilty.contains(k)) return {};
-      return {mesh_.leaves[k]};
-    });
+    const std::vector<std::size_t> taken(guilty.begin(), guilty.end());
+    for (const std::size_t k : taken) failed.leaves.push_back(mesh_.leaves[k]);
+    mesh_.remove(taken);
     return failed;
   }
 

@@ -42,11 +42,11 @@ struct Cells {
 class Certifier {
  public:
   Certifier(const Surface& surface, const Grid& grid, const Lattice& lattice,
-            std::span<const Leaf> leaves, const Tolerance& tolerance, std::size_t& boxes)
+            std::span<const Leaf> leaves, std::span<const double> allowed, std::size_t& boxes)
       : grid_(grid),
         lattice_(lattice),
         leaves_(leaves),
-        tolerance_(tolerance),
+        allowed_(allowed),
         boxes_(boxes),
         enclosure_(surface.bounds),
         outputs_(surface.bounds.outputs.size()),
@@ -92,24 +92,20 @@ class Certifier {
   void for_leaves(const Cells& cells, F f) const {
     for (std::size_t j = cells.first_v; j < cells.end_v; ++j) {
       for (std::size_t i = cells.first_u; i < cells.end_u; ++i) {
-        for (const std::size_t leaf : leaves_of_[grid_.cell(i, j)]) f(leaves_[leaf]);
+        for (const std::size_t leaf : leaves_of_[grid_.cell(i, j)]) f(leaf);
       }
     }
   }
 
   dvec2 largest_leaf(const Cells& cells) const {
     dvec2 largest(0);
-    for_leaves(cells, [&](const Leaf& leaf) { largest = glm::max(largest, size_of(leaf)); });
+    for_leaves(cells, [&](std::size_t k) { largest = glm::max(largest, size_of(leaves_[k])); });
     return largest;
-  }
-
-  double tolerance_of(const Leaf& leaf) const {
-    return saddle::tolerance_of(leaf, tolerance_, lattice_);
   }
 
   double smallest_tolerance(const Cells& cells) const {
     double least = std::numeric_limits<double>::infinity();
-    for_leaves(cells, [&](const Leaf& leaf) { least = std::min(least, tolerance_of(leaf)); });
+    for_leaves(cells, [&](std::size_t k) { least = std::min(least, allowed_[k]); });
     return least;
   }
 
@@ -142,7 +138,7 @@ class Certifier {
       return;
     }
     const dvec2 size = size_of(leaf);
-    const double eps = tolerance_of(leaf);
+    const double eps = allowed_[index];
     struct Part {
       Box box;
       int depth;
@@ -171,7 +167,7 @@ class Certifier {
   const Grid& grid_;
   const Lattice& lattice_;
   std::span<const Leaf> leaves_;
-  const Tolerance& tolerance_;
+  std::span<const double> allowed_;
   std::size_t& boxes_;
   Enclosure enclosure_;
   std::vector<Interval> outputs_;
@@ -182,9 +178,9 @@ class Certifier {
 }  // namespace
 
 Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
-                      std::span<const Leaf> leaves, const Tolerance& tolerance,
+                      std::span<const Leaf> leaves, std::span<const double> allowed,
                       std::size_t& boxes) {
-  return Certifier(surface, grid, lattice, leaves, tolerance, boxes).run();
+  return Certifier(surface, grid, lattice, leaves, allowed, boxes).run();
 }
 
 }  // namespace saddle

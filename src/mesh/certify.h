@@ -31,9 +31,10 @@ struct Certification {
 
 /// Bounds the distance of r(u, v) from the triangles of each leaf, of sides h and k, by
 /// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
-/// its first derivatives continuous; large boxes first, parts of leaves last. `boxes`: how many may
-/// still be tried, and are left afterwards.
+/// its first derivatives continuous; large boxes first, parts of leaves last. `allowed`: of each
+/// leaf, in units of length. `boxes`: how many may still be tried, and are left afterwards.
 Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
-                      std::span<const Leaf> leaves, const Tolerance& tolerance, std::size_t& boxes);
+                      std::span<const Leaf> leaves, std::span<const double> allowed,
+                      std::size_t& boxes);
 
 }  // namespace saddle

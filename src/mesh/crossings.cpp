@@ -247,7 +247,7 @@ std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::s
     std::set<Side> sides;
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       Leaf& leaf = leaves[k];
-      if (!leaf.is_split && lattice.has_crossings() && is_crossed(leaf, lattice)) {
+      if (!leaf.is_split && lattice.may_be_crossed(leaf) && is_crossed(leaf, lattice)) {
         leaf.is_split = true;
         split.push_back(k);
       }

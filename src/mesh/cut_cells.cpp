@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "mesh/cell_loops.h"
+#include "mesh/loop_vectors.h"
 
 namespace saddle {
 namespace {
@@ -24,35 +25,10 @@ constexpr double kPlain = 64 * 4 * 2.220446049250313e-16;
 /// kTie of mesh/triangulate.h.
 constexpr double kNearlyOne = 1 - 1e-6;
 
-struct Vector {
-  double x, y, z;
-};
-
-static inline Vector minus(Vector a, Vector b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-static inline Vector plus(Vector a, Vector b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-static inline double dot(Vector a, Vector b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-static inline Vector cross(Vector a, Vector b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-static inline Vector choose(double second, Vector yes, Vector no) {
-  return {second > 0 ? yes.x : no.x, second > 0 ? yes.y : no.y, second > 0 ? yes.z : no.z};
-}
-static inline double larger_of(double a, double b) {
-  return b > a ? b : a;
-}
-static inline double smaller_of(double a, double b) {
-  return b < a ? b : a;
-}
-static inline Vector position(const Strip& strip, size_t i) {
+static inline LoopVector position(const Strip& strip, size_t i) {
   return {strip.x[i], strip.y[i], strip.z[i]};
 }
-static inline Vector normal(const Strip& strip, size_t i) {
+static inline LoopVector normal(const Strip& strip, size_t i) {
   return {strip.n_x[i], strip.n_y[i], strip.n_z[i]};
 }
 
@@ -63,13 +39,13 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, size_t cells, double f
   const double least = kPlain * kPlain * size * size;
 #pragma GCC ivdep  // the cuts overlap no strip
   for (size_t i = 0; i < cells; ++i) {
-    const Vector p0 = position(lower, i), p1 = position(lower, i + 1);
-    const Vector p3 = position(upper, i), p2 = position(upper, i + 1);
-    const Vector n0 = normal(lower, i), n1 = normal(lower, i + 1);
-    const Vector n3 = normal(upper, i), n2 = normal(upper, i + 1);
+    const LoopVector p0 = position(lower, i), p1 = position(lower, i + 1);
+    const LoopVector p3 = position(upper, i), p2 = position(upper, i + 1);
+    const LoopVector n0 = normal(lower, i), n1 = normal(lower, i + 1);
+    const LoopVector n3 = normal(upper, i), n2 = normal(upper, i + 1);
 
-    const Vector first = minus(p2, p0);  // the diagonals
-    const Vector other = minus(p3, p1);
+    const LoopVector first = minus(p2, p0);  // the diagonals
+    const LoopVector other = minus(p3, p1);
     const double sagitta_first = fabs(dot(minus(n2, n0), first));
     const double sagitta_other = fabs(dot(minus(n3, n1), other));
     const double square_first = dot(first, first);
@@ -79,9 +55,9 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, size_t cells, double f
     const double second = sagitta_other < sagitta_first * kNearlyOne ? 1.0 : unless_first;
 
     // Twice the vector area of the cell, and of one of its triangles: at slot 1, or at slot 0.
-    const Vector along_u = minus(p1, p0);
-    const Vector along_v = minus(p3, p0);
-    const Vector sum = plus(plus(n0, n1), plus(n2, n3));
+    const LoopVector along_u = minus(p1, p0);
+    const LoopVector along_v = minus(p3, p0);
+    const LoopVector sum = plus(plus(n0, n1), plus(n2, n3));
     const double whole = front * dot(cross(first, other), sum);
     const double part = front * dot(cross(along_u, choose(second, along_v, first)), sum);
     const double rest = whole - part;

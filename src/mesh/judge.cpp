@@ -95,7 +95,7 @@ double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice&
   if (tolerance.is_same_everywhere()) return tolerance(dvec3(0));
   Ball ball;
   for (const LatticePlace& corner : leaf.corners()) {
-    ball.add(lattice.mesh().position[*lattice.used_vertex(corner)]);
+    ball.add(lattice.mesh().position[lattice.vertex_at_corner(corner)]);
   }
   return ball.allowed_by(tolerance);
 }

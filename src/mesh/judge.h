@@ -54,6 +54,11 @@ class Judge {
   Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
       : options_(options), grid_(grid), mesh_(grid.mesh), lattice_(lattice) {}
 
+  /// What is allowed of a leaf.
+  double allowed(const Samples& samples) const;
+  /// Whether a side is on a line that is seen: then its distance counts in any direction.
+  bool is_seen(const Leaf& leaf, std::size_t side) const;
+
   /// Of a leaf all of whose samples are defined.
   Verdict score(const Leaf& leaf, const Samples& samples) const;
 
@@ -79,11 +84,8 @@ class Judge {
  private:
   using Corners = std::array<std::uint32_t, 4>;
 
-  double allowed(const Samples& samples) const;
   std::vector<dvec3> defined_positions(const Samples& samples) const;
   double diameter(const Corners& corner) const;
-  /// Whether a side is on a line that is seen: then its distance counts in any direction.
-  bool is_seen(const Leaf& leaf, std::size_t side) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
   bool has_opposed(const Corners& corner) const;
   double distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;

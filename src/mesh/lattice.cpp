@@ -56,14 +56,38 @@ void PlaceMap::insert(LatticePlace place, std::uint32_t number) {
   slots_[slot_of(key_of(place))] = {key_of(place), number};
 }
 
+void CellMarks::add(const dvec2& place) {
+  const dvec2 cells = place / static_cast<double>(kCellUnit);
+  const auto range = [](double at, std::size_t count) {
+    const auto low = static_cast<std::size_t>(std::max(std::ceil(at) - 1, 0.0));
+    const auto high = std::min(static_cast<std::size_t>(at), count - 1);
+    return std::pair(low, high);
+  };
+  const auto [low_u, high_u] = range(cells.x, cells_u_);
+  const auto [low_v, high_v] = range(cells.y, cells_v_);
+  for (std::size_t j = low_v; j <= high_v; ++j) {
+    for (std::size_t i = low_u; i <= high_u; ++i) marks_[j * cells_u_ + i] = 1;
+  }
+}
+
+CellMarks Lattice::singular_cells() const {
+  CellMarks cells(grid_);
+  for (std::uint32_t vertex = 0; vertex < regular_.size(); ++vertex) {
+    if (!is_regular(vertex)) cells.add(place_between(vertex));
+  }
+  return cells;
+}
+
 Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
     : surface_(surface),
       grid_(grid),
       used_(grid.vertex_count(), 1),
       regular_(grid.vertex_count(), 1),
       defined_(grid.vertex_count(), 1),
+      crossed_cells_(grid),
       used_count_(grid.vertex_count()),
       evaluated_(grid.vertex_count()) {
+  sub_grids_[0] = {0, static_cast<std::uint32_t>(grid.u.size())};
   for (const std::size_t vertex : grid.singular) regular_[vertex] = 0;
   if (grid.left_out_count == 0) return;
   std::vector<std::uint32_t> undefined;
@@ -77,8 +101,35 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
   fill_removable(undefined, threads);
 }
 
-std::uint32_t Lattice::root_vertex(LatticePlace place) const {
-  return static_cast<std::uint32_t>(grid_.vertex(place.u / kCellUnit, place.v / kCellUnit));
+void Lattice::add_middles(unsigned threads) {
+  struct Line {
+    std::vector<double> parameters;
+    std::vector<std::uint32_t> places;
+  };
+  const auto take = [](const std::vector<double>& lines, bool between) {
+    Line line;
+    for (std::uint32_t k = 0; k + (between ? 1 : 0) < lines.size(); ++k) {
+      const double next = between ? lines[k + 1] : lines[k];
+      line.parameters.push_back(lines[k] + (next - lines[k]) * 0.5);
+      line.places.push_back(k * kCellUnit + (between ? kCellUnit / 2 : 0));
+    }
+    return line;
+  };
+  std::vector<LatticePlace> places;
+  for (std::size_t kind = 1; kind < sub_grids_.size(); ++kind) {
+    const Line u = take(grid_.u, kind % 2 != 0);
+    const Line v = take(grid_.v, kind / 2 != 0);
+    sub_grids_[kind] = {static_cast<std::uint32_t>(used_.size()),
+                        static_cast<std::uint32_t>(u.places.size())};
+    places.clear();
+    for (const std::uint32_t at_v : v.places) {
+      for (const std::uint32_t at_u : u.places) places.push_back({at_u, at_v});
+    }
+    number(places);
+    append_grid(u.parameters, v.parameters, threads);
+  }
+  grid_mask_ = kCellUnit / 2 - 1;
+  finish_new(threads);
 }
 
 dvec2 Lattice::parameters(LatticePlace place) const {
@@ -92,19 +143,26 @@ dvec2 Lattice::parameters(LatticePlace place) const {
 }
 
 std::uint32_t Lattice::vertex(LatticePlace place) {
-  if (is_root(place)) return root_vertex(place);
-  if (const std::uint32_t* number = numbers_.find(place)) return *number;
-  const auto number = static_cast<std::uint32_t>(used_.size());
-  numbers_.insert(place, number);
-  places_.push_back(place);
-  used_.push_back(0);
-  regular_.push_back(1);
-  defined_.push_back(1);
-  return number;
+  if (is_on_grid(place)) return vertex_on_grid(place);
+  if (const std::uint32_t* known = numbers_.find(place)) return *known;
+  const auto vertex = static_cast<std::uint32_t>(used_.size());
+  numbers_.insert(place, vertex);
+  number(std::span(&place, 1));
+  return vertex;
+}
+
+void Lattice::number(std::span<const LatticePlace> places) {
+  places_.insert(places_.end(), places.begin(), places.end());
+  used_.resize(used_.size() + places.size(), 0);
+  regular_.resize(used_.size(), 1);
+  defined_.resize(used_.size(), 1);
 }
 
 std::optional<std::uint32_t> Lattice::used_vertex(LatticePlace place) const {
-  if (is_root(place)) return root_vertex(place);
+  if (is_on_grid(place)) {
+    const std::uint32_t vertex = vertex_on_grid(place);
+    return is_used(vertex) ? std::optional(vertex) : std::nullopt;
+  }
   const std::uint32_t* const number = numbers_.find(place);
   return number != nullptr && is_used(*number) ? std::optional(*number) : std::nullopt;
 }
@@ -116,31 +174,47 @@ LatticePlace Lattice::place(std::uint32_t vertex) const {
           static_cast<std::uint32_t>(vertex / grid_.u.size()) * kCellUnit};
 }
 
-void Lattice::append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads) {
-  const std::size_t count = u.size();
-  const NormalColumns columns = evaluate_normals(surface_, u, v, threads);
+template <class Function>
+void Lattice::append(const NormalColumns& columns, std::size_t count, Function uv) {
   const double front = surface_.flip ? -1 : 1;
+  Mesh& mesh = grid_.mesh;
+  const std::size_t first = mesh.position.size();
+  mesh.position.resize(first + count);
+  mesh.normal.resize(first + count);
+  mesh.uv.resize(first + count);
+  mesh.point.resize(first + count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto vector = [&](std::size_t k) {
-      return dvec3(columns[k][i], columns[k + 1][i], columns[k + 2][i]);
-    };
-    const dvec3 normal = front * vector(kNormalColumn);
+    const dvec3 position(columns[0][i], columns[1][i], columns[2][i]);
+    const dvec3 normal = front * dvec3(columns[kNormalColumn][i], columns[kNormalColumn + 1][i],
+                                       columns[kNormalColumn + 2][i]);
     // |r_u x r_v| beside |r_u| |r_v|, all of which may be infinite or 0.
     const double scale =
         std::sqrt(columns[kSquareUColumn][i]) * std::sqrt(columns[kSquareVColumn][i]);
     const bool regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal);
-    const std::size_t vertex = grid_.mesh.position.size();
-    grid_.mesh.position.push_back(vector(0));
-    grid_.mesh.normal.push_back(regular ? normal : dvec3(0));
-    grid_.mesh.uv.push_back({u[i], v[i]});
-    grid_.mesh.point.push_back(static_cast<std::uint32_t>(vertex));
+    const std::size_t vertex = first + i;
+    mesh.position[vertex] = position;
+    mesh.normal[vertex] = regular ? normal : dvec3(0);
+    mesh.uv[vertex] = uv(i);
+    mesh.point[vertex] = static_cast<std::uint32_t>(vertex);
     regular_[vertex] = regular ? 1 : 0;
-    defined_[vertex] = is_finite(vector(0)) ? 1 : 0;
+    defined_[vertex] = is_finite(position) ? 1 : 0;
   }
   evaluations_ += count;
 }
 
+void Lattice::append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads) {
+  append(evaluate_normals(surface_, u, v, threads), u.size(),
+         [&](std::size_t i) { return dvec2(u[i], v[i]); });
+}
+
+void Lattice::append_grid(const std::vector<double>& u, const std::vector<double>& v,
+                          unsigned threads) {
+  append(evaluate_normals_on_grid(surface_, u, v, threads), u.size() * v.size(),
+         [&](std::size_t i) { return dvec2(u[i % u.size()], v[i / u.size()]); });
+}
+
 void Lattice::evaluate(unsigned threads) {
+  if (evaluated_ == used_.size()) return;
   std::vector<double> u;
   std::vector<double> v;
   for (std::size_t vertex = evaluated_; vertex < used_.size(); ++vertex) {
@@ -149,6 +223,10 @@ void Lattice::evaluate(unsigned threads) {
     v.push_back(uv.y);
   }
   append(u, v, threads);
+  finish_new(threads);
+}
+
+void Lattice::finish_new(unsigned threads) {
   std::vector<std::uint32_t> undefined;
   for (auto vertex = static_cast<std::uint32_t>(evaluated_); vertex < used_.size(); ++vertex) {
     join_pole(vertex);
@@ -197,7 +275,10 @@ std::optional<Crossing> Lattice::crossing(std::uint32_t a, std::uint32_t b) cons
 }
 
 void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing) {
-  has_crossings_ = has_crossings_ || crossing;
+  if (crossing) {
+    has_crossings_ = true;
+    crossed_cells_.add(0.5 * (place_between(a) + place_between(b)));
+  }
   sides_[key(a, b)] = crossing;
 }
 
@@ -223,10 +304,7 @@ std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned thr
     if (share < kBeside || share > 1 - kBeside) share = std::round(share);
     places_between_[static_cast<std::uint32_t>(used_.size())] =
         glm::mix(place_between(between.a), place_between(between.b), share);
-    places_.push_back({});
-    used_.push_back(0);
-    regular_.push_back(1);
-    defined_.push_back(1);
+    number(std::array{LatticePlace{}});
     u.push_back(between.uv.x);
     v.push_back(between.uv.y);
   }
@@ -259,8 +337,8 @@ void Lattice::join_pole(std::uint32_t vertex) {
   const LatticePlace a = {before(p.u), before(p.v)};
   const LatticePlace b =
       on_u ? LatticePlace{a.u, a.v + kCellUnit} : LatticePlace{a.u + kCellUnit, a.v};
-  const std::uint32_t root = root_vertex(a);
-  const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[root_vertex(b)];
+  const std::uint32_t root = vertex_on_grid(a);
+  const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[vertex_on_grid(b)];
   if (!ends_meet || !is_one_point(grid_, root, vertex)) return;
   grid_.mesh.position[vertex] = grid_.mesh.position[root];
   grid_.mesh.point[vertex] = grid_.mesh.point[root];

@@ -92,16 +92,42 @@ class PlaceMap {
   std::size_t count_ = 0;
 };
 
+/// Cells of the root grid that are marked.
+class CellMarks {
+ public:
+  explicit CellMarks(const Grid& grid)
+      : cells_u_(grid.cells_u), cells_v_(grid.cells_v), marks_(grid.cell_count(), 0) {}
+
+  /// Marks the cells that a place, in units, is in or on the border of.
+  void add(const dvec2& place);
+  /// Whether the cell is marked that a leaf is in.
+  bool contains(const Leaf& leaf) const {
+    return marks_[leaf.low.v / kCellUnit * cells_u_ + leaf.low.u / kCellUnit] != 0;
+  }
+
+ private:
+  std::size_t cells_u_, cells_v_;
+  std::vector<std::uint8_t> marks_;
+};
+
 /// Vertices of the root grid and between its lines. Their positions and normals are grid.mesh's.
 class Lattice {
  public:
   Lattice(const Surface& surface, Grid& grid, unsigned threads);
+
+  /// Numbers and computes the middles of the root grid's cells and of their sides, which are grids
+  /// of their own: at a fraction of the cost of as many places one by one.
+  void add_middles(unsigned threads);
 
   /// Parameters of a place; exact on the lines of the root grid.
   dvec2 parameters(LatticePlace place) const;
 
   /// The vertex at a place; a new one has its position after the next evaluate().
   std::uint32_t vertex(LatticePlace place);
+  /// The vertex at a corner of a leaf, which is in use.
+  std::uint32_t vertex_at_corner(LatticePlace place) const {
+    return is_on_grid(place) ? vertex_on_grid(place) : *numbers_.find(place);
+  }
   /// The vertex at a place, if it is in use.
   std::optional<std::uint32_t> used_vertex(LatticePlace place) const;
 
@@ -147,6 +173,8 @@ class Lattice {
   /// Whether there is a direction of r_u x r_v.
   bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
   bool has_singular() const { return std::ranges::find(regular_, 0) != regular_.end(); }
+  /// The root cells around vertices that are not regular.
+  CellMarks singular_cells() const;
   /// Gives a vertex of one side of the surface the limit of the normals there.
   void set_normal(std::uint32_t vertex, const dvec3& normal) {
     grid_.mesh.normal[vertex] = normal;
@@ -164,11 +192,16 @@ class Lattice {
   const Surface& surface() const { return surface_; }
   const Mesh& mesh() const { return grid_.mesh; }
 
+  /// Whether something may cut a leaf: it cuts a side of the leaf's root cell, or within it.
+  bool may_be_crossed(const Leaf& leaf) const {
+    return has_crossings_ && crossed_cells_.contains(leaf);
+  }
+
   /// Calls f(vertex) for the vertices in use on the straight way from `from` (included) to `to`
   /// (not included), which is a side of a leaf or of a cell of the root grid.
   template <class F>
   void walk(LatticePlace from, LatticePlace to, F f) const {
-    f(*used_vertex(from));
+    f(vertex_at_corner(from));
     walk_between(from, to, f);
   }
 
@@ -186,22 +219,43 @@ class Lattice {
     walk_between(middle, to, f);
   }
 
-  bool is_root(LatticePlace place) const {
-    return place.u % kCellUnit == 0 && place.v % kCellUnit == 0;
+  /// Whether it is on the root grid or, once those are numbered, one of its middles.
+  bool is_on_grid(LatticePlace place) const { return ((place.u | place.v) & grid_mask_) == 0; }
+  std::uint32_t vertex_on_grid(LatticePlace place) const {
+    const SubGrid& grid =
+        sub_grids_[(place.u & kHalfUnit) / kHalfUnit + (place.v & kHalfUnit) / kHalfUnit * 2];
+    return grid.first + place.v / kCellUnit * grid.pitch + place.u / kCellUnit;
   }
-  std::uint32_t root_vertex(LatticePlace place) const;
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
   }
   /// Appends the surface at (u[i], v[i]) to the mesh.
   void append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
+  /// The same on a grid, v outer.
+  void append_grid(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
+  /// Appends what was computed at uv(i), whose vertices have their numbers.
+  template <class Function>
+  void append(const NormalColumns& columns, std::size_t count, Function uv);
+  /// Numbers new vertices that are no corners of leaves yet.
+  void number(std::span<const LatticePlace> places);
+  /// Joins the vertices that are computed last to poles, and gives them limits.
+  void finish_new(unsigned threads);
   void fill_removable(std::vector<std::uint32_t> vertices, unsigned threads);
   /// A vertex between two root vertices that are one point, on the grid's line through them, is
   /// that point: its tangent along the line is rounding.
   void join_pole(std::uint32_t vertex);
 
+  /// Vertices in rows: the root grid, and three of middles.
+  struct SubGrid {
+    std::uint32_t first;
+    std::uint32_t pitch;
+  };
+  static constexpr std::uint32_t kHalfUnit = kCellUnit / 2;
+
   const Surface& surface_;
   Grid& grid_;
+  std::array<SubGrid, 4> sub_grids_ = {};    ///< root, middles along u, along v, of cells
+  std::uint32_t grid_mask_ = kCellUnit - 1;  ///< bits of a place that is not on a grid
   PlaceMap numbers_;
   std::vector<LatticePlace> places_;  // of vertices past the root grid's
   std::vector<std::uint8_t> used_;
@@ -211,6 +265,7 @@ class Lattice {
   std::unordered_map<std::uint32_t, dvec2> places_between_;
   std::unordered_set<std::uint64_t> pole_sides_;
   bool has_crossings_ = false;
+  CellMarks crossed_cells_;
   std::size_t used_count_;
   std::size_t evaluated_;  // vertices that have been computed
   std::size_t evaluations_ = 0;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
+#include "mesh/cell_loops.h"
 #include "mesh/corners.h"
 #include "mesh/polygon.h"
 #include "mesh/triangulate.h"
@@ -53,7 +55,9 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
                                  const Lattice& lattice) {
   std::vector<View> views;
   if (!lattice.has_singular()) return views;
+  const CellMarks singular_cells = lattice.singular_cells();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+    if (!leaves[leaf].is_split && !singular_cells.contains(leaves[leaf])) continue;
     bool is_regular = !leaves[leaf].is_split;
     for_sides(leaves[leaf], lattice, [&](std::uint32_t a, std::uint32_t) {
       is_regular = is_regular && lattice.is_regular(a);
@@ -72,6 +76,88 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
   std::ranges::stable_sort(views, {}, &View::vertex);
   return views;
 }
+
+/// Leaves of four corners, cut as cells of a grid are: many at a time, the plain ones at once.
+class PlainCutter {
+ public:
+  explicit PlainCutter(const Grid& grid) : grid_(grid) {}
+
+  void add(const std::array<std::uint32_t, 4>& corners) {
+    corners_.push_back(corners);
+    if (corners_.size() % kBlock == 0) cut();
+  }
+  void finish() {
+    if (cuts_.size() < corners_.size()) cut();
+  }
+
+  /// Appends the triangles of the next leaf; returns how many there would be if none were without
+  /// area.
+  std::size_t take(Array<Triangle>& triangles) {
+    const auto& c = corners_[taken_];
+    const Way way = cuts_[taken_++];
+    if (way == Way::Unknown) {
+      std::vector<std::uint32_t> points;
+      for (const std::uint32_t corner : c) points.push_back(grid_.mesh.point[corner]);
+      cut_cell(grid_, c, triangles);
+      return triangles_between(points);
+    }
+    const bool second = way == Way::Second;
+    const std::array<std::uint32_t, 4> from = {c[second ? 1 : 0], c[second ? 2 : 1],
+                                               c[second ? 3 : 2], c[second ? 0 : 3]};
+    const std::size_t turn = grid_.mirrored ? 1 : 0;
+    for (const Triangle& t :
+         {Triangle{from[0], from[1], from[2]}, Triangle{from[2], from[3], from[0]}}) {
+      triangles.push_back({t[0], t[1 + turn], t[2 - turn]});
+    }
+    return 2;
+  }
+
+ private:
+  enum class Way : std::uint8_t { First, Second, Unknown };
+  /// Each takes two vertices of a strip: the cells between leaves are for nothing.
+  static constexpr std::size_t kBlock = kTileCells / 2;
+  using Strips = std::array<Strip, 2>;
+
+  void put(std::uint32_t corner, std::size_t i, Strip& strip) const {
+    const dvec3& position = grid_.mesh.position[corner];
+    const dvec3& normal = grid_.mesh.normal[corner];
+    strip.x[i] = position.x;
+    strip.y[i] = position.y;
+    strip.z[i] = position.z;
+    strip.n_x[i] = normal.x;
+    strip.n_y[i] = normal.y;
+    strip.n_z[i] = normal.z;
+    const double size =
+        std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)});
+    strip.size = std::max(strip.size, size);
+  }
+
+  void cut() {
+    auto& [lower, upper] = *strips_;
+    lower.size = upper.size = 0;
+    const std::size_t first = cuts_.size();
+    const std::size_t count = corners_.size() - first;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& corners = corners_[first + i];
+      put(corners[0], 2 * i, lower);
+      put(corners[1], 2 * i + 1, lower);
+      put(corners[2], 2 * i + 1, upper);
+      put(corners[3], 2 * i, upper);
+    }
+    cell_loop(cpu_level())(lower, upper, 2 * count - 1, grid_.mirrored ? -1 : 1, *found_);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Way way = found_->second[2 * i] > 0 ? Way::Second : Way::First;
+      cuts_.push_back(found_->margin[2 * i] > 0 ? way : Way::Unknown);
+    }
+  }
+
+  const Grid& grid_;
+  std::vector<std::array<std::uint32_t, 4>> corners_;
+  std::vector<Way> cuts_;
+  std::size_t taken_ = 0;
+  std::unique_ptr<Strips> strips_ = std::make_unique_for_overwrite<Strips>();
+  std::unique_ptr<Cuts> found_ = std::make_unique_for_overwrite<Cuts>();
+};
 
 /// Chains of vertices, interrupted where the surface is.
 class Chains {
@@ -177,24 +263,36 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   LeafTriangles result;
   result.all.reserve(2 * which.size());
   result.first.reserve(which.size() + 1);
-  std::vector<std::uint32_t> points;
+  result.is_plain.reserve(which.size());
   const auto choose_corner = [&](std::size_t leaf, std::size_t piece, std::uint32_t& vertex) {
-    vertex = singular.corner(leaf, piece, vertex);
-    points.push_back(grid.mesh.point[vertex]);
+    if (!lattice.is_regular(vertex)) vertex = singular.corner(leaf, piece, vertex);
   };
+  PlainCutter cutter(grid);
   for (const std::size_t leaf : which) {
-    result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
-    if (auto plain = plain_corners(leaves[leaf], lattice)) {
-      points.clear();
-      for (std::uint32_t& vertex : *plain) choose_corner(leaf, 0, vertex);
-      result.expected += triangles_between(points);
-      cut_cell(grid, *plain, result.all);
+    auto plain = plain_corners(leaves[leaf], lattice);
+    result.is_plain.push_back(plain ? 1 : 0);
+    if (!plain) continue;
+    for (std::uint32_t& vertex : *plain) choose_corner(leaf, 0, vertex);
+    cutter.add(*plain);
+  }
+  cutter.finish();
+  std::vector<std::uint32_t> points;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::size_t first = result.all.size();
+    result.first.push_back(static_cast<std::uint32_t>(first));
+    if (result.is_plain[k] != 0) {
+      result.expected += cutter.take(result.all);
+      result.is_plain[k] = result.all.size() == first + 2 ? 1 : 0;
       continue;
     }
+    const std::size_t leaf = which[k];
     std::vector<Polygon> polygons = pieces(leaves[leaf], lattice);
     for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
       points.clear();
-      for (PolygonCorner& corner : polygons[piece]) choose_corner(leaf, piece, corner.corner);
+      for (PolygonCorner& corner : polygons[piece]) {
+        choose_corner(leaf, piece, corner.corner);
+        points.push_back(grid.mesh.point[corner.corner]);
+      }
       result.expected += triangles_between(points);
       triangulate_polygon(grid, std::move(polygons[piece]), result.all);
     }

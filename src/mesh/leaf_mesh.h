@@ -14,7 +14,8 @@ namespace saddle {
 struct LeafTriangles {
   Array<Triangle> all;
   std::vector<std::uint32_t> first;
-  std::size_t expected = 0;  ///< triangles if none were without area
+  std::vector<std::uint8_t> is_plain;  ///< a leaf that nothing cuts, of two triangles
+  std::size_t expected = 0;            ///< triangles if none were without area
 
   std::span<const Triangle> of(std::size_t k) const {
     return std::span(all).subspan(first[k], first[k + 1] - first[k]);

@@ -159,7 +159,7 @@ class Cutter {
 
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
   const Polygon whole = outline(leaf, lattice);
-  if (!lattice.has_crossings() && !leaf.on_rim && !leaf.is_split) return {whole};
+  if (!lattice.may_be_crossed(leaf) && !leaf.on_rim && !leaf.is_split) return {whole};
   return Cutter(whole, lattice).take(leaf.is_split);
 }
 
@@ -174,15 +174,27 @@ std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
 std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf,
                                                           const Lattice& lattice) {
   if (leaf.on_rim || leaf.is_split) return std::nullopt;
+  const LatticePlace m = leaf.middle();
+  // A side that has vertices in use has one in its middle, unless it is too short for a middle.
+  if (leaf.size_u() > 1 &&
+      (lattice.used_vertex({m.u, leaf.low.v}) || lattice.used_vertex({m.u, leaf.high.v}))) {
+    return std::nullopt;
+  }
+  if (leaf.size_v() > 1 &&
+      (lattice.used_vertex({leaf.low.u, m.v}) || lattice.used_vertex({leaf.high.u, m.v}))) {
+    return std::nullopt;
+  }
+  const auto places = leaf.corners();
   std::array<std::uint32_t, 4> corners{};
-  std::size_t count = 0;
-  bool is_plain = true;
-  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
-    if (count < 4) corners[count] = a;
-    ++count;
-    is_plain = is_plain && lattice.is_defined(a) && !lattice.crossing(a, b);
-  });
-  return is_plain && count == 4 ? std::optional(corners) : std::nullopt;
+  for (std::size_t k = 0; k < 4; ++k) {
+    corners[k] = lattice.vertex_at_corner(places[k]);
+    if (!lattice.is_defined(corners[k])) return std::nullopt;
+  }
+  if (!lattice.may_be_crossed(leaf)) return corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (lattice.crossing(corners[k], corners[(k + 1) % 4])) return std::nullopt;
+  }
+  return corners;
 }
 
 bool has_pole(const Leaf& leaf, const Lattice& lattice) {

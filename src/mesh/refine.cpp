@@ -7,6 +7,7 @@
 
 #include "mesh/crossings.h"
 #include "mesh/judge.h"
+#include "mesh/judge_many.h"
 
 namespace saddle {
 
@@ -71,16 +72,26 @@ class Refiner {
 
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
+    std::vector<Leaf> leaves;
     std::vector<Samples> samples;
+    leaves.reserve(candidates.size());
     samples.reserve(candidates.size());
-    for (const Candidate& c : candidates) samples.push_back(request_samples(c.leaf, lattice_));
+    for (const Candidate& c : candidates) {
+      leaves.push_back(c.leaf);
+      samples.push_back(request_samples(c.leaf, lattice_));
+    }
     lattice_.evaluate(options_.threads);
+    const std::vector<float> known = judge_many(leaves, samples, options_, judge_, lattice_);
     next_.clear();
     oscillation_.clear();
     std::vector<Judged> rims;
     std::vector<Judged> doubtful;
     std::vector<Judged> others;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (known[k] != kUnknown && candidates[k].witnesses.empty()) {
+        keep_good(leaves[k], known[k]);
+        continue;
+      }
       const int defined = count_defined(lattice_, samples[k]);
       if (defined == 0) continue;  // what is defined nowhere is no part of the mesh
       if (defined < 9) {
@@ -102,6 +113,13 @@ class Refiner {
   Refinement take() { return std::move(result_); }
 
  private:
+  void keep_good(Leaf leaf, float distance) {
+    leaf.in_vain = leaf.turned_in_vain = 0;
+    leaf.given_up = false;
+    leaf.known_error = distance;
+    result_.leaves.push_back(leaf);
+  }
+
   /// Halves a leaf that is cut until the cut is nearly straight in it; what remains to be done
   /// fresh samples tell. The halves do not know yet what cuts them.
   void judge_cut(const Judged& judged, Leaf leaf, bool across_u, int wanted_halvings) {
@@ -328,8 +346,8 @@ Refinement refine(std::span<const Leaf> active, std::span<const Witness> witness
   std::vector<Candidate> candidates;
   candidates.reserve(active.size());
   for (const Leaf& leaf : active) {
-    constexpr double kUnknown = std::numeric_limits<double>::infinity();
-    candidates.push_back({leaf, {}, kUnknown, kUnknown});
+    constexpr double kNotKnown = std::numeric_limits<double>::infinity();
+    candidates.push_back({leaf, {}, kNotKnown, kNotKnown});
   }
   for (std::uint32_t k = 0; k < witnesses.size(); ++k) {
     candidates[witnesses[k].cell].witnesses.push_back(k);

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/random.h"
+#include "mesh/measure_many.h"
 
 namespace saddle {
 
@@ -15,23 +16,23 @@ namespace {
 /// One fresh sample in each quarter of a leaf, up to this part of its sides from the quarter's
 /// middle: there the error of an arc with a turning point is largest, which its middle does not
 /// show.
-constexpr std::size_t kQuarters = 4;
 constexpr double kJitter = 0.1;
 
 /// Samples on a diagonal: an arc with a turning point is not highest above its middle.
 constexpr std::array kOnDiagonal = {0.36, 0.5, 0.64};
 
-/// Where a leaf's s-th sample is, in sides of the leaf: always the same for the same leaf.
-dvec2 sample_place(const Leaf& leaf, std::size_t s) {
+/// Where a leaf is measured: always the same for the same leaf.
+PlacesInLeaf sample_places(const Leaf& leaf) {
   std::uint64_t seed = 0;
   for (const std::uint32_t part : {leaf.low.u, leaf.low.v, leaf.size_u(), leaf.size_v()}) {
     seed = (seed ^ part) * 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio: spreads the bits
     seed ^= seed >> 32U;
   }
-  const auto jitter = [&](std::uint64_t axis) {
-    return kJitter * (2 * random_unit(seed + 2 * s + axis) - 1);
+  const auto jitter = [&](std::uint64_t key) {
+    return kJitter * (2 * random_unit(seed + key) - 1);
   };
-  return {(s % 2 == 0 ? 0.25 : 0.75) + jitter(0), (s / 2 == 0 ? 0.25 : 0.75) + jitter(1)};
+  return {dvec2(0.25 + jitter(0), 0.25 + jitter(1)), dvec2(0.75 + jitter(2), 0.25 + jitter(3)),
+          dvec2(0.25 + jitter(4), 0.75 + jitter(5)), dvec2(0.75 + jitter(6), 0.75 + jitter(7))};
 }
 
 bool share_corner(const Triangle& a, const Triangle& b) {
@@ -59,6 +60,23 @@ std::size_t count_connected(std::span<const Triangle> triangles) {
 
 }  // namespace
 
+void Measured::remove(std::span<const std::size_t> which) {
+  if (which.empty()) return;
+  std::size_t to = which.front();
+  for (std::size_t from = to; from < leaves.size(); ++from) {
+    if (!which.empty() && which.front() == from) {
+      which = which.subspan(1);
+      continue;
+    }
+    leaves[to] = leaves[from];
+    deviations[to] = deviations[from];
+    allowed[to++] = allowed[from];
+  }
+  leaves.resize(to);
+  deviations.resize(to);
+  allowed.resize(to);
+}
+
 /// Where a leaf is cut, its pieces meet along a chord of the true line: what lies between the two
 /// is no farther from the surface than the other piece, and faces as that one does.
 Deviation Verifier::deviation_of(const Leaf& leaf, std::span<const Triangle> triangles,
@@ -80,8 +98,7 @@ void Verifier::append_samples(const Leaf& leaf, std::span<const Triangle> triang
                               std::vector<Sample>& samples) const {
   const dvec2 low = lattice_.parameters(leaf.low);
   const dvec2 high = lattice_.parameters(leaf.high);
-  for (std::size_t s = 0; s < kQuarters; ++s) {
-    const dvec2 part = sample_place(leaf, s);
+  for (const dvec2& part : sample_places(leaf)) {
     samples.push_back({low * (1.0 - part) + high * part, false, {}});
   }
   const bool is_creased = leaf.is_split && count_cuts(leaf, lattice_).only_creases;
@@ -122,13 +139,46 @@ double Verifier::distance_from_chord(const Chord& chord, const SurfacePoint& poi
   return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
 }
 
+std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const std::size_t> which,
+                                                 const LeafTriangles& triangles) {
+  std::vector<TwoTriangles> plain;
+  std::vector<std::size_t> numbers;  // of those, in `which`
+  std::vector<std::size_t> others;
+  plain.reserve(which.size());
+  numbers.reserve(which.size());
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    if (triangles.is_plain[k] == 0) {
+      others.push_back(k);
+      continue;
+    }
+    const Leaf& leaf = mesh.leaves[which[k]];
+    const auto two = triangles.of(k);
+    numbers.push_back(k);
+    plain.push_back({lattice_.parameters(leaf.low),
+                     lattice_.parameters(leaf.high),
+                     {two[0], two[1]},
+                     sample_places(leaf)});
+  }
+  const auto deviations = measure_many(surface_, grid_, plain, threads_);
+  evaluations_ += kPlacesInLeaf * plain.size();
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    if (deviations[i]) {
+      mesh.deviations[which[numbers[i]]] = *deviations[i];
+    } else {
+      others.push_back(numbers[i]);
+    }
+  }
+  return others;
+}
+
 void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
                        const LeafTriangles& triangles) {
+  mesh.deviations.resize(mesh.leaves.size());
+  const std::vector<std::size_t> others = measure_plain(mesh, which, triangles);
   std::vector<Sample> samples;
-  samples.reserve(which.size() * kQuarters);
   std::vector<std::size_t> first;  // sample of each leaf, and the end
-  first.reserve(which.size() + 1);
-  for (std::size_t k = 0; k < which.size(); ++k) {
+  first.reserve(others.size() + 1);
+  for (const std::size_t k : others) {
     first.push_back(samples.size());
     append_samples(mesh.leaves[which[k]], triangles.of(k), samples);
   }
@@ -137,11 +187,11 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
   std::ranges::transform(samples, uv.begin(), &Sample::uv);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += points.size();
-  mesh.deviations.resize(mesh.leaves.size());
-  for (std::size_t k = 0; k < which.size(); ++k) {
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const std::size_t k = others[i];
     const Leaf& leaf = mesh.leaves[which[k]];
     Deviation& worst = mesh.deviations[which[k]] = {};
-    for (std::size_t s = first[k]; s < first[k + 1]; ++s) {
+    for (std::size_t s = first[i]; s < first[i + 1]; ++s) {
       const auto& [place, beside_cut, crease] = samples[s];
       const Deviation d = crease ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
                                  : deviation_of(leaf, triangles.of(k), place, points[s]);

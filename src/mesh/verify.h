@@ -11,11 +11,17 @@
 
 namespace saddle {
 
-/// The leaves of a mesh and what they were last found to deviate by.
+/// The leaves of a mesh, what is allowed of them and what they were last found to deviate by.
 struct Measured {
   std::vector<Leaf> leaves;
   /// As many as leaves, or fewer: the rest is not measured yet.
   std::vector<Deviation> deviations;
+  std::vector<double> allowed;
+
+  /// How far off a leaf is, in what is allowed.
+  double off(std::size_t leaf) const { return deviations[leaf].distance / allowed[leaf]; }
+  /// Takes leaves out; `which` ascending. The others stay in their order.
+  void remove(std::span<const std::size_t> which);
 };
 
 class Verifier {
@@ -37,6 +43,9 @@ class Verifier {
     bool beside_cut;              ///< the normal may be that of the other side
     std::optional<Chord> crease;  ///< whose chord it is on
   };
+  /// Measures the leaves that are as most are. Returns the numbers in `which` of the others.
+  std::vector<std::size_t> measure_plain(Measured& mesh, std::span<const std::size_t> which,
+                                         const LeafTriangles& triangles);
   void append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
                       std::vector<Sample>& samples) const;
   double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;

@@ -107,10 +107,7 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
     const std::size_t b = edges.partner(k, seam);
     if (!grid.is_used(a) && !grid.is_used(b)) continue;
     if (!grid.is_used(a) || !grid.is_used(b)) return false;
-    Bounds gap;
-    gap.add(grid.local(a));
-    gap.add(grid.local(b));
-    if (!is_one_point(grid, gap)) return false;
+    if (!is_one_point(grid, a, b)) return false;
     majority.add(distance(grid, a, b), distance(grid, a, edges.after_first[k]));
   }
   return majority.says_one_point();
@@ -150,10 +147,15 @@ void join_equal_neighbours(const Grid& grid, Points& points) {
 }  // namespace
 
 bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
-  Bounds box;
-  box.add(grid.local(a));
-  box.add(grid.local(b));
-  return is_one_point(grid, box);
+  const dvec3 p = grid.local(a);
+  const dvec3 q = grid.local(b);
+  for (int k = 0; k < 3; ++k) {  // most are apart in the first
+    const double gap = std::fabs(p[k] - q[k]);
+    const double least = kRounding * std::max(std::fabs(p[k]), std::fabs(q[k]));
+    const double size = grid.mesh.bounds.high[k] - grid.mesh.bounds.low[k];
+    if (gap > std::max(least, kJoinFraction * grid.local_scale * size)) return false;
+  }
+  return true;
 }
 
 Seams weld(Grid& grid) {

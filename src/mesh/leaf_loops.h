@@ -1,0 +1,72 @@
+// Loops over leaves that are as most are, compiled for each CPU level: they tell at little cost
+// that a leaf is good enough, or that somebody has to look closer.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "eval/kernels.h"
+
+namespace saddle {
+
+/// Leaves per round: what is known of them stays in the first or second-level cache.
+inline constexpr std::size_t kLeafBlock = 128;
+
+using LeafNumbers = std::array<double, kLeafBlock>;
+
+/// One vertex of each leaf.
+struct LeafVertices {
+  LeafNumbers x, y, z;
+  LeafNumbers n_x, n_y, n_z;  ///< unit normals; zero where there is none
+};
+
+/// Leaves that are to be judged by the nine samples of mesh/judge.h, of which `side` k is between
+/// corners k and k + 1.
+struct LeafSamples {
+  std::array<LeafVertices, 4> corner;
+  std::array<LeafVertices, 4> side;
+  LeafVertices centre;
+  std::array<LeafNumbers, 4> counts;  ///< 1: a side is an edge of the mesh; 0: its halves are
+  std::array<LeafNumbers, 4> seen;    ///< 1: its distance counts in any direction
+  LeafNumbers largest_distance;       ///< that is allowed, in units of length
+  LeafNumbers largest_sine;           ///< of the angle between normals, squared
+  LeafNumbers visible;                ///< normals of leaves no larger than this do not count
+};
+
+struct LeafVerdicts {
+  LeafNumbers distance;  ///< the largest
+  LeafNumbers passes;    ///< 1: surely; else a closer look may still find so
+};
+
+/// Judges leaves [0, count).
+using JudgeLeaves = void (*)(const LeafSamples& leaves, std::size_t count, LeafVerdicts& verdicts);
+
+/// Leaves of two triangles, corners 0, 1, 2 and 2, 3, 0, in local units, and a point of the surface
+/// above each.
+struct LeafPoints {
+  std::array<LeafVertices, 4> corner;
+  double scale;  ///< local units per unit of length
+  double front;  ///< 1: normals are along r_u x r_v; -1: the other way
+};
+/// Points, one for each leaf: where they are in the leaf, p from corner 0 to 1 and q from 1 to 2,
+/// and the columns of tangent_outputs().
+struct LeafPlaces {
+  const double* p;
+  const double* q;
+  std::array<const double*, 9> surface;
+};
+struct LeafDeviations {
+  LeafNumbers distance;  ///< the largest, in local units
+  LeafNumbers chord;     ///< between unit normals, exact and interpolated: its largest square
+  LeafNumbers is_known;  ///< 1; 0: somebody has to look closer
+};
+
+/// Adds what one point of each of the leaves [0, count) tells.
+using MeasureLeaves = void (*)(const LeafPoints& leaves, const LeafPlaces& places,
+                               std::size_t count, LeafDeviations& deviations);
+
+/// The loops of a level; all give the same bits.
+JudgeLeaves judge_loop(CpuLevel level);
+MeasureLeaves measure_loop(CpuLevel level);
+
+}  // namespace saddle

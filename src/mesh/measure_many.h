@@ -1,0 +1,30 @@
+// Many leaves measured at a time: most of them are two triangles beside a smooth surface.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/leaf_mesh.h"
+#include "mesh/measure.h"
+
+namespace saddle {
+
+/// Places in a leaf, in sides of the leaf from its low corner.
+inline constexpr std::size_t kPlacesInLeaf = 4;
+using PlacesInLeaf = std::array<dvec2, kPlacesInLeaf>;
+
+/// A leaf that is cut into two triangles along one of its diagonals.
+struct TwoTriangles {
+  dvec2 low, high;  ///< parameters
+  std::array<Triangle, 2> triangles;
+  PlacesInLeaf places;  ///< where it is measured
+};
+
+/// The largest deviations of leaves at their places; nothing for those that have to be measured
+/// place by place, with deviation().
+std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const Grid& grid,
+                                                   std::span<const TwoTriangles> leaves,
+                                                   unsigned threads);
+
+}  // namespace saddle

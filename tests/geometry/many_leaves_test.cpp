@@ -1,0 +1,246 @@
+// Leaves judged and measured many at a time come out as they would one by one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "mesh/judge_many.h"
+#include "mesh/leaf_loops.h"
+#include "mesh/measure_many.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+Surface waves() {
+  return surface_from_text("u+v^2/9", "v", "sin(3*u)*cos(2*v)+u^3/9", {-2, 3, -2, 2}, {},
+                           Order::Second);
+}
+
+/// Smooth, but for what is along u = 0.1: a fold.
+Surface folded() {
+  return surface_from_text("abs(u-0.1)", "v", "u^2+v^2", {-1, 1, -1, 1}, {}, Order::Second);
+}
+
+/// A lattice on 20 x 17 cells, or a multiple of that each way, with all samples of its root leaves.
+struct Subject {
+  explicit Subject(const Surface& s, const RefineOptions& refine_options, std::size_t multiple = 1)
+      : surface(s), options(refine_options), fine(multiple) {
+    lattice.add_middles(1);
+    for (const Leaf& leaf : leaves) samples.push_back(request_samples(leaf, lattice));
+  }
+
+  const Surface& surface;
+  RefineOptions options;
+  std::size_t fine;
+  Grid grid = sample_grid(surface, even_lines(surface.domain.u0, surface.domain.u1, 20 * fine),
+                          even_lines(surface.domain.v0, surface.domain.v1, 17 * fine), 1);
+  Lattice lattice{surface, grid, 1};
+  Judge judge{options, grid, lattice};
+  std::vector<Leaf> leaves = root_leaves(grid);
+  std::vector<Samples> samples;
+};
+
+RefineOptions options_for(double tolerance, double degrees) {
+  RefineOptions options{tolerance, degrees, 1000, {}, {}, {}, 1};
+  options.seen_u.assign(21, 0);
+  options.seen_v.assign(18, 0);
+  options.seen_u[4] = options.seen_v[0] = 1;
+  return options;
+}
+
+std::size_t count_known(const std::vector<float>& known) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(known, [](float distance) { return distance != kUnknown; }));
+}
+
+TEST(ManyLeaves, PassIfTheyPassOneByOne) {
+  for (const double strictness : {1.0, 1.5}) {
+    const Surface surface = waves();
+    Subject subject(surface, options_for(0.02, 9));
+    for (Leaf& leaf : subject.leaves) leaf.strictness = static_cast<float>(strictness);
+    const std::vector<float> known = judge_many(subject.leaves, subject.samples, subject.options,
+                                                subject.judge, subject.lattice);
+    std::size_t good = 0;
+    for (std::size_t k = 0; k < known.size(); ++k) {
+      const Verdict verdict = subject.judge.score(subject.leaves[k], subject.samples[k]);
+      const double distance = verdict.distance.worst();
+      const bool passes = strictness * std::max(distance, verdict.turn.worst()) <= 1;
+      ASSERT_EQ(known[k] != kUnknown, passes) << k;
+      if (passes) {
+        ASSERT_NEAR(known[k], distance, 1e-6) << k;
+      }
+      good += passes ? 1 : 0;
+    }
+    EXPECT_GT(good, known.size() / 10);
+    EXPECT_LT(good, known.size() * 9 / 10);
+  }
+}
+
+TEST(ManyLeaves, LeaveFoldsToACloserLook) {
+  const Surface surface = folded();
+  Subject subject(surface, options_for(0.5, 180));
+  const std::vector<float> known =
+      judge_many(subject.leaves, subject.samples, subject.options, subject.judge, subject.lattice);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    // The line u = 0.1 is that of the grid: the two columns beside it touch it.
+    const std::size_t column = k % 20;
+    if (column != 10 && column != 11) {
+      ASSERT_NE(known[k], kUnknown) << column;
+    }
+  }
+  subject.leaves[0].is_split = subject.leaves[1].leads_to_pole = true;
+  EXPECT_EQ(count_known(judge_many(subject.leaves, subject.samples, subject.options, subject.judge,
+                                   subject.lattice)),
+            count_known(known) - 2);
+}
+
+TEST(ManyLeaves, LeaveWhatIsUndefinedToACloserLook) {
+  const Surface surface = surface_from_text("u", "v", "sqrt(u)", {-1, 1, -1, 1}, {}, Order::Second);
+  Subject subject(surface, options_for(10, 180));
+  const std::vector<float> known =
+      judge_many(subject.leaves, subject.samples, subject.options, subject.judge, subject.lattice);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (k % 20 < 11) {
+      ASSERT_EQ(known[k], kUnknown) << k;
+    }
+  }
+  EXPECT_GT(count_known(known), 17 * 7U);
+}
+
+TEST(ManyLeaves, AreMeasuredAsOneByOne) {
+  for (const bool flip : {false, true}) {
+    Surface surface = waves();
+    surface.flip = flip;
+    Subject subject(surface, options_for(1, 180), 4);
+    std::vector<std::size_t> all(subject.leaves.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+    const LeafTriangles triangles =
+        triangulate_leaves(subject.leaves, all, SingularCorners(), subject.grid, subject.lattice);
+    // Beside the diagonals: on the same triangle as the point below them.
+    const PlacesInLeaf places = {dvec2(0.15, 0.35), dvec2(0.85, 0.35), dvec2(0.35, 0.85),
+                                 dvec2(0.65, 0.15)};
+    std::vector<TwoTriangles> leaves;
+    for (const std::size_t k : all) {
+      ASSERT_EQ(triangles.is_plain[k], 1);
+      leaves.push_back({subject.lattice.parameters(subject.leaves[k].low),
+                        subject.lattice.parameters(subject.leaves[k].high),
+                        {triangles.of(k)[0], triangles.of(k)[1]},
+                        places});
+    }
+    const auto measured = measure_many(surface, subject.grid, leaves, 1);
+    for (const std::size_t k : all) {
+      Deviation worst;
+      for (const dvec2& part : places) {
+        const dvec2 uv = leaves[k].low * (1.0 - part) + leaves[k].high * part;
+        const SurfacePoint point = evaluate(surface, std::array{uv})[0];
+        const Deviation d = deviation(subject.grid, triangles.of(k), uv, point, flip);
+        worst.distance = std::max(worst.distance, d.distance);
+        worst.degrees = std::max(worst.degrees, d.degrees);
+      }
+      ASSERT_TRUE(measured[k]) << k;
+      ASSERT_NEAR(measured[k]->distance, worst.distance, 1e-9 * worst.distance) << k;
+      ASSERT_NEAR(measured[k]->degrees, worst.degrees, 1e-6 * worst.degrees) << k;
+    }
+  }
+}
+
+TEST(ManyLeaves, AreNotMeasuredWhereTheSurfaceIsUndefinedOrSingular) {
+  const Surface surface =
+      surface_from_text("u^3", "v^3", "u+v+0*sqrt(u)", {0, 1, 0, 1}, {}, Order::Second);
+  Subject subject(surface, options_for(1, 180));
+  TwoTriangles leaf{{0.5, 0.5}, {0.55, 0.6}, {}, {}};
+  leaf.triangles = {Triangle{0, 1, 22}, Triangle{22, 21, 0}};
+  leaf.places = {dvec2(0.3, 0.2), dvec2(0.3, 0.2), dvec2(0.3, 0.2), dvec2(-50, 0.2)};
+  EXPECT_FALSE(measure_many(surface, subject.grid, std::span(&leaf, 1), 1)[0]);
+}
+
+/// A bowl over a square of some size.
+double bowl(double x, double y) {
+  return 0.3 * x * x + 0.2 * x * y - 0.1 * y * y * y;
+}
+void put_bowl(double x, double y, std::size_t i, LeafVertices& to) {
+  const dvec3 normal =
+      glm::normalize(dvec3(-0.6 * x - 0.2 * y, -0.2 * x + 0.3 * y * y, i % 7 == 3 ? -1 : 1));
+  to.x[i] = x;
+  to.y[i] = y;
+  to.z[i] = bowl(x, y);
+  to.n_x[i] = normal.x;
+  to.n_y[i] = normal.y;
+  to.n_z[i] = normal.z;
+}
+
+TEST(ManyLeaves, AreJudgedAlikeOnEveryCpuLevel) {
+  auto leaves = std::make_unique<LeafSamples>();
+  for (std::size_t i = 0; i < kLeafBlock; ++i) {
+    const double x = 0.02 * static_cast<double>(i);
+    const double h = 0.01 + 0.003 * static_cast<double>(i);
+    const std::array<dvec2, 4> ends = {dvec2(x, 0), dvec2(x + h, 0), dvec2(x + h, h), dvec2(x, h)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const dvec2 middle = 0.5 * (ends[k] + ends[(k + 1) % 4]);
+      put_bowl(ends[k].x, ends[k].y, i, leaves->corner[k]);
+      put_bowl(middle.x, middle.y, i, leaves->side[k]);
+      leaves->counts[k][i] = i % 5 == k ? 0 : 1;
+      leaves->seen[k][i] = i % 3 == k ? 1 : 0;
+    }
+    put_bowl(x + 0.5 * h, 0.5 * h, i, leaves->centre);
+    leaves->largest_distance[i] = 3e-3;
+    leaves->largest_sine[i] = 0.1;
+    leaves->visible[i] = 0.02;
+  }
+  auto lowest = std::make_unique<LeafVerdicts>();
+  auto verdicts = std::make_unique<LeafVerdicts>();
+  judge_loop(CpuLevel::Sse2)(*leaves, kLeafBlock, *lowest);
+  EXPECT_GT(std::ranges::count(lowest->passes, 1.0), 20);
+  EXPECT_GT(std::ranges::count(lowest->passes, 0.0), 20);
+  for (std::size_t level = 1; level < supported_level_count(); ++level) {
+    judge_loop(static_cast<CpuLevel>(level))(*leaves, kLeafBlock, *verdicts);
+    EXPECT_EQ(verdicts->distance, lowest->distance);
+    EXPECT_EQ(verdicts->passes, lowest->passes);
+  }
+}
+
+TEST(ManyLeaves, AreMeasuredAlikeOnEveryCpuLevel) {
+  auto leaves = std::make_unique<LeafPoints>();
+  leaves->scale = 0.5;
+  leaves->front = -1;
+  LeafNumbers p, q;
+  std::array<LeafNumbers, 9> columns;
+  for (std::size_t i = 0; i < kLeafBlock; ++i) {
+    const double x = 0.02 * static_cast<double>(i);
+    constexpr double kSide = 0.1;
+    put_bowl(x, 0, i, leaves->corner[0]);
+    put_bowl(x + kSide, 0, i, leaves->corner[1]);
+    put_bowl(x + kSide, kSide, i, leaves->corner[2]);
+    put_bowl(x, kSide, i, leaves->corner[3]);
+    p[i] = 0.007 * static_cast<double>(i);
+    q[i] = 0.4;
+    const dvec2 at(x + kSide * p[i], kSide * q[i]);
+    const std::array<double, 9> row = {at.x, at.y, bowl(at.x, at.y),
+                                       1,    0,    0.6 * at.x + 0.2 * at.y,
+                                       0,    1,    0.2 * at.x - 0.3 * at.y * at.y};
+    for (std::size_t k = 0; k < 9; ++k) columns[k][i] = (k < 3 ? 2 : 1) * row[k];
+  }
+  LeafPlaces places{p.data(), q.data(), {}};
+  for (std::size_t k = 0; k < 9; ++k) places.surface[k] = columns[k].data();
+  const auto measure = [&](CpuLevel level) {
+    auto result = std::make_unique<LeafDeviations>();
+    result->distance.fill(0);
+    result->chord.fill(0);
+    result->is_known.fill(1);
+    measure_loop(level)(*leaves, places, kLeafBlock, *result);
+    return result;
+  };
+  const auto lowest = measure(CpuLevel::Sse2);
+  EXPECT_GT(std::ranges::count(lowest->is_known, 1.0), 100);
+  for (std::size_t level = 1; level < supported_level_count(); ++level) {
+    const auto result = measure(static_cast<CpuLevel>(level));
+    EXPECT_EQ(result->distance, lowest->distance);
+    EXPECT_EQ(result->chord, lowest->chord);
+    EXPECT_EQ(result->is_known, lowest->is_known);
+  }
+}
+
+}  // namespace
+}  // namespace saddle
