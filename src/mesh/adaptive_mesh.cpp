@@ -31,10 +31,6 @@ constexpr int kRounds = 12;
 constexpr double kMostStrict = 4;
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
-/// Boxes that proofs may try, some tens of milliseconds of work.
-constexpr std::size_t kMaxBoxes = 50'000;
-/// A special function over a box takes as long as so many boxes of a usual formula.
-constexpr std::size_t kSpecialCost = 20;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
 /// More lines than this each way cannot be numbered by a lattice.
@@ -53,17 +49,6 @@ std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<co
   std::vector<std::uint8_t> seen;
   for (const double line : lines) seen.push_back(std::ranges::count(fixed, line) > 0 ? 1 : 0);
   return seen;
-}
-
-/// Boxes that proofs may try: fewer where special functions make each one dear.
-std::size_t boxes_for(const Tape& tape) {
-  std::size_t cost = 1;
-  for (const auto& part : {tape.of_u, tape.of_v, tape.of_both}) {
-    for (const Instruction& instruction : part) {
-      if (instruction.op >= Op::Erf && instruction.op <= Op::SincN) cost += kSpecialCost;
-    }
-  }
-  return kMaxBoxes / cost;
 }
 
 std::size_t cells(const FixedLines& lines) {
@@ -128,11 +113,11 @@ class Mesher {
     if (grid_.left_out_count == grid_.cell_count()) return false;
     lattice_.add_middles(options_.threads);
     add({root_leaves(grid_), std::move(witnesses)});
-    std::size_t boxes = boxes_for(surface_.bounds);  // left for proofs
+    ProofBudget budget(surface_.bounds);
     for (int round = 0; round < kRounds; ++round) {
       Failed failed{take_failed(), {}};
       if (failed.leaves.empty() && measure_singular()) failed.leaves = take_failed();
-      if (failed.leaves.empty() && options_.certify) failed = take_suspects(boxes);
+      if (failed.leaves.empty() && options_.certify) failed = take_suspects(budget);
       if (failed.leaves.empty()) break;
       add(failed);
     }
@@ -363,20 +348,30 @@ class Mesher {
                                                                           : std::max(off, share);
   }
 
-  /// Halves of the leaves that deviate too much.
-  std::vector<Leaf> take_failed() {
+  /// Where leaves are hopeless.
+  Oscillation oscillation() const {
     Oscillation oscillation(grid_);
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
       oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
     }
+    return oscillation;
+  }
+
+  /// Whether a leaf that deviates too much is not to be halved any more.
+  bool stays(const Leaf& leaf, const Oscillation& oscillation) {
+    return oscillation.contains(leaf, lattice_) || leaf.given_up || is_clipped(leaf) || is_full();
+  }
+
+  /// Halves of the leaves that deviate too much.
+  std::vector<Leaf> take_failed() {
+    const Oscillation hopeless = oscillation();
     std::vector<std::size_t> failed;
     std::vector<Leaf> halves;
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
       const double too_much = excess(k);
       if (!(too_much > 1)) continue;
       const Leaf& leaf = mesh_.leaves[k];
-      if (oscillation.contains(leaf, lattice_)) continue;
-      if (leaf.given_up || is_clipped(leaf) || is_full()) continue;
+      if (stays(leaf, hopeless)) continue;
       const auto both = halve(leaf, splits_u(leaf, mesh_.deviations[k]), lattice_);
       if (!both) continue;
       failed.push_back(k);
@@ -390,9 +385,9 @@ class Mesher {
   }
 
   /// The leaves in which bounds found places that deviate too much.
-  Failed take_suspects(std::size_t& boxes) {
+  Failed take_suspects(ProofBudget& budget) {
     const Certification proof =
-        certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, boxes);
+        certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget);
     certified_ = proof.complete && proof.suspects.empty();
     std::vector<dvec2> middles;
     std::vector<std::size_t> suspected;
@@ -400,21 +395,29 @@ class Mesher {
       middles.push_back(suspect.middle);
       suspected.push_back(suspect.leaf);
     }
+    std::ranges::sort(suspected);
+    suspected.erase(std::unique(suspected.begin(), suspected.end()), suspected.end());
     const LeafTriangles triangles =
         triangulate_leaves(mesh_.leaves, suspected, SingularCorners(), grid_, lattice_);
     const std::vector<SurfacePoint> points = evaluate(surface_, middles, options_.threads);
+    std::vector<double> distances;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Suspect& suspect = proof.suspects[k];
+      const auto number = std::ranges::lower_bound(suspected, suspect.leaf) - suspected.begin();
+      distances.push_back(distance_from(grid_, triangles.of(static_cast<std::size_t>(number)),
+                                        suspect.middle, points[k].position));
+      Deviation& worst = mesh_.deviations[suspect.leaf];
+      worst.distance = std::max(worst.distance, distances.back());
+    }
+    const Oscillation hopeless = oscillation();
     std::set<std::size_t> guilty;
     std::vector<Witness> witnesses;
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Suspect& suspect = proof.suspects[k];
-      const Leaf& leaf = mesh_.leaves[suspect.leaf];
-      const double distance =
-          distance_from(grid_, triangles.of(k), suspect.middle, points[k].position);
-      Deviation& worst = mesh_.deviations[suspect.leaf];
-      worst.distance = std::max(worst.distance, distance);
-      if (!(distance > mesh_.allowed[suspect.leaf]) || leaf.given_up || is_clipped(leaf) ||
-          is_full())
+      if (!(distances[k] > mesh_.allowed[suspect.leaf]) ||
+          stays(mesh_.leaves[suspect.leaf], hopeless)) {
         continue;
+      }
       guilty.insert(suspect.leaf);
       witnesses.push_back(
           {suspect.middle, points[k].position, suspect.size, suspect.bend, suspect.leaf});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "eval/enclose.h"
 #include "mesh/judge.h"
@@ -13,6 +14,13 @@ namespace {
 
 /// Halvings of a leaf, both ways taken together: 1/64 of each side.
 constexpr int kMaxDepth = 12;
+/// Where a proof holds everywhere it takes a few boxes, or some thousands: a spike takes a
+/// thousand, a tube around a knot five thousand of its 374 instructions. Where it does not, more
+/// boxes tell no more. Steps are instructions of a box, 40 nanoseconds each.
+constexpr std::size_t kMaxBoxes = 8'000;
+constexpr std::size_t kMaxSteps = 2'500'000;
+/// What a special function takes in steps.
+constexpr std::size_t kSpecialSteps = 600;
 
 /// A range of parameters in either direction.
 Interval range(double a, double b) {
@@ -39,83 +47,82 @@ struct Cells {
   bool is_one() const { return end_u - first_u == 1 && end_v - first_v == 1; }
 };
 
+/// Leaves by the cell of the root grid that they are in.
+class LeavesOfCells {
+ public:
+  LeavesOfCells(const Grid& grid, std::span<const Leaf> leaves)
+      : first_(grid.cell_count() + 1, 0), leaves_(leaves.size()) {
+    const auto cell_of = [&](const Leaf& leaf) {
+      return grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
+    };
+    for (const Leaf& leaf : leaves) ++first_[cell_of(leaf) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t k = 0; k < leaves.size(); ++k) leaves_[next[cell_of(leaves[k])]++] = k;
+  }
+  std::span<const std::uint32_t> of(std::size_t cell) const {
+    return std::span(leaves_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> leaves_;
+};
+
 class Certifier {
  public:
   Certifier(const Surface& surface, const Grid& grid, const Lattice& lattice,
-            std::span<const Leaf> leaves, std::span<const double> allowed, std::size_t& boxes)
+            std::span<const Leaf> leaves, std::span<const double> allowed, ProofBudget& budget)
       : grid_(grid),
         lattice_(lattice),
         leaves_(leaves),
         allowed_(allowed),
-        boxes_(boxes),
+        budget_(budget),
         enclosure_(surface.bounds),
         outputs_(surface.bounds.outputs.size()),
-        leaves_of_(grid.cell_count()) {
-    for (std::size_t k = 0; k < leaves.size(); ++k) {
-      const LatticePlace& low = leaves[k].low;
-      leaves_of_[grid.cell(low.u / kCellUnit, low.v / kCellUnit)].push_back(k);
-    }
-  }
+        leaves_of_(grid, leaves) {}
 
   Certification run() {
-    std::vector<Cells> stack = {{0, grid_.cells_u, 0, grid_.cells_v}};
-    while (!stack.empty()) {
-      const Cells cells = stack.back();
-      stack.pop_back();
-      const Box box = {{grid_.u[cells.first_u], grid_.v[cells.first_v]},
-                       {grid_.u[cells.end_u], grid_.v[cells.end_v]}};
-      if (is_proved(box, largest_leaf(cells), smallest_tolerance(cells))) continue;
-      if (cells.is_one()) {
-        const auto& inside = leaves_of_[grid_.cell(cells.first_u, cells.first_v)];
-        for (const std::size_t leaf : inside) prove_leaf(leaf);
-        continue;
-      }
-      Cells a = cells;
-      Cells b = cells;
-      if (cells.end_u - cells.first_u >= cells.end_v - cells.first_v) {
-        a.end_u = b.first_u = (cells.first_u + cells.end_u) / 2;
-      } else {
-        a.end_v = b.first_v = (cells.first_v + cells.end_v) / 2;
-      }
-      stack.push_back(b);
-      stack.push_back(a);
-    }
+    prove_cells();
+    prove_parts();
     return std::move(result_);
   }
 
  private:
+  /// A part of a leaf, halved so many times.
+  struct Part {
+    std::uint32_t leaf;
+    int depth;
+    Box box;
+    dvec2 bend;
+  };
+
   dvec2 size_of(const Leaf& leaf) const {
     return glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
   }
 
-  template <class F>
-  void for_leaves(const Cells& cells, F f) const {
+  /// The largest leaf of some cells and the least that is allowed of one.
+  struct Demand {
+    dvec2 leaf{0};
+    double eps = std::numeric_limits<double>::infinity();
+  };
+  Demand demand(const Cells& cells) const {
+    Demand demand;
     for (std::size_t j = cells.first_v; j < cells.end_v; ++j) {
       for (std::size_t i = cells.first_u; i < cells.end_u; ++i) {
-        for (const std::size_t leaf : leaves_of_[grid_.cell(i, j)]) f(leaf);
+        for (const std::uint32_t leaf : leaves_of_.of(grid_.cell(i, j))) {
+          demand.leaf = glm::max(demand.leaf, size_of(leaves_[leaf]));
+          demand.eps = std::min(demand.eps, allowed_[leaf]);
+        }
       }
     }
+    return demand;
   }
 
-  dvec2 largest_leaf(const Cells& cells) const {
-    dvec2 largest(0);
-    for_leaves(cells, [&](std::size_t k) { largest = glm::max(largest, size_of(leaves_[k])); });
-    return largest;
-  }
-
-  double smallest_tolerance(const Cells& cells) const {
-    double least = std::numeric_limits<double>::infinity();
-    for_leaves(cells, [&](std::size_t k) { least = std::min(least, allowed_[k]); });
-    return least;
-  }
-
-  /// Whether leaves of a size are near enough wherever they are in the box.
-  bool is_proved(const Box& box, const dvec2& leaf, double eps) {
-    if (boxes_ == 0) {
-      result_.complete = false;
-      return true;  // nobody looks any more
-    }
-    --boxes_;
+  /// Whether leaves of a size are near enough wherever they are in the box. Of a box that nobody
+  /// looks at any more nothing is known.
+  bool is_proved(const Box& box, const Demand& of) {
+    --budget_.boxes;
     enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), outputs_);
     // r, r_u, r_v, then r_uu, r_uv, r_vv.
     const std::span<const Interval> all(outputs_);
@@ -125,62 +132,122 @@ class Certifier {
     for (const Interval& a : all.subspan(9)) {
       if (a.defined != Defined::Yes) return false;
     }
-    const double bound = leaf.x * leaf.x * length(all.subspan(9, 3)) +
-                         2 * leaf.x * leaf.y * length(all.subspan(12, 3)) +
-                         leaf.y * leaf.y * length(all.subspan(15, 3));
-    return bound <= 8 * kProofFactor * eps;  // false for NaN, too
+    const double bound = of.leaf.x * of.leaf.x * length(all.subspan(9, 3)) +
+                         2 * of.leaf.x * of.leaf.y * length(all.subspan(12, 3)) +
+                         of.leaf.y * of.leaf.y * length(all.subspan(15, 3));
+    return bound <= 8 * kProofFactor * of.eps;  // false for NaN, too
   }
 
-  void prove_leaf(std::size_t index) {
-    const Leaf& leaf = leaves_[index];
-    if (leaf.on_rim || leaf.is_split) {
-      result_.complete = false;  // nothing is proved about rims, jumps and creases
-      return;
-    }
-    const dvec2 size = size_of(leaf);
-    const double eps = allowed_[index];
-    struct Part {
-      Box box;
-      int depth;
-    };
-    std::vector<Part> stack = {
-        {{lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)}, 0}};
-    while (!stack.empty()) {
-      const auto [box, depth] = stack.back();
-      stack.pop_back();
-      if (is_proved(box, size, eps)) continue;
-      if (depth == kMaxDepth) {
-        const std::span<const Interval> second = std::span(outputs_).subspan(9);
-        const dvec2 bend(length(second.first(3)), length(second.subspan(6, 3)));
-        result_.suspects.push_back({index, box.middle(), box.size(), bend});
-        continue;
+  /// Cells of the root grid, many at a time. Leaves the leaves of those without a proof.
+  void prove_cells() {
+    std::vector<Cells> level = {{0, grid_.cells_u, 0, grid_.cells_v}};
+    std::vector<Cells> next;
+    while (!level.empty()) {
+      next.clear();
+      for (const Cells& cells : level) {
+        if (budget_.boxes == 0) return give_up();
+        const Box box = {{grid_.u[cells.first_u], grid_.v[cells.first_v]},
+                         {grid_.u[cells.end_u], grid_.v[cells.end_v]}};
+        if (is_proved(box, demand(cells))) continue;
+        if (cells.is_one()) {
+          add_leaves(cells);
+        } else {
+          halve(cells, next);
+        }
       }
-      Box a = box;
-      Box b = box;
-      const int axis = depth % 2;
-      a.high[axis] = b.low[axis] = box.middle()[axis];
-      stack.push_back({b, depth + 1});
-      stack.push_back({a, depth + 1});
+      level.swap(next);
     }
+  }
+
+  static void halve(const Cells& cells, std::vector<Cells>& to) {
+    Cells a = cells;
+    Cells b = cells;
+    if (cells.end_u - cells.first_u >= cells.end_v - cells.first_v) {
+      a.end_u = b.first_u = (cells.first_u + cells.end_u) / 2;
+    } else {
+      a.end_v = b.first_v = (cells.first_v + cells.end_v) / 2;
+    }
+    to.push_back(a);
+    to.push_back(b);
+  }
+
+  void add_leaves(const Cells& cell) {
+    for (const std::uint32_t k : leaves_of_.of(grid_.cell(cell.first_u, cell.first_v))) {
+      const Leaf& leaf = leaves_[k];
+      if (leaf.on_rim || leaf.is_split) {
+        give_up();  // nothing is proved about rims, jumps and creases
+      } else {
+        const Box box = {lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)};
+        parts_.push_back({k, 0, box, dvec2(0)});
+      }
+    }
+  }
+
+  void give_up() { result_.complete = false; }
+
+  /// Parts of leaves, all of a size before any of the next: when the boxes are used up, all places
+  /// without a proof have been narrowed down alike.
+  void prove_parts() {
+    std::vector<Part> next;
+    while (!parts_.empty()) {
+      next.clear();
+      for (Part& part : parts_) {
+        if (budget_.boxes == 0) {
+          give_up();
+        } else if (is_proved(part.box, {size_of(leaves_[part.leaf]), allowed_[part.leaf]})) {
+          continue;
+        } else if (part.depth < kMaxDepth) {
+          halve(part, next);
+          continue;
+        } else {
+          const std::span<const Interval> second = std::span(outputs_).subspan(9);
+          part.bend = {length(second.first(3)), length(second.subspan(6, 3))};
+        }
+        result_.suspects.push_back({part.leaf, part.box.middle(), part.box.size(), part.bend});
+      }
+      parts_.swap(next);
+    }
+  }
+
+  static void halve(const Part& part, std::vector<Part>& to) {
+    Part a = part;
+    Part b = part;
+    const int axis = part.depth % 2;
+    a.depth = b.depth = part.depth + 1;
+    a.box.high[axis] = b.box.low[axis] = part.box.middle()[axis];
+    to.push_back(a);
+    to.push_back(b);
   }
 
   const Grid& grid_;
   const Lattice& lattice_;
   std::span<const Leaf> leaves_;
   std::span<const double> allowed_;
-  std::size_t& boxes_;
+  ProofBudget& budget_;
   Enclosure enclosure_;
   std::vector<Interval> outputs_;
-  std::vector<std::vector<std::size_t>> leaves_of_;  // by root cell
+  LeavesOfCells leaves_of_;
+  std::vector<Part> parts_;
   Certification result_;
 };
 
 }  // namespace
 
+ProofBudget::ProofBudget(const Tape& tape) {
+  std::size_t steps = 1;
+  for (const auto& part : {tape.of_u, tape.of_v, tape.of_both}) {
+    for (const Instruction& instruction : part) {
+      const bool is_special = instruction.op >= Op::Erf && instruction.op <= Op::SincN;
+      steps += is_special ? kSpecialSteps : 1;
+    }
+  }
+  boxes = std::min(kMaxBoxes, kMaxSteps / steps);
+}
+
 Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
                       std::span<const Leaf> leaves, std::span<const double> allowed,
-                      std::size_t& boxes) {
-  return Certifier(surface, grid, lattice, leaves, allowed, boxes).run();
+                      ProofBudget& budget) {
+  return Certifier(surface, grid, lattice, leaves, allowed, budget).run();
 }
 
 }  // namespace saddle

@@ -29,12 +29,19 @@ struct Certification {
   bool complete = true;           ///< false: there were not enough boxes
 };
 
+/// Boxes that may still be tried. There are fewer where each one is dear.
+struct ProofBudget {
+  /// For a surface with these bounds.
+  explicit ProofBudget(const Tape& bounds);
+  std::size_t boxes;
+};
+
 /// Bounds the distance of r(u, v) from the triangles of each leaf, of sides h and k, by
 /// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
 /// its first derivatives continuous; large boxes first, parts of leaves last. `allowed`: of each
-/// leaf, in units of length. `boxes`: how many may still be tried, and are left afterwards.
+/// leaf, in units of length. Where the budget is used up, what has no proof by then is suspected.
 Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
                       std::span<const Leaf> leaves, std::span<const double> allowed,
-                      std::size_t& boxes);
+                      ProofBudget& budget);
 
 }  // namespace saddle
