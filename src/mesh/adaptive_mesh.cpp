@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include "mesh/corners.h"
 #include "mesh/crossings.h"
 #include "mesh/degenerate.h"
+#include "mesh/islands.h"
 #include "mesh/joins.h"
 #include "mesh/judge.h"
 #include "mesh/leaf_mesh.h"
@@ -31,6 +33,10 @@ constexpr int kRounds = 12;
 constexpr double kMostStrict = 4;
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
+/// Cells of the root grid each way around an island that no sample has met.
+constexpr std::size_t kIslandCells = 16;
+/// The search for islands may try one box for so many of proofs.
+constexpr std::size_t kProofsPerIsland = 12;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
 /// More lines than this each way cannot be numbered by a lattice.
@@ -55,6 +61,19 @@ std::size_t cells(const FixedLines& lines) {
   return (lines.u.size() - 1) * (lines.v.size() - 1);
 }
 
+/// Lines and more lines within their range, in order and once each.
+std::vector<double> merged(std::vector<double> lines, std::span<const double> more) {
+  const bool backwards = lines.front() > lines.back();
+  lines.insert(lines.end(), more.begin(), more.end());
+  if (backwards) {
+    std::ranges::sort(lines, std::greater());
+  } else {
+    std::ranges::sort(lines);
+  }
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
 /// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
 /// than are allowed.
 FixedLines root_lines(const Probe& probe, const Domain& domain, const Tolerance& tolerance,
@@ -65,6 +84,11 @@ FixedLines root_lines(const Probe& probe, const Domain& domain, const Tolerance&
        factor *= 2) {
     report.reached_limit = true;
     lines = probe.place_lines(fixed, tolerance.times(factor));
+  }
+  if (const auto& island = probe.island()) {
+    const auto [low, high] = island->where;
+    lines.u = merged(std::move(lines.u), even_lines(low.x, high.x, kIslandCells));
+    lines.v = merged(std::move(lines.v), even_lines(low.y, high.y, kIslandCells));
   }
   return lines;
 }
@@ -91,7 +115,7 @@ struct Failed {
 class Mesher {
  public:
   Mesher(const Surface& surface, const AdaptiveOptions& options, const Tolerance& tolerance,
-         FixedLines lines)
+         FixedLines lines, const Probe& probe)
       : surface_(surface),
         options_(options),
         refining_{tolerance,
@@ -102,26 +126,25 @@ class Mesher {
                   seen_lines(lines.v, fixed_lines(surface.domain, options).v),
                   options.threads},
         grid_(sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads)),
-        seams_(weld_if_two_dimensional()),
+        seams_(weld_if_two_dimensional(probe)),
         lattice_(surface, grid_, options.threads),
         judge_(refining_, grid_, lattice_),
         verifier_(surface, grid_, lattice_, options.threads) {}
 
-  /// Refines until tests, fresh samples and bounds find nothing more. False if no cell of the root
-  /// grid is defined.
-  bool refine_all(std::vector<Witness> witnesses) {
-    if (grid_.left_out_count == grid_.cell_count()) return false;
+  /// Refines until tests, fresh samples and bounds find nothing more.
+  void refine_all(std::vector<Witness> witnesses) {
     lattice_.add_middles(options_.threads);
     add({root_leaves(grid_), std::move(witnesses)});
     ProofBudget budget(surface_.bounds);
+    std::size_t island_boxes = budget.boxes / kProofsPerIsland;
     for (int round = 0; round < kRounds; ++round) {
       Failed failed{take_failed(), {}};
+      if (failed.leaves.empty() && options_.certify) failed = take_islands(island_boxes);
       if (failed.leaves.empty() && measure_singular()) failed.leaves = take_failed();
       if (failed.leaves.empty() && options_.certify) failed = take_suspects(budget);
       if (failed.leaves.empty()) break;
       add(failed);
     }
-    return true;
   }
 
   /// The mesh; nothing if none of its triangles has any area.
@@ -164,8 +187,12 @@ class Mesher {
   }
 
  private:
-  Seams weld_if_two_dimensional() {
-    if (grid_.left_out_count == grid_.cell_count()) return {};
+  Seams weld_if_two_dimensional(const Probe& probe) {
+    if (probe.island()) grid_.range = probe.island()->where.high - probe.island()->where.low;
+    if (grid_.left_out_count == grid_.cell_count()) {
+      set_extent(grid_, probe.bounds());
+      return {};
+    }
     require_two_dimensional(surface_, grid_, options_.threads);
     return weld(grid_);
   }
@@ -269,10 +296,17 @@ class Mesher {
     return options_.clip && is_beyond(*options_.clip, positions(leaf));
   }
 
+  /// Of what of a leaf is defined around it.
   double diameter(const Leaf& leaf) const {
+    if (leaf.on_rim) {
+      Bounds bounds;
+      for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t) {
+        if (lattice_.is_defined(a)) bounds.add(grid_.mesh.position[a]);
+      });
+      return bounds.diagonal();
+    }
     const std::array<dvec3, 4> p = positions(leaf);
-    const double largest = std::max(glm::distance(p[0], p[2]), glm::distance(p[1], p[3]));
-    return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
+    return std::max(glm::distance(p[0], p[2]), glm::distance(p[1], p[3]));
   }
 
   /// Refines leaves, adds what comes out and measures it.
@@ -282,6 +316,7 @@ class Mesher {
     reached_limit_ = reached_limit_ || refinement.reached_limit;
     auto& leaves = mesh_.leaves;
     leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
+    empty_.insert(empty_.end(), refinement.empty.begin(), refinement.empty.end());
     Points points(grid_.mesh);
     mirror_seams(seams_, options_.threads, grid_, lattice_, points);
     points.settle();
@@ -381,7 +416,34 @@ class Mesher {
       }
     }
     mesh_.remove(failed);
+    // A neighbour was halved, and the side that both share turns out to be defined.
+    const auto is_no_more = [this](const Leaf& leaf) {
+      return has_defined_corner(leaf, lattice_) && !is_full();
+    };
+    std::ranges::copy_if(empty_, std::back_inserter(halves), is_no_more);
+    std::erase_if(empty_, is_no_more);
     return halves;
+  }
+
+  /// The leaves that are defined at none of their samples, but elsewhere.
+  Failed take_islands(std::size_t& boxes) {
+    std::vector<ParameterBox> where;
+    for (const Leaf& leaf : empty_) {
+      where.push_back({lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)});
+    }
+    const auto found = find_defined(surface_, where, boxes, options_.threads);
+    Failed failed;
+    std::vector<Leaf> kept;
+    for (std::size_t k = 0; k < where.size(); ++k) {
+      if (!found[k] || is_full()) {
+        kept.push_back(empty_[k]);
+        continue;
+      }
+      failed.witnesses.push_back({*found[k], {}, {}, {}, failed.leaves.size()});
+      failed.leaves.push_back(empty_[k]);
+    }
+    empty_ = std::move(kept);
+    return failed;
   }
 
   /// The leaves in which bounds found places that deviate too much.
@@ -442,6 +504,7 @@ class Mesher {
   Judge judge_;
   Verifier verifier_;
   Measured mesh_;
+  std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
   bool reached_limit_ = false;
   bool certified_ = false;
 };
@@ -462,8 +525,8 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
   report.least_triangles = probe.least_triangles(tolerance);
   report.evaluations = probe.evaluations();
   std::vector<Witness> witnesses = probe.witnesses(lines, aim);
-  Mesher mesher(surface, options, aim, std::move(lines));
-  if (!mesher.refine_all(std::move(witnesses))) return std::nullopt;
+  Mesher mesher(surface, options, aim, std::move(lines), probe);
+  mesher.refine_all(std::move(witnesses));
   return mesher.take(std::move(result));
 }
 

@@ -148,4 +148,20 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
   return search_lines(surface, lines, chord, threads, normal);
 }
 
+std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
+                                unsigned threads) {
+  std::vector<Line> ends(lines.begin(), lines.end());
+  std::vector<dvec2> middles(lines.size());
+  for (int halving = 0; halving < halvings; ++halving) {
+    std::ranges::transform(ends, middles.begin(),
+                           [](const Line& l) { return 0.5 * l[0] + 0.5 * l[1]; });
+    const auto points = evaluate(surface, middles, threads);
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      ends[k][is_finite(points[k].position) ? 0 : 1] = middles[k];
+    }
+  }
+  std::ranges::transform(ends, middles.begin(), [](const Line& l) { return l[0]; });
+  return middles;
+}
+
 }  // namespace saddle

@@ -1,5 +1,5 @@
-// Tells jumps and poles from steep slopes, and creases from bends, along straight lines in the
-// (u, v) plane.
+// Tells jumps and poles from steep slopes, and creases from bends, and finds the rim of the
+// surface, along straight lines in the (u, v) plane.
 #pragma once
 
 #include <array>
@@ -32,6 +32,11 @@ std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lin
 /// The same of unit normals: where they jump by more than kCreaseDegrees the surface has a crease,
 /// or, if to their opposites, a cusp.
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
+                                unsigned threads);
+
+/// Bisects lines from a place where the surface is defined to one where it is not: the last places
+/// known to be defined, after so many halvings.
+std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads);
 
 }  // namespace saddle

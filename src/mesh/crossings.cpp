@@ -47,25 +47,18 @@ class Finder {
     return {lattice_.mesh().uv[side[0]], lattice_.mesh().uv[side[1]]};
   }
 
-  /// Bisects sides of which one end is defined, to the last place that is.
+  /// Fits sides of which one end is defined to the rim.
   void fit_rims(std::span<const Side> sides) {
-    std::vector<Line> ends;  // the last place known to be defined, the first known not to be
+    std::vector<Line> ends;
     for (const Side& side : sides) {
       ends.push_back(line(side));
       if (!lattice_.is_defined(side[0])) std::swap(ends.back()[0], ends.back()[1]);
     }
-    std::vector<dvec2> middles(sides.size());
-    for (int halving = 0; halving < kHalvings; ++halving) {
-      std::ranges::transform(ends, middles.begin(),
-                             [](const Line& l) { return 0.5 * l[0] + 0.5 * l[1]; });
-      const auto points = evaluate(lattice_.surface(), middles, options_.threads);
-      for (std::size_t k = 0; k < sides.size(); ++k) {
-        ends[k][is_finite(points[k].position) ? 0 : 1] = middles[k];
-      }
-    }
+    const std::vector<dvec2> uv =
+        last_defined(lattice_.surface(), ends, kHalvings, options_.threads);
     std::vector<Between> places;
     for (std::size_t k = 0; k < sides.size(); ++k) {
-      places.push_back({sides[k][0], sides[k][1], ends[k][0]});
+      places.push_back({sides[k][0], sides[k][1], uv[k]});
     }
     const std::vector<bool> goes_far = diverge(sides, places);
     const std::uint32_t first = lattice_.add_between(places, options_.threads);

@@ -202,6 +202,8 @@ Probe::Probe(const Surface& surface, unsigned threads)
       domain_(surface.domain) {
   sample_inside(surface, threads);
   sample_edges(surface, threads);
+  if (!(bounds_.diagonal() > 0)) island_ = find_island(surface, threads);
+  if (island_) bounds_ = island_->bounds;
   seam_u_ = find_seam(surface, true);
   seam_v_ = find_seam(surface, false);
 }

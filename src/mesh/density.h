@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/islands.h"
 #include "mesh/mesh.h"
 #include "mesh/seam.h"
 #include "surface/surface.h"
@@ -77,6 +78,8 @@ class Probe {
   const Bounds& bounds() const { return bounds_; }
   /// The finite positions that are spread over the surface, not those of its edges.
   std::vector<dvec3> positions() const;
+  /// Where the surface is, if no sample met it, or but one.
+  const std::optional<Island>& island() const { return island_; }
   /// The largest distance of a finite position from `centre`.
   double radius(const dvec3& centre) const;
   std::size_t evaluations() const { return evaluations_; }
@@ -133,6 +136,7 @@ class Probe {
   std::vector<EdgeSample> edges_v_;
   Seam seam_u_, seam_v_;  // how the edges u0 and u1 meet, and v0 and v1
   Bounds bounds_;
+  std::optional<Island> island_;
   std::size_t evaluations_ = 0;
 };
 

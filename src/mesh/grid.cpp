@@ -52,8 +52,8 @@ std::string format_point(const dvec3& p) {
   return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
 }
 
-void measure_extent(Grid& grid, std::span<const TileSummary> tiles) {
-  Bounds& bounds = grid.mesh.bounds;
+Bounds bounds_of(const Grid& grid, std::span<const TileSummary> tiles) {
+  Bounds bounds;
   for (const TileSummary& tile : tiles) bounds.add(tile.bounds);
   if (grid.left_out_count > 0) {
     bounds = Bounds();
@@ -61,6 +61,13 @@ void measure_extent(Grid& grid, std::span<const TileSummary> tiles) {
       if (grid.is_used(vertex)) bounds.add(grid.mesh.position[vertex]);
     }
   }
+  return bounds;
+}
+
+}  // namespace
+
+void set_extent(Grid& grid, const Bounds& bounds) {
+  grid.mesh.bounds = bounds;
   const double diagonal = safe_length(bounds.size());
   if (!std::isfinite(diagonal)) {
     throw Error(Status::Nothing, "the surface has no finite extent", {},
@@ -76,8 +83,6 @@ void measure_extent(Grid& grid, std::span<const TileSummary> tiles) {
   grid.local_scale = std::ldexp(1.0, -std::ilogb(diagonal));
   grid.diagonal = grid.local_scale * diagonal;
 }
-
-}  // namespace
 
 std::vector<double> even_lines(double first, double last, std::size_t cells) {
   std::vector<double> values(cells + 1);
@@ -139,6 +144,7 @@ Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<doub
   require_countable(grid.cells_u, grid.cells_v);
   grid.u = std::move(u);
   grid.v = std::move(v);
+  grid.range = glm::abs(dvec2(grid.u.back() - grid.u.front(), grid.v.back() - grid.v.front()));
   grid.flipped = surface.flip;
   grid.mirrored = runs_backwards(surface.domain) != surface.flip;
   allocate(grid);
@@ -149,7 +155,7 @@ Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<doub
                  [&](TileRows& rows) { tiles[rows.tile().index] = take_tile(rows, grid); });
   find_irregular(surface, tiling, tiles, threads, grid);
   if (grid.left_out_count == grid.cell_count()) return grid;
-  measure_extent(grid, tiles);
+  set_extent(grid, bounds_of(grid, tiles));
   for (const TileSummary& tile : tiles) {
     grid.worst.insert(grid.worst.end(), tile.worst.begin(), tile.worst.end());
   }

@@ -55,6 +55,7 @@ struct Grid {
   std::vector<CellError> worst;       ///< the worst of each few plain cells
   double local_scale = 1;             ///< local units per unit of length
   double diagonal = 0;                ///< of the box around the used vertices, in local units
+  dvec2 range{1};                     ///< of the parameters, or of the island in it
   bool flipped = false;               ///< normals are along r_v x r_u
   bool mirrored = false;              ///< slots 0 to 3 run clockwise seen from the front
 
@@ -106,10 +107,14 @@ struct Grid {
 /// `cells` + 1 evenly spaced parameters, both ends exact.
 std::vector<double> even_lines(double first, double last, std::size_t cells);
 
+/// Sets the box around the vertices, and the local units. Throws Error (Nothing) where all are one
+/// point, or too far apart for a finite diagonal.
+void set_extent(Grid& grid, const Bounds& bounds);
+
 /// Evaluates the surface on the grid of lines u x v (at least two each, the ends those of the
 /// domain) and cuts the cells that are plain. Throws Error: Input for a grid whose corners could
-/// not be numbered; Nothing where no cell has four defined corners, or all are one point, or too
-/// far apart for a finite diagonal.
+/// not be numbered; Nothing as set_extent() does, which is not called where no cell has four
+/// defined corners.
 Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
                  unsigned threads);
 

@@ -167,6 +167,12 @@ std::optional<std::uint32_t> Lattice::used_vertex(LatticePlace place) const {
   return number != nullptr && is_used(*number) ? std::optional(*number) : std::nullopt;
 }
 
+bool Lattice::is_defined_at(LatticePlace place) const {
+  if (is_on_grid(place)) return is_defined(vertex_on_grid(place));
+  const std::uint32_t* const number = numbers_.find(place);
+  return number != nullptr && is_defined(*number);
+}
+
 LatticePlace Lattice::place(std::uint32_t vertex) const {
   const std::size_t roots = grid_.vertex_count();
   if (vertex >= roots) return places_[vertex - roots];

@@ -34,6 +34,7 @@ struct Leaf {
   bool is_split = false;            ///< a jump, a pole or a crease goes through it
   bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
   bool given_up = false;            ///< halving does not help, or is not allowed
+  std::uint8_t sought = 0;          ///< halvings of its root cell until it was defined somewhere
   float known_error = 0;            ///< what its tests found, in tolerances
   float strictness = 1;  ///< how much worse fresh samples found an ancestor than its tests had
 
@@ -130,6 +131,9 @@ class Lattice {
   }
   /// The vertex at a place, if it is in use.
   std::optional<std::uint32_t> used_vertex(LatticePlace place) const;
+
+  /// Whether there is a vertex at a place, in use or a sample, at which the surface is defined.
+  bool is_defined_at(LatticePlace place) const;
 
   /// Computes the new vertices. Where a position is not defined but all around it agree on what it
   /// should be, as sin(u)/u does at 0, it is that.

@@ -45,10 +45,12 @@ class Cutter {
   }
 
   /// `folded`: a crease goes through the leaf, from crossing to crossing or singular point.
-  std::vector<Polygon> take(bool folded) {
+  /// `has_middle`: the surface is defined in the leaf's middle.
+  std::vector<Polygon> take(bool folded, bool has_middle) {
     // A crease that ends here leaves the leaf whole; a jump that does would be a wall.
     if (cuts_ == 1 && jumps_ > 0) return {};
     if (cuts_ > 0) join_ends();
+    if (has_middle && cuts_ == rims_) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
     for (Run& run : runs_) {
@@ -76,6 +78,7 @@ class Cutter {
       runs_.back().polygon.push_back(whole_[k]);
     } else {
       cut();
+      ++rims_;
     }
     const std::optional<Crossing> crossing = lattice_.crossing(a, b);
     if (!crossing) return;
@@ -85,6 +88,7 @@ class Cutter {
       if (!far) append(crossing->beside(a));
     }
     if (crossing->kind == Cut::Jump) ++jumps_;
+    if (crossing->kind == Cut::Rim) ++rims_;
     if (crossing->kind == Cut::Crease) creases_.push_back({crossing->beside(a), place(*crossing)});
     cut();
     if (lattice_.is_defined(b)) {
@@ -105,6 +109,15 @@ class Cutter {
     last.polygon.insert(last.polygon.end(), first.polygon.begin(), first.polygon.end());
     first.polygon = std::move(last.polygon);
     first.goes_far = first.goes_far || last.goes_far;
+  }
+
+  /// Rims that leave the middle whole cut corners off, and no more.
+  void join_runs() {
+    Polygon& whole = runs_.front().polygon;
+    for (std::size_t k = 1; k < runs_.size(); ++k) {
+      whole.insert(whole.end(), runs_[k].polygon.begin(), runs_[k].polygon.end());
+    }
+    runs_.resize(1);
   }
 
   /// Where the crease ends in one singular point, or goes from one to another: a vertex as good as
@@ -153,6 +166,7 @@ class Cutter {
   Polygon creases_;  // where creases cross the sides
   std::size_t cuts_ = 0;
   std::size_t jumps_ = 0;
+  std::size_t rims_ = 0;  // of the cuts, with what is not defined between them
 };
 
 }  // namespace
@@ -160,7 +174,7 @@ class Cutter {
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
   const Polygon whole = outline(leaf, lattice);
   if (!lattice.may_be_crossed(leaf) && !leaf.on_rim && !leaf.is_split) return {whole};
-  return Cutter(whole, lattice).take(leaf.is_split);
+  return Cutter(whole, lattice).take(leaf.is_split, lattice.is_defined_at(leaf.middle()));
 }
 
 std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {

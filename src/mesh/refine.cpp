@@ -8,6 +8,7 @@
 #include "mesh/crossings.h"
 #include "mesh/judge.h"
 #include "mesh/judge_many.h"
+#include "mesh/outline.h"
 
 namespace saddle {
 
@@ -34,10 +35,16 @@ constexpr double kOscillatingShare = 0.25;
 /// than one line, at most.
 constexpr int kRimHalvings = 4;
 constexpr int kMostCutHalvings = 14;
+/// Halvings of a root cell, at most, that follow a rim or lead to where the surface is defined.
+constexpr int kMostRimHalvings = 24;
 
-/// Halvings of a root cell that the leaf came from.
-int halvings(const Leaf& leaf) {
+/// Halvings of the root cell that the leaf came from.
+int halvings_of_root(const Leaf& leaf) {
   return std::countr_zero(kCellUnit / leaf.size_u()) + std::countr_zero(kCellUnit / leaf.size_v());
+}
+/// The same without those that led to what is defined.
+int halvings(const Leaf& leaf) {
+  return halvings_of_root(leaf) - leaf.sought;
 }
 
 /// A leaf that is still to be judged, and how bad the one was that it is a half of.
@@ -93,7 +100,10 @@ class Refiner {
         continue;
       }
       const int defined = count_defined(lattice_, samples[k]);
-      if (defined == 0) continue;  // what is defined nowhere is no part of the mesh
+      if (defined == 0) {
+        seek(candidates[k]);
+        continue;
+      }
       if (defined < 9) {
         rims.push_back({candidates[k], samples[k], {}});
         continue;
@@ -128,13 +138,32 @@ class Refiner {
     const auto halves =
         done < wanted_halvings && !full ? halve(leaf, across_u, lattice_) : std::nullopt;
     if (!halves) {
-      leaf.given_up = done >= kMostCutHalvings || full;
+      leaf.given_up = done >= (leaf.on_rim ? kMostRimHalvings : kMostCutHalvings) || full;
       result_.leaves.push_back(leaf);
       return;
     }
     for (Leaf half : *halves) {
       half.on_rim = false;
       push(half, judged.candidate, judged.candidate.parent_distance, judged.candidate.parent_turn);
+    }
+  }
+
+  /// Halves a leaf that is defined at none of its samples until it is, if it is known to be
+  /// defined somewhere.
+  void seek(const Candidate& candidate) {
+    const Leaf& leaf = candidate.leaf;
+    const bool is_known = !candidate.witnesses.empty() || has_defined_corner(leaf, lattice_);
+    const auto halves = is_known && halvings_of_root(leaf) < kMostRimHalvings &&
+                                !lattice_.is_full(options_.max_triangles)
+                            ? halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_)
+                            : std::nullopt;
+    if (!halves) {
+      result_.empty.push_back(leaf);
+      return;
+    }
+    for (Leaf half : *halves) {
+      half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
+      push(half, candidate, candidate.parent_distance, candidate.parent_turn);
     }
   }
 
@@ -154,8 +183,14 @@ class Refiner {
       const bool goes_far =
           options_.clip && !judge_.is_outside(rim.samples) && has_pole(leaf, lattice_);
       judge_cut(rim, leaf, judge_.splits_rim_u(leaf, rim.samples),
-                goes_far ? kMostCutHalvings : kRimHalvings);
+                goes_far ? kMostCutHalvings : rim_halvings(leaf));
     }
+  }
+
+  /// Halvings of a leaf that the rim crosses: one more for each time that fresh samples found it to
+  /// be twice as far off as allowed.
+  static int rim_halvings(const Leaf& leaf) {
+    return std::min(kRimHalvings + std::ilogb(leaf.strictness), kMostRimHalvings);
   }
 
   /// Whether a leaf's sides are to be looked at.
@@ -304,12 +339,19 @@ bool Oscillation::contains(const Leaf& leaf, const Lattice& lattice) const {
 // happen to be alike.
 bool Oscillation::is_narrow(const Leaf& leaf, const Lattice& lattice) const {
   const dvec2 size = lattice.parameters(leaf.high) - lattice.parameters(leaf.low);
-  const dvec2 range(grid_.u.back() - grid_.u.front(), grid_.v.back() - grid_.v.front());
-  return std::min(size.x / range.x, size.y / range.y) <= kNarrow;
+  const dvec2 share = glm::abs(size) / grid_.range;
+  return std::min(share.x, share.y) <= kNarrow;
 }
 
 std::size_t Oscillation::root_cell(const Leaf& leaf) const {
   return grid_.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
+}
+
+bool has_defined_corner(const Leaf& leaf, const Lattice& lattice) {
+  bool has = false;
+  for_sides(leaf, lattice,
+            [&](std::uint32_t a, std::uint32_t) { has = has || lattice.is_defined(a); });
+  return has;
 }
 
 std::vector<Leaf> root_leaves(const Grid& grid) {

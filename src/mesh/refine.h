@@ -58,14 +58,19 @@ struct RefineOptions {
 
 struct Refinement {
   std::vector<Leaf> leaves;    ///< in no order but always the same
+  std::vector<Leaf> empty;     ///< the surface is defined at none of their samples
   bool reached_limit = false;  ///< max_triangles stopped it
 };
 
 /// Halves leaves, one direction at a time, generation by generation, until each one passes the
 /// tests at the middles of its sides and at its centre and is near enough to the witnesses against
-/// it, whose `cell` is the index of an active leaf, or halving does not help.
+/// it, whose `cell` is the index of an active leaf, or halving does not help. Against a leaf that
+/// is defined nowhere, a witness is a place where it is.
 Refinement refine(std::span<const Leaf> active, std::span<const Witness> witnesses,
                   const RefineOptions& options, const Grid& grid, Lattice& lattice);
+
+/// Whether a vertex in use around a leaf is defined.
+bool has_defined_corner(const Leaf& leaf, const Lattice& lattice);
 
 /// The cells of the root grid.
 std::vector<Leaf> root_leaves(const Grid& grid);

@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "mesh/measure_many.h"
+#include "mesh/rim_distance.h"
 
 namespace saddle {
 
@@ -20,6 +21,10 @@ constexpr double kJitter = 0.1;
 
 /// Samples on a diagonal: an arc with a turning point is not highest above its middle.
 constexpr std::array kOnDiagonal = {0.36, 0.5, 0.64};
+
+/// Samples on the sides of triangles at a rim: an arc with a vertical tangent at its end, as sqrt
+/// has, is highest above the first quarter of its chord.
+constexpr std::array kBesideRim = {0.25, 0.75};
 
 /// Where a leaf is measured: always the same for the same leaf.
 PlacesInLeaf sample_places(const Leaf& leaf) {
@@ -100,6 +105,16 @@ void Verifier::append_samples(const Leaf& leaf, std::span<const Triangle> triang
   const dvec2 high = lattice_.parameters(leaf.high);
   for (const dvec2& part : sample_places(leaf)) {
     samples.push_back({low * (1.0 - part) + high * part, false, {}});
+  }
+  if (leaf.on_rim && !leaf.is_split) {
+    const auto& uv = grid_.mesh.uv;
+    for (const Triangle& t : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (const double share : kBesideRim) {
+          samples.push_back({glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), true, {}});
+        }
+      }
+    }
   }
   const bool is_creased = leaf.is_split && count_cuts(leaf, lattice_).only_creases;
   if (triangles.size() <= 2 && !is_creased) return;
@@ -199,6 +214,13 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
       if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
     }
   }
+  RimDistance rims(surface_, grid_, lattice_, threads_);
+  for (const std::size_t k : others) rims.add(mesh.leaves[which[k]], which[k], triangles.of(k));
+  for (const auto& [leaf, distance] : rims.measure()) {
+    double& worst = mesh.deviations[leaf].distance;
+    worst = std::max(worst, distance);
+  }
+  evaluations_ += rims.evaluations();
 }
 
 }  // namespace saddle

@@ -191,6 +191,17 @@ CASES = [
      lambda r: near(r.surface["undefined_fraction"], 1 - math.pi / 5.76, 0.01) and r.within()
      and min(c[2] for c in r.corners) < 1e-6,
      lambda r: "ends on the rim, its lowest corners below z = 1e-6; within tolerance"),
+    ("a sliver", ["z=sqrt(u-0.999)"],
+     lambda: str(N * N - dropped(lambda u, v: math.sqrt(u - 0.999), U1, U1)) + " cells are left",
+     lambda r: near(r.surface["undefined_fraction"], 0.9995, 1e-6) and r.within()
+     and near(min(c[0] for c in r.corners), 0.999, 1e-7),
+     lambda r: "all of it, from u = 0.999 to 1"),
+    ("an island", ["z=sqrt(1e-6-(u-0.3)^2-(v+0.2)^2)"],
+     lambda: str(N * N - dropped(
+         lambda u, v: math.sqrt(1e-6 - (u - .3)**2 - (v + .2)**2), U1, U1)) + " cells are left",
+     lambda r: near(4 - 4 * r.surface["undefined_fraction"], math.pi * 1e-6)
+     and near(r.extent(0), 2e-3) and r.within(),
+     lambda r: f"found by interval bounds: {number(r.extent(0))} across, within tolerance"),
     ("nothing at all", ["z=sqrt(-1-u^2)"],
      lambda: "an empty picture", lambda r: nothing(r, "undefined everywhere"),
      lambda r: "status 3: the surface is undefined everywhere"),

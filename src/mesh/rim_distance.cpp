@@ -1,0 +1,144 @@
+#include "mesh/rim_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/breaks.h"
+#include "mesh/measure.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings of the way across a leaf to its rim: a millionth of it is enough for a distance.
+constexpr int kRimHalvings = 20;
+
+/// Where a leaf without triangles is looked at, in sides of the leaf, and in which directions from
+/// there its border is.
+constexpr std::array kPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3), dvec2(0.7, 0.8),
+                                dvec2(0.2, 0.7)};
+constexpr std::array kWays = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
+constexpr std::size_t kGroup = 1 + kWays.size();  // a place and those beside it
+
+/// The end of the way from `from`, inside of the unit square, along `way`, on the square's border.
+dvec2 border(const dvec2& from, const dvec2& way) {
+  double steps = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 2; ++k) {
+    const double room = way[k] > 0 ? 1 - from[k] : from[k];
+    if (way[k] != 0) steps = std::min(steps, room / std::fabs(way[k]));
+  }
+  return from + steps * way;
+}
+
+/// Whether a triangle runs from corner a to corner b.
+bool has_side(std::span<const Triangle> triangles, std::uint32_t a, std::uint32_t b) {
+  return std::ranges::any_of(triangles, [&](const Triangle& t) {
+    return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+  });
+}
+
+}  // namespace
+
+void RimDistance::add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles) {
+  if (!leaf.on_rim || leaf.is_split) return;
+  if (!triangles.empty()) return add_chords(leaf, number, triangles);
+  holes_.push_back(number);
+  const dvec2 low = lattice_.parameters(leaf.low);
+  const dvec2 size = lattice_.parameters(leaf.high) - low;
+  for (const dvec2& place : kPlaces) {
+    in_holes_.push_back(low + size * place);
+    for (const dvec2& way : kWays) in_holes_.push_back(low + size * border(place, way));
+  }
+}
+
+void RimDistance::add_chords(const Leaf& leaf, std::size_t number,
+                             std::span<const Triangle> triangles) {
+  const dvec2 low = lattice_.parameters(leaf.low);
+  const dvec2 size = lattice_.parameters(leaf.high) - low;
+  const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
+  for (const Triangle& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i];
+      const std::uint32_t b = t[(i + 1) % 3];
+      const std::uint32_t opposite = t[(i + 2) % 3];
+      if (has_side(triangles, b, a)) continue;  // a diagonal
+      const dvec2 middle = 0.5 * (place(a) + place(b));
+      if (!(std::min(middle.x, middle.y) > 0 && std::max(middle.x, middle.y) < 1)) continue;
+      const dvec2 along = place(b) - place(a);
+      dvec2 outward(along.y, -along.x);
+      if (glm::dot(outward, place(opposite) - middle) > 0) outward = -outward;
+      if (outward == dvec2(0)) continue;
+      chords_.push_back({number,
+                         triangles,
+                         {a, b},
+                         low + size * middle,
+                         grid_.mesh.uv[opposite],
+                         low + size * border(middle, outward)});
+    }
+  }
+}
+
+std::vector<RimDistance::Found> RimDistance::measure() {
+  std::vector<Found> found;
+  if (!chords_.empty()) measure_chords(found);
+  if (!holes_.empty()) measure_holes(found);
+  return found;
+}
+
+double RimDistance::distance_from_chord(const Chord& chord, const dvec3& position) const {
+  if (!is_finite(position)) return 0;
+  const dvec3 first = grid_.local(chord.ends[0]);
+  const dvec3 edge = grid_.local(chord.ends[1]) - first;
+  const dvec3 off = grid_.local_scale * position - first;
+  const double square = glm::dot(edge, edge);
+  if (!(square > 0)) return 0;
+  return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
+}
+
+/// The surface's rim may be on either side of its chord: on this side the mesh has too much, on the
+/// other too little, and all that is between chord and rim is off.
+void RimDistance::measure_chords(std::vector<Found>& found) {
+  std::vector<dvec2> middles;
+  for (const Chord& chord : chords_) middles.push_back(chord.middle);
+  const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
+  std::vector<Line> ways;
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    const auto& [leaf, triangles, ends, middle, inside, beyond] = chords_[k];
+    ways.push_back(is_finite(at_middle[k].position) ? Line{middle, beyond} : Line{inside, middle});
+  }
+  const std::vector<dvec2> rim = last_defined(surface_, ways, kRimHalvings, threads_);
+  const std::vector<SurfacePoint> at_rim = evaluate(surface_, rim, threads_);
+  evaluations_ += chords_.size() * (2 + kRimHalvings);
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    const Chord& chord = chords_[k];
+    const auto off = [&](const dvec2& uv, const SurfacePoint& point) {
+      return distance_from(grid_, chord.triangles, uv, point.position);
+    };
+    if (is_finite(at_middle[k].position)) {
+      found.push_back({chord.leaf, off(chord.middle, at_middle[k])});
+      found.push_back({chord.leaf, off(rim[k], at_rim[k])});
+    } else {
+      found.push_back({chord.leaf, distance_from_chord(chord, at_rim[k].position)});
+    }
+  }
+}
+
+/// Of leaves that are defined in places but not at their corners, as beside the point where a rim
+/// touches the edge of the domain: what is missing there is as far off as from the leaf's border,
+/// where neighbours are.
+void RimDistance::measure_holes(std::vector<Found>& found) {
+  const std::vector<SurfacePoint> points = evaluate(surface_, in_holes_, threads_);
+  evaluations_ += points.size();
+  for (std::size_t k = 0; k < points.size(); k += kGroup) {
+    if (!is_finite(points[k].position)) continue;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t way = 1; way < kGroup; ++way) {
+      const dvec3& beside = points[k + way].position;
+      if (is_finite(beside)) nearest = std::min(nearest, glm::distance(beside, points[k].position));
+    }
+    found.push_back({holes_[k / (kGroup * kPlaces.size())], nearest});
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,112 @@
+// Where a surface ends inside of the domain: at its rim the mesh ends too, within the tolerance,
+// however the rim lies to the lines of the mesh; and no part of it is too small to be found.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/adaptive_mesh.h"
+#include "mesh_checks.h"
+#include "study/triangle_tree.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+GridMesh mesh_of(const char* z, double tolerance, int lines = 0) {
+  AdaptiveOptions options;
+  options.tolerance = [=](const Probe& probe) { return tolerance * probe.bounds().diagonal(); };
+  options.lines_u = lines;
+  options.lines_v = lines;
+  const Surface surface = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+  return mesh_within_tolerance(surface, options).value();
+}
+
+/// The largest distance of a point of the unit hemisphere from a mesh.
+double off_hemisphere(const Mesh& mesh) {
+  const TriangleTree tree(mesh);
+  double worst = 0;
+  constexpr int kAround = 2000;
+  for (int i = 0; i < kAround; ++i) {
+    const double a = 2 * std::numbers::pi * i / kAround;
+    for (const double height : {0.0, 0.003, 0.01, 0.02, 0.03, 0.05, 0.1}) {
+      const double across = std::sqrt(1 - height * height);
+      worst = std::max(worst, tree.distance({across * std::cos(a), across * std::sin(a), height}));
+    }
+  }
+  return worst;
+}
+
+TEST(Rims, AreRightWhereTheyTouchTheEdgeOfTheDomain) {
+  for (const int lines : {0, 7, 16}) {
+    const GridMesh result = mesh_of("sqrt(1-u^2-v^2)", 5e-4, lines);
+    EXPECT_LE(off_hemisphere(result.mesh), *result.report.tolerance) << lines;
+    EXPECT_EQ(euler_number(result.mesh), 1) << lines;
+  }
+}
+
+TEST(Rims, KeepTheToleranceOnEitherSideOfTheirChords) {
+  // The rim bends away from the surface, which stands upright on it.
+  const GridMesh result = mesh_of("sqrt(u^2+v^2-0.3)", 1e-3);
+  const TriangleTree tree(result.mesh);
+  double from_surface = 0;
+  double from_rim = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double a = 2 * std::numbers::pi * i / 2000;
+    for (const double height : {0.0, 0.01, 0.02, 0.04, 0.08, 0.16}) {
+      const double across = std::sqrt(0.3 + height * height);
+      from_surface = std::max(from_surface,
+                              tree.distance({across * std::cos(a), across * std::sin(a), height}));
+    }
+  }
+  for (const Triangle& t : result.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const dvec3 middle =
+          0.5 * (result.mesh.position[t[k]] + result.mesh.position[t[(k + 1) % 3]]);
+      from_rim = std::max(from_rim, std::sqrt(0.3) - std::hypot(middle.x, middle.y));
+    }
+  }
+  EXPECT_LE(from_surface, *result.report.tolerance);
+  EXPECT_LE(from_rim, *result.report.tolerance);
+}
+
+TEST(Rims, OfNarrowStripsDoNotTearThem) {
+  const GridMesh result = mesh_of("sqrt(1e-4-(u-v)^2)", 1e-3, 16);
+  const TriangleTree tree(result.mesh);
+  for (int k = 0; k <= 1000; ++k) {
+    const double u = -1 + 0.002 * k;
+    EXPECT_LE(tree.distance({u, u, 0.01}), *result.report.tolerance) << u;
+  }
+}
+
+TEST(Islands, ThatNoCellOfTheRootGridHoldsAreFound) {
+  struct Case {
+    const char* z;
+    double area_in_uv;
+  };
+  for (const auto& [z, expected] :
+       {Case{"sqrt(u-0.999)", 0.002}, Case{"sqrt(1e-6-(u-0.3)^2)", 0.004},
+        Case{"sqrt(1e-7-(u-0.3)^2-(v+0.2)^2)", std::numbers::pi * 1e-7}}) {
+    const GridMesh result = mesh_of(z, 1e-3, 16);
+    double sum = 0;
+    for (const Triangle& t : result.mesh.triangles) {
+      const dvec2 a = result.mesh.uv[t[1]] - result.mesh.uv[t[0]];
+      const dvec2 b = result.mesh.uv[t[2]] - result.mesh.uv[t[0]];
+      sum += 0.5 * std::fabs(a.x * b.y - a.y * b.x);
+    }
+    EXPECT_NEAR(sum, expected, 0.01 * expected) << z;
+    EXPECT_NEAR(1 - sum / 4, result.report.undefined_fraction, 1e-9) << z;
+  }
+}
+
+TEST(Islands, BesideWhatIsFoundAnywayAreFound) {
+  // Two discs of which one has a radius of 0.01, far less than a cell of the root grid.
+  const GridMesh result =
+      mesh_of("sqrt(max(0.25-(u+0.4)^2-v^2,1e-4-(u-0.723)^2-(v-0.517)^2))", 1e-3, 16);
+  const TriangleTree tree(result.mesh);
+  EXPECT_LE(tree.distance({0.723, 0.517, 0.01}), *result.report.tolerance);
+}
+
+}  // namespace
+}  // namespace saddle
