@@ -14,8 +14,10 @@ namespace saddle {
 using PngText = std::map<std::string, std::string>;
 
 /// Writes `image` as PNG: RGB where every pixel is opaque, RGBA otherwise. `text` goes into iTXt
-/// chunks before the pixels. The same bytes for the same input: no time stamp.
-void write_png(std::ostream& out, const Image& image, const PngText& text = {});
+/// chunks before the pixels. The same bytes for the same input: no time stamp. Pixels are packed on
+/// up to `threads` threads (0: all of the machine's).
+void write_png(std::ostream& out, const Image& image, const PngText& text = {},
+               unsigned threads = 0);
 
 struct PngFile {
   Image image;

@@ -4,6 +4,8 @@
 #include <png.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/png_pixels.h"
 
 namespace saddle {
 namespace {
@@ -122,6 +125,33 @@ TEST(WritePng, PutsTextBeforeThePixelsAndNoTimeAnywhere) {
 TEST(WritePng, WritesTheSameBytesForTheSameInput) {
   const PngText text = {{"Title", "torus"}};
   EXPECT_EQ(written(pattern(50, 50, true), text), written(pattern(50, 50, true), text));
+}
+
+TEST(WritePng, PutsBandsTogetherToThePictureThatTheyCameFrom) {
+  const int rows = static_cast<int>(kBandBytes / (3 * 100 + 1)) + 1;  // of a band
+  const int wide = static_cast<int>(kBandBytes / 3) + 1;              // a row is a band
+  struct Case {
+    int width, height, bands;
+  };
+  for (const auto& [width, height, bands] :
+       {Case{100, rows, 1}, Case{100, rows + 1, 2}, Case{100, 2 * rows, 2}, Case{3, 16384, 2},
+        Case{100, 5 * rows - 1, 5}, Case{wide / 8, 9, 2}}) {
+    const Image image = pattern(width, height, false);
+    const std::string png = written(image);
+    EXPECT_EQ(std::ranges::count(chunk_names(png), "IDAT"), bands) << width << "x" << height;
+    EXPECT_EQ(decode_independently(png).rgba, image.rgba) << width << "x" << height;
+    const Image with_alpha = pattern(width, height, true);
+    EXPECT_EQ(decode_independently(written(with_alpha)).rgba, with_alpha.rgba);
+  }
+}
+
+TEST(WritePng, WritesTheSameBytesWithAnyNumberOfThreads) {
+  const Image image = pattern(640, 800, false);
+  std::ostringstream one;
+  std::ostringstream four;
+  write_png(one, image, {}, 1);
+  write_png(four, image, {}, 4);
+  EXPECT_EQ(one.str(), four.str());
 }
 
 /// Takes a number of bytes, then fails.
