@@ -2,7 +2,8 @@
 // surface's fragment shader, or, PER_VERTEX, of its vertex shader. The program keeps of it what a
 // scene needs, by these names:
 //   LIT          there are lights: LIGHT_COUNT of them, and LIGHTS, a call for each
-//   DIRECTIONAL, POINT, ATTENUATED, SPOT, SMOOTH_SPOT   there is a light of this kind
+//   DIRECTIONAL, AT_EYE, POINT, ATTENUATED, SPOT, SMOOTH_SPOT   there is a light of this kind
+//   GREY         no light has a hue: a number is as good as a colour
 //   ATTENUATION  some light, a spot light perhaps, is weaker from afar
 //   FADES        some light does not arrive in full: ATTENUATED, SPOT or SMOOTH_SPOT
 //   CONE         SPOT or SMOOTH_SPOT; FOCUS: some cone has an exponent
@@ -16,9 +17,10 @@
 #ifndef LIGHT_COUNT
 #define LIT
 #define LIGHT_COUNT 3
-#define LIGHTS point_light(0); directional_light(1); directional_light(2);
+#define LIGHTS directional_light(0); directional_light(1); light_at_eye(2);
 #define DIRECTIONAL
-#define POINT
+#define AT_EYE
+#define GREY
 #define SPECULAR
 #define POWERS
 #define TWO_SIDED
@@ -26,13 +28,18 @@
 #endif
 
 #ifdef LIT
+#ifdef GREY
+#define RGB_OR_GREY float
+#else
+#define RGB_OR_GREY vec3
+#endif
 uniform vec3 light_position[LIGHT_COUNT];  // of a point light; toward a directional one, unit
-uniform vec3 light_color[LIGHT_COUNT];
+uniform RGB_OR_GREY light_color[LIGHT_COUNT];
 #ifdef HIGHLIGHTS
-uniform vec3 light_highlight[LIGHT_COUNT];
+uniform RGB_OR_GREY light_highlight[LIGHT_COUNT];
 #endif
 #ifdef AMBIENT
-uniform vec3 light_ambient[LIGHT_COUNT];
+uniform RGB_OR_GREY light_ambient[LIGHT_COUNT];
 #endif
 #ifdef ATTENUATION
 uniform vec3 light_attenuation[LIGHT_COUNT];  // constant, linear and quadratic
@@ -102,13 +109,13 @@ vec3 normal;
 vec3 to_eye;
 
 // Light that arrives, before the material.
-vec3 diffuse;
+RGB_OR_GREY diffuse;
 #ifdef SPECULAR
-vec3 specular;
+RGB_OR_GREY specular;
 float shininess;
 #endif
 #ifdef AMBIENT
-vec3 ambient;
+RGB_OR_GREY ambient;
 #endif
 #ifdef FADES
 float strength;  // of the light at hand where it arrives
@@ -149,6 +156,18 @@ void directional_light(int i) {
   ambient += light_ambient[i];
 #endif
   shine(i, light_position[i]);
+}
+#endif
+
+#ifdef AT_EYE
+void light_at_eye(int i) {
+#ifdef FADES
+  strength = 1.0;
+#endif
+#ifdef AMBIENT
+  ambient += light_ambient[i];
+#endif
+  shine(i, to_eye);
 }
 #endif
 
@@ -246,9 +265,9 @@ vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
   place = at;
   normal = n;
   to_eye = eye_direction;
-  diffuse = vec3(0.0);
+  diffuse = RGB_OR_GREY(0.0);
 #ifdef SPECULAR
-  specular = vec3(0.0);
+  specular = RGB_OR_GREY(0.0);
 #ifdef TWO_MATERIALS
   shininess = front ? front_shininess : back_shininess;
 #else
@@ -256,7 +275,7 @@ vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
 #endif
 #endif
 #ifdef AMBIENT
-  ambient = vec3(0.0);
+  ambient = RGB_OR_GREY(0.0);
 #endif
   LIGHTS
 #ifdef COLORED

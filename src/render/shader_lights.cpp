@@ -83,16 +83,18 @@ dvec3 spot_edge(const Spot& spot) {
   return {cutoff, 1 / width, std::min(spot.exponent.value, kLargestExponent)};
 }
 
-LightKind kind_of(const Light& light, const ShaderLight& values) {
+/// `perspective`: the direction to the eye is that to its place.
+LightKind kind_of(const Light& light, const ShaderLight& values, bool perspective) {
   if (light.directional) return LightKind::Directional;
   if (light.spot) {
     const bool smooth = light.spot->falloff == Spot::Falloff::Smooth && light.spot->inner;
     return smooth ? LightKind::SmoothSpot : LightKind::Spot;
   }
-  return values.attenuation == dvec3(1, 0, 0) ? LightKind::Point : LightKind::Attenuated;
+  if (values.attenuation != dvec3(1, 0, 0)) return LightKind::Attenuated;
+  return perspective && values.position == dvec3(0) ? LightKind::AtEye : LightKind::Point;
 }
 
-ShaderLight shader_light(const Light& light, const Frames& frames, double unit) {
+ShaderLight shader_light(const Light& light, const Frames& frames, double unit, bool perspective) {
   ShaderLight result;
   result.color = rgb(light.color);
   result.highlight = light.specular ? rgb(*light.specular) : result.color;
@@ -104,7 +106,7 @@ ShaderLight shader_light(const Light& light, const Frames& frames, double unit) 
     result.spot_direction = frames.direction(light.frame, light.spot->direction);
     result.spot_edge = spot_edge(*light.spot);
   }
-  result.kind = kind_of(light, result);
+  result.kind = kind_of(light, result, perspective);
   return result;
 }
 
@@ -112,11 +114,24 @@ bool is_black(const dvec3& color) {
   return color == dvec3(0);
 }
 
+bool is_grey(const dvec3& color) {
+  return color.r == color.g && color.g == color.b;
+}
+
 /// One uniform array.
 void set_array(Program& program, const char* name, std::span<const ShaderLight> lights,
                dvec3 ShaderLight::*member) {
   std::vector<dvec3> values;
   for (const ShaderLight& light : lights) values.push_back(light.*member);
+  program.set(name, values);
+}
+
+/// The same of colours, of which a number is enough if they are grey.
+void set_colors(Program& program, const char* name, std::span<const ShaderLight> lights,
+                dvec3 ShaderLight::*member, bool grey) {
+  if (!grey) return set_array(program, name, lights, member);
+  std::vector<double> values;
+  for (const ShaderLight& light : lights) values.push_back((light.*member).r);
   program.set(name, values);
 }
 
@@ -128,7 +143,7 @@ std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& c
   std::vector<ShaderLight> result;
   for (const Light& light : scene.lights) {
     if (light.enabled == 0) continue;
-    const ShaderLight values = shader_light(light, frames, unit);
+    const ShaderLight values = shader_light(light, frames, unit, !scene.camera.ortho);
     const bool dark =
         is_black(values.color) && is_black(values.highlight) && is_black(values.ambient);
     if (!dark) result.push_back(values);
@@ -141,6 +156,7 @@ void add_light_needs(std::span<const ShaderLight> lights, ShaderNeeds& needs) {
   for (const ShaderLight& light : lights) {
     const bool cone = light.kind == LightKind::Spot || light.kind == LightKind::SmoothSpot;
     needs.lights.push_back(light.kind);
+    needs.grey &= is_grey(light.color) && is_grey(light.highlight) && is_grey(light.ambient);
     needs.attenuation |=
         light.kind != LightKind::Directional && light.attenuation != dvec3(1, 0, 0);
     needs.focus |= cone && light.spot_edge.z > 0;
@@ -157,11 +173,13 @@ std::size_t lights_at_once(int uniform_components) {
 void set_lights(Program& program, std::span<const ShaderLight> lights, const ShaderNeeds& needs) {
   if (lights.empty()) return;
   set_array(program, "light_position", lights, &ShaderLight::position);
-  set_array(program, "light_color", lights, &ShaderLight::color);
+  set_colors(program, "light_color", lights, &ShaderLight::color, needs.grey);
   if (needs.specular && needs.highlights) {
-    set_array(program, "light_highlight", lights, &ShaderLight::highlight);
+    set_colors(program, "light_highlight", lights, &ShaderLight::highlight, needs.grey);
   }
-  if (needs.ambient) set_array(program, "light_ambient", lights, &ShaderLight::ambient);
+  if (needs.ambient) {
+    set_colors(program, "light_ambient", lights, &ShaderLight::ambient, needs.grey);
+  }
   if (needs.attenuation) set_array(program, "light_attenuation", lights, &ShaderLight::attenuation);
   if (lights.back().kind >= LightKind::Spot) {
     set_array(program, "spot_direction", lights, &ShaderLight::spot_direction);

@@ -28,7 +28,9 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   const bool cone = has(LightKind::Spot) || has(LightKind::SmoothSpot);
   const bool lit = !needs.lights.empty();
   add(lit, "LIT");
+  add(lit && needs.grey, "GREY");
   add(has(LightKind::Directional), "DIRECTIONAL");
+  add(has(LightKind::AtEye), "AT_EYE");
   add(has(LightKind::Point), "POINT");
   add(has(LightKind::Attenuated), "ATTENUATED");
   add(needs.attenuation, "ATTENUATION");
@@ -55,8 +57,8 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
 }
 
 const char* function_of(LightKind kind) {
-  constexpr std::array kFunctions = {"directional_light", "point_light", "attenuated_light",
-                                     "spot_light", "smooth_spot_light"};
+  constexpr std::array kFunctions = {"directional_light", "light_at_eye", "point_light",
+                                     "attenuated_light",  "spot_light",   "smooth_spot_light"};
   return kFunctions[static_cast<std::size_t>(kind)];
 }
 
@@ -93,6 +95,9 @@ std::string lighting(const ShaderNeeds& needs, const std::vector<std::string>& n
   std::string text = keep_defined(source("lighting.glsl"), names);
   text.erase(0, text.find("\n\n") + 1);  // what the names mean is for the file's reader
   replace(text, "  LIGHTS\n", calls(needs.lights));
+  const std::string type = needs.grey ? "float" : "vec3";
+  replace(text, "#define RGB_OR_GREY " + type + "\n", "");
+  replace(text, "RGB_OR_GREY", type);
   replace(text, "[LIGHT_COUNT]", "[" + std::to_string(needs.lights.size()) + "]");
   return text;
 }

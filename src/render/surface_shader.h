@@ -10,11 +10,12 @@
 namespace saddle {
 
 /// What a light asks of the shader; each is a function of shaders/lighting.glsl.
-enum class LightKind { Directional, Point, Attenuated, Spot, SmoothSpot };
+enum class LightKind { Directional, AtEye, Point, Attenuated, Spot, SmoothSpot };
 
 /// Everything the shaders are put together from; what is not here does not change their text.
 struct ShaderNeeds {
   std::vector<LightKind> lights;  ///< sorted
+  bool grey = true;               ///< no light has a hue
   bool attenuation = false;       ///< some light, a spot light perhaps, is weaker from afar
   bool focus = false;             ///< some cone has an exponent
   bool ambient = false;           ///< some light has an ambient part

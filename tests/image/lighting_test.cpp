@@ -418,6 +418,27 @@ TEST(ShaderText, NamesWhatTheSceneHas) {
   EXPECT_EQ(text.find("smooth_spot_light"), std::string::npos);
 }
 
+/// Off by less than a float can tell, and by enough to need the general program.
+TEST(ShaderText, HasNoHueAndNoWayToTheEyeTwiceWhereOneIsEnough) {
+  const Mesh mesh = closed_sphere_mesh();
+  Scene scene;
+  scene.surfaces.resize(1);
+  const Rendering plain = render(scene, std::span(&mesh, 1), {64, 64, 2});
+  EXPECT_NE(plain.shaders.find("uniform float light_color[3]"), std::string::npos);
+  EXPECT_NE(plain.shaders.find("light_at_eye("), std::string::npos);
+  scene.lights[0].position.z = 1e-30;
+  scene.lights[1].color.r = scene.lights[1].color.r + 1e-12;
+  const Rendering general = render(scene, std::span(&mesh, 1), {64, 64, 2});
+  EXPECT_NE(general.shaders.find("uniform vec3 light_color[3]"), std::string::npos);
+  EXPECT_NE(general.shaders.find("point_light("), std::string::npos);
+  EXPECT_EQ(general.image.rgba, plain.image.rgba);
+  scene = Scene();
+  scene.surfaces.resize(1);
+  scene.camera.ortho = true;  // where the way to the eye is the same everywhere
+  const Rendering ortho = render(scene, std::span(&mesh, 1), {8, 8, 1});
+  EXPECT_NE(ortho.shaders.find("point_light("), std::string::npos);
+}
+
 TEST(ShaderText, TurnsManyLightsOfAKindIntoALoop) {
   ShaderNeeds needs;
   needs.lights.assign(20, LightKind::Point);

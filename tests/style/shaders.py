@@ -12,6 +12,8 @@ import tree
 VARIANTS = [
     ([], ""),
     (["LIT", "DIRECTIONAL", "SEE_THROUGH"], "directional_light(0);"),
+    (["LIT", "GREY", "AT_EYE", "SPOT", "CONE", "FADES", "AMBIENT", "SPECULAR", "POWERS",
+      "HIGHLIGHTS"], "light_at_eye(0); spot_light(1);"),
     (["LIT", "POINT", "SPECULAR", "POWERS", "BLINN", "ORTHOGRAPHIC", "TWO_SIDED"],
      "point_light(0);"),
     (["LIT", "POINT", "COLORED"], "point_light(0);"),
