@@ -6,7 +6,6 @@
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "app/build_scene.h"
@@ -113,8 +112,10 @@ class Run {
       films_.push_back({output.path, std::make_unique<Video>(
                                          video_options(output, timeline_.scene(), line.threads))});
     }
-    // OpenGL takes as long to load as a surface to tessellate.
-    if (purpose_.picture) preloading_ = std::jthread(preload_renderer, line.renderer);
+    // OpenGL takes as long to start as a surface to tessellate.
+    if (purpose_.picture) {
+      starting_ = std::async(std::launch::async, start_picture_maker, line.renderer);
+    }
     if (needs_camera()) framing_ = frame_scene(timeline_, line.threads);
     Purpose purpose = purpose_;
     purpose.moments = framing_.moments;
@@ -153,7 +154,10 @@ class Run {
     if (line_.strict && meshes_->warn()) fail_strictly();
     write_meshes_of(shot, scene);
     if (!purpose_.picture) return;
-    if (!maker_) maker_.emplace(line_.renderer);
+    if (!maker_) {
+      maker_ = starting_.get();
+      maker_->enter();
+    }
     for (const std::size_t i : updated) maker_->set_surface(seen, i, meshes_->meshes()[i]);
     Image image = maker_->draw(seen, meshes_->meshes(), seen.picture);
     if (line_.strict && !maker_->warnings().empty()) fail_strictly();
@@ -176,7 +180,7 @@ class Run {
     const auto begin = Clock::now();
     for (const Output& output : outputs_) {
       if (output.format != Format::Png || !shot.is_for(output)) continue;
-      write_picture(output.path_of(shot.frame.value_or(0)), image, scene);
+      write_picture(output.path_of(shot.frame.value_or(0)), image, scene, line_.threads);
     }
     if (shot.frame) {
       for (const Film& film : films_) film.video->add(image);
@@ -262,10 +266,10 @@ class Run {
   std::optional<Image> reference_;
   std::optional<Image> compared_;
   std::vector<Film> films_;
-  std::jthread preloading_;
+  std::future<std::unique_ptr<PictureMaker>> starting_;
   Framing framing_;
   std::optional<SceneMeshes> meshes_;
-  std::optional<PictureMaker> maker_;
+  std::unique_ptr<PictureMaker> maker_;
   RunReport report_;
   double encoding_ = 0;  ///< milliseconds, beside the drawing
   std::optional<Progress> progress_;
@@ -276,7 +280,10 @@ class Run {
 }  // namespace
 
 void run_graph(const CommandLine& line, Clock::time_point start) {
-  Run(line, start).go();
+  auto run = std::make_unique<Run>(line, start);
+  run->go();
+  // All is written, and the process about to end: taking OpenGL apart is left to the system.
+  static_cast<void>(run.release());
 }
 
 }  // namespace saddle

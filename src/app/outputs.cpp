@@ -216,9 +216,12 @@ void write_to(const std::string& path, const std::function<void(std::ostream&)>&
   }
 }
 
-void write_picture(const std::string& path, const Image& image, const Scene& scene) {
+void write_picture(const std::string& path, const Image& image, const Scene& scene,
+                   unsigned threads) {
   const std::string text = write_scene(scene);
-  write_to(path, [&](std::ostream& out) { write_png(out, image, {{kSceneKeyword, text}}); });
+  write_to(path, [&](std::ostream& out) {
+    write_png(out, image, {{kSceneKeyword, text}}, threads);
+  });
 }
 
 void write_meshes(const std::string& path, const Scene& scene, std::span<const Mesh> meshes) {

@@ -42,7 +42,8 @@ std::vector<Output> checked_outputs(const CommandLine& line);
 void write_to(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 /// A picture with its scene in it, and the meshes where the scene's nodes have them.
-void write_picture(const std::string& path, const Image& image, const Scene& scene);
+void write_picture(const std::string& path, const Image& image, const Scene& scene,
+                   unsigned threads);
 void write_meshes(const std::string& path, const Scene& scene, std::span<const Mesh> meshes);
 
 }  // namespace saddle

@@ -26,7 +26,7 @@ constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
 
 bool use_huge_pages() {
   if (mallopt(M_MMAP_THRESHOLD, kStep) == 0 || mallopt(M_TRIM_THRESHOLD, 2 * kStep) == 0 ||
-      mallopt(M_TOP_PAD, kStep) == 0) {
+      mallopt(M_TOP_PAD, kStep) == 0 || mallopt(M_ARENA_MAX, 1) == 0) {
     return false;
   }
   // More than the heap has left: it grows by a step.

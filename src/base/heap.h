@@ -3,10 +3,11 @@
 
 namespace saddle {
 
-/// Lets the heap grow in large steps of huge pages and keep what is freed, so that memory is got
-/// from the system a few times, not page by page: a picture's framebuffer alone is 4000 pages, and
-/// each costs an interruption of 2 microseconds. Call it once, before much is allocated. Does
-/// nothing, and returns false, where the heap is not glibc's or the system has no huge pages.
+/// Lets the heap, one for all threads, grow in large steps of huge pages and keep what is freed, so
+/// that memory is got from the system a few times, not page by page: a picture's framebuffer alone
+/// is 4000 pages, and each costs an interruption of 2 microseconds. Call it once, before much is
+/// allocated. Does nothing, and returns false, where the heap is not glibc's or the system has no
+/// huge pages.
 bool use_huge_pages();
 
 }  // namespace saddle

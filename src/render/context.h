@@ -8,12 +8,17 @@
 namespace saddle {
 
 /// A current OpenGL 3.3 core context; GL functions are loaded once it exists. What is drawn goes
-/// into a Target, never into the context's own framebuffer. It belongs to the thread that made it.
+/// into a Target, never into the context's own framebuffer. It belongs to the thread that made it,
+/// until that thread leaves it and another enters it.
 class Context {
  public:
   virtual ~Context() = default;
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
+
+  /// From now on no thread's; entered by this one. Throws Error (Machine) if OpenGL refuses.
+  virtual void leave() = 0;
+  virtual void enter() = 0;
 
   /// "osmesa" ..., for reports.
   virtual std::string name() const = 0;
@@ -38,9 +43,5 @@ enum class Backend {
 std::unique_ptr<Context> make_context(Backend backend);
 std::unique_ptr<Context> make_osmesa_context();
 std::unique_ptr<Context> make_egl_context();
-
-/// Loads the library of the first back end ahead of time, from any thread; a failure is left for
-/// make_context().
-void preload_osmesa() noexcept;
 
 }  // namespace saddle

@@ -55,11 +55,21 @@ Library load_library() {
 
 class EglContext final : public Context {
  public:
-  EglContext() : library_(load_library()), display_(open_display(library_), library_.terminate) {
-    make_current(create_context());
+  EglContext()
+      : library_(load_library()),
+        display_(open_display(library_), library_.terminate),
+        context_(create_context()) {
+    enter();
     if (gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) {
       fail("EGL's OpenGL is older than 3.3");
     }
+  }
+
+  void leave() override { make_current(EGL_NO_CONTEXT); }
+  /// Which API is current is a thread's own.
+  void enter() override {
+    if (library_.bind_api(EGL_OPENGL_API) != EGL_TRUE) fail("EGL has no OpenGL here");
+    make_current(context_);
   }
 
   std::string name() const override { return "egl"; }
@@ -105,6 +115,7 @@ class EglContext final : public Context {
   Library library_;
   // Its end is that of the context too.
   std::unique_ptr<void, decltype(&eglTerminate)> display_;
+  EGLContext context_;
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <exception>
 #include <memory>
 #include <string_view>
 #include <type_traits>
@@ -29,12 +28,8 @@ struct Library {
   decltype(&OSMesaGetProcAddress) get_proc_address;
 };
 
-void* open_osmesa() {
-  return open_library(kLibraries, "drawing without a window", kPackage);
-}
-
 Library load_library() {
-  void* library = open_osmesa();
+  void* library = open_library(kLibraries, "drawing without a window", kPackage);
   const auto symbol = [&](auto& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
         library_symbol(library, name, kPackage));
@@ -61,16 +56,27 @@ void refuse_unknown_driver() {
 class OsmesaContext final : public Context {
  public:
   OsmesaContext() : library_(load_library()), context_(create(library_)) {
-    if (library_.make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE ||
-        gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) {
-      throw Error(Status::Machine, "OSMesa's OpenGL 3.3 cannot be used", {},
-                  std::string("update the package ") + kPackage);
+    enter();
+    if (gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) refuse();
+  }
+
+  void leave() override {
+    if (library_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0) != GL_TRUE) refuse();
+  }
+  void enter() override {
+    if (library_.make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE) {
+      refuse();
     }
   }
 
   std::string name() const override { return "osmesa"; }
 
  private:
+  [[noreturn]] static void refuse() {
+    throw Error(Status::Machine, "OSMesa's OpenGL 3.3 cannot be used", {},
+                std::string("update the package ") + kPackage);
+  }
+
   using Handle = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;
 
   /// No depth: OSMesa's own framebuffer, which must exist, is a single pixel that nobody sees.
@@ -102,14 +108,6 @@ class OsmesaContext final : public Context {
 
 std::unique_ptr<Context> make_osmesa_context() {
   return std::make_unique<OsmesaContext>();
-}
-
-void preload_osmesa() noexcept {
-  try {
-    open_osmesa();
-  } catch (const std::exception&) {
-    // make_osmesa_context() meets it again, where somebody can be told.
-  }
 }
 
 }  // namespace saddle

@@ -2,6 +2,7 @@
 #include "render/picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <cmath>
@@ -98,7 +99,40 @@ PictureMaker::PictureMaker(Backend backend) {
   times_.context = stopwatch.lap();
 }
 
-PictureMaker::~PictureMaker() = default;
+/// Nobody may have entered it.
+PictureMaker::~PictureMaker() {
+  try {
+    enter();
+  } catch (const Error&) {
+    // What OpenGL holds ends with its context.
+  }
+}
+
+void PictureMaker::leave() {
+  gpu_->context->leave();
+}
+
+void PictureMaker::enter() {
+  gpu_->context->enter();
+}
+
+/// A grid line is drawn, of a surface that is not seen: OpenGL compiles a program where it is first
+/// used, and parts of itself with it.
+void PictureMaker::warm_up() {
+  Stopwatch stopwatch;
+  constexpr std::array<std::array<dvec3, 2>, 1> kLine{{{dvec3(-1, 0, 0), dvec3(1, 0, 0)}}};
+  constexpr int kSide = 16;
+  Scene scene;
+  scene.surfaces.resize(1);
+  scene.surfaces[0].opacity = 0;
+  const Mesh line = mesh_of_lines(kLine);
+  gpu_->renderer.set_mesh(0, line);
+  const FittedCamera camera = fit_camera(scene.camera, line.bounds, 1);
+  const Target target(kSide, kSide);
+  gpu_->renderer.draw(scene, camera, {kSide, kSide, {0, 0, kSide, kSide}});
+  gpu_->renderer.keep_meshes(0);
+  times_.context += stopwatch.lap();
+}
 
 std::string PictureMaker::renderer() const {
   return gpu_->context->name();
@@ -161,8 +195,11 @@ Rendering render(const Scene& scene, std::span<const Mesh> meshes, const Picture
   return render_in_tiles(scene, meshes, options, kTileSamples, backend);
 }
 
-void preload_renderer(Backend backend) noexcept {
-  if (backend != Backend::Egl) preload_osmesa();
+std::unique_ptr<PictureMaker> start_picture_maker(Backend backend) {
+  auto maker = std::make_unique<PictureMaker>(backend);
+  maker->warm_up();
+  maker->leave();
+  return maker;
 }
 
 }  // namespace saddle

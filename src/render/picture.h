@@ -15,12 +15,13 @@ namespace saddle {
 
 /// Milliseconds of each stage.
 struct RenderTimes {
-  double context = 0;  ///< library, context and GL functions
+  double context = 0;  ///< library, context, GL functions and warming up
   double upload = 0;   ///< meshes to the GPU
   double draw = 0;     ///< compiling shaders, drawing, reading back, averaging
 };
 
-/// Pictures of a scene: its meshes and programs stay on the GPU from one picture to the next.
+/// Pictures of a scene: its meshes and programs stay on the GPU from one picture to the next. All
+/// calls from the thread that made it, or that entered it after that one had left it.
 class PictureMaker {
  public:
   /// Throws Error (Machine) if there is no OpenGL.
@@ -28,6 +29,11 @@ class PictureMaker {
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
+
+  /// Makes ready what pictures with grid lines need, whatever they are of.
+  void warm_up();
+  void leave();
+  void enter();
 
   /// Uploads the mesh of scene.surfaces[surface], in place of the one that is there, with what the
   /// scene's shading needs.
@@ -67,8 +73,8 @@ struct Rendering {
 Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,
                  Backend backend = Backend::Any);
 
-/// Loads OpenGL ahead of time: call it in a thread beside tessellation when a picture will be
-/// wanted. It saves render() the loading, and leaves any failure for render() to report.
-void preload_renderer(Backend backend) noexcept;
+/// A maker that has warmed up and that nobody has entered: for a thread beside tessellation, which
+/// takes about as long.
+std::unique_ptr<PictureMaker> start_picture_maker(Backend backend);
 
 }  // namespace saddle
