@@ -64,7 +64,6 @@ ViewerSetup viewer_setup(const CommandLine& line) {
   ViewerSetup setup;
   setup.scene = build_scene(line);
   setup.frame = [threads = line.threads](Scene& scene) { frame_animation(scene, threads); };
-  setup.frame(setup.scene);
   setup.tessellate = [line](const Scene& scene, std::size_t surface, Detail detail) {
     return mesh_for_viewer(scene, surface, detail, line);
   };
@@ -76,6 +75,7 @@ ViewerSetup viewer_setup(const CommandLine& line) {
                   "-o FILE.toml writes one");
     }
   }
+  setup.quiet = line.quiet;
   setup.verbose = line.verbose;
   return setup;
 }

@@ -50,12 +50,17 @@ std::vector<Light> light_setup(int number) {
 }
 constexpr int kLightSetups = 3;  // with the scene's own
 
+/// What they look at, and from how far.
+bool are_placed_alike(const Camera& a, const Camera& b) {
+  return a.distance.has_value() == b.distance.has_value() &&
+         (!a.distance || double(*a.distance) == double(*b.distance)) &&
+         a.target.has_value() == b.target.has_value() &&
+         (!a.target || dvec3(*a.target) == dvec3(*b.target));
+}
+
 /// The camera changes what a tolerance in pixels is.
 bool sees_another_size(const Camera& a, const Camera& b) {
-  return a.distance.has_value() != b.distance.has_value() ||
-         (a.distance && double(*a.distance) != double(*b.distance)) ||
-         a.target.has_value() != b.target.has_value() ||
-         (a.target && dvec3(*a.target) != dvec3(*b.target)) || a.ortho != b.ortho;
+  return !are_placed_alike(a, b) || a.ortho != b.ortho;
 }
 
 /// So does what it sees, if it is close.
@@ -125,7 +130,23 @@ Model::Model(ViewerSetup setup, std::function<void()> wake)
       frame_(std::move(setup.frame)),
       worker_(std::move(setup.tessellate), std::move(wake)) {
   own_lights_ = scene_.lights;
+  frame();
   wish(Manner::PreviewFirst);
+}
+
+/// Lets the camera hold an animation as it has become, unless a hand has placed it.
+void Model::frame() {
+  is_edited_ = false;
+  if (!frame_) return;
+  Camera before = scene_.camera;
+  if (framed_ && are_placed_alike(before, framed_->after)) {
+    before.target = framed_->before.target;
+    before.distance = framed_->before.distance;
+  }
+  scene_.camera = before;
+  frame_(scene_);
+  framed_.reset();
+  if (!are_placed_alike(before, scene_.camera)) framed_ = {scene_.camera, before};
 }
 
 Scene Model::drawn_scene() const {
@@ -181,7 +202,16 @@ double Model::surface_radius(const dvec3& centre) const {
 void Model::edit(Scene scene, const std::string& what) {
   history_.record(scene_, what);
   scene_ = std::move(scene);
+  is_edited_ = true;
   wish(Manner::PreviewFirst);
+}
+
+/// While somebody types, the camera stays.
+void Model::end_edit() {
+  history_.end_edit();
+  if (!is_edited_) return;
+  frame();
+  look_through(scene_.camera);
 }
 
 void Model::undo() {
@@ -189,6 +219,7 @@ void Model::undo() {
     scene->camera = scene_.camera;
     scene->picture = scene_.picture;
     scene_ = std::move(*scene);
+    frame();
     wish(Manner::PreviewFirst);
   }
 }
@@ -198,6 +229,7 @@ void Model::redo() {
     scene->camera = scene_.camera;
     scene->picture = scene_.picture;
     scene_ = std::move(*scene);
+    frame();
     wish(Manner::PreviewFirst);
   }
 }
@@ -208,7 +240,10 @@ void Model::open(Scene scene) {
   light_setup_ = 0;
   table_up = scene.camera.up;
   picked_.reset();
-  edit(std::move(scene), "");
+  history_.record(scene_, "");
+  scene_ = std::move(scene);
+  frame();
+  wish(Manner::PreviewFirst);
 }
 
 /// The mesh depends on what a pixel is, and close up on what is seen.
@@ -391,9 +426,9 @@ bool Model::act(Action action) {
           seen_along(scene_.camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)));
       return true;
     case Action::Fit:
-      changed.camera = fit_again(scene_.camera);
-      if (frame_) frame_(changed);
-      look_through(changed.camera);
+      scene_.camera = fit_again(scene_.camera);
+      frame();
+      look_through(scene_.camera);
       return true;
     case Action::Play:
       playing = !playing;

@@ -37,6 +37,7 @@ struct ViewerSetup {
   std::function<Scene()> reload;      ///< the scene anew, from where it came from
   std::function<void(Scene&)> frame;  ///< lets a camera that fits itself hold all of an animation
   std::filesystem::path watched;      ///< reload when this file changes; empty: do not
+  bool quiet = false;                 ///< show no warnings
   bool verbose = false;               ///< say at the end what it took
 };
 
@@ -76,7 +77,7 @@ class Model {
 
   // Editing. A scene that differs from the last one; `what` names the thing for undo().
   void edit(Scene scene, const std::string& what);
-  void end_edit() { history_.end_edit(); }
+  void end_edit();
   void undo();
   void redo();
   /// In place of the scene; can be undone.
@@ -117,6 +118,7 @@ class Model {
  private:
   struct Sight;
 
+  void frame();
   void wish(Manner manner);
   bool keeps_up() const;
   bool is_close(const Camera& camera) const;
@@ -128,6 +130,13 @@ class Model {
   Scene scene_;
   std::function<Scene()> reload_;
   std::function<void(Scene&)> frame_;
+  /// The camera as frame_ has left it, and as it was before.
+  struct Framed {
+    Camera after;
+    Camera before;
+  };
+  std::optional<Framed> framed_;
+  bool is_edited_ = false;  ///< since the last end of an edit
   History history_;
   Meshed good_;  // the last one without an error
   std::optional<Error> error_;

@@ -108,7 +108,7 @@ void Panel::show_error_of(const Model& model, const std::string& name) {
 }
 
 /// A line of text with its label before it; true if it was changed.
-bool Panel::field(Model& model, const std::string& label, std::string& text, bool wrong) {
+bool Panel::field(const std::string& label, std::string& text, bool wrong) {
   ImGui::PushID(label.c_str());
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label.c_str());
@@ -117,7 +117,6 @@ bool Panel::field(Model& model, const std::string& label, std::string& text, boo
   if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
   const bool changed = ImGui::InputText("##text", &text);
   if (wrong) ImGui::PopStyleColor();
-  if (ImGui::IsItemDeactivated()) model.end_edit();
   ImGui::PopID();
   return changed;
 }
@@ -130,7 +129,7 @@ void Panel::show_surface(Model& model, std::size_t index) {
   const bool guilty = index == model.guilty();
   const auto formula = [&](const char* name, std::string& text) {
     const bool wrong = guilty && is_about(model.error(), name);
-    if (field(model, name, text, wrong)) model.edit(scene, spec.name + name);
+    if (field(name, text, wrong)) model.edit(scene, spec.name + name);
     if (guilty) show_error_of(model, name);
   };
   formula("x", spec.x);
@@ -144,13 +143,11 @@ void Panel::show_surface(Model& model, std::size_t index) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(half);
     bool changed = ImGui::InputText("##min", &ends.min);
-    if (ImGui::IsItemDeactivated()) model.end_edit();
     ImGui::SameLine();
     ImGui::TextUnformatted("to");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     changed |= ImGui::InputText("##max", &ends.max);
-    if (ImGui::IsItemDeactivated()) model.end_edit();
     ImGui::PopID();
     if (changed) model.edit(scene, spec.name + name);
     if (guilty) show_error_of(model, name);
@@ -180,7 +177,7 @@ void Panel::show_parameter(Model& model, Scene& scene, std::size_t index) {
   const auto number = definition.is_function ? std::nullopt : plain_number(definition.text);
   ImGui::PushID(static_cast<int>(index));
   const bool wrong = is_about(model.error(), name) || is_about(model.error(), definition.name);
-  if (field(model, name, definition.text, wrong)) model.edit(scene, name);
+  if (field(name, definition.text, wrong)) model.edit(scene, name);
   if (number) show_slider(model, scene, definition, *number);
   show_error_of(model, name);
   if (name != definition.name) show_error_of(model, definition.name);
@@ -206,7 +203,6 @@ void Panel::show_slider(Model& model, Scene& scene, Definition& definition, doub
     definition.text = format_number(std::round(value * 1e6) / 1e6);
     model.edit(scene, display_name(definition));
   }
-  if (ImGui::IsItemDeactivated()) model.end_edit();
 }
 
 void Panel::show_definitions(Model& model) {
@@ -344,7 +340,6 @@ void Panel::show_tolerance(Model& model) {
     scene.mesh.tolerance = tolerance;
     model.edit(std::move(scene), "tolerance");
   }
-  if (ImGui::IsItemDeactivated()) model.end_edit();
 }
 
 void Panel::show_picked(const Model& model) {
@@ -377,6 +372,7 @@ void Panel::show_figures(const Model& model, const Figures& figures) {
     }
     for (const std::string& warning : surface->warnings) wrapped(kQuiet, warning);
   }
+  for (const std::string& warning : figures.warnings) wrapped(kQuiet, warning);
   wrapped(kQuiet, formatted("%.1f ms a frame, mesh %.1f ms%s", figures.frame_ms,
                             model.last_good().milliseconds, model.is_meshing() ? " ..." : ""));
 }
@@ -402,6 +398,10 @@ void Panel::show(Model& model, const Figures& figures, double width, double scal
   show_figures(model, figures);
   ImGui::PopItemWidth();
   ImGui::End();
+  // A click into the picture takes the keyboard from a field before the field is shown again.
+  const unsigned active = ImGui::GetCurrentContext()->ActiveId;
+  if (active != active_) model.end_edit();
+  active_ = active;
   changed_ |= ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
 }
 

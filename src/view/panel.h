@@ -41,9 +41,10 @@ class Panel {
   void show_picked(const Model& model);
   void show_figures(const Model& model, const Figures& figures);
   void show_error_of(const Model& model, const std::string& name);
-  bool field(Model& model, const std::string& label, std::string& text, bool wrong);
+  bool field(const std::string& label, std::string& text, bool wrong);
 
   std::optional<Action> action_;
+  unsigned active_ = 0;  ///< ImGui's name of the field that has the keyboard or the pointer
   bool changed_ = false;
   bool has_shown_error_ = false;
   std::string search_;

@@ -40,7 +40,8 @@ std::filesystem::file_time_type last_write(const std::filesystem::path& path) {
 }  // namespace
 
 Viewer::Viewer(ViewerSetup setup)
-    : verbose_(setup.verbose),
+    : quiet_(setup.quiet),
+      verbose_(setup.verbose),
       watched_(setup.watched),
       written_(last_write(watched_)),
       window_(setup.scene.title, setup.scene.picture.width + static_cast<int>(kPanelWidth),
@@ -253,7 +254,9 @@ void Viewer::paint() {
   --to_paint_;
   window_.begin_panel();
   if (panel_shown_) {
-    panel_.show(model_, drawing_.figures(), panel_width(), window_.scale());
+    Figures figures = drawing_.figures();
+    if (quiet_) figures.warnings.clear();
+    panel_.show(model_, figures, panel_width(), window_.scale());
     if (panel_.take_change()) change_picture();
     if (const auto action = panel_.take_action()) act(*action);
   }

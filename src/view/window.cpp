@@ -129,8 +129,9 @@ void Window::make_window(const std::string& title, int width, int height) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene has its own
-  glfwWindowHintString(GLFW_X11_CLASS_NAME, "saddle");
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);                   // the scene has its own
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "saddle");  // nothing without the other name
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "saddle");
   const auto [w, h] = fitting_size(width, height);
   window_ = glfwCreateWindow(w, h, title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) fail("no window with OpenGL 3.3 can be opened");

@@ -29,6 +29,7 @@ namespace {
 
 constexpr int kSomeEvents = 200;
 constexpr int kEventsToRest = 100;
+constexpr int kEventsToResize = 30;
 constexpr std::chrono::minutes kPatience{2};
 
 std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
@@ -252,6 +253,15 @@ class RandomHands : public ViewerTest {
            (viewer.drawing().is_at_rest() ? "" : "drawing ") + write_scene(model.scene());
   }
 
+  /// From a pixel to more than the screen, a quarter of the times; where it was, the others.
+  void resize(std::uint64_t seed) const {
+    const auto below = [&](int end) { return static_cast<int>(end * random_unit(seed++)); };
+    const bool any = below(4) == 0;
+    const int width = any ? 1 + below(1500) : 1080;
+    const int height = any ? 1 + below(900) : 600;
+    act("search --class saddle windowsize " + std::to_string(width) + " " + std::to_string(height));
+  }
+
  private:
   std::filesystem::path before_;
 };
@@ -274,6 +284,7 @@ TEST_F(RandomHands, LeaveAPictureThatIsRightAndNothingBehind) {
     for (int i = 0; i < events; ++i) {
       hand.act();
       viewer.step();
+      if (i % kEventsToResize == kEventsToResize - 1) resize(seed + static_cast<unsigned>(i));
       if (i % kEventsToRest != kEventsToRest - 1) continue;
       ASSERT_TRUE(rests(viewer, hand))
           << "stuck after " << i << " deeds of seed " << seed << ": " << describe(viewer);

@@ -1,4 +1,5 @@
 // The viewer as a hand finds it, under a display without a screen.
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -57,6 +58,19 @@ TEST_F(ViewerTest, TakesGridLinesAwayAndBringsThemBack) {
   EXPECT_LT(compare_images(without, read_png(path("plain.png")).image).error, 0.01);
   act("key g");
   EXPECT_FALSE(differ(settled_picture(), before));
+}
+
+TEST_F(ViewerTest, ShadesCornersPixelsOrByTheFormula) {
+  const std::vector<std::string> coarse{"torus", "--samples", "12x12", "--grid", "off"};
+  open(coarse);
+  const Image pixels = settled_picture();
+  for (const auto& [key, shading] : {std::array{"1", "vertex"}, {"3", "exact"}, {"2", "pixel"}}) {
+    act(std::string("key ") + key);
+    const Image shown = settled_picture();
+    EXPECT_EQ(differ(shown, pixels), shading != std::string("pixel")) << shading;
+    ASSERT_EQ(headless(with(coarse, {"--shading", shading, "-o", "a.png"})), 0);
+    EXPECT_LT(compare_images(shown, read_png(path("a.png")).image).error, 0.001) << shading;
+  }
 }
 
 TEST_F(ViewerTest, ZoomsTowardThePointer) {
@@ -160,6 +174,26 @@ TEST_F(ViewerTest, SavesThePictureThatTheSavedSceneGives) {
 
 void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path) << text;
+}
+
+TEST_F(ViewerTest, HoldsAnAnimationThatAnEditHasMadeLarger) {
+  write(path("s.toml"),
+        "[animation]\nt = [0, 1]\n[[surface]]\nx = \"u\"\ny = \"v\"\nz = \"t*u*v\"\n");
+  open({"s.toml"});
+  settled_picture();
+  act("key S");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("saddle.toml")); }));
+  enter_field(2);
+  act("type '*20'");
+  act("key Tab");  // leaves the field
+  click(700, 550);
+  settled_picture();
+  act("key S");
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("saddle-2.toml")); }));
+  const auto before = load_scene(path("saddle.toml")).camera.distance;
+  const auto after = load_scene(path("saddle-2.toml")).camera.distance;
+  ASSERT_TRUE(before && after);
+  EXPECT_GT(double(*after), 5 * double(*before));
 }
 
 TEST_F(ViewerTest, FollowsTheSceneFile) {
