@@ -366,6 +366,7 @@ class Mesher {
     if (deviation.on_crease) return is_cut_along_u(leaf, lattice_);
     const Samples samples = request_samples(leaf, lattice_);
     if (leaf.on_rim) return judge_.splits_rim_u(leaf, samples);
+    if (is_cut_unclearly(leaf)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
     const Scores scores = judge_.score(leaf, samples).distance;
     constexpr double kTells = 0.5;  // of the tolerance
     const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
@@ -373,8 +374,17 @@ class Mesher {
     return tells && !is_narrow ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
   }
 
+  /// Whether a leaf is cut by more than one jump, or by one that ends in it: its pieces do not
+  /// tell.
+  bool is_cut_unclearly(const Leaf& leaf) const {
+    if (!leaf.is_split || leaf.given_up) return false;
+    const CutCount cuts = count_cuts(leaf, lattice_);
+    return !cuts.only_creases && !cuts.is_through();
+  }
+
   /// How many times worse than allowed a leaf is.
   double excess(std::size_t leaf) const {
+    if (is_cut_unclearly(mesh_.leaves[leaf])) return kMostStrict;
     const double off = mesh_.off(leaf);
     const double turn = turn_of_line(mesh_.deviations[leaf].degrees) / options_.normal_tolerance;
     const double share = turn * turn;

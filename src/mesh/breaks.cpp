@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "eval/enclose.h"
 #include "mesh/corners.h"
 #include "surface/normal.h"
 
@@ -21,6 +22,10 @@ constexpr double kPoleGrowth = 50;
 /// Where lines are halved: a little off their middles, which are the places where a formula for
 /// half of a range has its cusps, and no normal.
 constexpr double kShare = 0.498;
+
+/// Breaks that are this near to each other, beside their line, are one: where a formula has a value
+/// of its own there are two steps.
+constexpr double kSamePlace = 1e-9;
 
 /// Places beyond the ends of a jump, in its widths: adjacent doubles.
 constexpr std::array kOutward = {1.0, 2.0, 4.0, 8.0};
@@ -94,6 +99,49 @@ void look_outward(const Surface& surface, std::span<Search> searches, double del
   }
 }
 
+/// Tells by bounds where a line may be broken.
+class Continuity {
+ public:
+  explicit Continuity(const Surface& surface)
+      : enclosure_(surface.bounds), bounds_(surface.bounds.outputs.size()) {}
+
+  /// Parts of a line, short beside it and apart from each other, on which the surface is not proved
+  /// to be continuous.
+  std::vector<Line> unproved(const Line& line) {
+    std::vector<Line> level = {line};
+    for (int depth = 0; depth <= kMaxDepth && !level.empty(); ++depth) {
+      std::vector<Line> next;
+      for (const Line& part : level) {
+        if (is_proved(part)) continue;
+        const dvec2 middle = 0.5 * part[0] + 0.5 * part[1];
+        if (depth == kMaxDepth) {
+          next.push_back(part);
+        } else {
+          next.push_back({part[0], middle});
+          next.push_back({middle, part[1]});
+        }
+      }
+      level = std::move(next);
+    }
+    return level;
+  }
+
+ private:
+  /// Halvings of a line.
+  static constexpr int kMaxDepth = 6;
+
+  bool is_proved(const Line& line) {
+    const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
+    enclosure_(range(line[0].x, line[1].x), range(line[0].y, line[1].y), bounds_);
+    return std::ranges::all_of(std::span(bounds_).first(3), [](const Interval& a) {
+      return a.continuous && a.defined == Defined::Yes;
+    });
+  }
+
+  Enclosure enclosure_;
+  std::vector<Interval> bounds_;
+};
+
 /// `value`: the vector that may jump, of a point of the surface.
 template <class F>
 std::vector<Found> search_lines(const Surface& surface, std::span<const Line> lines, double delta,
@@ -134,8 +182,38 @@ std::vector<Found> search_lines(const Surface& surface, std::span<const Line> li
 
 std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
                                unsigned threads) {
-  return search_lines(surface, lines, delta, threads,
-                      [](const SurfacePoint& point) { return point.position; });
+  const auto position = [](const SurfacePoint& point) { return point.position; };
+  std::vector<Found> found = search_lines(surface, lines, delta, threads, position);
+  Continuity continuity(surface);
+  std::vector<Line> parts;
+  std::vector<std::size_t> owners;
+  const auto add_unproved = [&](std::size_t k, const Line& line) {
+    for (const Line& part : continuity.unproved(line)) {
+      parts.push_back(part);
+      owners.push_back(k);
+    }
+  };
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (found[k].kind == Break::None) {
+      add_unproved(k, lines[k]);
+    } else {
+      add_unproved(k, {lines[k][0], found[k].ends[0]});
+      add_unproved(k, {found[k].ends[1], lines[k][1]});
+    }
+  }
+  const std::vector<Found> more = search_lines(surface, parts, delta, threads, position);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (more[i].kind == Break::None) continue;
+    Found& first = found[owners[i]];
+    if (first.kind == Break::None) {
+      first = more[i];
+    } else {
+      const double apart = glm::distance(first.ends[0], more[i].ends[0]);
+      const Line& line = lines[owners[i]];
+      first.has_more = first.has_more || apart > kSamePlace * glm::distance(line[0], line[1]);
+    }
+  }
+  return found;
 }
 
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,

@@ -20,17 +20,20 @@ using Line = std::array<dvec2, 2>;
 struct Found {
   Break kind = Break::None;
   Line ends{dvec2(0), dvec2(0)};  ///< the first is the one nearer to the line's first end
+  bool has_more = false;          ///< there are others on the line
 };
 
 /// Follows the larger half of the gap between the positions at the ends of each line until both
 /// halves are below `delta`, which shows that the surface is continuous there, or the parameters
 /// have run out of digits: then it jumps, or goes to infinity if the gap has grown on the way.
-/// Nothing is found on a line with an end where the surface is not defined.
+/// Nothing is found on a line with an end where the surface is not defined. What samples do not
+/// show because they are alike is looked for where bounds do not prove that the surface is
+/// continuous.
 std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
                                unsigned threads);
 
-/// The same of unit normals: where they jump by more than kCreaseDegrees the surface has a crease,
-/// or, if to their opposites, a cusp.
+/// As find_breaks(), of unit normals: where they jump by more than kCreaseDegrees the surface has a
+/// crease, or, if to their opposites, a cusp.
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
                                 unsigned threads);
 

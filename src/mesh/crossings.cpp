@@ -105,6 +105,7 @@ class Finder {
     std::vector<Side> jumping;
     std::vector<Found> jumps;
     for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (found[k].has_more) lattice_.set_has_more(sides[k][0], sides[k][1]);
       switch (found[k].kind) {
         case Break::None:
           continuous.push_back(sides[k]);

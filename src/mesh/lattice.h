@@ -164,6 +164,11 @@ class Lattice {
     return !pole_sides_.empty() && pole_sides_.contains(key(a, b));
   }
   void set_leads_to_pole(std::uint32_t a, std::uint32_t b) { pole_sides_.insert(key(a, b)); }
+  /// A side that is cut in more places than its crossing tells.
+  bool has_more(std::uint32_t a, std::uint32_t b) const {
+    return !crowded_sides_.empty() && crowded_sides_.contains(key(a, b));
+  }
+  void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(key(a, b)); }
   bool has_crossings() const { return has_crossings_; }
   /// The sides that are cut, by their ends.
   std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
@@ -268,6 +273,7 @@ class Lattice {
   std::unordered_map<std::uint64_t, std::optional<Crossing>> sides_;  // by their ends
   std::unordered_map<std::uint32_t, dvec2> places_between_;
   std::unordered_set<std::uint64_t> pole_sides_;
+  std::unordered_set<std::uint64_t> crowded_sides_;
   bool has_crossings_ = false;
   CellMarks crossed_cells_;
   std::size_t used_count_;

@@ -239,7 +239,10 @@ CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
     const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
     count.leads_to_pole = count.leads_to_pole || lattice.leads_to_pole(side[0], side[1]);
     if (!crossing) continue;
-    ++count.crossings;
+    const bool on_side_of_u = lattice.place_between(side[0]).x == lattice.place_between(side[1]).x;
+    const std::size_t crossings = lattice.has_more(side[0], side[1]) ? 2 : 1;
+    count.crossings += crossings;
+    if (on_side_of_u) count.on_sides_of_u += crossings;
     if (crossing->kind != Cut::Crease) count.only_creases = false;
   }
   count.singular_points = singular_points(outline(leaf, lattice), lattice).size();

@@ -49,9 +49,18 @@ bool has_pole(const Leaf& leaf, const Lattice& lattice);
 /// What may cut a leaf.
 struct CutCount {
   std::size_t crossings = 0;
+  std::size_t on_sides_of_u = 0;  ///< crossings on the two sides of constant u
   std::size_t singular_points = 0;
   bool only_creases = true;    ///< of the crossings
   bool leads_to_pole = false;  ///< across a side that is not cut
+
+  /// Which way to halve a leaf that more than one line cuts: lines that cross its sides of constant
+  /// u are parted along v. One that ends in it may do so anywhere.
+  bool is_parted_across_u(const Leaf& leaf) const {
+    const std::size_t on_sides_of_v = crossings - on_sides_of_u;
+    if (crossings <= 2 || on_sides_of_u == on_sides_of_v) return leaf.size_u() >= leaf.size_v();
+    return on_sides_of_v > on_sides_of_u;
+  }
 
   /// Whether pieces() cuts a leaf that is split into two.
   bool is_through() const {

@@ -35,8 +35,10 @@ constexpr double kOscillatingShare = 0.25;
 /// than one line, at most.
 constexpr int kRimHalvings = 4;
 constexpr int kMostCutHalvings = 14;
-/// Halvings of a root cell, at most, that follow a rim or lead to where the surface is defined.
-constexpr int kMostRimHalvings = 24;
+/// Halvings of a root cell, at most, that lead to where the surface is defined, and from there on
+/// those that follow its rim: where rims cross at a pole, no more would do.
+constexpr int kMostSeekHalvings = 24;
+constexpr int kMostRimHalvings = 14;
 
 /// Halvings of the root cell that the leaf came from.
 int halvings_of_root(const Leaf& leaf) {
@@ -153,7 +155,7 @@ class Refiner {
   void seek(const Candidate& candidate) {
     const Leaf& leaf = candidate.leaf;
     const bool is_known = !candidate.witnesses.empty() || has_defined_corner(leaf, lattice_);
-    const auto halves = is_known && halvings_of_root(leaf) < kMostRimHalvings &&
+    const auto halves = is_known && halvings_of_root(leaf) < kMostSeekHalvings &&
                                 !lattice_.is_full(options_.max_triangles)
                             ? halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_)
                             : std::nullopt;
@@ -220,20 +222,21 @@ class Refiner {
     leaves.reserve(doubtful.size());
     for (const Judged& judged : doubtful) leaves.push_back(judged.candidate.leaf);
     look_at(leaves);
-    std::vector<bool> is_through(doubtful.size());  // before halves put new vertices on the sides
+    // Before halves put new vertices on the sides.
+    std::vector<CutCount> cuts_of(doubtful.size());
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
       Leaf& leaf = doubtful[k].candidate.leaf;
       const CutCount cuts = count_cuts(leaf, lattice_);
       leaf.leads_to_pole = cuts.leads_to_pole;
       if (leaf.leads_to_pole) doubtful[k].verdict.distance = doubtful[k].verdict.gap;
-      is_through[k] = cuts.is_through();
-      leaf.is_split = cuts.crossings > 0 || (doubtful[k].verdict.is_folded && is_through[k]);
+      cuts_of[k] = cuts;
+      leaf.is_split = cuts.crossings > 0 || (doubtful[k].verdict.is_folded && cuts.is_through());
     }
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
       const Leaf& leaf = doubtful[k].candidate.leaf;
       if (leaf.is_split) {
-        judge_cut(doubtful[k], leaf, leaf.size_u() >= leaf.size_v(),
-                  is_through[k] ? 0 : kMostCutHalvings);
+        judge_cut(doubtful[k], leaf, cuts_of[k].is_parted_across_u(leaf),
+                  cuts_of[k].is_through() ? 0 : kMostCutHalvings);
       } else {
         settle(doubtful[k]);
       }

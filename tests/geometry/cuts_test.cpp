@@ -79,6 +79,22 @@ TEST(Jumps, DoNotShowTheValueAtTheVeryPlaceOfTheJump) {
   }
 }
 
+TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
+  // Thirty sheets side by side, each as the next one: chords from one to another look like either.
+  const Surface surface = surface_from_text("floor(v)*0.01", "u", "2*(v-floor(v))-1",
+                                            {-1, 1, 0, 30}, {}, Order::Second);
+  for (const double tolerance : {0.1, 0.05, 0.03, 0.01, 5e-3, 5e-4}) {
+    for (const int lines : {0, 7, 16}) {
+      AdaptiveOptions options;
+      options.tolerance = [&](const Probe& probe) { return tolerance * probe.bounds().diagonal(); };
+      options.lines_u = options.lines_v = lines;
+      const GridMesh result = mesh_within_tolerance(surface, options).value();
+      EXPECT_NEAR(area(result.mesh), 120, 1e-6) << tolerance << ' ' << lines;
+      EXPECT_GE(result.report.jump_count, 30U) << tolerance << ' ' << lines;
+    }
+  }
+}
+
 TEST(Jumps, MayEndInsideOfTheSurface) {
   const GridMesh result = height_field("atan2(v,u)");
   EXPECT_GT(result.report.jump_count, 0U);

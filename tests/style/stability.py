@@ -73,6 +73,12 @@ def torus(u, v, size=1.0, offset=0.0):
             offset + size * math.sin(v)]
 
 
+def cross(a, b, c):
+    """Twice the vector area of a triangle."""
+    p, q = [y - x for x, y in zip(a, b)], [y - x for x, y in zip(a, c)]
+    return [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+
+
 def number(x):
     return f"{x:.3g}"
 
@@ -100,6 +106,11 @@ class Run:
         """Triangles with corners on both sides: side(u, v) is a number for each."""
         names = [side(c[-2], c[-1]) for c in self.corners]
         return sum(len({names[k] for k in t} - {None}) > 1 for t in self.triangles)
+
+    def area(self):
+        corners = [c[:3] for c in self.corners]
+        return sum(math.hypot(*cross(corners[a], corners[b], corners[c])) / 2
+                   for a, b, c in self.triangles)
 
     def extent(self, axis):
         low, high = self.surface["bounds"]
@@ -179,6 +190,13 @@ CASES = [
      and not any(-1 < c[2] < 1 and c[2] != 0 for c in r.corners)
      and r.across(lambda u, v: (u > 0) - (u < 0) or None) == 0,
      lambda r: "two sheets with nothing between them, and said so"),
+    ("jumps that look alike", ["x=floor(v)*0.01", "y=u", "z=2*(v-floor(v))-1", "v=0:30",
+                               "--tolerance", "0.05", "--grid", "off"],
+     lambda: str(2 * N * walls(lambda u, v: math.floor(v), [0, 1], lines(0, 30), 0.5))
+             + f" of {2 * N * N} triangles go from one sheet to another",
+     lambda r: r.surface["jumps_count"] > 0 and "jumps" in r.said
+     and near(r.area(), 120, 1e-6),
+     lambda r: "thirty sheets, none joined, none missing: area " + number(r.area())),
     ("a branch cut", ["z=atan2(v,u)"],
      lambda: f"{walls(lambda u, v: math.atan2(v, u), U1, U1, 5)} cells are walls, 2 pi high",
      lambda r: r.surface["jumps_count"] > 0
