@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
-#include "base/utf8.h"
 #include "scene/ticks.h"
 
 namespace saddle {
@@ -44,17 +43,6 @@ double letters_for(const dvec2& size) {
   return std::max(kLeastLetters, std::round(kLetters * std::min(size.y, kNarrow * size.x)));
 }
 
-struct Rect {
-  dvec2 low, high;
-
-  bool overlaps(const Rect& r) const {
-    return low.x < r.high.x && r.low.x < high.x && low.y < r.high.y && r.low.y < high.y;
-  }
-  bool is_inside(const dvec2& size) const {
-    return low.x >= 0 && low.y >= 0 && high.x <= size.x && high.y <= size.y;
-  }
-};
-
 /// An edge of the box that has ticks: along `axis`, from the box's low to its high end of it.
 struct Edge {
   int axis = 0;
@@ -66,9 +54,18 @@ struct Edge {
 class Annotator {
  public:
   Annotator(const Scene& scene, const FittedCamera& camera, const Bounds& box, const dvec2& size)
-      : scene_(scene), camera_(camera), box_(box), size_(size), em_(letters_for(size)) {}
+      : scene_(scene),
+        camera_(camera),
+        box_(box),
+        size_(size),
+        em_(letters_for(size)),
+        writer_(size) {}
 
-  Annotations take() { return std::move(result_); }
+  Annotations take() {
+    result_.texts = writer_.texts();
+    result_.unknown = writer_.unknown();
+    return std::move(result_);
+  }
 
   void add_axes() {
     for (int axis = 0; axis < 3; ++axis) {
@@ -78,11 +75,19 @@ class Annotator {
     for (int axis = 0; axis < 3; ++axis) {
       if (const auto edge = edge_with_ticks(axis)) edges.push_back(*edge);
     }
-    if (scene_.title != Scene{}.title) {
-      write(scene_.title, {size_.x / 2, 0.5 * font_.height(kTitleSize * em_) + kTitleGap * em_},
-            {0, 0}, kTitleSize * em_);
-    }
+    if (scene_.title != Scene{}.title) add_title();
     for (const Edge& edge : edges) add_ticks(edge);
+  }
+
+  /// Its letters are larger than others if there is room for it so.
+  void add_title() {
+    const double most = size_.x - 2 * kTitleGap * em_;
+    const std::string line = one_line(scene_.title);
+    const double large = kTitleSize * em_;
+    const double size = std::clamp(large * most / writer_.width(line, large), em_, large);
+    const std::string title = writer_.shortened(line, most, size);
+    writer_.write(title, {size_.x / 2, 0.5 * writer_.height(large) + kTitleGap * em_}, {0, 0},
+                  size);
   }
 
   /// Returns the x to the left of which there is room for the next one.
@@ -94,21 +99,23 @@ class Annotator {
     const dvec2 corner(std::round(left), std::round((size_.y - height) / 2 + em_));
     const dvec2 extent(std::round(kBarWidth * em_), std::round(height));
     result_.bars.push_back({corner, extent, scale.colormap});
-    written_.push_back({corner, corner + extent});
+    writer_.keep_clear({corner, corner + extent});
     const dvec2 end = corner + extent;
     const std::array<dvec2, 4> outline = {corner, {end.x, corner.y}, end, {corner.x, end.y}};
     for (std::size_t k = 0; k < 4; ++k)
       result_.strokes.push_back({outline[k], outline[(k + 1) % 4]});
+    const std::string name = bar_name(scale, marks);
+    const double half = writer_.width(name, em_) / 2;
+    const double middle =
+        std::min(std::max(corner.x + extent.x / 2, half + kGap * em_), right - half - kGap * em_);
+    const bool is_named =
+        writer_.write_near(name, {middle, corner.y - kBarNameGap * em_}, {0, -1}, em_);
     for (const Tick& tick : marks.ticks) {
       const double y = end.y - extent.y * place_on(scale, tick.value);
       result_.strokes.push_back({dvec2(end.x, y), dvec2(end.x + kTickLength * em_, y)});
-      write(tick.text, {end.x + (kTickLength + kGap) * em_, y}, {1, 0}, em_);
+      if (!is_named && !marks.note.empty()) continue;  // without it the numbers are wrong
+      writer_.write(tick.text, {end.x + (kTickLength + kGap) * em_, y}, {1, 0}, em_);
     }
-    const std::string name = shortened(bar_name(scale, marks));
-    const double half = font_.width(name, em_) / 2;
-    const double middle =
-        std::clamp(corner.x + extent.x / 2, half + kGap * em_, right - half - kGap * em_);
-    write(name, {middle, corner.y - kBarNameGap * em_}, {0, -1}, em_);
     return right - std::max(width, 2 * half + 2 * kGap * em_);
   }
 
@@ -116,7 +123,7 @@ class Annotator {
   double bar_zone(const ColorScale& scale) const {
     double widest = 0;
     for (const Tick& tick : ticks_of(scale).ticks) {
-      widest = std::max(widest, font_.width(tick.text, em_));
+      widest = std::max(widest, writer_.width(tick.text, em_));
     }
     return widest + (2 * kBarMargin + kBarWidth + kTickLength + kGap) * em_;
   }
@@ -126,11 +133,11 @@ class Annotator {
     double widest = 0;
     for (int axis = 0; axis < 3; ++axis) {
       for (const Tick& tick : ticks(box_.low[axis], box_.high[axis], kMostTicks).ticks) {
-        widest = std::max(widest, font_.width(tick.text, em_));
+        widest = std::max(widest, writer_.width(tick.text, em_));
       }
     }
     const double before_name = kTickLength + 2 * kGap;
-    return {widest + (before_name + 1) * em_, 2 * font_.height(em_) + (before_name + kGap) * em_};
+    return {widest + (before_name + 1) * em_, 2 * writer_.height(em_) + (before_name + kGap) * em_};
   }
 
  private:
@@ -216,34 +223,6 @@ class Annotator {
     return edge;
   }
 
-  // --- what is written ---------------------------------------------------------------------------
-
-  Rect rect_of(const std::string& text, const dvec2& middle, double size) const {
-    const dvec2 half = 0.5 * dvec2(font_.width(text, size), font_.height(size));
-    return {middle - half, middle + half};
-  }
-
-  /// The middle of a text that touches `at` and lies in the direction `way` of it, of length 1 or
-  /// 0.
-  dvec2 middle_beside(const std::string& text, const dvec2& at, const dvec2& way,
-                      double size) const {
-    const dvec2 half = 0.5 * dvec2(font_.width(text, size), font_.height(size));
-    return at + way * glm::dot(glm::abs(way), half);
-  }
-
-  /// Writes if nothing is there and it is in the picture.
-  bool write(const std::string& text, const dvec2& at, const dvec2& way, double size) {
-    const dvec2 middle = middle_beside(text, at, way, size);
-    const Rect rect = rect_of(text, middle, size);
-    if (!rect.is_inside(size_)) return false;
-    for (const Rect& other : written_) {
-      if (rect.overlaps(other)) return false;
-    }
-    written_.push_back(rect);
-    result_.texts.push_back({middle, text, size});
-    return true;
-  }
-
   // --- axes --------------------------------------------------------------------------------------
 
   /// A tick in the picture.
@@ -264,7 +243,7 @@ class Annotator {
 
   Rect label_rect(const Edge& edge, const Mark& mark, double apart) const {
     const dvec2 at = mark.at + (kTickLength + kGap) * em_ * edge.out;
-    Rect rect = rect_of(mark.text, middle_beside(mark.text, at, edge.out, em_), em_);
+    Rect rect = writer_.rect_beside(mark.text, at, edge.out, em_);
     rect.low -= dvec2(apart, 0);
     return rect;
   }
@@ -275,6 +254,18 @@ class Annotator {
       if (rect.overlaps(label_rect(edge, marks[i - 1], kApart * em_))) return false;
     }
     return true;
+  }
+
+  /// Around the box in the picture.
+  Rect outline() const {
+    Rect rect{size_, dvec2(0)};
+    for (int i = 0; i < 8; ++i) {
+      const auto at = pixel_of(corner(0, (i & 1) != 0, (i & 2) != 0, (i & 4) != 0));
+      if (!at) return {dvec2(0), size_};
+      rect.low = glm::min(rect.low, *at);
+      rect.high = glm::max(rect.high, *at);
+    }
+    return rect;
   }
 
   void add_ticks(const Edge& edge) {
@@ -289,16 +280,20 @@ class Annotator {
     }
     double reach = 0;  // of the labels, outward
     for (const Mark& mark : marks) {
-      const dvec2 half = 0.5 * dvec2(font_.width(mark.text, em_), font_.height(em_));
+      const dvec2 half = 0.5 * dvec2(writer_.width(mark.text, em_), writer_.height(em_));
       reach = std::max(reach, 2 * glm::dot(glm::abs(edge.out), half));
     }
     std::string name(1, static_cast<char>('x' + edge.axis));
     if (!chosen.note.empty()) name += " (" + chosen.note + ")";
     const dvec2 at = (edge.from + edge.to) / 2.0;
-    write(name, at + ((kTickLength + 2 * kGap) * em_ + reach) * edge.out, edge.out, em_);
+    const dvec2 beside = at + ((kTickLength + 2 * kGap) * em_ + reach) * edge.out;
+    const bool is_written = chosen.note.empty()
+                                ? writer_.write(name, beside, edge.out, em_)
+                                : writer_.write_near(name, beside, edge.out, em_, outline());
+    if (!is_written && !chosen.note.empty()) return;  // without it the numbers are wrong
     for (const Mark& mark : marks) {
       result_.strokes.push_back({mark.at, mark.at + kTickLength * em_ * edge.out});
-      write(mark.text, mark.at + (kTickLength + kGap) * em_ * edge.out, edge.out, em_);
+      writer_.write(mark.text, mark.at + (kTickLength + kGap) * em_ * edge.out, edge.out, em_);
     }
   }
 
@@ -309,22 +304,11 @@ class Annotator {
     return ticks(scale.range.low, scale.range.high, std::clamp(count, 1, kMostTicks));
   }
 
-  static std::string bar_name(const ColorScale& scale, const Ticks& marks) {
-    return marks.note.empty() ? scale.formula : scale.formula + " (" + marks.note + ")";
-  }
-
-  std::string shortened(const std::string& name) const {
-    const double most = std::max(kMostBarName * size_.x, 6 * em_);
-    if (font_.width(name, em_) <= most) return name;
-    std::string result;
-    for (std::size_t at = 0; at < name.size();) {
-      const std::size_t bytes = decode_utf8(name, at).bytes;
-      const std::string longer = result + name.substr(at, bytes);
-      if (font_.width(longer + "\u2026", em_) > most) break;
-      result = longer;
-      at += bytes;
-    }
-    return result + "\u2026";
+  /// The formula as far as there is room, and all of what the ticks leave out.
+  std::string bar_name(const ColorScale& scale, const Ticks& marks) const {
+    const std::string note = marks.note.empty() ? "" : " (" + marks.note + ")";
+    const double most = std::max(kMostBarName * size_.x, 6 * em_) - writer_.width(note, em_);
+    return writer_.shortened(one_line(scale.formula), std::max(most, em_), em_) + note;
   }
 
   const Scene& scene_;
@@ -332,8 +316,7 @@ class Annotator {
   const Bounds& box_;
   dvec2 size_;
   double em_;
-  Font font_;
-  std::vector<Rect> written_;
+  LabelWriter writer_;
   Annotations result_;
 };
 

@@ -9,19 +9,12 @@
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "render/font.h"
+#include "render/label_writer.h"
 #include "scene/camera.h"
 #include "scene/color_scale.h"
 #include "scene/scene.h"
 
 namespace saddle {
-
-/// A line of text around a place, its letters `size` pixels large.
-struct WrittenText {
-  dvec2 middle;
-  std::string text;
-  double size = 0;
-};
 
 /// A colormap from its first colour at the bottom to its last at the top.
 struct ColorBar {
@@ -35,6 +28,7 @@ struct Annotations {
   std::vector<std::array<dvec2, 2>> strokes;  ///< on top of all
   std::vector<ColorBar> bars;
   std::vector<WrittenText> texts;
+  std::string unknown;  ///< characters of the texts that have no letter: boxes stand for them
 
   bool empty() const { return edges.empty() && bars.empty() && texts.empty(); }
 };
@@ -42,7 +36,8 @@ struct Annotations {
 /// What a scene asks for in a picture of this size: the box with its ticks and the title with
 /// `axes`, the bars with `scales`. Ticks and labels are outside of the box's outline, so that they
 /// never hide a surface; labels keep clear of each other and of the picture's border, or are left
-/// out.
+/// out. What ticks leave out of their numbers is always written: an axis without room for it has no
+/// labels. A title or a formula that is too long ends in an ellipsis.
 Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
                      std::span<const ColorScale> scales, const dvec2& size);
 

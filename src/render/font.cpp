@@ -58,6 +58,18 @@ double Font::width(const std::string& text, double size) const {
   return face_->walk(text, size, [](int, double) {});
 }
 
+std::string Font::unknown_in(const std::string& text) const {
+  std::string unknown;
+  for (std::size_t at = 0; at < text.size();) {
+    const Character letter = decode_utf8(text, at);
+    const std::string bytes = text.substr(at, letter.bytes);
+    at += letter.bytes;
+    if (stbtt_FindGlyphIndex(&face_->info, static_cast<int>(letter.code)) != 0) continue;
+    if (unknown.find(bytes) == std::string::npos) unknown += bytes;
+  }
+  return unknown;
+}
+
 double Font::height(double size) const {
   return (kAbove + kBelow) * size;
 }

@@ -173,6 +173,46 @@ TEST(Axes, HaveTheTitleIfTheSceneHasOne) {
       texts(annotate(scene, fitted(scene, bounds), bounds, {}, kSize)).contains("Monkey saddle"));
 }
 
+TEST(Axes, HaveATitleHoweverLongItIs) {
+  Scene scene = scene_seen_from({2, -3, 1.5});
+  const Bounds bounds = box(dvec3(-1), dvec3(1));
+  for (const auto& [title, begins] :
+       {std::pair<std::string, std::string>{"a line\nand another", "a line and another"},
+        {std::string(60, 'i'), std::string(60, 'i')},
+        {"W" + std::string(2000, 'w'), "Wwwwwwwww"}}) {
+    scene.title = title;
+    const Annotations all = annotate(scene, fitted(scene, bounds), bounds, {}, kSize);
+    const auto found = std::ranges::find_if(
+        all.texts, [&](const WrittenText& text) { return text.text.starts_with(begins); });
+    ASSERT_NE(found, all.texts.end()) << title;
+    EXPECT_GE(rect_of(*found).low.x, 0);
+    EXPECT_LE(rect_of(*found).high.x, kSize.x);
+    EXPECT_EQ(found->text.ends_with("\u2026"), title.size() > 100);
+  }
+  EXPECT_EQ(annotate(scene, fitted(scene, bounds), bounds, {}, kSize).unknown, "");
+  scene.title = "\u6f22 x \u5b57\u6f22";
+  EXPECT_EQ(annotate(scene, fitted(scene, bounds), bounds, {}, kSize).unknown, "\u6f22\u5b57");
+}
+
+TEST(Axes, HaveNoNumbersWithoutWhatTheseLeaveOut) {
+  const Bounds bounds = box({1e7, 2e6, 3e9}, {1e7 + 1, 2e6 + 1, 3e9 + 1});
+  for (const dvec2& size :
+       {dvec2(400, 300), dvec2(160, 120), dvec2(100, 200), dvec2(64, 48), dvec2(40, 30)}) {
+    for (const dvec3& view : views()) {
+      const Scene scene = scene_seen_from(view);
+      const Annotations all = annotate(scene, fitted(scene, bounds, {}, size), bounds, {}, size);
+      const auto is_note = [](const WrittenText& text) { return text.text.ends_with(")"); };
+      const auto is_name = [](const WrittenText& text) {
+        return text.text.size() == 1 && text.text >= "x";
+      };
+      const auto notes = std::ranges::count_if(all.texts, is_note);
+      EXPECT_EQ(std::ranges::count_if(all.texts, is_name), 0);
+      EXPECT_TRUE(notes > 0 || all.texts.empty());
+      EXPECT_TRUE(size.x < 400 || view != views()[0] || notes == 3) << notes;
+    }
+  }
+}
+
 TEST(Axes, FromInsideTheBoxHaveNoLabels) {
   const Bounds bounds = box(dvec3(-1), dvec3(1));
   Scene scene = scene_seen_from({1, 1, 1});
@@ -225,6 +265,21 @@ TEST(ColorBars, ShortenLongFormulas) {
       annotate(scene, fitted(scene, box(dvec3(-1), dvec3(1)), scales), {}, scales, kSize);
   EXPECT_TRUE(std::ranges::any_of(
       all.texts, [](const WrittenText& text) { return text.text.ends_with("\u2026"); }));
+}
+
+TEST(ColorBars, WriteAllThatTheirNumbersLeaveOut) {
+  Scene scene;
+  const std::string formula = "sin(u)*cos(v)+exp(-u^2-v^2)*(u^3-3*u*v^2)";
+  const std::vector<ColorScale> scales = {{formula, "viridis", {1e7, 1e7 + 1}}};
+  const Bounds bounds = box(dvec3(-1), dvec3(1));
+  for (const dvec2& size : {dvec2(400, 300), dvec2(160, 120), dvec2(100, 200)}) {
+    const Annotations all =
+        annotate(scene, fitted(scene, bounds, scales, size), bounds, scales, size);
+    const auto has_note = [](const WrittenText& text) {
+      return text.text.ends_with(" (+ 10000000)");
+    };
+    EXPECT_EQ(std::ranges::count_if(all.texts, has_note), 1) << size.x;
+  }
 }
 
 TEST(Fonts, KnowTheWidthOfWhatTheyDraw) {
