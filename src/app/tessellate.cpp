@@ -135,6 +135,8 @@ ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Su
   options.least_edge = mesh.report.tolerance.value_or(kLeastEdge * diagonal);
   if (spec.color == "mean") options.rounding = kFlat / diagonal;
   if (spec.color == "gauss") options.rounding = kFlat / (diagonal * diagonal);
+  options.range = spec.color_range;
+  options.clip = scene.clip.box ? scene.clip.box : mesh.report.clip;
   options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);
   options.threads = threads;
   const ColorReport report = color_mesh(surface, options, mesh.mesh);

@@ -84,22 +84,36 @@ class ColorMesher {
     is_new_.assign(mesh_.triangles.size(), true);
     while (split_long_sides()) {
     }
-    DrawnColors drawn = drawn_colors(surface_, mesh_, options_.rounding);
-    range_ = drawn.range;
-    is_new_.assign(mesh_.triangles.size(), true);
-    for (int i = 0; i < kGenerations && !report_.reached_limit; ++i) {
-      if (!split_bent_sides()) break;
+    const auto drawn = find_range();
+    if (drawn) {
+      refine();
+      const bool is_whole = !drawn->is_clamped && drawn->range.low < drawn->range.high;
+      if (is_whole) find_range();  // there are more corners now
+    } else {
+      std::ranges::fill(mesh_.color, kUndefined);
     }
-    const bool is_whole = !drawn.is_clamped && drawn.range.low < drawn.range.high;
-    if (is_whole)
-      drawn = drawn_colors(surface_, mesh_, options_.rounding);  // there are more corners now
-    report_.is_clamped = drawn.is_clamped;
-    mesh_.color_range = drawn.range;
     separate_undefined();
     return report_;
   }
 
  private:
+  void refine() {
+    range_ = mesh_.color_range;
+    is_new_.assign(mesh_.triangles.size(), true);
+    for (int i = 0; i < kGenerations && !report_.reached_limit; ++i) {
+      if (!split_bent_sides()) break;
+    }
+  }
+
+  /// Sets the range of the colours; nothing if there are no numbers.
+  std::optional<DrawnColors> find_range() {
+    const auto drawn = drawn_colors(surface_, mesh_, options_.rounding, options_.clip);
+    if (!drawn) return std::nullopt;
+    report_.is_clamped = drawn->is_clamped;
+    mesh_.color_range = options_.range.value_or(drawn->range);
+    return drawn;
+  }
+
   std::vector<double> evaluate(std::span<const dvec2> uv) {
     report_.evaluations += uv.size();
     return evaluate_color(surface_, uv, options_.threads);

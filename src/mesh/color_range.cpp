@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
-
-#include <glm/vector_relational.hpp>
 
 namespace saddle {
 namespace {
@@ -31,9 +30,9 @@ constexpr double kFalls = 0.1;
 /// Numbers whose differences are this share of them are the same but for what rounding adds up to.
 constexpr double kRounding = 1e-9;
 
-/// What is drawn stands out of the box around the corners by the mesh's tolerance, at most by this
-/// share of its size.
-constexpr double kBesideBox = 0.01;
+/// Where numbers go to infinity few triangles have most of the range: there each counts as so many
+/// parts a side.
+constexpr int kParts = 6;
 
 /// Numbers with the area that has them.
 using Sample = std::pair<double, double>;
@@ -63,14 +62,41 @@ std::vector<Sample> samples_of(const Mesh& mesh) {
   return samples;
 }
 
+/// The same for the parts of triangles: a triangle is cut along even lines into kParts^2 of them.
+std::vector<Sample> fine_samples_of(const Surface& surface, const Mesh& mesh) {
+  std::vector<dvec2> middles;
+  std::vector<Sample> samples;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const dvec3& p = mesh.position[a];
+    const double area = glm::length(glm::cross(mesh.position[b] - p, mesh.position[c] - p));
+    const dvec2 s = (mesh.uv[b] - mesh.uv[a]) / (3.0 * kParts);
+    const dvec2 r = (mesh.uv[c] - mesh.uv[a]) / (3.0 * kParts);
+    for (int i = 0; i < kParts; ++i) {
+      for (int j = 0; i + j < kParts; ++j) {
+        middles.push_back(mesh.uv[a] + (3.0 * i + 1) * s + (3.0 * j + 1) * r);
+        samples.emplace_back(0, area);
+        if (i + j + 1 == kParts) continue;
+        middles.push_back(mesh.uv[a] + (3.0 * i + 2) * s + (3.0 * j + 2) * r);
+        samples.emplace_back(0, area);
+      }
+    }
+  }
+  const std::vector<double> numbers = evaluate_color(surface, middles, 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i].first = numbers[i];
+  std::erase_if(samples, [](const Sample& sample) { return !std::isfinite(sample.first); });
+  std::ranges::sort(samples);
+  return samples;
+}
+
 /// Goes uphill from a corner, over what is drawn of the surface.
 class Climber {
  public:
-  Climber(const Surface& surface, const Mesh& mesh, double sign)
-      : surface_(surface), mesh_(mesh), sign_(sign) {}
+  Climber(const Surface& surface, const std::optional<Bounds>& clip, double sign)
+      : surface_(surface), clip_(clip), sign_(sign) {}
 
-  /// Whether the top is a pole; `spread`: how far the lowest number is below.
-  bool goes_to_infinity(dvec2 start, double number, double spread) {
+  /// The number at the top, nothing if that is a pole; `spread`: how far the lowest number is
+  /// below.
+  std::optional<double> climb(dvec2 start, double number, double spread) {
     place_ = start;
     height_ = sign_ * number;
     const double bottom = height_ - spread;
@@ -81,7 +107,9 @@ class Climber {
       for (int k = 0; k < kStepsOfALength && go_up(step); ++k) {
       }
     }
-    return !std::isfinite(height_) || is_needle(kAround * ranges, kFalls * (height_ - bottom));
+    if (!std::isfinite(height_)) return std::nullopt;
+    if (is_needle(kAround * ranges, kFalls * (height_ - bottom))) return std::nullopt;
+    return sign_ * height_;
   }
 
  private:
@@ -104,10 +132,12 @@ class Climber {
   bool go_up(const dvec2& step) {
     const std::array<dvec2, 8> places = around(step);
     const std::vector<double> numbers = evaluate_color(surface_, places, 1);
-    const std::vector<SurfacePoint> points = evaluate(surface_, places, 1);
+    std::vector<SurfacePoint> points;
+    if (clip_) points = evaluate(surface_, places, 1);
     bool is_higher = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (!(sign_ * numbers[k] > height_) || !is_drawn(points[k].position)) continue;
+      if (!(sign_ * numbers[k] > height_)) continue;
+      if (clip_ && !clip_->contains(points[k].position)) continue;
       height_ = sign_ * numbers[k];
       place_ = places[k];
       is_higher = true;
@@ -128,53 +158,60 @@ class Climber {
     return false;
   }
 
-  bool is_drawn(const dvec3& p) const {
-    const dvec3 slack = dvec3(kBesideBox * mesh_.bounds.diagonal());
-    return is_finite(p) && glm::all(glm::greaterThanEqual(p, mesh_.bounds.low - slack)) &&
-           glm::all(glm::lessThanEqual(p, mesh_.bounds.high + slack));
-  }
-
   const Surface& surface_;
-  const Mesh& mesh_;
+  const std::optional<Bounds>& clip_;
   double sign_;
   dvec2 place_{0, 0};
   double height_ = 0;
 };
 
-}  // namespace
-
-DrawnColors drawn_colors(const Surface& surface, const Mesh& mesh, double rounding) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double low = kInfinity;
-  double high = -kInfinity;
+/// The corners with the lowest and the highest number, and these.
+struct Ends {
+  ColorRange range{std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
   std::size_t lowest = 0;
   std::size_t highest = 0;
-  for (std::size_t i = 0; i < mesh.color.size(); ++i) {
-    if (mesh.color[i] < low) low = mesh.color[lowest = i];
-    if (mesh.color[i] > high) high = mesh.color[highest = i];
+
+  explicit Ends(const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.color.size(); ++i) {
+      if (mesh.color[i] < range.low) range.low = mesh.color[lowest = i];
+      if (mesh.color[i] > range.high) range.high = mesh.color[highest = i];
+    }
   }
-  if (low > high) return {};  // undefined everywhere
-  const std::vector<Sample> samples = samples_of(mesh);
-  if (samples.empty()) return {};
-  const ColorRange most{quantile(samples, kLeftOut), quantile(samples, 1 - kLeftOut)};
-  const double size = std::max(std::abs(low), std::abs(high));
+};
+
+/// They differ by no more than rounding.
+bool are_one_number(const ColorRange& all, const ColorRange& most, double rounding) {
+  const double size = std::max(std::abs(all.low), std::abs(all.high));
   const bool is_rounding = rounding > 0 && most.high - most.low <= rounding;
-  if (is_rounding || low == high || (std::isfinite(size) && high - low <= kRounding * size)) {
+  return is_rounding || all.low == all.high ||
+         (std::isfinite(size) && all.high - all.low <= kRounding * size);
+}
+
+}  // namespace
+
+std::optional<DrawnColors> drawn_colors(const Surface& surface, const Mesh& mesh, double rounding,
+                                        const std::optional<Bounds>& clip) {
+  const std::vector<Sample> samples = samples_of(mesh);
+  if (samples.empty()) return std::nullopt;
+  const Ends ends(mesh);
+  const ColorRange most{quantile(samples, kLeftOut), quantile(samples, 1 - kLeftOut)};
+  if (are_one_number(ends.range, most, rounding)) {
     const double middle = quantile(samples, 0.5);
-    return {{middle, middle}};
+    return DrawnColors{{middle, middle}};
   }
-  DrawnColors drawn{{low, high}};
-  const auto leaves = [&](std::size_t corner, double sign) {
+  const double spread = samples.back().first - samples.front().first;  // finite
+  const auto top = [&](std::size_t corner, double sign) -> std::optional<double> {
     const double number = mesh.color[corner];
-    return !std::isfinite(number) ||
-           Climber(surface, mesh, sign).goes_to_infinity(mesh.uv[corner], number, high - low);
+    if (!std::isfinite(number)) return std::nullopt;
+    return Climber(surface, clip, sign).climb(mesh.uv[corner], number, spread);
   };
-  const bool has_pole_below = low < high && leaves(lowest, -1);
-  const bool has_pole_above = low < high && leaves(highest, 1);
-  if (has_pole_below) drawn.range.low = most.low;
-  if (has_pole_above) drawn.range.high = most.high;
-  drawn.is_clamped = has_pole_below || has_pole_above;
-  return drawn;
+  const std::optional<double> low = top(ends.lowest, -1);
+  const std::optional<double> high = top(ends.highest, 1);
+  if (low && high) return DrawnColors{{*low, *high}};
+  const std::vector<Sample> fine = fine_samples_of(surface, mesh);
+  return DrawnColors{
+      {low ? *low : quantile(fine, kLeftOut), high ? *high : quantile(fine, 1 - kLeftOut)}, true};
 }
 
 }  // namespace saddle

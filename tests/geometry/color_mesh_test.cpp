@@ -78,9 +78,8 @@ TEST(Colors, RefineAPlaneWhoseColourWavesAlthoughItsRimIsConstant) {
 
 TEST(Colors, OfATorusRunOverItsGaussCurvature) {
   const Mesh mesh = coloured(of_gallery("torus"), "gauss").mesh;  // R = 2, r = 0.8
-  const double step = 1.5 / kColorSteps;                          // the ends need not be corners
-  EXPECT_NEAR(mesh.color_range.low, -1 / (0.8 * 1.2), step);
-  EXPECT_NEAR(mesh.color_range.high, 1 / (0.8 * 2.8), step);
+  EXPECT_NEAR(mesh.color_range.low, -1 / (0.8 * 1.2), 1e-12);
+  EXPECT_NEAR(mesh.color_range.high, 1 / (0.8 * 2.8), 1e-12);
   for (std::size_t i = 0; i < mesh.uv.size(); i += 7) {
     const double c = std::cos(mesh.uv[i].y);
     EXPECT_NEAR(mesh.color[i], c / (0.8 * (2 + 0.8 * c)), 1e-12);
@@ -146,6 +145,38 @@ TEST(Colors, AreCutToWhatMostOfTheSurfaceHasBesidePoles) {
     EXPECT_LE(t.mesh.color_range.high, high + 0.5) << formula;
     ASSERT_EQ(t.warnings.size(), 1U) << formula;
     EXPECT_NE(t.warnings[0].find("goes to infinity"), std::string::npos);
+  }
+}
+
+TEST(Colors, RunToTrueExtremesWhereverTheCornersAre) {
+  const Scene plane = scene_of("u", "v", "0");
+  const Mesh peak = coloured(plane, "exp(-30*((u-0.3123)^2+(v+0.1717)^2))").mesh;
+  EXPECT_NEAR(peak.color_range.high, 1, 1e-12);
+  Scene scene = scene_of("u", "v", "2-u^2-v^2");
+  scene.clip = {.automatic = false, .box = Bounds{{-2, -2, 0.5}, {2, 2, 1.75}}};
+  const Mesh cut = coloured(scene, "z").mesh;
+  // Corners on the cut have the number of a place that is within the mesh's tolerance of it.
+  EXPECT_NEAR(cut.color_range.low, 0.5, 0.005);
+  EXPECT_NEAR(cut.color_range.high, 1.75, 0.005);
+}
+
+TEST(Colors, OfOddPolesGoAsFarBothWays) {
+  for (const char* formula : {"1/u", "tan(3*u)", "1/(u*v)"}) {
+    const ColorRange range = coloured(scene_of("u", "v", "0"), formula).mesh.color_range;
+    EXPECT_NEAR(range.low, -range.high, 0.05 * range.high) << formula;
+  }
+}
+
+TEST(Colors, ThatAreInfiniteAreBeyondTheEndOrNone) {
+  const Mesh half = coloured(scene_of("u", "v", "0"), "u<0?inf:u").mesh;
+  EXPECT_EQ(half.color_range.low, 0);
+  EXPECT_GT(half.color_range.high, 0.9);
+  EXPECT_LE(half.color_range.high, 1);
+  for (const char* formula : {"inf", "-inf", "1/0", "u<0?nan:inf"}) {
+    const Tessellation t = coloured(scene_of("u", "v", "0"), formula);
+    for (const double number : t.mesh.color) EXPECT_TRUE(std::isnan(number)) << formula;
+    ASSERT_EQ(t.warnings.size(), 1U) << formula;
+    EXPECT_NE(t.warnings[0].find("undefined on 100 %"), std::string::npos) << t.warnings[0];
   }
 }
 
