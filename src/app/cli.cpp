@@ -149,7 +149,11 @@ void add_mesh_options(CLI::App& app, CommandLine& line) {
 
 void add_time_options(CLI::App& app, CommandLine& line) {
   add_edit(
-      app, line, "--t", [](Text, Text text) { return text; },
+      app, line, "--t",
+      [&line](Text, Text text) {
+        line.has_moment = true;
+        return text;
+      },
       [](Scene& scene, Text text) { scene.t = finite_constant(scene, "--t", text); });
   const auto animation = [](Scene& scene) -> Animation& {
     return scene.animation ? *scene.animation : scene.animation.emplace();
@@ -165,7 +169,7 @@ void add_time_options(CLI::App& app, CommandLine& line) {
       app, line, "--fps",
       [&line](Text name, Text text) {
         line.frame_option = name;
-        return parse_number_between(name, text, 0, kMaxFps);
+        return parse_number_between(name, text, kMinFps, kMaxFps);
       },
       [animation](Scene& scene, double fps) { animation(scene).fps = fps; });
   app.add_option_function<std::string>("--frame-range", [&line](Text text) {

@@ -25,6 +25,7 @@ struct CommandLine {
   std::vector<std::function<void(Scene&)>> edits;  ///< what options change, in their order
   std::optional<FrameRange> frame_range;           ///< of the animation; none: all
   std::string frame_option;                        ///< the last one that is about frames
+  bool has_moment = false;                         ///< --t
   std::string reference;
   double threshold = kDefaultThreshold;
   bool watch = false;

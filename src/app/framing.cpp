@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include "base/error.h"
 #include "eval/batch.h"
 #include "eval/tape.h"
+#include "mesh/clip.h"
+#include "mesh/color_mesh.h"
 #include "mesh/grid.h"
+#include "mesh/grid_mesh.h"
 #include "render/annotations.h"
 #include "scene/camera.h"
 #include "scene/color_scale.h"
@@ -26,6 +30,9 @@ constexpr int kMoments = 32;
 /// They advance by this part of the range, as far as possible from keeping step with anything.
 /// Source: H. Weyl, "Ueber die Gleichverteilung von Zahlen mod. Eins", 1916.
 constexpr double kGoldenPart = 0.6180339887498949;
+/// What changes from one moment to another goes this share of its way beyond what those show:
+/// a swing, at the end of which a moment is by a tenth of its time at most.
+constexpr double kBetweenMoments = 0.01;
 /// Samples of a surface, cells each way: what a smooth surface does between them is less than the
 /// room that the camera leaves around the sphere.
 constexpr std::size_t kCells = 96;
@@ -128,19 +135,82 @@ Room room_in(const Scene& scene, const Bounds& bounds, const dvec2& size) {
   return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
 }
 
+/// A box around boxes that keeps to where all of them end at the same place, and leaves room beyond
+/// where they do not: moments between those that were looked at may go farther.
+Bounds around_all(const std::vector<Bounds>& boxes) {
+  Bounds result;
+  for (const Bounds& box : boxes) result.add(box);
+  for (int k = 0; k < 3; ++k) {
+    double latest = result.low[k];
+    double first = result.high[k];
+    for (const Bounds& box : boxes) {
+      latest = std::max(latest, box.low[k]);
+      first = std::min(first, box.high[k]);
+    }
+    result.low[k] -= kBetweenMoments * (latest - result.low[k]);
+    result.high[k] += kBetweenMoments * (result.high[k] - first);
+  }
+  return result;
+}
+
+/// The range of a surface's numbers at one moment; nothing if it has none.
+std::optional<ColorRange> colors_of(const Scene& scene, const SurfaceSpec& spec) {
+  GridOptions grid;
+  grid.cells_u = grid.cells_v = static_cast<int>(kCells);
+  grid.lines_u = grid.lines_v = 0;
+  grid.threads = 1;
+  ColorOptions options;
+  options.least_edge = std::numeric_limits<double>::infinity();  // the grid is fine enough
+  options.clip = scene.clip.box;
+  options.threads = 1;
+  try {
+    const Surface surface = prepare_surface(scene, spec).surface;
+    GridMesh mesh = mesh_on_grid(surface, grid);
+    if (scene.clip.box) clip_mesh(*scene.clip.box, mesh.mesh);
+    color_mesh(surface, options, mesh.mesh);
+    const auto has_number = [](double number) { return !std::isnan(number); };
+    if (std::ranges::none_of(mesh.mesh.color, has_number)) return std::nullopt;
+    return mesh.mesh.color_range;
+  } catch (const Error& error) {
+    if (error.status() != Status::Nothing) throw;
+    return std::nullopt;  // there is nothing of it at this moment
+  }
+}
+
+/// Finds the range of colours that change. `samples` are of the scenes.
+void find_colors(const std::vector<Scene>& scenes, const Samples& samples, Framing& framing) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples[i]->moves || scenes[0].surfaces[i].color.empty()) continue;
+    for (const Scene& scene : scenes) {
+      const auto range = colors_of(scene, scene.surfaces[i]);
+      if (!range) continue;
+      ColorRange& all = framing.colors.try_emplace(i, *range).first->second;
+      all.low = std::min(all.low, range->low);
+      all.high = std::max(all.high, range->high);
+    }
+  }
+}
+
 /// Finds what the scene's cameras do not say. `scenes` are those of all moments.
 void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
   std::vector<Samples> samples;
   std::vector<std::vector<Instance>> places;
-  Bounds bounds;
+  std::vector<Bounds> boxes;
   for (const Scene& scene : scenes) {
     samples.push_back(sample_all(scene, samples.empty() ? Samples{} : samples.back(), threads));
     places.push_back(instances(scene));
+    Bounds box;
     for (const Instance& at : places.back()) {
-      bounds.add(transformed(samples.back()[at.surface]->bounds, at.to_world));
+      box.add(transformed(samples.back()[at.surface]->bounds, at.to_world));
     }
+    if (!box.empty()) boxes.push_back(box);
   }
-  if (bounds.empty()) return;  // nothing but background
+  if (boxes.empty()) return;  // nothing but background
+  find_colors(scenes, samples[0], framing);
+  Bounds bounds;
+  for (const Bounds& box : boxes) bounds.add(box);
+  if (scenes[0].axes) framing.box = around_all(boxes);
+  const Bounds& written_about = framing.box ? *framing.box : bounds;
   const Camera& camera = scenes[0].camera;
   if (!camera.target) framing.target = bounds.centre();
   if (camera.distance) return;
@@ -153,8 +223,10 @@ void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
       radius = farthest(target, *samples[k][at.surface], at.to_world, radius);
     }
     const dvec2 size(picture.width, picture.height);
-    const Room room = room_in(scenes[k], bounds, size);
-    const FittedCamera fitted = fit_camera(scenes[k].camera, bounds, size.x / size.y, radius, room);
+    Camera seen = scenes[k].camera;
+    seen.target = Vector(target);
+    const Room room = room_in(scenes[k], written_about, size);
+    const FittedCamera fitted = fit_camera(seen, written_about, size.x / size.y, radius, room);
     distance = std::max(distance, fitted.distance);
   }
   framing.distance = distance;
@@ -165,6 +237,8 @@ void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
 void Framing::apply(Scene& scene) const {
   if (target) scene.camera.target = Vector(*target);
   if (distance) scene.camera.distance = Number(*distance);
+  scene.box = box;
+  for (const auto& [surface, range] : colors) scene.surfaces[surface].color_range = range;
 }
 
 Framing frame_scene(Timeline& timeline, unsigned threads) {
@@ -179,7 +253,7 @@ Framing frame_scene(Timeline& timeline, unsigned threads) {
       throw with_hint_line(error, "this is at t = " + format_number(t));
     }
   }
-  if (!written.camera.target || !written.camera.distance) fit(scenes, framing, threads);
+  fit(scenes, framing, threads);
   for (Scene& scene : scenes) {
     framing.apply(scene);
     Moment moment(scene);

@@ -2,7 +2,10 @@
 // does not breathe, and what its meshes have to be fine enough for.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "app/tolerance.h"
 #include "scene/resolve.h"
@@ -14,12 +17,18 @@ namespace saddle {
 /// one at which the sphere around the target that holds it all just fits. They depend on the scene
 /// and its range of time alone: frames that are drawn apart fit together, and a frame that is
 /// opened again is the same.
+///
+/// So do the box that axes are drawn around, and the numbers that colours run over, which are those
+/// of all moments.
 struct Framing {
   std::optional<dvec3> target;
   std::optional<double> distance;
-  std::vector<Moment> moments;  ///< cameras and nodes, none twice
+  std::optional<Bounds> box;                 ///< of a scene with axes
+  std::map<std::size_t, ColorRange> colors;  ///< of surfaces whose colours another moment changes
+  std::vector<Moment> moments;               ///< cameras and nodes, none twice
 
-  /// Puts the camera where it is. A scene without an animation keeps its own.
+  /// Puts the camera, the box and the colours where they are. A scene without an animation keeps
+  /// its own.
   void apply(Scene& scene) const;
 };
 

@@ -51,7 +51,9 @@ VideoOptions video_options(const Output& output, const Scene& scene, unsigned th
   options.width = scene.picture.width;
   options.height = scene.picture.height;
   options.fps = scene.animation->fps;
-  options.transparent = !scene.background.a.text.empty() || scene.background.a < 1;
+  const Number& alpha = scene.background.a;
+  const bool is_part = !alpha.text.empty() || (alpha > 0 && alpha < 1);
+  options.alpha = is_part ? Alpha::Part : alpha == 0 ? Alpha::Whole : Alpha::None;
   options.threads = threads;
   return options;
 }
@@ -212,8 +214,9 @@ class Run {
       report_.warnings.emplace_back("nothing depends on t: all frames are the same");
     }
     for (const Film& film : films_) {
-      if (!film.video->hides_transparency()) continue;
-      report_.warnings.push_back(film.path + ": MP4 has no transparency: the background is black");
+      if (const auto warning = film.video->warning()) {
+        report_.warnings.push_back(film.path + ": " + *warning);
+      }
     }
     print_warnings(line_, report_.warnings);
   }

@@ -70,7 +70,7 @@ Time
                         time, 0 without one)
       --frames N        of the animation; frame k of 0 to N-1 is at MIN+(MAX-MIN)*k/N (default 120;
                         t=MIN:MAX is 0:1 unless given)
-      --fps F           frames per second, less than 1000 (default 30)
+      --fps F           frames per second, between 0.01 and 1000 (default 30)
       --frame-range A:B draw frames A to B alone, both included (default: all)
 Computing
       --watch           in the viewer: redraw when the scene file changes

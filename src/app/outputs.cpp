@@ -45,29 +45,48 @@ bool is_digit(char c) {
 constexpr std::size_t kLongestNumber = 4;
 
 /// The first `%d`, `%4d` or `%04d` from `begin` on.
-std::optional<Span> find_number(const std::string& path, std::size_t begin = 0) {
+std::optional<Span> find_number(const std::string& path, std::size_t begin) {
   for (std::size_t at = path.find('%', begin); at != std::string::npos;
        at = path.find('%', at + 1)) {
     std::size_t end = at + 1;
     while (end < path.size() && is_digit(path[end])) ++end;
     if (end < path.size() && path[end] == 'd') return Span{at, end + 1};
+    if (path.compare(at, 2, "%%") == 0) ++at;  // a percent sign
   }
   return std::nullopt;
 }
 
-/// Where the path has the number of a frame. Throws Error (Input) for two of them.
+/// Where a file's name begins in a path.
+std::size_t name_in(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? 0 : slash + 1;
+}
+
+/// Where the file's name has the number of a frame. Throws Error (Input) for two of them.
 std::optional<Span> checked_number(const std::string& path) {
-  const auto number = find_number(path);
+  const auto number = find_number(path, name_in(path));
   if (!number) return std::nullopt;
   if (const auto second = find_number(path, number->end)) {
     throw Error(Status::Input, "two places for the frame's number", {"--output", path, *second},
-                "one is enough, for example frame-%04d.png");
+                "one is enough, for example frame-%04d.png; %% is a percent sign");
   }
   if (number->end - number->begin > kLongestNumber) {
     throw Error(Status::Input, "the frame's number has too many digits",
                 {"--output", path, *number}, "for example frame-%04d.png");
   }
   return number;
+}
+
+/// The file's name with a percent sign for each two of them.
+void unescape(Output& output) {
+  std::string& path = output.path;
+  for (std::size_t at = name_in(path); (at = path.find("%%", at)) != std::string::npos; ++at) {
+    path.erase(at, 1);
+    if (output.number && at < output.number->begin) {
+      --output.number->begin;
+      --output.number->end;
+    }
+  }
 }
 
 /// The extension without its point, empty if there is none.
@@ -198,6 +217,7 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   std::vector<Output> outputs;
   for (const std::string& path : line.outputs) {
     outputs.push_back({path, format_of(path, fallback), checked_number(path)});
+    unescape(outputs.back());
   }
   check_standard_output(line);
   check_names_differ(line, outputs);

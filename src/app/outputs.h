@@ -21,7 +21,9 @@ enum class Format { Png, Ply, Toml, Gif, Mp4, Webm };
 struct Output {
   std::string path;  ///< "-": standard output
   Format format = Format::Png;
-  std::optional<Span> number = {};  ///< where in the path the frame's number goes: "%04d"
+  /// Where in the path the frame's number goes: "%04d" in the file's name, in which "%%" stands for
+  /// a percent sign; those of folders are as they are.
+  std::optional<Span> number = {};
 
   bool is_video() const { return format >= Format::Gif; }
   /// It is about an animation's frames, not about one moment.

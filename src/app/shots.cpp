@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "export/video.h"
+#include "scene/assignments.h"
 #include "scene/values.h"
 
 namespace saddle {
@@ -34,6 +35,33 @@ void check_frames_are_used(const CommandLine& line, std::span<const Output> outp
                         std::ranges::count(outputs, Format::Toml, &Output::format) > 0;
   if (in_scene || has_frames(line, outputs)) return;
   throw Error(Status::Input, "no output has frames", {line.frame_option, "", {}}, kNumberThem);
+}
+
+/// `t=A` among the assignments, as against a range.
+std::optional<std::string> assigned_moment(const CommandLine& line) {
+  for (const std::string& argument : line.arguments) {
+    if (argument.find('=') == std::string::npos) continue;
+    const Definition definition = parse_definition(argument);
+    if (definition.name == "t" && !is_range(definition)) return argument;
+  }
+  return std::nullopt;
+}
+
+/// A moment that is asked for is that of some output.
+void check_moment_is_used(const CommandLine& line, std::span<const Output> outputs,
+                          std::span<const Shot> shots) {
+  const auto is_own = [](const Shot& shot) { return !shot.frame; };
+  const bool in_scene = std::ranges::count(outputs, Format::Toml, &Output::format) > 0;
+  if (in_scene || std::ranges::any_of(shots, is_own)) return;
+  const char* const way_out =
+      "frames are of the range t=MIN:MAX; one moment is a picture: -o FILE.png";
+  if (line.has_moment) {
+    throw Error(Status::Input, "no output is of one moment", {"--t", "", {}}, way_out);
+  }
+  if (const auto argument = assigned_moment(line)) {
+    throw Error(Status::Input, "no output is of one moment",
+                {"argument", *argument, {0, argument->size()}}, way_out);
+  }
 }
 
 void check_videos(const Scene& scene, std::span<const Output> outputs) {
@@ -101,6 +129,7 @@ std::vector<Shot> shots_of(const CommandLine& line, const Scene& scene,
   for (int frame = range.first; frame <= range.last; ++frame) {
     shots.push_back({animation.moment(frame), frame, line.frame_range.has_value()});
   }
+  check_moment_is_used(line, outputs, shots);
   return shots;
 }
 

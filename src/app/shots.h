@@ -32,7 +32,7 @@ bool has_frames(const CommandLine& line, std::span<const Output> outputs);
 /// The scene's own moment, if an output is of it, then the animation's frames, if one is of these.
 /// `scene` is resolved, with an animation if outputs have frames. Throws Error (Input): frames that
 /// the animation does not have, several for a file without a number, none for an option about
-/// frames, a GIF that is too fast.
+/// frames, a moment that no output is of, a GIF that is too fast.
 std::vector<Shot> shots_of(const CommandLine& line, const Scene& scene,
                            std::span<const Output> outputs);
 

@@ -52,7 +52,10 @@ SurfaceMesh mesh_for_viewer(const Scene& scene, std::size_t surface, Detail deta
 void frame_animation(Scene& scene, unsigned threads) {
   try {
     Timeline timeline(scene);
-    frame_scene(timeline, threads).apply(scene);
+    Framing framing = frame_scene(timeline, threads);
+    framing.box.reset();  // what is edited has other ones soon
+    framing.colors.clear();
+    framing.apply(scene);
   } catch (const Error&) {
   }
 }

@@ -3,9 +3,12 @@
 // guess shift them.
 #include "export/video.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
-#include <string_view>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
 
 #include "base/error.h"
 
@@ -21,9 +24,13 @@ constexpr const char* kWebmQuality = "24";
 
 using Words = std::vector<std::string>;
 
-/// Chroma is stored for blocks of 2x2 pixels.
 std::string yuv_filter(const std::string& pixels) {
-  return "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=" + pixels;
+  return "scale=out_color_matrix=bt709:out_range=tv,format=" + pixels;
+}
+
+/// A side as the format has it: MP4 and WebM store chroma for blocks of 2x2 pixels.
+int stored(int side, VideoFormat format) {
+  return format == VideoFormat::Gif ? side : side + side % 2;
 }
 
 void append(Words& words, const Words& more) {
@@ -47,13 +54,14 @@ Words encoder(const VideoOptions& options) {
       append(words, {"-movflags", "+faststart", "-f", "mp4"});
       return words;
     case VideoFormat::Webm:
-      words = {"-vf",       yuv_filter(options.transparent ? "yuva420p" : "yuv420p"),
+      words = {"-vf",       yuv_filter(options.alpha == Alpha::None ? "yuv420p" : "yuva420p"),
                "-c:v",      "libvpx-vp9",
                "-crf",      kWebmQuality,
                "-b:v",      "0",
                "-row-mt",   "1",
                "-cpu-used", "4"};
-      if (options.transparent) append(words, {"-auto-alt-ref", "0"});  // VP9 with alpha has none
+      if (options.alpha != Alpha::None)
+        append(words, {"-auto-alt-ref", "0"});  // VP9 with alpha has none
       append(words, bt709);
       append(words, {"-f", "webm"});
       return words;
@@ -64,7 +72,8 @@ Words encoder(const VideoOptions& options) {
 Words command(const VideoOptions& options, const std::string& file) {
   std::array<char, 32> fps{};
   std::snprintf(fps.data(), fps.size(), "%.9g", options.fps);
-  const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+  const std::string size = std::to_string(stored(options.width, options.format)) + "x" +
+                           std::to_string(stored(options.height, options.format));
   Words words = {"ffmpeg", "-nostdin",   "-hide_banner",  "-loglevel", "error",
                  "-f",     "rawvideo",   "-pixel_format", "rgba",      "-video_size",
                  size,     "-framerate", fps.data(),      "-i",        "pipe:0"};
@@ -76,7 +85,18 @@ Words command(const VideoOptions& options, const std::string& file) {
   return words;
 }
 
-/// On black: MP4 has no transparency.
+/// With the last row and column once more where the format has no odd sides.
+Image widened(const Image& image, VideoFormat format) {
+  Image wide(stored(image.width, format), stored(image.height, format));
+  for (int y = 0; y < wide.height; ++y) {
+    const std::uint8_t* const row = image.pixel(0, std::min(y, image.height - 1));
+    std::uint8_t* const end = std::copy_n(row, 4 * image.width, wide.pixel(0, y));
+    if (wide.width > image.width) std::copy_n(end - 4, 4, end);
+  }
+  return wide;
+}
+
+/// On black.
 Image flattened(Image image) {
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     const unsigned alpha = image.rgba[i + 3];
@@ -95,17 +115,26 @@ Video::Video(const VideoOptions& options)
     : options_(options),
       ffmpeg_(command(options, file_.path()), kPackage, std::array{file_.descriptor()}) {}
 
+/// What is transparent in its frames is on black in it: the format has nothing like it.
 bool Video::hides_transparency() const {
-  return options_.transparent && options_.format == VideoFormat::Mp4;
+  if (options_.format == VideoFormat::Gif) return options_.alpha == Alpha::Part;
+  return options_.format == VideoFormat::Mp4 && options_.alpha != Alpha::None;
+}
+
+std::optional<std::string> Video::warning() const {
+  if (!hides_transparency()) return std::nullopt;
+  if (options_.format == VideoFormat::Mp4) {
+    return "MP4 has no transparency: the background is black";
+  }
+  return "GIF has nothing half transparent: the background is mixed with black";
 }
 
 void Video::add(const Image& frame) {
   assert(frame.width == options_.width && frame.height == options_.height);
-  const auto feed = [this](const Image& image) {
-    const auto* const bytes = reinterpret_cast<const char*>(image.rgba.data());
-    return ffmpeg_.feed({bytes, image.rgba.size()});
-  };
-  const bool taken = hides_transparency() ? feed(flattened(frame)) : feed(frame);
+  Image stored = widened(frame, options_.format);
+  if (hides_transparency()) stored = flattened(std::move(stored));
+  const auto* const bytes = reinterpret_cast<const char*>(stored.rgba.data());
+  const bool taken = ffmpeg_.feed({bytes, stored.rgba.size()});
   if (taken) return;
   ffmpeg_.finish();
   throw Error(Status::Machine, "ffmpeg wants no more frames");

@@ -19,13 +19,16 @@ enum class VideoFormat {
   Webm  ///< VP9
 };
 
+/// Of a film's background: WebM keeps it, GIF all or nothing of it, MP4 nothing.
+enum class Alpha { None, Whole, Part };
+
 struct VideoOptions {
   VideoFormat format = VideoFormat::Gif;
-  int width = 0;             ///< pixels; an odd picture gets one more row or column, black,
-  int height = 0;            ///< in MP4 and WebM, which know even ones alone
-  double fps = 30;           ///< frames per second
-  bool transparent = false;  ///< WebM: alpha is kept (GIF keeps all or nothing of it anyway)
-  unsigned threads = 0;      ///< 0: all
+  int width = 0;    ///< pixels; an odd picture gets its last row or column once more
+  int height = 0;   ///< in MP4 and WebM, which know even ones alone
+  double fps = 30;  ///< frames per second
+  Alpha alpha = Alpha::None;
+  unsigned threads = 0;  ///< 0: all
 };
 
 /// A GIF shows no more frames per second: its unit of time is a hundredth of a second, and players
@@ -38,8 +41,8 @@ class Video {
   /// Starts ffmpeg. Throws Error (Machine) if it is missing.
   explicit Video(const VideoOptions& options);
 
-  /// What is transparent in its frames is on black in it.
-  bool hides_transparency() const;
+  /// In which way it is not what was asked for.
+  std::optional<std::string> warning() const;
 
   /// The next frame, of the video's size. Throws Error (Machine), with its last words, if ffmpeg
   /// has ended.
@@ -52,6 +55,8 @@ class Video {
   void write(std::ostream& out) const { file_.copy_to(out); }
 
  private:
+  bool hides_transparency() const;
+
   VideoOptions options_;
   UnnamedFile file_;
   Child ffmpeg_;

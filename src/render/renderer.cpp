@@ -122,8 +122,10 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (item.opacity == 1) hiding.push_back(item);
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
+  if (scene.box) bounds.add(*scene.box);
   const Annotations annotations =
       annotate(scene, camera, bounds, scales_, dvec2(viewport.width, viewport.height));
+  unknown_letters_ = annotations.unknown;
   const dvec3 ink = ink_on(scene.background);
   Color background = scene.background;
   // Letters blend into what is there: on nothing at all that must not darken them.
@@ -176,6 +178,10 @@ std::vector<std::string> Renderer::warnings() const {
   std::vector<std::string> all;
   for (const Normals& normals : normals_) {
     if (normals.warning) all.push_back(*normals.warning);
+  }
+  if (!unknown_letters_.empty()) {
+    all.push_back("the font of pictures has no letters for " + unknown_letters_ +
+                  ": boxes stand for them");
   }
   if (left_out_layers_) {
     all.push_back("more than " + std::to_string(kMostLayers) +

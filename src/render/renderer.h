@@ -110,6 +110,7 @@ class Renderer {
   std::optional<Program> line_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
+  std::string unknown_letters_;
   std::optional<OverlayDrawer> overlay_;
 };
 

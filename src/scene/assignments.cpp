@@ -144,6 +144,10 @@ void file(Scene& scene, const Definition& definition) {
 
 }  // namespace
 
+bool is_range(const Definition& definition) {
+  return range_colon(definition.text).has_value();
+}
+
 Definition parse_definition(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) {

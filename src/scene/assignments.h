@@ -11,6 +11,9 @@ namespace saddle {
 /// place "argument": no `=`, a name that is none or cannot be a function's, an empty expression.
 Definition parse_definition(const std::string& assignment);
 
+/// It is `NAME=MIN:MAX`.
+bool is_range(const Definition& definition);
+
 /// Puts one assignment into `scene`: `x=`, `y=`, `z=` and the ranges `u=MIN:MAX`, `v=MIN:MAX` into
 /// its (last) surface, `t=VALUE` and `t=MIN:MAX` into its time, anything else into its definitions;
 /// a name that is there already is replaced. The text splits at its first `=`, a range at its first

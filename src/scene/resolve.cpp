@@ -37,7 +37,7 @@ constexpr Limits kAny = {};
 constexpr Limits kNotNegative = {0, kNoLimit};
 constexpr Limits kPositive = {0, kNoLimit, true};
 constexpr Limits kShare = {0, 1};
-constexpr Limits kFramesPerSecond = {0, kMaxFps, true};
+constexpr Limits kFramesPerSecond = {kMinFps, kMaxFps, true};
 constexpr Limits kHalfTurn = {0, 180};
 constexpr Limits kFieldOfView = {0, 180, true};
 

@@ -71,6 +71,9 @@ struct SurfaceSpec {
   Material back = kBackMaterial;
   std::string color;  ///< in place of the materials': of u, v, x, y, z, gauss, mean; empty: none
   std::string colormap = "viridis";
+  /// From the first to the last colour; default: of what is drawn. An animation has one for all of
+  /// its time, which is computed: scene files have none.
+  std::optional<ColorRange> color_range = {};
   bool flip = false;
   Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
@@ -191,7 +194,7 @@ struct Slider {
 struct Animation {
   Number from = 0;
   Number to = 1;     ///< more than `from`
-  Number fps = 30;   ///< frames per second, more than 0, less than kMaxFps
+  Number fps = 30;   ///< frames per second, more than kMinFps, less than kMaxFps
   int frames = 120;  ///< in all
 
   double moment(int frame) const {
@@ -199,7 +202,9 @@ struct Animation {
   }
 };
 
-/// There are fewer frames per second: no display shows so many.
+/// No display shows more frames per second; a picture for a hundred seconds is none that moves, and
+/// no format of videos knows pauses much longer.
+inline constexpr double kMinFps = 0.01;
 inline constexpr double kMaxFps = 1000;
 
 struct Scene {
@@ -213,6 +218,8 @@ struct Scene {
   Color background{0, 0, 0, 1};
   Clip clip;
   bool axes = false;  ///< a box with ticks and labels around all of it, and the title
+  std::optional<Bounds> box =
+      {};  ///< that box; computed, as color_range is; default: just around it
   MeshSettings mesh;
   PictureSettings picture;
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another

@@ -1,11 +1,13 @@
 // Animations from the command line: frames, videos, and what goes wrong with them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "base/file.h"
 #include "base/image_png.h"
@@ -212,6 +214,45 @@ TEST_F(AnimationTest, SaysThatMp4HasNoTransparency) {
             "saddle: warning: w.mp4: MP4 has no transparency: the background is black\n");
 }
 
+TEST_F(AnimationTest, SaysThatGifHasNothingHalfTransparent) {
+  const Outcome outcome = run(kWave, {"-o", "w.gif", "--background", "#ffffff80"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err,
+            "saddle: warning: w.gif: GIF has nothing half transparent: the background is mixed "
+            "with black\n");
+}
+
+TEST_F(AnimationTest, NumbersFilesNotFoldersAndKeepsPercentSigns) {
+  std::filesystem::create_directory(path("a%d"));
+  run_well({"z=u*v"}, {"-o", "a%d/still.png", "-o", "100%%d.png"});
+  run_well(kWave, {"-o", "a%d/100%%-%d.png", "--frame-range", "2:2"});
+  EXPECT_TRUE(exists("a%d/still.png"));
+  EXPECT_TRUE(exists("100%d.png"));
+  EXPECT_TRUE(exists("a%d/100%-2.png"));
+}
+
+TEST_F(AnimationTest, KeepsTheBoxAndTheColoursOfAllItsTime) {
+  const Outcome outcome =
+      saddle({"z=t*(2-u^2-v^2)", "t=0:2", "--color", "z", "--axes", "--grid", "off", "--frames",
+              "4", "-s", "320x240", "-o", "f-%d.png", "--frame-range", "0:2"});
+  EXPECT_EQ(outcome.err, "");
+  // The first frame is flat, at 0: purple, the first colour. With a range of its own it would be in
+  // the middle of one, which is green.
+  const Image first = read_png(path("f-0.png")).image;
+  const std::uint8_t* const low = first.pixel(155, 177);
+  EXPECT_GT(int{low[2]}, 20);
+  EXPECT_GT(int{low[2]}, 4 * low[1]);
+  // What is around the surface stays: the bar with its numbers, and the box's labels at the left.
+  const Image third = read_png(path("f-2.png")).image;
+  for (int y = 0; y < first.height; ++y) {
+    for (const auto& [begin, end] : {std::pair(0, 112), std::pair(250, 320)}) {
+      EXPECT_TRUE(std::equal(first.pixel(begin, y), first.pixel(begin, y) + 4 * (end - begin),
+                             third.pixel(begin, y)))
+          << y;
+    }
+  }
+}
+
 TEST_F(AnimationTest, SaysAtWhichFrameANumberIsWrong) {
   write("scene.toml",
         "[[surface]]\nz = \"u\"\nfront = { shininess = \"20*sin(10*t)\" }\n"
@@ -231,7 +272,7 @@ TEST_F(AnimationTest, RefusesWhatCannotBe) {
       {"not a whole number", {"-o", "f-%d.png", "--frame-range", "0:x"}},
       {"must be from 0 to 999999", {"-o", "f-%d.png", "--frame-range", "-1:4"}},
       {"must be from 1 to 1000000", {"-o", "a.gif", "--frames", "0"}},
-      {"must be more than 0 and less than 1000", {"-o", "a.gif", "--fps", "0"}},
+      {"must be more than 0.01 and less than 1000", {"-o", "a.gif", "--fps", "1e-9"}},
       {"two places for the frame's number", {"-o", "f-%d-%03d.png"}},
       {"the frame's number has too many digits", {"-o", "f-%012d.png"}},
       {"f.png is one picture, and 120 frames are asked for",
@@ -241,6 +282,9 @@ TEST_F(AnimationTest, RefusesWhatCannotBe) {
       {"a scene is one file", {"-o", "f-%d.toml"}},
       {"a GIF shows at most 50 frames per second", {"-o", "f.gif", "--fps", "60"}},
       {"unknown extension '.avi'", {"-o", "f.avi"}},
+      {"no output is of one moment", {"-o", "f.gif", "--t", "1"}},
+      {"argument = t=0.5", {"t=0.5", "-o", "f-%d.png"}},
+      {"no output is of one moment", {"t=0:2", "--t", "1", "-o", "f.png", "--frame-range", "1:1"}},
   };
   for (const auto& [message, words] : table) {
     const std::string error = error_of(run({"z=u*t"}, words), 2);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "scene/assignments.h"
@@ -91,6 +92,34 @@ TEST(Framing, SeesNodesTurn) {
   // In 34 directions the nearest one to any is within 5.3 degrees or so.
   EXPECT_NEAR(*framing.distance, fitting(10), 0.01 * fitting(10));
   EXPECT_NEAR(glm::length(*framing.target), 0, 0.05);
+}
+
+TEST(Framing, HasOneBoxForAxesAtAllTimes) {
+  Scene scene;
+  for (const std::string& text : sphere({"r=1", "a=3*sin(t)", "t=0:tau"})) assign(scene, text);
+  EXPECT_FALSE(frame_scene(*std::make_unique<Timeline>(scene), 1).box);  // nobody asked for it
+  scene.axes = true;
+  Timeline timeline(scene);
+  const Bounds box = frame_scene(timeline, 1).box.value();
+  EXPECT_LE(box.low.x, -4 + 0.01);  // at its ends the way takes its time: no moment misses them
+  EXPECT_NEAR(box.high.x, 4, 0.1);
+  EXPECT_NEAR(box.high.y, 1, kSampling);  // it does not move that way: nothing is added
+}
+
+TEST(Framing, HasOneRangeOfColoursAtAllTimes) {
+  const auto colors_of = [](const char* formula, const char* z) {
+    Scene scene;
+    for (const char* text : {z, "t=0:2"}) assign(scene, text);
+    scene.surfaces[0].color = formula;
+    Timeline timeline(scene);
+    return frame_scene(timeline, 1).colors;
+  };
+  const auto waves = colors_of("t*u", "z=0");
+  ASSERT_EQ(waves.size(), 1U);
+  EXPECT_EQ(waves.at(0).low, -2);
+  EXPECT_EQ(waves.at(0).high, 2);
+  EXPECT_NEAR(colors_of("z", "z=1+t*(1-u^2-v^2)").at(0).high, 3, 1e-9);  // the peak is found
+  EXPECT_TRUE(colors_of("u", "z=0").empty());                            // it is on the mesh itself
 }
 
 TEST(Framing, HoldsAPeakAndCutsAPole) {

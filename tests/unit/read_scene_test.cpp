@@ -283,7 +283,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{kFront + "front = { shininess = -1 }", "3:23", "at least 0"},
         Malformed{kFront + "[[light]]\ncolor = [1, -1, 0]", "4:13", "at least 0"},
         Malformed{kFront + "[[light]]\ncolor = \"#12345\"", "4:10", "3, 6 or 8"},
-        Malformed{kFront + "[animation]\nfps = 0", "4:7", "more than 0"},
+        Malformed{kFront + "[animation]\nfps = 0", "4:7", "more than 0.01"},
         Malformed{kFront + "[animation]\nfps = 1000", "4:7", "less than 1000"},
         Malformed{"[[surface]]\nz = \"mode(u)\"\nfront = { shininess = \"2*3\" }", "2:6", "known"},
         Malformed{kFront + "[animation]\nt = [0, 0.0]", "4:6", "the range of t is empty"},
