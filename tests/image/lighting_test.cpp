@@ -1,5 +1,4 @@
 // Pixels against the lighting equation in double.
-#include <array>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -8,49 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "image/analytic_mesh.h"
-#include "image/lighting_reference.h"
+#include "image/lit_scene.h"
 #include "image/passes.h"
-#include "mesh/grid_mesh.h"
-#include "render/context.h"
-#include "render/picture_in_tiles.h"
-#include "render/surface_shader.h"
-#include "scene/assignments.h"
-#include "scene/prepare.h"
 
 namespace saddle {
 namespace {
-
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
-
-/// In 8-bit levels: half a level of rounding; the 256-cell sphere lies up to 7.5e-5 radii inside of
-/// the true one, which turns the normal by as many radians and changes a colour by at most
-/// 32 * 0.6 * 0.2 + 1.2 = 5 per radian, 0.1 levels; floats and the driver's pow: below 0.05.
-constexpr double kTolerance = 0.65;
-
-/// One surface under the three lights, one sample per pixel.
-Scene lit_scene(double distance) {
-  Scene scene;
-  scene.surfaces.resize(1);
-  scene.lights = three_lights();
-  scene.camera.view = {0, 0, 1};
-  scene.camera.up = {0, 1, 0};
-  scene.camera.target = dvec3(0);
-  scene.camera.distance = distance;
-  return scene;
-}
-
-Image draw(const Scene& scene, const Mesh& mesh) {
-  return render(scene, std::span(&mesh, 1), {kWidth, kHeight, 1}).image;
-}
-
-void expect_pixel(const Image& image, int x, int y, const dvec3& color) {
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(image.pixel(x, y)[c], 255 * color[c], kTolerance)
-        << "pixel " << x << " " << y << " channel " << c;
-  }
-  EXPECT_EQ(image.pixel(x, y)[3], 255);
-}
 
 /// Compares all pixels on a raster where the sight meets the unit sphere around the target at less
 /// than 60 degrees to its normal.
@@ -71,19 +32,6 @@ void expect_lit_sphere(const Scene& scene, const Image& image, const Material& m
     }
   }
   EXPECT_GT(compared, 100);
-}
-
-/// A sphere whose corners know which of them are one point.
-Mesh closed_sphere_mesh() {
-  Scene scene;
-  for (const char* text :
-       {"x=cos(u)*cos(v)", "y=sin(u)*cos(v)", "z=sin(v)", "u=0:2*pi", "v=-pi/2:pi/2"}) {
-    assign(scene, text);
-  }
-  GridOptions grid;
-  grid.cells_u = grid.cells_v = 256;
-  grid.lines_u = grid.lines_v = 0;
-  return mesh_on_grid(prepare_surface(scene, scene.surfaces[0]).surface, grid).mesh;
 }
 
 TEST(Lighting, FollowsTheEquationInPerspective) {
@@ -200,17 +148,6 @@ struct Case {
   std::function<void(Scene&)> change;
 };
 
-Light point_light(const dvec3& position) {
-  return {.position = position, .color = {0.9, 0.8, 0.7}};
-}
-
-Spot cone(double cutoff) {
-  Spot spot;
-  spot.direction = dvec3(0.1, -0.2, -3);
-  spot.cutoff = cutoff;
-  return spot;
-}
-
 std::vector<Case> lighting_cases() {
   const auto lit_by = [](const Light& light) {
     return [light](Scene& scene) { scene.lights = {light}; };
@@ -322,158 +259,9 @@ TEST(Lighting, PerVertexHasBothSides) {
   }
 }
 
-/// What would be undefined without a guard: the picture is that of the other light alone.
-TEST(Guards, KeepOneLightFromBlackeningTheOthers) {
-  const Light good = {.position = {0, 0, 1}, .directional = true, .color = {0.5, 0.5, 0.5}};
-  Light at_point = point_light({0, 0, -4});  // where the middle pixel is
-  at_point.attenuation = {0, 1, 0, {}};
-  Light spot_at_point = at_point;
-  spot_at_point.spot = cone(90);
-  spot_at_point.spot->exponent = 0;
-  Light behind = point_light({0, 0, -5});
-  Light spot_from_behind = behind;
-  spot_from_behind.spot = cone(180);
-  Light against_the_eye = {.position = {0, 0, -1}, .directional = true, .color = {1, 1, 1}};
-  const Mesh mesh = plane_mesh(dvec3(0), 1);
-  for (const Light& bad : {at_point, spot_at_point, behind, spot_from_behind, against_the_eye}) {
-    for (Specular specular : {Specular::Phong, Specular::Blinn}) {
-      for (Shading shading : {Shading::Pixel, Shading::Vertex}) {
-        for (double shininess : {0.0, 32.0}) {
-          Scene scene = lit_scene(4);
-          scene.surfaces[0].front.shininess = shininess;
-          scene.lights = {bad, good};
-          scene.picture.specular = specular;
-          scene.picture.shading = shading;
-          const Image image =
-              render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
-          scene.lights = {good};
-          const Image alone =
-              render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
-          const auto* got = image.pixel(kWidth / 2, kHeight / 2);
-          const auto* wanted = alone.pixel(kWidth / 2, kHeight / 2);
-          for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], wanted[c], 1);
-          EXPECT_GT(int{got[0]}, 100);
-        }
-      }
-    }
-  }
-}
-
-TEST(Guards, DrawNormalsOfLengthZeroAsUnlit) {
-  Scene scene = lit_scene(4);
-  scene.surfaces[0].front.emission = {0.2, 0.2, 0.2};
-  Mesh mesh = plane_mesh(dvec3(0), 1);
-  for (dvec3& n : mesh.normal) n = dvec3(0);
-  expect_pixel(draw(scene, mesh), kWidth / 2, kHeight / 2, dvec3(0.2));
-}
-
-TEST(Guards, KeepTheNormalsOfAFlattenedSurface) {
-  Scene scene = lit_scene(4);
-  scene.nodes = {{"flat", "", {{Transform::Kind::Scale, dvec3(1, 1, 0), 0}}}};
-  scene.surfaces[0].in = {"flat"};
-  const Mesh mesh = plane_mesh(dvec3(0), 1);  // which is flat already; the matrix is singular
-  const Image image = draw(scene, mesh);
-  const Sight sight = sight_through(scene.camera, kWidth, kHeight, 180, 110);
-  const dvec3 p = meet_plane(sight, dvec3(0, 0, -4), dvec3(0, 0, 1));
-  expect_pixel(image, 180, 110,
-               lit_color({p, dvec3(0, 0, 1), -sight.along}, kFrontMaterial, scene.lights));
-  scene.nodes[0].transform[0].vector = dvec3(0, 0, 0);
-  expect_pixel(draw(scene, mesh), 180, 110, dvec3(0));  // nothing is left of it
-}
-
-/// Everything of the shader that one directional light and one dull material have no use for.
-TEST(ShaderText, HoldsNoMoreThanOneDirectionalLightNeeds) {
-  Scene scene;
-  scene.surfaces.resize(1);
-  scene.surfaces[0].front = scene.surfaces[0].back = {{1, 1, 1}, {0, 0, 0}, 32};
-  scene.lights = {{.position = {0, 0, 1}, .directional = true, .color = {1, 1, 1}},
-                  {.position = {0, 0, 0}, .color = {0, 0, 0}},
-                  {.position = {0, 0, 0}, .color = {1, 1, 1}, .enabled = 0}};
-  const Mesh mesh = plane_mesh(dvec3(0), 1);
-  const std::string text = render(scene, std::span(&mesh, 1), {8, 8, 1}).shaders;
-  EXPECT_NE(text.find("directional_light(0);"), std::string::npos) << text;
-  for (const char* absent :
-       {"for (",     "while (", "spot",  "cone",          "attenuation", "strength",    "specular",
-        "shininess", "pow",     "back_", "ambient",       "emission",    "point_light", "#if",
-        "#define",   "[3]",     "(1)",   "normal_to_eye", "highlight",   "\n\n\n"}) {
-    EXPECT_EQ(text.find(absent), std::string::npos) << absent << " in\n" << text;
-  }
-}
-
-TEST(ShaderText, NamesWhatTheSceneHas) {
-  Scene scene;
-  scene.surfaces.resize(1);
-  scene.lights = three_lights();
-  scene.lights[0].spot = cone(20);
-  scene.lights[0].attenuation.linear = 1;
-  scene.nodes = {{"wide", "", {{Transform::Kind::Scale, dvec3(2, 1, 1), 0}}}};
-  scene.surfaces[0].in = {"wide"};
-  const Mesh mesh = plane_mesh(dvec3(0), 1);
-  const std::string text = render(scene, std::span(&mesh, 1), {8, 8, 1}).shaders;
-  for (const char* present :
-       {"directional_light(0);", "directional_light(1);", "spot_light(2);", "light_position[3]",
-        "attenuation", "front_specular", "back_diffuse", "normal_to_eye"}) {
-    EXPECT_NE(text.find(present), std::string::npos) << present << " in\n" << text;
-  }
-  EXPECT_EQ(text.find("smooth_spot_light"), std::string::npos);
-}
-
-/// Off by less than a float can tell, and by enough to need the general program.
-TEST(ShaderText, HasNoHueAndNoWayToTheEyeTwiceWhereOneIsEnough) {
-  const Mesh mesh = closed_sphere_mesh();
-  Scene scene;
-  scene.surfaces.resize(1);
-  const Rendering plain = render(scene, std::span(&mesh, 1), {64, 64, 2});
-  EXPECT_NE(plain.shaders.find("uniform float light_color[3]"), std::string::npos);
-  EXPECT_NE(plain.shaders.find("light_at_eye("), std::string::npos);
-  scene.lights[0].position.z = 1e-30;
-  scene.lights[1].color.r = scene.lights[1].color.r + 1e-12;
-  const Rendering general = render(scene, std::span(&mesh, 1), {64, 64, 2});
-  EXPECT_NE(general.shaders.find("uniform vec3 light_color[3]"), std::string::npos);
-  EXPECT_NE(general.shaders.find("point_light("), std::string::npos);
-  EXPECT_EQ(general.image.rgba, plain.image.rgba);
-  scene = Scene();
-  scene.surfaces.resize(1);
-  scene.camera.ortho = true;  // where the way to the eye is the same everywhere
-  const Rendering ortho = render(scene, std::span(&mesh, 1), {8, 8, 1});
-  EXPECT_NE(ortho.shaders.find("point_light("), std::string::npos);
-}
-
-TEST(ShaderText, TurnsManyLightsOfAKindIntoALoop) {
-  ShaderNeeds needs;
-  needs.lights.assign(20, LightKind::Point);
-  const ShaderText text = assemble_surface_shader(needs);
-  EXPECT_NE(text.fragment.find("for (int i = 0; i < 20; ++i)  point_light(i);"), std::string::npos);
-}
-
-TEST(ShaderText, HasNoBackWhereNobodyCanSeeIt) {
-  Scene scene = lit_scene(5);
-  const Mesh mesh = closed_sphere_mesh();
-  const auto text = [&] { return render(scene, std::span(&mesh, 1), {8, 8, 1}).shaders; };
-  EXPECT_EQ(text().find("gl_FrontFacing"), std::string::npos);
-  EXPECT_EQ(text().find("back_diffuse"), std::string::npos);
-  scene.camera.distance = 0.5;  // from inside
-  EXPECT_NE(text().find("back_diffuse"), std::string::npos);
-}
-
 TEST(Lighting, IsTheSameWhereBacksAreCulled) {
   const Scene scene = lit_scene(5);
   expect_lit_sphere(scene, draw(scene, closed_sphere_mesh()), kFrontMaterial, false);
-}
-
-TEST(Programs, AreMadeOnceForAllThatLooksAlike) {
-  Scene scene;
-  scene.surfaces.resize(3);
-  for (SurfaceSpec& spec : scene.surfaces) spec.back = spec.front;
-  scene.surfaces[2].front.specular = scene.surfaces[2].back.specular = {};
-  const Mesh mesh = plane_mesh(dvec3(0), 1);
-  const std::array meshes{mesh, mesh, mesh};
-  const std::string text = render(scene, meshes, {8, 8, 1}).shaders;
-  std::size_t programs = 0;
-  for (std::size_t at = 0; (at = text.find("out vec4 pixel", at)) != std::string::npos; ++at) {
-    ++programs;
-  }
-  EXPECT_EQ(programs, 2U);
 }
 
 }  // namespace
