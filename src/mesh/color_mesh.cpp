@@ -10,11 +10,11 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "mesh/color_range.h"
+#include "mesh/pair_table.h"
 
 namespace saddle {
 namespace {
@@ -38,14 +38,6 @@ constexpr std::size_t kSteps = 12;
 constexpr std::size_t kHighestPower = 6;
 /// An extrapolation whose best entry changes by more than this share of it has found no limit.
 constexpr double kSettled = 1e-4;
-
-/// Two corners or two points, the smaller number first.
-using Pair = std::uint64_t;
-
-Pair pair_of(std::uint32_t a, std::uint32_t b) {
-  const auto [low, high] = std::minmax(a, b);
-  return (Pair{low} << 32) | high;
-}
 
 /// Numbers along a path to where they are not defined: their limit by Richardson's extrapolation.
 std::optional<double> extrapolated(std::span<const double> path) {
@@ -204,7 +196,7 @@ class ColorMesher {
 
   bool split_bent_sides() {
     std::vector<std::array<std::uint32_t, 2>> sides;
-    std::unordered_set<Pair> seen;
+    PairTable seen;
     std::vector<dvec2> uv;
     std::vector<std::size_t> triangles;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -260,7 +252,7 @@ class ColorMesher {
 
   /// Halves the marked sides; false if there are none, or too many.
   bool split_marked() {
-    if (marked_.empty()) return false;
+    if (marked_.size() == 0) return false;
     if (mesh_.triangles.size() + 2 * marked_.size() > options_.max_triangles) {
       report_.reached_limit = true;
       return false;
@@ -287,15 +279,15 @@ class ColorMesher {
     const Pair points = pair_of(mesh_.point[a], mesh_.point[b]);
     if (!marked_.contains(points)) return std::nullopt;
     const auto next_corner = static_cast<std::uint32_t>(mesh_.position.size());
-    const auto [known, is_first] = middles_.try_emplace(pair_of(a, b), next_corner);
-    if (!is_first) return known->second;
+    const auto [known, is_first] = middles_.insert(pair_of(a, b), next_corner);
+    if (!is_first) return known;
     const dvec3 normal = mesh_.normal[a] + mesh_.normal[b];
     mesh_.position.push_back(0.5 * (mesh_.position[a] + mesh_.position[b]));
     mesh_.normal.push_back(glm::length(normal) > 0 ? glm::normalize(normal) : mesh_.normal[a]);
     mesh_.uv.push_back(0.5 * (mesh_.uv[a] + mesh_.uv[b]));
-    const auto point = points_.try_emplace(points, mesh_.point_count);
+    const auto point = points_.insert(points, mesh_.point_count);
     if (point.second) ++mesh_.point_count;
-    mesh_.point.push_back(point.first->second);
+    mesh_.point.push_back(point.first);
     return next_corner;
   }
 
@@ -346,7 +338,7 @@ class ColorMesher {
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (i > 0) {
         const auto found = middles_.find(pair_of(line[i - 1], line[i]));
-        if (found != middles_.end()) result.push_back(found->second);
+        if (found) result.push_back(*found);
       }
       result.push_back(line[i]);
     }
@@ -393,10 +385,10 @@ class ColorMesher {
   Mesh& mesh_;
   ColorReport report_;
   ColorRange range_;
-  std::vector<bool> is_new_;                         // triangles that have not been looked at
-  std::unordered_set<Pair> marked_;                  // points whose sides are to be halved
-  std::unordered_map<Pair, std::uint32_t> middles_;  // new corners between corners
-  std::unordered_map<Pair, std::uint32_t> points_;   // new points between points
+  std::vector<bool> is_new_;  // triangles that have not been looked at
+  PairTable marked_;          // points whose sides are to be halved
+  PairTable middles_;         // new corners between corners
+  PairTable points_;          // new points between points
 };
 
 }  // namespace

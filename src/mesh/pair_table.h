@@ -1,0 +1,84 @@
+// Numbers filed under pairs of corners or points, for millions of them: open addressing in one
+// array, where std::unordered_map asks for memory for each.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace saddle {
+
+/// Two corners or two points, the smaller number first; never a number with itself.
+using Pair = std::uint64_t;
+
+inline Pair pair_of(std::uint32_t a, std::uint32_t b) {
+  const auto [low, high] = std::minmax(a, b);
+  return (Pair{low} << 32) | high;
+}
+
+class PairTable {
+ public:
+  std::size_t size() const { return size_; }
+
+  /// Files `value` if nothing is there. Returns what is there now, and whether it is that.
+  std::pair<std::uint32_t, bool> insert(Pair pair, std::uint32_t value = 0) {
+    if (kFull * (size_ + 1) > slots_.size()) grow();
+    Slot& slot = slots_[place_of(pair)];
+    const bool is_new = slot.pair == kNone;
+    if (is_new) {
+      slot = {pair, value};
+      ++size_;
+    }
+    return {slot.value, is_new};
+  }
+
+  std::optional<std::uint32_t> find(Pair pair) const {
+    if (size_ == 0) return std::nullopt;
+    const Slot& slot = slots_[place_of(pair)];
+    return slot.pair == kNone ? std::nullopt : std::optional(slot.value);
+  }
+
+  bool contains(Pair pair) const { return find(pair).has_value(); }
+
+  void clear() {
+    slots_.clear();
+    size_ = 0;
+  }
+
+ private:
+  /// Of a number with itself: no pair.
+  static constexpr Pair kNone = ~Pair{0};
+  /// At most one in so many slots is taken, so that searches are short.
+  static constexpr std::size_t kFull = 2;
+  static constexpr std::size_t kFirstSlots = 64;  // a power of 2, as all sizes are
+
+  struct Slot {
+    Pair pair = kNone;
+    std::uint32_t value = 0;
+  };
+
+  /// Where it is, or else would be: from its own place on, the next one that is free. Source:
+  /// D. E. Knuth, "The Art of Computer Programming" 3, section 6.4: multiplicative hashing.
+  std::size_t place_of(Pair pair) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t place = ((pair * 0x9E3779B97F4A7C15ULL) >> 32) & mask;
+    while (slots_[place].pair != kNone && slots_[place].pair != pair) place = (place + 1) & mask;
+    return place;
+  }
+
+  void grow() {
+    std::vector<Slot> old(std::max(kFirstSlots, 2 * slots_.size()));
+    old.swap(slots_);
+    for (const Slot& slot : old) {
+      if (slot.pair != kNone) slots_[place_of(slot.pair)] = slot;
+    }
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace saddle
