@@ -107,7 +107,10 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
       // Only a mesh tells that it needs the box, and in which coordinates.
       options.clip = open_where_it_stays(box, mesh->report.beside_poles);
+      const MeshReport whole = std::move(mesh->report);
       if (auto clipped = mesh_within_tolerance(surface, options)) mesh = std::move(clipped);
+      mesh->report.poles = whole.poles;  // cells outside of the box are not looked at any more
+      mesh->report.pole_count = whole.pole_count;
       mesh->report.clip = options.clip;
     }
     if (mesh) return std::move(*mesh);

@@ -205,8 +205,10 @@ class Mesher {
   void cut_poles() {
     if (reached_limit_) return;
     std::set<Side> suspects;
-    for (const Leaf& leaf : mesh_.leaves) {
-      if (!leaf.given_up || leaf.on_rim || !(leaf.known_error > 1)) continue;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      const bool is_off = mesh_.off(k) > 1 || (leaf.given_up && leaf.known_error > 1);
+      if (leaf.on_rim || !is_off) continue;
       for (const Side& side : sides_of(leaf, lattice_)) {
         if (!lattice_.crossing(side[0], side[1])) suspects.insert(side);
       }

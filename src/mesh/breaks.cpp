@@ -23,6 +23,12 @@ constexpr double kPoleGrowth = 50;
 /// half of a range has its cusps, and no normal.
 constexpr double kShare = 0.498;
 
+/// Where a surface is looked at on its way to a place, in ways.
+constexpr std::array kApproach = {0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1p-28, 0x1p-32};
+/// From one of those to the next it moves by less than this part of what it did before, or goes to
+/// infinity: a root of order 12 moves by 0.79 of it, ln by all of it.
+constexpr double kArrives = 0.8;
+
 /// Breaks that are this near to each other, beside their line, are one: where a formula has a value
 /// of its own there are two steps.
 constexpr double kSamePlace = 1e-9;
@@ -45,15 +51,16 @@ void finish(Search& search, Break kind) {
 }
 
 /// What a gap is that no halving has closed.
-Break at_last_digits(const Search& search) {
+Break at_last_digits(const Search& search, double delta) {
   const double gap = glm::distance(search.at_ends[0], search.at_ends[1]);
+  if (gap < delta) return Break::None;
   return gap > kPoleGrowth * search.first_gap ? Break::Pole : Break::Jump;
 }
 
 /// Goes on with the half whose gap is larger.
 void advance(Search& search, const dvec2& middle, const dvec3& at_middle, double delta) {
   if (middle == search.ends[0] || middle == search.ends[1]) {
-    return finish(search, at_last_digits(search));
+    return finish(search, at_last_digits(search, delta));
   }
   if (!is_finite(at_middle)) return finish(search, Break::Pole);
   const double first = glm::distance(search.at_ends[0], at_middle);
@@ -105,17 +112,19 @@ class Continuity {
   explicit Continuity(const Surface& surface)
       : enclosure_(surface.bounds), bounds_(surface.bounds.outputs.size()) {}
 
-  /// Parts of a line, short beside it and apart from each other, on which the surface is not proved
-  /// to be continuous.
+  /// Parts of a line, apart from each other, on which the surface is not proved to be continuous:
+  /// as short as doubles go, or as many as are worth a search.
   std::vector<Line> unproved(const Line& line) {
+    std::vector<Line> ends;  // that have no middle
     std::vector<Line> level = {line};
-    for (int depth = 0; depth <= kMaxDepth && !level.empty(); ++depth) {
+    for (int depth = 0; !level.empty() && depth < kMaxHalvings; ++depth) {
+      if (level.size() > kMostParts && depth >= kLeastHalvings) break;
       std::vector<Line> next;
       for (const Line& part : level) {
         if (is_proved(part)) continue;
         const dvec2 middle = 0.5 * part[0] + 0.5 * part[1];
-        if (depth == kMaxDepth) {
-          next.push_back(part);
+        if (middle == part[0] || middle == part[1]) {
+          ends.push_back(part);
         } else {
           next.push_back({part[0], middle});
           next.push_back({middle, part[1]});
@@ -123,12 +132,14 @@ class Continuity {
       }
       level = std::move(next);
     }
+    level.insert(level.end(), ends.begin(), ends.end());
     return level;
   }
 
  private:
-  /// Halvings of a line.
-  static constexpr int kMaxDepth = 6;
+  /// Halvings of a line until as many parts as these are too many to be narrowed down.
+  static constexpr int kLeastHalvings = 6;
+  static constexpr std::size_t kMostParts = 8;
 
   bool is_proved(const Line& line) {
     const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
@@ -171,7 +182,7 @@ std::vector<Found> search_lines(const Surface& surface, std::span<const Line> li
     }
     std::erase_if(open, [&](std::size_t k) { return searches[k].done; });
   }
-  for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k]));
+  for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], delta));
   look_outward(surface, searches, delta, threads, value);
   std::vector<Found> result(searches.size());
   std::ranges::transform(searches, result.begin(), &Search::found);
@@ -180,18 +191,20 @@ std::vector<Found> search_lines(const Surface& surface, std::span<const Line> li
 
 }  // namespace
 
-std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
-                               unsigned threads) {
-  const auto position = [](const SurfacePoint& point) { return point.position; };
-  std::vector<Found> found = search_lines(surface, lines, delta, threads, position);
+namespace {
+
+/// A part of a line on which bounds leave room for a break.
+struct Suspect {
+  std::size_t line;  ///< its number
+  Line part;
+};
+
+std::vector<Suspect> suspects(const Surface& surface, std::span<const Line> lines,
+                              std::span<const Found> found) {
   Continuity continuity(surface);
-  std::vector<Line> parts;
-  std::vector<std::size_t> owners;
+  std::vector<Suspect> result;
   const auto add_unproved = [&](std::size_t k, const Line& line) {
-    for (const Line& part : continuity.unproved(line)) {
-      parts.push_back(part);
-      owners.push_back(k);
-    }
+    for (const Line& part : continuity.unproved(line)) result.push_back({k, part});
   };
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (found[k].kind == Break::None) {
@@ -201,19 +214,78 @@ std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lin
       add_unproved(k, {found[k].ends[1], lines[k][1]});
     }
   }
-  const std::vector<Found> more = search_lines(surface, parts, delta, threads, position);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  return result;
+}
+
+/// What there is at suspects. At a pole of even order, where the surface comes back from where it
+/// went to, both ends of a gap may be alike.
+std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
+                           std::span<const Suspect> suspects, double delta, unsigned threads) {
+  std::vector<Line> parts;
+  std::vector<Line> ways;
+  for (const auto& [line, part] : suspects) {
+    parts.push_back(part);
+    ways.push_back({part[0], lines[line][0]});
+    ways.push_back({part[1], lines[line][1]});
+  }
+  std::vector<Found> found = search_lines(surface, parts, delta, threads,
+                                          [](const SurfacePoint& point) { return point.position; });
+  const std::vector<bool> far = diverge(surface, ways, delta, threads);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool is_pole = far[2 * i] || far[2 * i + 1];
+    if (found[i].kind == Break::None) found[i].ends = parts[i];
+    // A place where the surface is not defined is no pole: sin(1/u) goes nowhere.
+    if (is_pole) found[i].kind = Break::Pole;
+    if (!is_pole && found[i].kind == Break::Pole) found[i].kind = Break::None;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
+                               unsigned threads) {
+  std::vector<Found> found = search_lines(surface, lines, delta, threads,
+                                          [](const SurfacePoint& point) { return point.position; });
+  const std::vector<Suspect> where = suspects(surface, lines, found);
+  const std::vector<Found> more = look_at(surface, lines, where, delta, threads);
+  for (std::size_t i = 0; i < where.size(); ++i) {
     if (more[i].kind == Break::None) continue;
-    Found& first = found[owners[i]];
+    Found& first = found[where[i].line];
+    const Line& line = lines[where[i].line];
+    const double apart = glm::distance(first.ends[0], more[i].ends[0]);
     if (first.kind == Break::None) {
       first = more[i];
-    } else {
-      const double apart = glm::distance(first.ends[0], more[i].ends[0]);
-      const Line& line = lines[owners[i]];
-      first.has_more = first.has_more || apart > kSamePlace * glm::distance(line[0], line[1]);
+    } else if (apart > kSamePlace * glm::distance(line[0], line[1])) {
+      first.has_more = true;
+    } else if (more[i].kind == Break::Pole) {
+      first.kind = Break::Pole;
     }
   }
   return found;
+}
+
+std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, double delta,
+                          unsigned threads) {
+  std::vector<dvec2> uv;
+  for (const Line& line : lines) {
+    for (const double share : kApproach) uv.push_back(line[0] + share * (line[1] - line[0]));
+  }
+  const auto points = evaluate(surface, uv, threads);
+  std::vector<bool> result;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const auto way = [&](std::size_t i) {
+      const std::size_t first = k * kApproach.size() + i;
+      return points[first + 1].position - points[first].position;
+    };
+    bool goes_on = glm::length(way(kApproach.size() - 2)) > delta;
+    for (std::size_t i = 0; i + 2 < kApproach.size(); ++i) {
+      const double before = glm::length(way(i));
+      goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;
+    }
+    result.push_back(goes_on);
+  }
+  return result;
 }
 
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,

@@ -32,6 +32,13 @@ struct Found {
 std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
                                unsigned threads);
 
+/// Whether the surface goes to infinity on the way from the second end of each line to the first.
+/// Seen from places ever closer to it, the surface moves by less and less if it arrives somewhere,
+/// as sqrt does; ln(x), which is no more than -745 at the smallest of doubles, moves on by as much
+/// each time, always the same way. What moves by less than `delta` arrives.
+std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, double delta,
+                          unsigned threads);
+
 /// As find_breaks(), of unit normals: where they jump by more than kCreaseDegrees the surface has a
 /// crease, or, if to their opposites, a cusp.
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,

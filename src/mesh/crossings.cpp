@@ -12,11 +12,6 @@ namespace saddle {
 
 namespace {
 
-/// Where a surface is looked at on its way to the rim, in sides.
-constexpr std::array kApproach = {0x1p-16, 0x1p-24, 0x1p-32};
-/// On the second half of that way it moves by less than this part of what it did on the first, or
-/// goes to infinity: a root of order 8 moves by half, ln by all of it.
-constexpr double kArrives = 0.8;
 /// Bisections of a side that the rim crosses: a side is at most 2^10 times as long as its distance
 /// from 0, so that doubles between its ends run out.
 constexpr int kHalvings = 62;
@@ -60,7 +55,7 @@ class Finder {
     for (std::size_t k = 0; k < sides.size(); ++k) {
       places.push_back({sides[k][0], sides[k][1], uv[k]});
     }
-    const std::vector<bool> goes_far = diverge(sides, places);
+    const std::vector<bool> goes_far = diverge_at(places);
     const std::uint32_t first = lattice_.add_between(places, options_.threads);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const auto rim = static_cast<std::uint32_t>(first + k);
@@ -69,27 +64,16 @@ class Finder {
     }
   }
 
-  /// Whether the surface goes to infinity at each rim. Seen from places ever closer to the rim, it
-  /// moves by less and less if it arrives somewhere, as sqrt does; ln(x), which is no more than
-  /// -745 at the smallest of doubles, moves on by as much each time.
-  std::vector<bool> diverge(std::span<const Side> sides, std::span<const Between> rims) const {
-    const Mesh& mesh = lattice_.mesh();
-    std::vector<dvec2> uv;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const auto [a, b] = sides[k];
-      const dvec2 way = mesh.uv[lattice_.is_defined(a) ? a : b] - rims[k].uv;
-      for (const double share : kApproach) uv.push_back(rims[k].uv + share * way);
+  /// Whether the surface goes to infinity at each rim.
+  std::vector<bool> diverge_at(std::span<const Between> rims) const {
+    std::vector<Line> ways;
+    double delta = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b, rim] : rims) {
+      const std::uint32_t defined = lattice_.is_defined(a) ? a : b;
+      ways.push_back({rim, lattice_.mesh().uv[defined]});
+      delta = std::min(delta, options_.tolerance(lattice_.mesh().position[defined]));
     }
-    const auto points = evaluate(lattice_.surface(), uv, options_.threads);
-    std::vector<bool> result;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const auto at = [&](std::size_t i) { return points[k * kApproach.size() + i].position; };
-      const double first = glm::distance(at(0), at(1));
-      const double second = glm::distance(at(1), at(2));
-      const bool moves = second > options_.tolerance(at(0));
-      result.push_back(moves && !(second < kArrives * first));
-    }
-    return result;
+    return diverge(lattice_.surface(), ways, delta, options_.threads);
   }
 
   /// Returns the sides along which the surface is continuous.

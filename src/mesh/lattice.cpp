@@ -247,10 +247,12 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
   const Domain& d = surface_.domain;
   const dvec2 step = kNear * dvec2(d.u1 - d.u0, d.v1 - d.v0);
   // Twice as far, too: from all sides alike, 1/(u^2+v^2) goes to infinity.
-  const std::array<dvec2, 8> ways = {dvec2(step.x, 0),       dvec2(-step.x, 0),
-                                     dvec2(0, step.y),       dvec2(0, -step.y),
-                                     2.0 * dvec2(step.x, 0), 2.0 * dvec2(-step.x, 0),
-                                     2.0 * dvec2(0, step.y), 2.0 * dvec2(0, -step.y)};
+  // And aslant: along the axes u*v/(u^2+v^2) is 0.
+  const std::array<dvec2, 10> ways = {
+      dvec2(step.x, 0),       dvec2(-step.x, 0),       dvec2(0, step.y),
+      dvec2(0, -step.y),      2.0 * dvec2(step.x, 0),  2.0 * dvec2(-step.x, 0),
+      2.0 * dvec2(0, step.y), 2.0 * dvec2(0, -step.y), step,
+      dvec2(-step.x, step.y)};
   constexpr std::size_t kNearest = 4;
   std::vector<dvec2> uv;
   for (const std::uint32_t vertex : vertices) {

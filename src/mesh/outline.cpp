@@ -47,8 +47,8 @@ class Cutter {
   /// `folded`: a crease goes through the leaf, from crossing to crossing or singular point.
   /// `has_middle`: the surface is defined in the leaf's middle.
   std::vector<Polygon> take(bool folded, bool has_middle) {
-    // A crease that ends here leaves the leaf whole; a jump that does would be a wall.
-    if (cuts_ == 1 && jumps_ > 0) return {};
+    // A crease that ends here leaves the leaf whole; a jump or a pole that does would be a wall.
+    if (cuts_ == 1 && creases_.empty()) return {};
     if (cuts_ > 0) join_ends();
     if (has_middle && cuts_ == rims_) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
@@ -87,7 +87,6 @@ class Cutter {
       runs_.back().goes_far = runs_.back().goes_far || far;
       if (!far) append(crossing->beside(a));
     }
-    if (crossing->kind == Cut::Jump) ++jumps_;
     if (crossing->kind == Cut::Rim) ++rims_;
     if (crossing->kind == Cut::Crease) creases_.push_back({crossing->beside(a), place(*crossing)});
     cut();
@@ -165,7 +164,6 @@ class Cutter {
   std::vector<Run> runs_{1};
   Polygon creases_;  // where creases cross the sides
   std::size_t cuts_ = 0;
-  std::size_t jumps_ = 0;
   std::size_t rims_ = 0;  // of the cuts, with what is not defined between them
 };
 

@@ -170,5 +170,35 @@ TEST(Cusps, ThatAreCurvedAreCutToo) {
   EXPECT_EQ(euler_number(result.mesh), 1);
 }
 
+/// Whether a pole is reported, and none of the triangles has corners on both sides of it.
+template <class Side>
+void expect_cut(const char* z, Side side) {
+  const GridMesh result = height_field(z);
+  EXPECT_GT(result.report.pole_count, 0U) << z;
+  for (const Triangle& t : result.mesh.triangles) {
+    bool is_before = false;
+    bool is_behind = false;
+    for (const std::uint32_t corner : t) {
+      is_before = is_before || side(result.mesh.uv[corner]) < 0;
+      is_behind = is_behind || side(result.mesh.uv[corner]) > 0;
+    }
+    ASSERT_FALSE(is_before && is_behind) << z << " at " << middle_in_uv(result.mesh, t).x;
+  }
+}
+
+TEST(Poles, OfEveryOrderAreCutAlongTheirLine) {
+  for (const char* z : {"1/(u-0.3)", "1/(u-0.3)^2", "1/(u-0.3)^3", "1/(u-0.3)^4",
+                        "1/sqrt(abs(u-0.3))", "ln(abs(u-0.3))"}) {
+    expect_cut(z, [](const dvec2& uv) { return uv.x - 0.3; });
+  }
+  for (const char* z : {"1/(u-v)", "1/(u-v)^2"}) {
+    expect_cut(z, [](const dvec2& uv) { return uv.x - uv.y; });
+  }
+}
+
+TEST(Poles, AreNotWhatOscillates) {
+  EXPECT_EQ(height_field("sin(1/u)").report.pole_count, 0U);
+}
+
 }  // namespace
 }  // namespace saddle

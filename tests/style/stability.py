@@ -179,6 +179,16 @@ CASES = [
      lambda r: r.surface["poles_count"] > 0
      and r.across(lambda u, v: None if u * v == 0 else 2 * (u > 0) + (v > 0)) == 0,
      lambda r: "four pieces, no triangle across an axis; clipped, and said so"),
+    ("a pole that comes back", ["z=1/(u-0.3)^2"],
+     lambda: f"no cell dropped, heights up to {number(max(1 / (u - 0.3)**2 for u in U1))}",
+     lambda r: r.surface["poles_count"] > 0 and "goes to infinity" in r.said
+     and r.across(lambda u, v: u > 0.3) == 0,
+     lambda r: f"two pieces, none across the pole; clipped to {number(r.extent(2))} high"),
+    ("a pole of a logarithm", ["z=ln(abs(u-0.3))"],
+     lambda: f"no cell dropped, depths down to {number(min(math.log(abs(u - 0.3)) for u in U1))}",
+     lambda r: r.surface["poles_count"] > 0 and "goes to infinity" in r.said
+     and r.across(lambda u, v: u > 0.3) == 0,
+     lambda r: f"two pieces, none across the pole; clipped to {number(r.extent(2))} high"),
     ("a hole that has a limit", ["z=sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", "u=-20:20", "v=-20:20"],
      lambda: str(dropped(lambda u, v: math.sin(math.hypot(u, v)) / math.hypot(u, v),
                          lines(-20, 20), lines(-20, 20))) + " cells dropped around the top",
