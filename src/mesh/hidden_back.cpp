@@ -110,8 +110,9 @@ bool sweeps_outward(const Mesh& mesh, const Stretches& stretches, Triangle trian
   if (!is_in_one) {
     if (count < kFewest) return false;
     int turns = 0;
-    for (; turns < 3 && !is_in_order(); ++turns)
-      std::ranges::rotate(triangle, triangle.begin() + 1);
+    for (; turns < 3 && !is_in_order(); ++turns) {
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+    }
     if (turns == 3) return false;  // corners too far apart
   }
   const dvec3& from = stretches.middle[stretch(0)];
