@@ -100,4 +100,10 @@ class TomlReader {
   TomlPlaces& source_;
 };
 
+/// Calls `read` with the value of a key, if it is there.
+template <typename Read>
+void with(const TomlValue& table, const std::string& key, const Read& read) {
+  if (const TomlValue* value = table.find(key)) read(*value);
+}
+
 }  // namespace saddle

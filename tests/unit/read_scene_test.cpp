@@ -227,6 +227,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{kFront + "[[light]]\npositon = [1,2,3]", "4:1", "did you mean 'position'?"},
         Malformed{kFront + "[[light]]\nspot = { cutof = 3 }", "4:10", "did you mean 'cutoff'?"},
         Malformed{kFront + "[[node]]\nnmae = \"a\"", "4:1", "did you mean 'name'?"},
+        Malformed{kFront + "in = []", "3:6", "leave it out"},
         Malformed{kFront + "[animation]\nfsp = 3", "4:1", "did you mean 'fps'?"},
         Malformed{kFront + "[scene]\na = 1", "3:2", "unknown key 'scene'"},
         // types
