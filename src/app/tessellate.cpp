@@ -76,13 +76,12 @@ GridMesh mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surfa
   return result;
 }
 
-/// The box, open in the coordinates in which the surface does not leave it on its way to its poles.
+/// The box, open at the faces that the surface does not go through on its way to its poles.
 Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
   constexpr double kNoFace = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
-    if (beside_poles.low[k] < box.low[k] || beside_poles.high[k] > box.high[k]) continue;
-    box.low[k] = -kNoFace;
-    box.high[k] = kNoFace;
+    if (!(beside_poles.low[k] < box.low[k])) box.low[k] = -kNoFace;
+    if (!(beside_poles.high[k] > box.high[k])) box.high[k] = kNoFace;
   }
   return box;
 }

@@ -23,6 +23,14 @@ std::string range(const char* name, double low, double high) {
   return std::string(name) + " = " + number(low) + ":" + number(high);
 }
 
+/// What is left between two faces of a box, of which either may be infinitely far.
+std::string clipped_range(const char* name, double low, double high) {
+  if (std::isfinite(low) && std::isfinite(high)) return range(name, low, high);
+  if (std::isfinite(low)) return std::string(name) + " from " + number(low) + " up";
+  if (std::isfinite(high)) return std::string(name) + " up to " + number(high);
+  return "";
+}
+
 std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
   return number(100 * grid_mesh.report.undefined_fraction) +
          " % of the domain is undefined and left out, " + where_defined(grid_mesh.mesh, domain);
@@ -87,10 +95,10 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
   if (report.clip) {
     std::string ranges;
     for (int k = 0; k < 3; ++k) {
-      if (!std::isfinite(report.clip->low[k])) continue;
-      ranges += (ranges.empty() ? "" : ", ") +
-                range(std::array{"x", "y", "z"}[static_cast<std::size_t>(k)], report.clip->low[k],
-                      report.clip->high[k]);
+      const std::string faces =
+          clipped_range(std::array{"x", "y", "z"}[static_cast<std::size_t>(k)], report.clip->low[k],
+                        report.clip->high[k]);
+      if (!faces.empty()) ranges += (ranges.empty() ? "" : ", ") + faces;
     }
     if (!ranges.empty()) {
       warnings.push_back(name + ": clipped to " + ranges + "; --clip off shows all of it");

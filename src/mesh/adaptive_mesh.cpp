@@ -244,7 +244,9 @@ class Mesher {
         return;
       case Cut::Pole:
         ++report.pole_count;
-        report.beside_poles.add(grid_.mesh.position[crossing.beside_first]);
+        for (const std::uint32_t vertex : {crossing.beside_first, crossing.beside_second}) {
+          if (lattice_.is_defined(vertex)) report.beside_poles.add(grid_.mesh.position[vertex]);
+        }
         if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
         return;
       case Cut::Crease:

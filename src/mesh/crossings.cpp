@@ -129,10 +129,12 @@ class Finder {
     add_pairs(Cut::Crease, creased, creases);
   }
 
+  /// The last vertices on either side tell where the surface goes; they are no part of the mesh.
   void add_pole(const Side& side, const Found& found) {
-    const std::array places = {Between{side[0], side[1], 0.5 * (found.ends[0] + found.ends[1])}};
-    const std::uint32_t vertex = lattice_.add_between(places, options_.threads);
-    lattice_.set_crossing(side[0], side[1], Crossing{Cut::Pole, side[0], vertex, vertex});
+    const std::array places = {Between{side[0], side[1], found.ends[0]},
+                               Between{side[0], side[1], found.ends[1]}};
+    const std::uint32_t first = lattice_.add_between(places, options_.threads);
+    lattice_.set_crossing(side[0], side[1], Crossing{Cut::Pole, side[0], first, first + 1});
   }
 
   /// Beside a cusp the normal's digits are rounding: it takes the one-sided limit along the side.

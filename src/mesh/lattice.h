@@ -56,7 +56,8 @@ enum class Cut : std::uint8_t {
 };
 
 /// Where a side is cut, and the last vertices on either side of the cut. At a rim they are one; at
-/// a pole there are none; at a crease they are one point, and differ in their normals.
+/// a pole they are on the way to infinity; at a crease they are one point, and differ in their
+/// normals.
 struct Crossing {
   Cut kind;
   std::uint32_t first;  ///< the neighbour with the smaller number

@@ -289,6 +289,16 @@ TEST_F(GraphCommand, ClipsPolesAndSaysSo) {
   EXPECT_TRUE(contains(error_of(saddle({"z=u", "--clip", "0:1,1:0,0:1"}), 2), "empty"));
 }
 
+TEST_F(GraphCommand, ClipsAPoleOnlyWhereTheSurfaceGoes) {
+  for (const char* z : {"z=1/(u^2+v^2)", "z=1/(u-1)^2"}) {
+    const Outcome run = saddle({z, "--report", "-"});
+    EXPECT_TRUE(contains(run.err, "clipped to z up to")) << run.err;
+    // The corners that are farthest from the pole are there.
+    const double least = z == std::string("z=1/(u^2+v^2)") ? 0.5 : 0.25;
+    EXPECT_EQ(Json::parse(run.out)["surfaces"][0]["bounds"][0][2], least) << z;
+  }
+}
+
 TEST_F(GraphCommand, FindsWavesThatKeepStepWithEvenGrids) {
   const Outcome run = saddle({"z=sin(60*u)/10", "u=0:tau", "--report", "-"});
   const Json waves = Json::parse(run.out)["surfaces"][0];

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace saddle {
 namespace {
 
@@ -31,6 +33,16 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
   EXPECT_EQ(mesh_warnings("s", part, kDomain),
             Warnings{"s: 12.35 % of the domain is undefined and left out, at least outside of "
                      "u = -0.5:1, v = 0.25:2"});
+}
+
+TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
+  constexpr double kNoFace = std::numeric_limits<double>::infinity();
+  GridMesh cut = mesh_between({-1, 0}, {1, 2});
+  cut.report.clip = Bounds{{-kNoFace, -2, 3}, {4, 5, kNoFace}};
+  EXPECT_EQ(mesh_warnings("s", cut, kDomain),
+            Warnings{"s: clipped to x up to 4, y = -2:5, z from 3 up; --clip off shows all of it"});
+  cut.report.clip = Bounds{dvec3(-kNoFace), dvec3(kNoFace)};
+  EXPECT_TRUE(mesh_warnings("s", cut, kDomain).empty());
 }
 
 TEST(Warnings, SayThatASurfaceIsOneSided) {
