@@ -1,23 +1,10 @@
 #include "mesh/lines.h"
 
-#include <cmath>
-
 namespace saddle {
 
 namespace {
 
 using Chain = std::vector<std::uint32_t>;
-
-/// Indices of the mesh lines nearest to `lines` evenly spaced ones, without repetition.
-std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
-  std::vector<std::size_t> indices;
-  for (int k = 0; k < lines; ++k) {
-    const double part = lines > 1 ? static_cast<double>(k) / (lines - 1) : 0;
-    const auto index = static_cast<std::size_t>(std::lround(part * static_cast<double>(cells)));
-    if (indices.empty() || indices.back() != index) indices.push_back(index);
-  }
-  return indices;
-}
 
 /// Follows `line` edge by edge and appends its chains. `exists(k)`: edge k, k + 1 is in the mesh.
 template <class Exists>
@@ -43,19 +30,21 @@ void append_chains(const Grid& grid, const GridLine& line, Exists exists,
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid, const GridOptions& options) {
+std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid,
+                                                   const std::vector<std::size_t>& columns,
+                                                   const std::vector<std::size_t>& rows) {
   const auto has_triangles = [&](std::size_t i, std::size_t j) {
     return i < grid.cells_u && j < grid.cells_v && grid.triangle_count(grid.cell(i, j)) > 0;
   };
   std::vector<Chain> chains;
-  for (const std::size_t i : nearest_mesh_lines(options.lines_u, grid.cells_u)) {
+  for (const std::size_t i : columns) {
     // Left of column 0 is column -1, which wraps around to a huge number and is no cell.
     const auto exists = [&](std::size_t j) {
       return has_triangles(i, j) || has_triangles(i - 1, j);
     };
     append_chains(grid, grid.column(i), exists, chains);
   }
-  for (const std::size_t j : nearest_mesh_lines(options.lines_v, grid.cells_v)) {
+  for (const std::size_t j : rows) {
     const auto exists = [&](std::size_t i) {
       return has_triangles(i, j) || has_triangles(i, j - 1);
     };
