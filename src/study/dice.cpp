@@ -17,6 +17,10 @@ constexpr int kMostHalvings = 26;
 constexpr int kRimHalvings = 3;
 constexpr int kRimBisections = 48;  // of an edge: to the last bit of a parameter
 constexpr std::size_t kMostTriangles = 4'000'000;
+/// Pieces of a generation. Those of a smooth surface are small enough long before; along poles and
+/// jumps that run across both parameters each generation has twice as many, without end.
+constexpr std::size_t kMostPieces = 2'000'000;
+constexpr std::size_t kBlock = 16'384;  // that are evaluated at a time
 
 /// A rectangle of parameters.
 struct Piece {
@@ -51,15 +55,10 @@ class Dicer {
 
   std::vector<DicedTriangle> run() {
     std::vector<Piece> pieces = first_pieces();
-    while (!pieces.empty() && result_.size() < kMostTriangles) {
-      std::vector<dvec2> uv;
-      for (const Piece& piece : pieces) {
-        for (const dvec2& corner : piece.corners()) uv.push_back(corner);
-      }
-      const std::vector<SurfacePoint> points = evaluate(subject_.surface, uv, subject_.threads);
+    while (!pieces.empty() && pieces.size() <= kMostPieces && result_.size() < kMostTriangles) {
       std::vector<Piece> next;
-      for (std::size_t k = 0; k < pieces.size(); ++k) {
-        take(pieces[k], std::span(points).subspan(4 * k, 4), next);
+      for (std::size_t begin = 0; begin < pieces.size(); begin += kBlock) {
+        take_block(std::span(pieces).subspan(begin, std::min(kBlock, pieces.size() - begin)), next);
       }
       pieces = std::move(next);
     }
@@ -70,6 +69,17 @@ class Dicer {
   struct Screen {
     dvec2 low, high;
   };
+
+  void take_block(std::span<const Piece> pieces, std::vector<Piece>& next) {
+    std::vector<dvec2> uv;
+    for (const Piece& piece : pieces) {
+      for (const dvec2& corner : piece.corners()) uv.push_back(corner);
+    }
+    const std::vector<SurfacePoint> points = evaluate(subject_.surface, uv, subject_.threads);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      take(pieces[k], std::span(points).subspan(4 * k, 4), next);
+    }
+  }
 
   std::vector<Piece> first_pieces() const {
     const Domain& d = subject_.bound.domain;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "image/lighting_reference.h"
 #include "mesh/grid_mesh.h"
 #include "render/picture_in_tiles.h"
@@ -74,6 +76,15 @@ TEST(ExactImage, IsTheSameForEveryParametrisation) {
   // At the silhouette a sample or two of 64 may fall to the other side.
   EXPECT_LT(largest, 0.08);
   EXPECT_GT(glm::length(a.color[a.color.size() / 2 + kWidth / 2]), 0.1);
+}
+
+TEST(ExactImage, EndsWhereASurfaceGoesToInfinityAcrossBothParameters) {
+  // Along such poles there is never an end of cells that are too large.
+  Scene scene = scene_of("u", "v", "1/(u^2-v^2)");
+  scene.camera.target = dvec3(0);
+  const ExactImage image = exact_image(scene);
+  const auto is_lit = [](const dvec3& color) { return glm::length(color) > 0.1; };
+  EXPECT_GT(std::ranges::count_if(image.color, is_lit), kWidth * kHeight / 20);
 }
 
 TEST(ExactImage, IsWhatFinerPicturesComeNearerTo) {
