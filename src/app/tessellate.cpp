@@ -1,4 +1,4 @@
-// Adaptive meshing, with a uniform grid for --samples and for what has no adaptive mesh.
+// The mesh that suits what it is for, with a uniform grid for --samples and for what has no other.
 #include "app/tessellate.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "app/warnings.h"
 #include "mesh/adaptive_mesh.h"
+#include "mesh/choose.h"
 #include "mesh/clip.h"
 #include "mesh/color_mesh.h"
 #include "mesh/grid_mesh.h"
@@ -86,7 +87,18 @@ Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
   return box;
 }
 
-/// The mesh that --samples asks for, or the one with the fewest triangles that keeps the tolerance.
+/// A picture's mesh is the one that costs least; a file's has the fewest triangles, and what is
+/// told of a surface is told of that.
+std::optional<GridMesh> mesh_for(const Purpose& purpose, const Surface& surface,
+                                 const AdaptiveOptions& options) {
+  const auto times = static_cast<double>(std::max<std::size_t>(purpose.moments.size(), 1));
+  if (!purpose.mesh && !purpose.facts) return mesh_at_least_cost(surface, options, times);
+  auto mesh = mesh_within_tolerance(surface, options);
+  if (mesh) mesh->report.choice = MeshChoice();
+  return mesh;
+}
+
+/// The mesh that --samples asks for, or the best one that keeps the tolerance.
 GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Surface& surface, unsigned threads) {
   if (!scene.mesh.samples) {
@@ -102,12 +114,12 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     options.lines_u = spec.grid_u;
     options.lines_v = spec.grid_v;
     options.threads = threads;
-    auto mesh = mesh_within_tolerance(surface, options);
+    auto mesh = mesh_for(purpose, surface, options);
     if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
       // Only a mesh tells that it needs the box, and in which coordinates.
       options.clip = open_where_it_stays(box, mesh->report.beside_poles);
       const MeshReport whole = std::move(mesh->report);
-      if (auto clipped = mesh_within_tolerance(surface, options)) mesh = std::move(clipped);
+      if (auto clipped = mesh_for(purpose, surface, options)) mesh = std::move(clipped);
       mesh->report.poles = whole.poles;  // cells outside of the box are not looked at any more
       mesh->report.pole_count = whole.pole_count;
       mesh->report.clip = options.clip;

@@ -76,21 +76,21 @@ std::vector<double> merged(std::vector<double> lines, std::span<const double> mo
 
 /// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
 /// than are allowed.
-FixedLines root_lines(const Probe& probe, const Domain& domain, const Tolerance& tolerance,
-                      const AdaptiveOptions& options, MeshReport& report) {
-  const FixedLines fixed = fixed_lines(domain, options);
-  FixedLines lines = probe.place_lines(fixed, tolerance);
-  for (double factor = 2; 2 * cells(lines) > options.max_triangles && cells(lines) > cells(fixed);
-       factor *= 2) {
-    report.reached_limit = true;
-    lines = probe.place_lines(fixed, tolerance.times(factor));
+void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
+  plan.ratio = plan.probe.best_ratio(plan.fixed, plan.aim);
+  plan.lines = plan.probe.place_lines(plan.fixed, plan.aim, plan.ratio);
+  const auto is_too_fine = [&] {
+    return 2 * cells(plan.lines) > options.max_triangles && cells(plan.lines) > cells(plan.fixed);
+  };
+  for (double factor = 2; is_too_fine(); factor *= 2) {
+    plan.is_limited = true;
+    plan.lines = plan.probe.place_lines(plan.fixed, plan.aim.times(factor));
   }
-  if (const auto& island = probe.island()) {
+  if (const auto& island = plan.probe.island()) {
     const auto [low, high] = island->where;
-    lines.u = merged(std::move(lines.u), even_lines(low.x, high.x, kIslandCells));
-    lines.v = merged(std::move(lines.v), even_lines(low.y, high.y, kIslandCells));
+    plan.lines.u = merged(std::move(plan.lines.u), even_lines(low.x, high.x, kIslandCells));
+    plan.lines.v = merged(std::move(plan.lines.v), even_lines(low.y, high.y, kIslandCells));
   }
-  return lines;
 }
 
 bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
@@ -114,19 +114,20 @@ struct Failed {
 /// Makes one mesh.
 class Mesher {
  public:
-  Mesher(const Surface& surface, const AdaptiveOptions& options, const Tolerance& tolerance,
-         FixedLines lines, const Probe& probe)
+  /// Takes the plan's lines.
+  Mesher(const Surface& surface, const AdaptiveOptions& options, MeshPlan& plan)
       : surface_(surface),
         options_(options),
-        refining_{tolerance,
+        refining_{plan.aim,
                   options.normal_tolerance,
                   options.max_triangles,
                   options.clip,
-                  seen_lines(lines.u, fixed_lines(surface.domain, options).u),
-                  seen_lines(lines.v, fixed_lines(surface.domain, options).v),
+                  seen_lines(plan.lines.u, plan.fixed.u),
+                  seen_lines(plan.lines.v, plan.fixed.v),
                   options.threads},
-        grid_(sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads)),
-        seams_(weld_if_two_dimensional(probe)),
+        grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v),
+                          options.threads)),
+        seams_(weld_if_two_dimensional(plan.probe)),
         lattice_(surface, grid_, options.threads),
         judge_(refining_, grid_, lattice_),
         verifier_(surface, grid_, lattice_, options.threads) {}
@@ -135,13 +136,12 @@ class Mesher {
   void refine_all(std::vector<Witness> witnesses) {
     lattice_.add_middles(options_.threads);
     add({root_leaves(grid_), std::move(witnesses)});
-    ProofBudget budget(surface_.bounds);
-    std::size_t island_boxes = budget.boxes / kProofsPerIsland;
+    std::size_t island_boxes = budget_.boxes / kProofsPerIsland;
     for (int round = 0; round < kRounds; ++round) {
       Failed failed{take_failed(), {}};
       if (failed.leaves.empty() && options_.certify) failed = take_islands(island_boxes);
       if (failed.leaves.empty() && measure_singular()) failed.leaves = take_failed();
-      if (failed.leaves.empty() && options_.certify) failed = take_suspects(budget);
+      if (failed.leaves.empty() && options_.certify) failed = take_suspects();
       if (failed.leaves.empty()) break;
       add(failed);
     }
@@ -177,7 +177,10 @@ class Mesher {
     report.certified = certified_ && !reached_limit_;
     report.closed_u = seams_.u.name();
     report.closed_v = seams_.v.name();
-    report.evaluations += grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
+    report.work.leaf_samples +=
+        grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
+    report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
+    report.evaluations += report.work.leaf_samples;
     grid_.mesh.triangles = std::move(triangles.all);
     grid_.mesh.lines = leaf_lines(grid_, lattice_, options_.lines_u, options_.lines_v);
     if (options_.clip) clip_mesh(*options_.clip, grid_.mesh);
@@ -461,9 +464,9 @@ class Mesher {
   }
 
   /// The leaves in which bounds found places that deviate too much.
-  Failed take_suspects(ProofBudget& budget) {
+  Failed take_suspects() {
     const Certification proof =
-        certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget);
+        certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget_);
     certified_ = proof.complete && proof.suspects.empty();
     std::vector<dvec2> middles;
     std::vector<std::size_t> suspected;
@@ -519,27 +522,46 @@ class Mesher {
   Verifier verifier_;
   Measured mesh_;
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
+  ProofBudget budget_{surface_.bounds};
   bool reached_limit_ = false;
   bool certified_ = false;
 };
 
 }  // namespace
 
-std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
-                                              const AdaptiveOptions& options) {
-  const Probe probe(surface, options.threads);
+std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options) {
+  Probe probe(surface, options.threads);
   const Tolerance tolerance = options.tolerance(probe);
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
-  GridMesh result;
-  MeshReport& report = result.report;
-  const Tolerance aim = tolerance.times(kAim);
-  FixedLines lines = root_lines(probe, surface.domain, aim, options, report);
-  if (std::max(lines.u.size(), lines.v.size()) > kMaxLines) return std::nullopt;
-  report.tolerance = tolerance(probe.bounds().centre(), probe.bounds().diagonal());
-  report.least_triangles = probe.least_triangles(tolerance);
-  report.evaluations = probe.evaluations();
-  std::vector<Witness> witnesses = probe.witnesses(lines, aim);
-  Mesher mesher(surface, options, aim, std::move(lines), probe);
+  MeshPlan plan{
+      std::move(probe), tolerance, tolerance.times(kAim), fixed_lines(surface.domain, options), {}};
+  place_root_lines(options, plan);
+  if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
+  return plan;
+}
+
+MeshReport report_of(const MeshPlan& plan) {
+  MeshReport report;
+  const Bounds& bounds = plan.probe.bounds();
+  report.reached_limit = plan.is_limited;
+  report.tolerance = plan.tolerance(bounds.centre(), bounds.diagonal());
+  report.least_triangles = plan.probe.least_triangles(plan.tolerance);
+  report.evaluations = plan.probe.evaluations();
+  return report;
+}
+
+std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
+                                              const AdaptiveOptions& options) {
+  std::optional<MeshPlan> plan = plan_mesh(surface, options);
+  if (!plan) return std::nullopt;
+  return mesh_within_tolerance(surface, options, std::move(*plan));
+}
+
+std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
+                                              const AdaptiveOptions& options, MeshPlan plan) {
+  GridMesh result{{}, report_of(plan)};
+  std::vector<Witness> witnesses = plan.probe.witnesses(plan.lines, plan.aim);
+  Mesher mesher(surface, options, plan);
   mesher.refine_all(std::move(witnesses));
   return mesher.take(std::move(result));
 }

@@ -26,11 +26,31 @@ struct AdaptiveOptions {
   unsigned threads = 0;  ///< 0: all
 };
 
+/// What is known of a mesh before it is made.
+struct MeshPlan {
+  Probe probe;
+  Tolerance tolerance;
+  Tolerance aim;            ///< a little less: samples miss some of the largest distance
+  FixedLines fixed;         ///< lines that are drawn, and the ends of the ranges
+  FixedLines lines;         ///< of the root grid
+  double ratio = 1;         ///< that they were placed for: Probe::best_ratio()
+  bool is_limited = false;  ///< they are farther apart than the tolerance asks for: max_triangles
+};
+
+/// Nothing if the surface is so large or small that its tolerance is not a positive number, or
+/// takes more lines than can be numbered.
+std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options);
+
 /// Tessellates a surface of second order. Cells that the rim of the surface crosses are clipped at
-/// it. Nothing if no cell of the root grid is defined, no triangle has any area, or the surface is
-/// so large or small that its tolerance is not a positive number: mesh_on_grid() deals with those.
-/// Throws Error (Nothing) as mesh_on_grid() does.
+/// it. Nothing if there is no plan, no cell of the root grid is defined or no triangle has any
+/// area: mesh_on_grid() deals with those. Throws Error (Nothing) as mesh_on_grid() does.
 std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
                                               const AdaptiveOptions& options);
+/// The same, as planned.
+std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
+                                              const AdaptiveOptions& options, MeshPlan plan);
+
+/// What a report says of a mesh before it is made.
+MeshReport report_of(const MeshPlan& plan);
 
 }  // namespace saddle

@@ -351,28 +351,44 @@ Probe::Densities Probe::densities(const Tolerance& tolerance, std::span<const Be
   return result;
 }
 
-FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance) const {
+FixedLines Probe::shared(const FixedLines& fixed) const {
+  return {shared_lines(seam_v_, fixed.u), shared_lines(seam_u_, fixed.v)};
+}
+
+double Probe::best_ratio(const FixedLines& fixed, const Tolerance& tolerance) const {
   const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
-  const FixedLines shared = {shared_lines(seam_v_, fixed.u), shared_lines(seam_u_, fixed.v)};
+  const FixedLines lines = shared(fixed);
   const std::vector<Bend> bent = bends(tolerance);
   double best_ratio = own_ratio;
   double least = std::numeric_limits<double>::infinity();
   for (int power = -kRatios; power <= kRatios; ++power) {
     const double ratio = std::ldexp(own_ratio, power);
     const Densities d = densities(tolerance, bent, ratio, nullptr, kEveryForRatio);
-    const double cells = total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), shared.u) *
-                         total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), shared.v);
+    const double cells = total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u) *
+                         total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v);
     if (!(cells < least)) continue;
     least = cells;
     best_ratio = ratio;
   }
-  Densities d = densities(tolerance, bent, best_ratio, nullptr, 1);
-  for (int k = 0; k < kPasses; ++k) d = densities(tolerance, bent, best_ratio, &d, 1);
-  return {place(Cumulative(d.of_u, domain_.u0, domain_.u1), shared.u),
-          place(Cumulative(d.of_v, domain_.v0, domain_.v1), shared.v)};
+  return best_ratio;
 }
 
-std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& tolerance) const {
+FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance) const {
+  return place_lines(fixed, tolerance, best_ratio(fixed, tolerance));
+}
+
+FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance,
+                              double ratio) const {
+  const FixedLines lines = shared(fixed);
+  const std::vector<Bend> bent = bends(tolerance);
+  Densities d = densities(tolerance, bent, ratio, nullptr, 1);
+  for (int k = 0; k < kPasses; ++k) d = densities(tolerance, bent, ratio, &d, 1);
+  return {place(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u),
+          place(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v)};
+}
+
+template <class F>
+void Probe::for_sampled_cells(const FixedLines& lines, std::span<const Bend> bends, F f) const {
   const auto cells = [](std::span<const double> places, std::span<const double> lines_across) {
     const bool backwards = lines_across.front() > lines_across.back();
     std::vector<std::size_t> result;
@@ -385,24 +401,43 @@ std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& 
   };
   const std::vector<std::size_t> columns = cells(u_, lines.u);
   const std::vector<std::size_t> rows = cells(v_, lines.v);
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    const std::size_t i = columns[s % u_.size()];
+    const std::size_t j = rows[s / u_.size()];
+    const auto& [L, M, N] = bends[s];
+    const double h = lines.u[i + 1] - lines.u[i];
+    const double k = lines.v[j + 1] - lines.v[j];
+    f(s, SampledCell{i, j, std::fabs(h * k), bend_of_cell(L, M, N, h, k).error});
+  }
+}
+
+std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& tolerance) const {
   const std::vector<Bend> bent = bends(tolerance);
   const dvec2 size = glm::abs(dvec2(domain_.u1 - domain_.u0, domain_.v1 - domain_.v0)) /
                      static_cast<double>(kProbes);
   std::vector<Witness> result;
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    const std::size_t i = columns[s % u_.size()];
-    const std::size_t j = rows[s / u_.size()];
-    const auto& [L, M, N] = bent[s];
-    const double h = lines.u[i + 1] - lines.u[i];
-    const double k = lines.v[j + 1] - lines.v[j];
-    if (!(bend_of_cell(L, M, N, h, k).error > kFarTooLarge)) continue;
+  for_sampled_cells(lines, bent, [&](std::size_t s, const SampledCell& cell) {
+    if (!(cell.error > kFarTooLarge)) return;
     result.push_back({{u_[s % u_.size()], v_[s / u_.size()]},
                       samples_[s].position,
                       size,
-                      {std::fabs(L), std::fabs(N)},
-                      j * (lines.u.size() - 1) + i});
-  }
+                      {std::fabs(bent[s].L), std::fabs(bent[s].N)},
+                      cell.j * (lines.u.size() - 1) + cell.i});
+  });
   return result;
+}
+
+/// Cells that are too large by a factor become as many: errors grow with areas.
+Outlook Probe::outlook(const FixedLines& lines, const Tolerance& tolerance) const {
+  const double stretch = std::fabs((domain_.u1 - domain_.u0) * (domain_.v1 - domain_.v0)) /
+                         static_cast<double>(samples_.size());
+  Outlook outlook;
+  for_sampled_cells(lines, bends(tolerance), [&](std::size_t s, const SampledCell& cell) {
+    outlook.is_regular = outlook.is_regular && samples_[s].regular;
+    outlook.worst = std::max(outlook.worst, cell.error);
+    outlook.cells += stretch / cell.area * std::max(1.0, cell.error);
+  });
+  return outlook;
 }
 
 double Probe::least_triangles(const Tolerance& tolerance) const {

@@ -68,6 +68,13 @@ struct Witness {
   std::size_t cell;  ///< its number, of whatever it is a witness against
 };
 
+/// What becomes of a grid's cells, by the probe's samples.
+struct Outlook {
+  double worst = 0;        ///< the largest error of a cell, in tolerances
+  double cells = 0;        ///< once those that are too large are cut up
+  bool is_regular = true;  ///< there is a second derivative along a normal at every sample
+};
+
 /// Second derivatives, normals and curvatures on a coarse grid that keeps step with nothing.
 class Probe {
  public:
@@ -87,9 +94,20 @@ class Probe {
   /// Where the lines of a tensor grid go, so that most of its cells are within the tolerance: local
   /// peaks are left to local refinement.
   FixedLines place_lines(const FixedLines& fixed, const Tolerance& tolerance) const;
+  /// The same for cells whose sides, in v and in u, have this ratio where nothing else decides.
+  FixedLines place_lines(const FixedLines& fixed, const Tolerance& tolerance, double ratio) const;
+  /// The ratio for which there are the fewest cells.
+  double best_ratio(const FixedLines& fixed, const Tolerance& tolerance) const;
 
   /// The samples beside which a cell of these lines is far too large; `cell` counts with u inner.
   std::vector<Witness> witnesses(const FixedLines& lines, const Tolerance& tolerance) const;
+
+  /// What to expect of a mesh that starts from these lines.
+  Outlook outlook(const FixedLines& lines, const Tolerance& tolerance) const;
+
+  /// Whether the edges u0 and u1 meet, and v0 and v1.
+  bool joins_u() const { return seam_u_.closed; }
+  bool joins_v() const { return seam_v_.closed; }
 
   /// The number of triangles that no mesh with its corners on the surface can do without, for small
   /// tolerances: (0.3849 I+ + 0.2236 I-) / eps, I+ and I- the integrals of sqrt|K| dA where K > 0
@@ -117,6 +135,8 @@ class Probe {
     std::vector<double> of_u, of_v;  // lines per unit of parameter, at the probe's columns and rows
   };
 
+  /// The lines, and those that they meet across a seam.
+  FixedLines shared(const FixedLines& fixed) const;
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
   Seam find_seam(const Surface& surface, bool along_v) const;
@@ -125,6 +145,15 @@ class Probe {
     double L, M, N;
   };
   std::vector<Bend> bends(const Tolerance& tolerance) const;
+  /// The error of the cell of these lines around a sample, in tolerances.
+  struct SampledCell {
+    std::size_t i, j;  // of the cell
+    double area;       // of parameters
+    double error;
+  };
+  /// Calls f(sample, cell) for all samples.
+  template <class F>
+  void for_sampled_cells(const FixedLines& lines, std::span<const Bend> bends, F f) const;
   /// From each `every`-th sample of each column and row.
   Densities densities(const Tolerance& tolerance, std::span<const Bend> bends, double rho,
                       const Densities* shape, std::size_t every) const;

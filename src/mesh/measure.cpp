@@ -239,18 +239,24 @@ double distance_from(const Grid& grid, std::span<const Triangle> triangles, cons
 
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip) {
-  if (triangles.empty() || !is_finite(point.position)) return {};
+  const double size_u = safe_length(point.r_u);
+  return deviation(grid, triangles, uv, point.position,
+                   unit_normal(point, size_u, safe_length(point.r_v), flip));
+}
+
+Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                    const dvec3& position, const std::optional<dvec3>& normal) {
+  if (triangles.empty() || !is_finite(position)) return {};
   const Triangle& own = deepest_triangle(grid, triangles, uv);
-  const dvec3 p = grid.local_scale * point.position;
+  const dvec3 p = grid.local_scale * position;
   const Nearest on_own = nearest_on(grid, own, p);
   dvec3 interpolated(0);
   for (int k = 0; k < 3; ++k) {
     interpolated += on_own.weights[k] * grid.mesh.normal[own[static_cast<std::size_t>(k)]];
   }
-  const auto exact = unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), flip);
   double away = distance(grid, triangles, p, on_own);
-  if (exact) away = std::max(away, height_above(grid, own, uv, p, *exact));
-  return {away / grid.local_scale, exact ? degrees_between(*exact, interpolated) : 0};
+  if (normal) away = std::max(away, height_above(grid, own, uv, p, *normal));
+  return {away / grid.local_scale, normal ? degrees_between(*normal, interpolated) : 0};
 }
 
 MeasuredError measure_error(const Surface& surface, const Grid& grid,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "mesh/grid.h"
@@ -20,6 +21,9 @@ struct Deviation {
 /// since near a cusp the other sheet may be as near.
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const SurfacePoint& point, bool flip);
+/// The same of a position with its unit normal, if it has one.
+Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                    const dvec3& position, const std::optional<dvec3>& normal);
 
 /// Its distance alone.
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,

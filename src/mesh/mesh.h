@@ -84,10 +84,41 @@ struct SingularPoint {
 /// Places of a kind that a report names; it counts the others.
 inline constexpr std::size_t kMaxListed = 1000;
 
+/// What a mesh was made with, counted.
+struct MeshWork {
+  std::size_t grid_samples = 0;  ///< points in step with each other, on a tensor grid of parameters
+  std::size_t leaf_samples = 0;  ///< points of a mesh whose cells are halved
+  std::size_t boxes = 0;         ///< of parameters, that proofs tried
+  void add(const MeshWork& other) {
+    grid_samples += other.grid_samples;
+    leaf_samples += other.leaf_samples;
+    boxes += other.boxes;
+  }
+};
+
+/// Why a mesh is a grid, or why its cells were halved instead.
+struct MeshChoice {
+  enum class Why {
+    GridIsCheaper,
+    HalvingIsCheaper,
+    Asked,            ///< for the fewest triangles
+    Limited,          ///< a box cuts the surface, or its triangles are limited
+    VariesTolerance,  ///< with the place
+    NotSmooth,   ///< what a grid cannot do: rims, jumps, poles, creases, points without a normal
+    GridMisses,  ///< the tolerance, where nobody could have known before
+  };
+  Why why = Why::Asked;
+  std::size_t cells_u = 0, cells_v = 0;    ///< of the grid that was thought of, 0: of none
+  double grid_cost = 0, halving_cost = 0;  ///< milliseconds by the model, 0: not estimated
+  double excess = 0;                       ///< by how much the grid missed, in tolerances
+};
+
 /// What meshing found out and what it cost.
 struct MeshReport {
   std::size_t cells = 0;                       ///< cells of the grid that are covered
   std::size_t evaluations = 0;                 ///< points of the surface that were computed
+  MeshWork work;                               ///< with that of grids that came to nothing
+  std::optional<MeshChoice> choice;            ///< nothing: there was none
   double undefined_fraction = 0;               ///< share of the domain's cells that were left out
   std::size_t flat_triangles = 0;              ///< without area in double precision: left out
   std::optional<double> tolerance;             ///< what max_error was to stay within
