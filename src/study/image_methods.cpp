@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/adaptive_mesh.h"
+#include "mesh/choose.h"
 #include "render/context.h"
 #include "render/picture_in_tiles.h"
 #include "study/exact_image.h"
@@ -87,16 +87,14 @@ class ImageStudy {
   std::optional<GridMesh> tessellate(double pixels) const {
     AdaptiveOptions options;
     const double length = pixels * subject_.pixel;
-    options.tolerance = [length](const Probe&) {
-      return [length](const dvec3&) { return length; };
-    };
+    options.tolerance = [length](const Probe&) { return Tolerance(length); };
     options.normal_tolerance = subject_.normal_tolerance;
     options.max_triangles = subject_.max_triangles;
     options.clip = subject_.clip;
     options.lines_u = 0;
     options.lines_v = 0;
     options.threads = subject_.threads;
-    return mesh_within_tolerance(subject_.surface, options);
+    return mesh_at_least_cost(subject_.surface, options, 1);
   }
 
   const Subject& subject_;

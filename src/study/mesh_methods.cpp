@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "mesh/adaptive_mesh.h"
+#include "mesh/choose.h"
 #include "mesh/clip.h"
 #include "mesh/tidy.h"
 #include "study/mesh_distance.h"
@@ -31,20 +32,32 @@ class MeshStudy {
       const std::string text = std::to_string(n) + "x" + std::to_string(n);
       if (!add("uniform", text, {}, [&] { return uniform(n); })) break;
     }
-    for (const bool certify : {false, true}) {
-      for (const double pixels : kTolerances) {
-        const char* const method = certify ? "adaptive certified" : "adaptive";
-        if (!add(method, number_text(pixels) + " px", pixels,
-                 [&] { return adaptive(pixels, certify); })) {
-          break;
-        }
-      }
-    }
+    add_over_tolerances("adaptive", [&](const AdaptiveOptions& options) {
+      AdaptiveOptions quick = options;
+      quick.certify = false;
+      return mesh_within_tolerance(subject_.surface, quick);
+    });
+    add_over_tolerances("adaptive certified", [&](const AdaptiveOptions& options) {
+      return mesh_within_tolerance(subject_.surface, options);
+    });
+    add_over_tolerances("chosen for a picture", [&](const AdaptiveOptions& options) {
+      return mesh_at_least_cost(subject_.surface, options, 1);
+    });
     add_limit();
     return std::move(result_);
   }
 
  private:
+  /// A method that promises a tolerance.
+  template <class F>
+  void add_over_tolerances(const char* method, F mesh) {
+    for (const double pixels : kTolerances) {
+      const AdaptiveOptions options = within(pixels);
+      const auto make = [&] { return mesh(options); };
+      if (!add(method, number_text(pixels) + " px", pixels, make)) return;
+    }
+  }
+
   /// False if the method has taken too long, or has no mesh.
   template <class F>
   bool add(const char* method, const std::string& setting, std::optional<double> promise, F make) {
@@ -73,19 +86,16 @@ class MeshStudy {
     return mesh;
   }
 
-  std::optional<GridMesh> adaptive(double pixels, bool certify) const {
+  AdaptiveOptions within(double pixels) const {
     AdaptiveOptions options;
     const double length = pixels * subject_.pixel;
-    options.tolerance = [length](const Probe&) {
-      return [length](const dvec3&) { return length; };
-    };
+    options.tolerance = [length](const Probe&) { return Tolerance(length); };
     options.max_triangles = subject_.max_triangles;
     options.clip = subject_.clip;
     options.lines_u = 0;
     options.lines_v = 0;
-    options.certify = certify;
     options.threads = subject_.threads;
-    return mesh_within_tolerance(subject_.surface, options);
+    return options;
   }
 
   /// What a mesher would take that made the least number of triangles, each at the least cost of
