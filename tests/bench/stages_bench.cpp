@@ -10,7 +10,7 @@
 
 #include "base/image_png.h"
 #include "eval/batch.h"
-#include "mesh/adaptive_mesh.h"
+#include "mesh/choose.h"
 #include "render/context.h"
 #include "render/picture_in_tiles.h"
 #include "scene/gallery.h"
@@ -49,16 +49,24 @@ void evaluation(benchmark::State& state, unsigned threads) {
   for (auto _ : state) benchmark::DoNotOptimize(evaluate_normals_on_grid(surface, u, u, threads));
 }
 
-std::optional<GridMesh> mesh_of(double share, unsigned threads) {
+const Surface& torus_surface() {
   static const Surface kSurface =
       prepare_surface(torus(), torus().surfaces[0], Order::Second).surface;
+  return kSurface;
+}
+
+AdaptiveOptions within(double share, unsigned threads) {
   AdaptiveOptions options;
   options.tolerance = [share](const Probe& probe) {
     const double length = share * probe.bounds().diagonal();
     return [length](const dvec3&) { return length; };
   };
   options.threads = threads;
-  return mesh_within_tolerance(kSurface, options);
+  return options;
+}
+
+std::optional<GridMesh> mesh_of(double share, unsigned threads) {
+  return mesh_within_tolerance(torus_surface(), within(share, threads));
 }
 
 void mesh(benchmark::State& state, double share, unsigned threads) {
@@ -67,18 +75,27 @@ void mesh(benchmark::State& state, double share, unsigned threads) {
   state.counters["triangles"] = static_cast<double>(result->mesh.triangles.size());
 }
 
+/// By the method that costs least.
+void chosen_mesh(benchmark::State& state, double share) {
+  const AdaptiveOptions options = within(share, 1);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(mesh_at_least_cost(torus_surface(), options, 1));
+  }
+}
+
 /// From the mesh to pixels in memory; context and shaders are there.
-void draw(benchmark::State& state, int width, int height, int antialias) {
+void draw(benchmark::State& state, int width, int height, int antialias, bool axes) {
   const auto context = make_osmesa_context();
   Renderer renderer;
   const Mesh torus_mesh = mesh_of(1e-3, 0)->mesh;
   renderer.set_mesh(0, torus_mesh);
-  const FittedCamera camera =
-      fit_to_meshes(torus(), std::span(&torus_mesh, 1), dvec2(width, height));
+  Scene scene = torus();
+  scene.axes = axes;
+  const FittedCamera camera = fit_to_meshes(scene, std::span(&torus_mesh, 1), dvec2(width, height));
   const PictureSettings settings{width, height, antialias};
-  draw_image(renderer, torus(), camera, settings);  // compiles the shaders
+  draw_image(renderer, scene, camera, settings);  // compiles the shaders
   for (auto _ : state) {
-    benchmark::DoNotOptimize(draw_image(renderer, torus(), camera, settings));
+    benchmark::DoNotOptimize(draw_image(renderer, scene, camera, settings));
   }
 }
 
@@ -105,13 +122,15 @@ void encode(benchmark::State& state) {
   for (const char* const share : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6"}) {
     add(std::string("mesh ") + share, mesh, std::stod(share), 1U);
   }
+  add("mesh 1e-3, chosen", chosen_mesh, 1e-3);
   add("mesh 1e-4, 2 threads", mesh, 1e-4, 2U);
-  add("draw 400x300", draw, 400, 300, 2);
-  add("draw 800x600", draw, 800, 600, 2);
-  add("draw 800x600, antialias 1", draw, 800, 600, 1);
-  add("draw 800x600, antialias 4", draw, 800, 600, 4);
-  add("draw 1600x1200", draw, 1600, 1200, 2);
-  add("draw 3840x2160", draw, 3840, 2160, 2);
+  add("draw 400x300", draw, 400, 300, 2, false);
+  add("draw 800x600", draw, 800, 600, 2, false);
+  add("draw 800x600, antialias 1", draw, 800, 600, 1, false);
+  add("draw 800x600, antialias 4", draw, 800, 600, 4, false);
+  add("draw 1600x1200", draw, 1600, 1200, 2, false);
+  add("draw 3840x2160", draw, 3840, 2160, 2, false);
+  add("draw 800x600, axes and text", draw, 800, 600, 2, true);
   add("encode 800x600", encode);
   return true;
 }();
