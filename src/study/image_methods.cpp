@@ -80,7 +80,9 @@ class ImageStudy {
   }
 
   void compile_shaders() {
-    renderer_.set_surface(scene_, 0, mesh_on_grid(subject_.surface, {8, 8, 0, 0, 1}).mesh);
+    const std::optional<GridMesh> mesh = tessellate(kTolerances.front());
+    if (!mesh) return;
+    renderer_.set_surface(scene_, 0, mesh->mesh);
     draw_image(renderer_, scene_, subject_.camera, {64, 48, 1});
   }
 

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "image/lighting_reference.h"
 #include "mesh/grid_mesh.h"
 #include "render/picture_in_tiles.h"
+#include "study/methods.h"
 #include "study_subject.h"
 
 namespace saddle {
@@ -85,6 +88,25 @@ TEST(ExactImage, EndsWhereASurfaceGoesToInfinityAcrossBothParameters) {
   const ExactImage image = exact_image(scene);
   const auto is_lit = [](const dvec3& color) { return glm::length(color) > 0.1; };
   EXPECT_GT(std::ranges::count_if(image.color, is_lit), kWidth * kHeight / 20);
+}
+
+TEST(ImageStudy, DrawsWhatACoarseGridMisses) {
+  // One vertex in a hundred or so of a grid is where there is a surface.
+  const Scene scene = scene_of("u", "v", "sqrt(0.01-u^2-v^2)");
+  Subject subject(scene, scene.surfaces[0]);
+  subject.width = kWidth;
+  subject.height = kHeight;
+  subject.pixel = 0.2 / kHeight;
+  subject.max_triangles = 1000;
+  const Bounds bounds{dvec3(-0.1, -0.1, 0), dvec3(0.1)};
+  subject.camera = fit_camera(scene.camera, bounds, static_cast<double>(kWidth) / kHeight);
+  std::set<std::string> methods;
+  for (const Measurement& m : measure_images(subject)) {
+    methods.insert(m.method);
+    EXPECT_LT(m.error, 0.1) << m.method << " " << m.setting;
+  }
+  EXPECT_EQ(methods,
+            (std::set<std::string>{"exact normal", "per pixel", "per vertex", "supersampling"}));
 }
 
 TEST(ExactImage, IsWhatFinerPicturesComeNearerTo) {
