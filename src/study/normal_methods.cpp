@@ -43,7 +43,8 @@ std::vector<Column> run(const Tape& tape, const Lines& at, unsigned threads) {
   return columns;
 }
 
-dvec3 vector_at(std::span<const Column> columns, std::size_t first, std::size_t i) {
+template <class Columns>
+dvec3 vector_at(const Columns& columns, std::size_t first, std::size_t i) {
   return {columns[first][i], columns[first + 1][i], columns[first + 2][i]};
 }
 

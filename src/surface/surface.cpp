@@ -75,7 +75,7 @@ template <class Evaluate>
 NormalColumns normal_columns(std::size_t count, Evaluate evaluate) {
   NormalColumns columns;
   std::array<double*, kAreaColumn> outputs{};
-  for (std::vector<double>& column : columns) column.resize(count);
+  for (Array<double>& column : columns) column.resize(count);
   for (std::size_t k = 0; k < outputs.size(); ++k) outputs[k] = columns[k].data();
   evaluate(outputs);
   const std::span<double* const> units = std::span(outputs).subspan(kNormalColumn, 3);

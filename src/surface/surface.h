@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/array.h"
 #include "base/vec.h"
 #include "eval/tape.h"
 #include "formula/graph.h"
@@ -66,7 +67,7 @@ std::vector<SurfacePoint> evaluate_on_grid(const Surface& surface, std::span<con
 /// Columns of evaluate_normals(): x, y, z; the unit normal along r_u x r_v; |r_u|^2; |r_v|^2;
 /// |r_u x r_v|. The normal is NaN or has no meaning where |r_u x r_v| is 0 next to |r_u| |r_v|, or
 /// overflows.
-using NormalColumns = std::array<std::vector<double>, 9>;
+using NormalColumns = std::array<Array<double>, 9>;
 enum : std::size_t { kNormalColumn = 3, kSquareUColumn = 6, kSquareVColumn = 7, kAreaColumn = 8 };
 
 /// At arbitrary parameters, (u[i], v[i]).

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/heap.h"
 #include "base/image_png.h"
 #include "eval/batch.h"
 #include "mesh/choose.h"
@@ -110,6 +111,7 @@ void encode(benchmark::State& state) {
 }
 
 [[maybe_unused]] const bool kRegistered = [] {
+  use_huge_pages();  // as the program does
   const auto add = [](const std::string& what, auto function, auto... arguments) {
     benchmark::RegisterBenchmark(("stage/" + what).c_str(), function, arguments...)
         ->Unit(benchmark::kMillisecond)
