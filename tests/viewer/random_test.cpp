@@ -236,8 +236,10 @@ class RandomHands : public ViewerTest {
   static Image drawn_afresh(const Model& model) {
     Renderer renderer;
     Canvas canvas;
+    Scene scene = model.last_good().scene;
+    scene.picture.shading = model.scene().picture.shading;
     for (std::size_t i = 0; i < model.meshes().size(); ++i) {
-      renderer.set_mesh(i, model.meshes()[i]->mesh);
+      renderer.set_surface(scene, i, model.meshes()[i]->mesh);
     }
     PictureSettings picture = model.scene().picture;
     picture.antialias = std::min(2, picture.antialias);
