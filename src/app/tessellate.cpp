@@ -166,6 +166,7 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
   take_user_parameters(surface, mesh.mesh.uv);
   take_user_parameters(surface, report.poles);
   take_user_parameters(surface, report.jumps);
+  if (report.coarse_normals) take_user_parameters(surface, std::span(&*report.coarse_normals, 1));
   for (SingularPoint& point : report.singular_points) {
     take_user_parameters(surface, std::span(&point.uv, 1));
   }

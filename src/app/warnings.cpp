@@ -84,6 +84,12 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
     warnings.push_back(name + ": the mesh is" + off_by(report) +
                        ": a pole, a jump or detail that its cells miss; --samples takes more");
   }
+  if (report.coarse_normals) {
+    warnings.push_back(name + ": normals turn faster than its triangles show, by up to " +
+                       number(report.max_normal_error) +
+                       " degrees, as at u = " + number(report.coarse_normals->x) + ", v = " +
+                       number(report.coarse_normals->y) + "; --max-triangles allows more");
+  }
   const auto cut = [&](const char* what, std::size_t count, const std::vector<dvec2>& places) {
     if (places.empty()) return;
     warnings.push_back(name + ": " + what + ": it was cut in " + std::to_string(count) +

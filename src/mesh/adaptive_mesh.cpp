@@ -164,7 +164,7 @@ class Mesher {
       // Where the tolerance depends on the place: as if it were the strictest everywhere.
       report.max_error =
           std::max(report.max_error, eps > *report.tolerance ? off / eps * *report.tolerance : off);
-      if (diameter(leaves[k]) <= kVisible * eps) continue;
+      if (width(leaves[k]) <= kSeenTurn * eps) continue;
       report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
     }
     if (triangles.all.empty()) return std::nullopt;
@@ -174,6 +174,7 @@ class Mesher {
         std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
     report.cells = leaves.size();
     report.reached_limit = report.reached_limit || reached_limit_;
+    report.coarse_normals = coarse_normals_;
     report.certified = certified_ && !reached_limit_;
     report.closed_u = seams_.u.name();
     report.closed_v = seams_.v.name();
@@ -303,8 +304,8 @@ class Mesher {
     return options_.clip && is_beyond(*options_.clip, positions(leaf));
   }
 
-  /// Of what of a leaf is defined around it.
-  double diameter(const Leaf& leaf) const {
+  /// How wide a leaf is where it is narrow; on the rim, how large what of it is defined.
+  double width(const Leaf& leaf) const {
     if (leaf.on_rim) {
       Bounds bounds;
       for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t) {
@@ -312,8 +313,10 @@ class Mesher {
       });
       return bounds.diagonal();
     }
-    const std::array<dvec3, 4> p = positions(leaf);
-    return std::max(glm::distance(p[0], p[2]), glm::distance(p[1], p[3]));
+    const auto places = leaf.corners();
+    std::array<std::uint32_t, 4> corners{};
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = lattice_.vertex_at_corner(places[k]);
+    return narrow_side(grid_.mesh, corners);
   }
 
   /// Refines leaves, adds what comes out and measures it.
@@ -369,12 +372,14 @@ class Mesher {
 
   /// Which way to halve a leaf that deviates: the one that its tests find worse, or the longer one:
   /// what the tests along its sides did not see, they see at half.
-  bool splits_u(const Leaf& leaf, const Deviation& deviation) {
-    if (deviation.on_crease) return is_cut_along_u(leaf, lattice_);
+  bool splits_u(std::size_t number) {
+    const Leaf& leaf = mesh_.leaves[number];
+    if (mesh_.deviations[number].on_crease) return is_cut_along_u(leaf, lattice_);
     const Samples samples = request_samples(leaf, lattice_);
     if (leaf.on_rim) return judge_.splits_rim_u(leaf, samples);
     if (is_cut_unclearly(leaf)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
-    const Scores scores = judge_.score(leaf, samples).distance;
+    const Verdict verdict = judge_.score(leaf, samples);
+    const Scores scores = mesh_.off(number) > 1 ? verdict.distance : verdict.turn;
     constexpr double kTells = 0.5;  // of the tolerance
     const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
     const bool is_narrow = Oscillation(grid_).is_narrow(leaf, lattice_);
@@ -389,15 +394,15 @@ class Mesher {
     return !cuts.only_creases && !cuts.is_through();
   }
 
-  /// How many times worse than allowed a leaf is.
-  double excess(std::size_t leaf) const {
-    if (is_cut_unclearly(mesh_.leaves[leaf])) return kMostStrict;
-    const double off = mesh_.off(leaf);
-    const double turn = turn_of_line(mesh_.deviations[leaf].degrees) / options_.normal_tolerance;
-    const double share = turn * turn;
-    if (!(std::max(off, share) > 1)) return off;
-    return diameter(mesh_.leaves[leaf]) <= kVisible * mesh_.allowed[leaf] ? off
-                                                                          : std::max(off, share);
+  /// How many times worse than allowed the normals of a leaf are, as a score; 0 where no more
+  /// triangles are worth it.
+  double turn(std::size_t number) {
+    const Leaf& leaf = mesh_.leaves[number];
+    const double share = turn_of_line(mesh_.deviations[number].degrees) / options_.normal_tolerance;
+    if (!(share > 1) || width(leaf) <= kSeenTurn * mesh_.allowed[number]) return 0;
+    if (!lattice_.is_full(allowed_for_normals(options_.max_triangles))) return share * share;
+    if (!coarse_normals_) coarse_normals_ = lattice_.parameters(leaf.middle());
+    return 0;
   }
 
   /// Where leaves are hopeless.
@@ -420,15 +425,17 @@ class Mesher {
     std::vector<std::size_t> failed;
     std::vector<Leaf> halves;
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      const double too_much = excess(k);
-      if (!(too_much > 1)) continue;
+      const double off = is_cut_unclearly(mesh_.leaves[k]) ? kMostStrict : mesh_.off(k);
+      const double turned = turn(k);
+      if (!(off > 1) && !(turned > 1)) continue;
       const Leaf& leaf = mesh_.leaves[k];
       if (stays(leaf, hopeless)) continue;
-      const auto both = halve(leaf, splits_u(leaf, mesh_.deviations[k]), lattice_);
+      const auto both = halve(leaf, splits_u(k), lattice_);
       if (!both) continue;
       failed.push_back(k);
       for (Leaf half : *both) {
-        half.strictness *= static_cast<float>(std::min(too_much, kMostStrict));
+        half.strictness *= static_cast<float>(std::clamp(off, 1.0, kMostStrict));
+        half.turn_strictness *= static_cast<float>(std::clamp(turned, 1.0, kMostStrict));
         halves.push_back(half);
       }
     }
@@ -524,6 +531,7 @@ class Mesher {
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
   ProofBudget budget_{surface_.bounds};
   bool reached_limit_ = false;
+  std::optional<dvec2> coarse_normals_;
   bool certified_ = false;
 };
 

@@ -28,7 +28,8 @@ constexpr double kFallOff = 0.7;
 constexpr double kFloor = 0.02;
 /// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
 constexpr int kRatios = 6;
-/// Every fourth sample of a column or row is enough to tell which ratio is best.
+/// Every fourth sample of a column or row, next to those of its neighbours on a slant, is enough to
+/// tell which ratio is best.
 constexpr std::size_t kEveryForRatio = 4;
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
 constexpr double kSeam = 1e-9;
@@ -310,29 +311,24 @@ std::vector<Probe::Bend> Probe::bends(const Tolerance& tolerance) const {
 Probe::Densities Probe::densities(const Tolerance& tolerance, std::span<const Bend> bends,
                                   double rho, const Densities* shape, std::size_t every) const {
   Densities result;
-  std::vector<double> line;
-  // What of the tolerance the bend along u takes, or along v.
-  const auto add = [&](std::size_t i, std::size_t j, bool along_u) {
-    const std::size_t s = j * u_.size() + i;
-    if (!samples_[s].regular) return;
-    const auto& [L, M, N] = bends[s];
-    const double h = shape != nullptr ? shape->of_v[j] : 1;
-    const double k = shape != nullptr ? shape->of_u[i] : rho;
-    const double bend =
-        along_u ? std::fabs(L) + rho * std::fabs(M) : std::fabs(N) + std::fabs(M) / rho;
-    const CellBend cell = bend_of_cell(L, M, N, h, k);
-    line.push_back(cell.bound > 0 ? bend * cell.error / cell.bound : bend);
-  };
-  for (std::size_t i = 0; i < u_.size(); ++i) {
-    line.clear();
-    for (std::size_t j = 0; j < v_.size(); j += every) add(i, j, true);
-    result.of_u.push_back(density(quantile(line, kShare)));
-  }
+  // What of the tolerance the bends along u of each column take, and along v of each row.
+  std::vector<std::vector<double>> columns(u_.size());
+  std::vector<std::vector<double>> rows(v_.size());
   for (std::size_t j = 0; j < v_.size(); ++j) {
-    line.clear();
-    for (std::size_t i = 0; i < u_.size(); i += every) add(i, j, false);
-    result.of_v.push_back(density(quantile(line, kShare)));
+    for (std::size_t i = (every - j % every) % every; i < u_.size(); i += every) {
+      const std::size_t s = j * u_.size() + i;
+      if (!samples_[s].regular) continue;
+      const auto& [L, M, N] = bends[s];
+      const double h = shape != nullptr ? shape->of_v[j] : 1;
+      const double k = shape != nullptr ? shape->of_u[i] : rho;
+      const CellBend cell = bend_of_cell(L, M, N, h, k);
+      const double share = cell.bound > 0 ? cell.error / cell.bound : 1;
+      columns[i].push_back((std::fabs(L) + rho * std::fabs(M)) * share);
+      rows[j].push_back((std::fabs(N) + std::fabs(M) / rho) * share);
+    }
   }
+  for (auto& column : columns) result.of_u.push_back(density(quantile(column, kShare)));
+  for (auto& row : rows) result.of_v.push_back(density(quantile(row, kShare)));
   // Along the domain's edge the mesh must follow the edge itself, with all of the tolerance.
   const auto follow = [&](std::vector<double>& densities, std::span<const double> places,
                           std::span<const EdgeSample> edges) {

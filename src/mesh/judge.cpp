@@ -100,6 +100,13 @@ double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice&
   return ball.allowed_by(tolerance);
 }
 
+double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
+  const auto length = [&](std::size_t a, std::size_t b) {
+    return glm::distance(mesh.position[corner[a]], mesh.position[corner[b]]);
+  };
+  return std::min(std::max(length(0, 1), length(2, 3)), std::max(length(1, 2), length(3, 0)));
+}
+
 int count_defined(const Lattice& lattice, const Samples& samples) {
   int count = lattice.is_defined(samples.centre) ? 1 : 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -128,7 +135,8 @@ double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) cons
 Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const auto& [corner, side, centre] = samples;
   const double eps = allowed(samples);
-  const bool normals_count = diameter(corner) > kVisible * eps;
+  const double seen_turn = kSeenTurn * eps;
+  const bool is_visible = diameter(corner) > kVisible * eps;
   Verdict verdict;
   const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
                          double Scores::*part) {
@@ -137,8 +145,11 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
     const bool is_small = is_small_arc(a, b, sample);
     const double gap = is_small ? distance : distance_of_middle(a, b, sample) / eps;
     verdict.gap.*part = std::max(verdict.gap.*part, gap);
-    verdict.may_jump = verdict.may_jump || (normals_count && !is_small);
-    if (!normals_count) return;
+    verdict.may_jump = verdict.may_jump || (is_visible && !is_small);
+    const bool turn_counts = part == &Scores::centre
+                                 ? narrow_side(mesh_, corner) > seen_turn
+                                 : glm::distance(mesh_.position[a], mesh_.position[b]) > seen_turn;
+    if (!turn_counts) return;
     verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
   };
   for (std::size_t k = 0; k < 4; ++k) {
@@ -150,7 +161,7 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
   verdict.distance.centre =
       std::max(verdict.distance.centre, bulge_of_triangles(samples, first) / eps);
-  verdict.is_folded = normals_count && has_opposed(corner);
+  verdict.is_folded = is_visible && has_opposed(corner);
   return verdict;
 }
 

@@ -84,12 +84,19 @@ static inline Chord side(const LeafSamples& leaves, size_t k, size_t i) {
           normal(a, i),   normal(b, i),   normal(leaves.side[k], i)};
 }
 
-static void judge_side(const LeafSamples& leaves, size_t k, size_t count, LeafVerdicts& verdicts,
-                       const LeafNumbers& turn_counts) {
+static inline double square_of_side(const LeafSamples& leaves, size_t k, size_t i) {
+  const LoopVector along =
+      minus(position(leaves.corner[(k + 1) % 4], i), position(leaves.corner[k], i));
+  return dot(along, along);
+}
+
+static void judge_side(const LeafSamples& leaves, size_t k, size_t count, LeafVerdicts& verdicts) {
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
+    const double turn_counts =
+        square_of_side(leaves, k, i) - leaves.seen_turn[i] * leaves.seen_turn[i];
     const Said said =
-        test(side(leaves, k, i), leaves.seen[k][i], leaves.largest_sine[i], turn_counts[i]);
+        test(side(leaves, k, i), leaves.seen[k][i], leaves.largest_sine[i], turn_counts);
     const double counts = leaves.counts[k][i];
     const double distance = choose(counts, said.distance, 0.0);
     verdicts.distance[i] = larger_of(verdicts.distance[i], distance);
@@ -111,8 +118,7 @@ static inline double bulge(double a, double b, double c) {
 }
 
 /// The diagonal along which the cell would be cut, and the largest height above its triangles.
-static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& verdicts,
-                         const LeafNumbers& turn_counts) {
+static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& verdicts) {
   const LeafVertices* const corner = leaves.corner.data();
   const LeafVertices* const side = leaves.side.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
@@ -128,7 +134,11 @@ static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& 
     const double second = other < first * kNearlyOne ? 1.0 : 0.0;
     const Chord diagonal = {choose(second, p1, p0), choose(second, p3, p2), c,
                             choose(second, n1, n0), choose(second, n3, n2), n};
-    const Said said = test(diagonal, 0, leaves.largest_sine[i], turn_counts[i]);
+    const double narrow =
+        smaller_of(larger_of(square_of_side(leaves, 0, i), square_of_side(leaves, 2, i)),
+                   larger_of(square_of_side(leaves, 1, i), square_of_side(leaves, 3, i)));
+    const double turn_counts = narrow - leaves.seen_turn[i] * leaves.seen_turn[i];
+    const Said said = test(diagonal, 0, leaves.largest_sine[i], turn_counts);
     const double h0 = dot(minus(position(side[0], i), times(0.5, plus(p0, p1))), n);
     const double h1 = dot(minus(position(side[1], i), times(0.5, plus(p1, p2))), n);
     const double h2 = dot(minus(position(side[2], i), times(0.5, plus(p2, p3))), n);
@@ -146,16 +156,11 @@ static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& 
 }
 
 /// Samples without a normal, or without a position, are for others to judge.
-static void begin(const LeafSamples& leaves, size_t count, LeafVerdicts& verdicts,
-                  LeafNumbers& turn_counts) {
+static void begin(const LeafSamples& leaves, size_t count, LeafVerdicts& verdicts) {
   const LeafVertices* const corner = leaves.corner.data();
   const LeafVertices* const side = leaves.side.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
-    const LoopVector first = minus(position(corner[2], i), position(corner[0], i));
-    const LoopVector other = minus(position(corner[3], i), position(corner[1], i));
-    const double diameter = larger_of(dot(first, first), dot(other, other));
-    turn_counts[i] = diameter - leaves.visible[i] * leaves.visible[i];
     const LoopVector n = normal(leaves.centre, i);
     double least = dot(n, n);
     for (size_t k = 0; k < 4; ++k) {
@@ -171,10 +176,9 @@ static void begin(const LeafSamples& leaves, size_t count, LeafVerdicts& verdict
 }  // namespace
 
 void SADDLE_LEVEL(const LeafSamples& leaves, size_t count, LeafVerdicts& verdicts) {
-  LeafNumbers turn_counts;
-  begin(leaves, count, verdicts, turn_counts);
-  for (size_t k = 0; k < 4; ++k) judge_side(leaves, k, count, verdicts, turn_counts);
-  judge_middle(leaves, count, verdicts, turn_counts);
+  begin(leaves, count, verdicts);
+  for (size_t k = 0; k < 4; ++k) judge_side(leaves, k, count, verdicts);
+  judge_middle(leaves, count, verdicts);
   for (size_t i = 0; i < count; ++i) {
     const bool is_near = verdicts.distance[i] <= leaves.largest_distance[i];
     verdicts.passes[i] = is_near ? verdicts.passes[i] : 0.0;

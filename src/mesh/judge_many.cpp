@@ -48,11 +48,11 @@ class Gatherer {
     take(mesh, samples.centre, i, to.centre);
     const double eps = judge_.allowed(samples);
     // Scores are to be 1 / strictness; that of an angle is its square.
-    const double strictness = leaf.strictness;
-    to.largest_distance[i] = eps / strictness;
+    const double strictness = leaf.turn_strictness;
+    to.largest_distance[i] = eps / leaf.strictness;
     to.largest_sine[i] =
         strictness == 1 ? sine_ : square_of_sine(options_.normal_tolerance / std::sqrt(strictness));
-    to.visible[i] = kVisible * eps;
+    to.seen_turn[i] = kSeenTurn * eps;
     return eps;
   }
 

@@ -36,7 +36,9 @@ struct Leaf {
   bool given_up = false;            ///< halving does not help, or is not allowed
   std::uint8_t sought = 0;          ///< halvings of its root cell until it was defined somewhere
   float known_error = 0;            ///< what its tests found, in tolerances
-  float strictness = 1;  ///< how much worse fresh samples found an ancestor than its tests had
+  /// How much worse fresh samples found ancestors than their tests had: distances and normals.
+  float strictness = 1;
+  float turn_strictness = 1;
 
   std::uint32_t size_u() const { return high.u - low.u; }
   std::uint32_t size_v() const { return high.v - low.v; }

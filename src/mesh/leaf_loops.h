@@ -30,7 +30,7 @@ struct LeafSamples {
   std::array<LeafNumbers, 4> seen;    ///< 1: its distance counts in any direction
   LeafNumbers largest_distance;       ///< that is allowed, in units of length
   LeafNumbers largest_sine;           ///< of the angle between normals, squared
-  LeafNumbers visible;                ///< normals of leaves no larger than this do not count
+  LeafNumbers seen_turn;              ///< how normals turn along no more than this does not count
 };
 
 struct LeafVerdicts {

@@ -251,7 +251,7 @@ class Refiner {
     judged.verdict = judge_.score(leaf, samples);
     if (leaf.leads_to_pole) judged.verdict.distance = judged.verdict.gap;
     const double distance = judged.verdict.distance.worst() * leaf.strictness;
-    const double turn = judged.verdict.turn.worst() * leaf.strictness;
+    const double turn = judged.verdict.turn.worst() * leaf.turn_strictness;
     leaf.in_vain = count_in_vain(leaf.in_vain, distance, candidate.parent_distance);
     leaf.turned_in_vain = count_in_vain(leaf.turned_in_vain, turn, candidate.parent_turn);
     return judged;
@@ -262,7 +262,8 @@ class Refiner {
     Leaf leaf = judged.candidate.leaf;
     const Verdict& verdict = judged.verdict;
     const double distance = verdict.distance.worst() * leaf.strictness;
-    const double turn = verdict.turn.worst() * leaf.strictness;
+    const bool turn_counts = !lattice_.is_full(allowed_for_normals(options_.max_triangles));
+    const double turn = turn_counts ? verdict.turn.worst() * leaf.turn_strictness : 0;
     // Toward a pole errors grow as leaves shrink: there is always more to do.
     const bool is_cut_off = leaf.leads_to_pole && (halvings(leaf) >= kMostCutHalvings ||
                                                    judge_.is_outside(judged.samples));

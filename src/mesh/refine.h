@@ -13,10 +13,14 @@
 
 namespace saddle {
 
-/// The normals of a leaf that is no larger than this part of the tolerance do not matter: it is
-/// smaller than what may be missing. At a point where sheets meet they turn however often it is
-/// halved.
+/// A leaf that is no larger than so many tolerances is smaller than what may be missing: nobody
+/// looks for jumps and folds in it.
 inline constexpr double kVisible = 2;
+
+/// How normals turn along what is no longer than so many tolerances does not matter. At a point
+/// where sheets meet they turn however often a leaf is halved, and at the shoulder of a front
+/// within a width that no picture shows. Twice as much shows on waves of five pixels.
+inline constexpr double kSeenTurn = 1;
 
 /// An angle between normals but for their signs: across a cusp the normal jumps to its opposite
 /// while the tangent plane goes on, and no halving mends that.
@@ -55,6 +59,14 @@ struct RefineOptions {
       seen_v;  ///< the grid's lines that are drawn or the domain's ends
   unsigned threads = 0;
 };
+
+/// Triangles up to which leaves are halved for their normals alone: half as many as a picture of
+/// 800 x 600 has pixels, or a share of those that are allowed if that is more.
+inline std::size_t allowed_for_normals(std::size_t max_triangles) {
+  constexpr std::size_t kEnough = 250'000;
+  constexpr std::size_t kShare = 16;
+  return std::min(max_triangles, std::max(kEnough, max_triangles / kShare));
+}
 
 struct Refinement {
   std::vector<Leaf> leaves;    ///< in no order but always the same

@@ -59,14 +59,17 @@ TEST(ManyLeaves, PassIfTheyPassOneByOne) {
   for (const double strictness : {1.0, 1.5}) {
     const Surface surface = waves();
     Subject subject(surface, options_for(0.02, 9));
-    for (Leaf& leaf : subject.leaves) leaf.strictness = static_cast<float>(strictness);
+    for (Leaf& leaf : subject.leaves) {
+      leaf.strictness = static_cast<float>(strictness);
+      leaf.turn_strictness = static_cast<float>(2 * strictness);
+    }
     const std::vector<float> known = judge_many(subject.leaves, subject.samples, subject.options,
                                                 subject.judge, subject.lattice);
     std::size_t good = 0;
     for (std::size_t k = 0; k < known.size(); ++k) {
       const Verdict verdict = subject.judge.score(subject.leaves[k], subject.samples[k]);
       const double distance = verdict.distance.worst();
-      const bool passes = strictness * std::max(distance, verdict.turn.worst()) <= 1;
+      const bool passes = strictness * std::max(distance, 2 * verdict.turn.worst()) <= 1;
       ASSERT_EQ(known[k] != kUnknown, passes) << k;
       if (passes) {
         ASSERT_NEAR(known[k], distance, 1e-6) << k;
@@ -187,7 +190,7 @@ TEST(ManyLeaves, AreJudgedAlikeOnEveryCpuLevel) {
     put_bowl(x + 0.5 * h, 0.5 * h, i, leaves->centre);
     leaves->largest_distance[i] = 3e-3;
     leaves->largest_sine[i] = 0.1;
-    leaves->visible[i] = 0.02;
+    leaves->seen_turn[i] = 0.02;
   }
   auto lowest = std::make_unique<LeafVerdicts>();
   auto verdicts = std::make_unique<LeafVerdicts>();
