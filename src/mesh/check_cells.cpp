@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "base/parallel.h"
@@ -63,14 +62,6 @@ struct Largest {
   }
   void add(const Largest& other) { add(other.distance, other.chord); }
 };
-
-/// Unit vectors: the length of their difference, and the angle in degrees.
-double chord_of_angle(double degrees) {
-  return 2 * std::sin(degrees / 2 * std::numbers::pi / 180);
-}
-double angle_of_chord(double chord) {
-  return 2 * std::asin(std::min(chord / 2, 1.0)) * 180 / std::numbers::pi;
-}
 
 /// What the corners of a triangle weigh at (u, v); negative outside.
 dvec3 weights_at(const std::array<dvec2, 3>& at, const dvec2& uv) {
@@ -146,7 +137,7 @@ class Checker {
     const std::optional<Largest> straight = straight_above(cell, uv, p, normal);
     if (straight) return *straight;
     const Deviation d = deviation(grid_, grid_.triangles(cell), uv, p / grid_.local_scale, normal);
-    return {grid_.local_scale * d.distance, chord_of_angle(d.degrees)};
+    return {grid_.local_scale * d.distance, chord_of_degrees(d.degrees)};
   }
 
   /// Of the triangle that a place is in, if its point there is straight above or below the
@@ -205,7 +196,7 @@ MeasuredError check_cells(const Surface& surface, const Grid& grid, const SeenLi
         return Ends{grid.vertex(i, j), grid.vertex(i, j + 1)};
       },
       [&](std::size_t i, std::size_t) { return seen.columns[i] != 0; }));
-  return {largest.distance / grid.local_scale, angle_of_chord(largest.chord),
+  return {largest.distance / grid.local_scale, degrees_of_chord(largest.chord),
           checker.evaluations()};
 }
 

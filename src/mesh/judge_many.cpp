@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesh/leaf_loops.h"
+#include "mesh/vertex_columns.h"
 
 namespace saddle {
 
@@ -18,14 +19,7 @@ double square_of_sine(double degrees) {
 }
 
 void take(const Mesh& mesh, std::uint32_t vertex, std::size_t i, LeafVertices& to) {
-  const dvec3& position = mesh.position[vertex];
-  const dvec3& normal = mesh.normal[vertex];
-  to.x[i] = position.x;
-  to.y[i] = position.y;
-  to.z[i] = position.z;
-  to.n_x[i] = normal.x;
-  to.n_y[i] = normal.y;
-  to.n_z[i] = normal.z;
+  put_vertex(mesh.position[vertex], mesh.normal[vertex], i, to);
 }
 
 class Gatherer {

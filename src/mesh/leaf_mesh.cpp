@@ -9,6 +9,7 @@
 #include "mesh/corners.h"
 #include "mesh/polygon.h"
 #include "mesh/triangulate.h"
+#include "mesh/vertex_columns.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -120,13 +121,7 @@ class PlainCutter {
 
   void put(std::uint32_t corner, std::size_t i, Strip& strip) const {
     const dvec3& position = grid_.mesh.position[corner];
-    const dvec3& normal = grid_.mesh.normal[corner];
-    strip.x[i] = position.x;
-    strip.y[i] = position.y;
-    strip.z[i] = position.z;
-    strip.n_x[i] = normal.x;
-    strip.n_y[i] = normal.y;
-    strip.n_z[i] = normal.z;
+    put_vertex(position, grid_.mesh.normal[corner], i, strip);
     const double size =
         std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)});
     strip.size = std::max(strip.size, size);

@@ -259,6 +259,14 @@ Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const
   return {away / grid.local_scale, normal ? degrees_between(*normal, interpolated) : 0};
 }
 
+double degrees_of_chord(double chord) {
+  return 2 * std::asin(std::min(chord / 2, 1.0)) * 180 / std::numbers::pi;
+}
+
+double chord_of_degrees(double degrees) {
+  return 2 * std::sin(degrees / 2 * std::numbers::pi / 180);
+}
+
 MeasuredError measure_error(const Surface& surface, const Grid& grid,
                             std::span<const std::size_t> opened, unsigned threads) {
   return Measurer(surface, grid, opened, threads).measure();

@@ -29,6 +29,10 @@ Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position);
 
+/// The angle between unit vectors whose ends are so far apart, 0 to 180 degrees, and the other way.
+double degrees_of_chord(double chord);
+double chord_of_degrees(double degrees);
+
 struct MeasuredError {
   double distance = 0;        ///< largest, from a point of the surface to the triangles of its cell
   double normal_degrees = 0;  ///< largest angle of exact and interpolated normal at such a point

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "eval/batch.h"
 #include "mesh/leaf_loops.h"
+#include "mesh/measure.h"
+#include "mesh/vertex_columns.h"
 
 namespace saddle {
 
@@ -65,22 +66,6 @@ class Columns {
   std::array<Array<double>, 9> columns_;
 };
 
-void take(const Grid& grid, std::uint32_t corner, std::size_t i, LeafVertices& to) {
-  const dvec3 position = grid.local(corner);
-  const dvec3& normal = grid.mesh.normal[corner];
-  to.x[i] = position.x;
-  to.y[i] = position.y;
-  to.z[i] = position.z;
-  to.n_x[i] = normal.x;
-  to.n_y[i] = normal.y;
-  to.n_z[i] = normal.z;
-}
-
-/// The angle between unit vectors whose ends are so far apart.
-double degrees_of_chord(double square) {
-  return 2 * std::asin(std::min(0.5 * std::sqrt(square), 1.0)) * 180 / std::numbers::pi;
-}
-
 /// The batch's leaves [begin, begin + count).
 void measure_block(const Grid& grid, std::span<const TwoTriangles> leaves, std::size_t begin,
                    std::size_t count, Columns& columns, LeafPoints& points,
@@ -88,7 +73,9 @@ void measure_block(const Grid& grid, std::span<const TwoTriangles> leaves, std::
   for (std::size_t i = 0; i < count; ++i) {
     const TwoTriangles& leaf = leaves[begin + i];
     const auto corners = corners_of(leaf, grid.mirrored);
-    for (std::size_t k = 0; k < 4; ++k) take(grid, corners[k], i, points.corner[k]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      put_vertex(grid.local(corners[k]), grid.mesh.normal[corners[k]], i, points.corner[k]);
+    }
     const bool turned = grid.mesh.uv[corners[0]] != leaf.low;
     for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
       columns.set_place(s, begin + i, leaf.places[s], turned);
@@ -104,7 +91,8 @@ void measure_block(const Grid& grid, std::span<const TwoTriangles> leaves, std::
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (!(worst.is_known[i] > 0)) continue;
-    result[begin + i] = {worst.distance[i] / grid.local_scale, degrees_of_chord(worst.chord[i])};
+    result[begin + i] = {worst.distance[i] / grid.local_scale,
+                         degrees_of_chord(std::sqrt(worst.chord[i]))};
   }
 }
 
