@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <set>
 
-#include "mesh/certify.h"
 #include "mesh/clip.h"
 #include "mesh/corners.h"
-#include "mesh/crossings.h"
-#include "mesh/degenerate.h"
-#include "mesh/islands.h"
-#include "mesh/joins.h"
-#include "mesh/judge.h"
+#include "mesh/halving.h"
 #include "mesh/leaf_mesh.h"
-#include "mesh/measure.h"
-#include "mesh/refine.h"
 #include "mesh/tidy.h"
-#include "mesh/verify.h"
-#include "mesh/weld.h"
 
 namespace saddle {
 
@@ -27,16 +17,10 @@ namespace {
 
 /// The part of the tolerance that is aimed at: samples miss some of the largest distance.
 constexpr double kAim = 0.98;
-/// Times that leaves which fail on fresh samples are halved again.
-constexpr int kRounds = 12;
-/// What a sample finds at a kink says nothing about how fine the mesh must be.
-constexpr double kMostStrict = 4;
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
 /// Cells of the root grid each way around an island that no sample has met.
 constexpr std::size_t kIslandCells = 16;
-/// The search for islands may try one box for so many of proofs.
-constexpr std::size_t kProofsPerIsland = 12;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
 /// More lines than this each way cannot be numbered by a lattice.
@@ -48,13 +32,6 @@ FixedLines fixed_lines(const Domain& domain, const AdaptiveOptions& options) {
   };
   return {lines(domain.u0, domain.u1, options.lines_u),
           lines(domain.v0, domain.v1, options.lines_v)};
-}
-
-/// Which of the grid's lines are among the fixed ones: their chords are seen.
-std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<const double> fixed) {
-  std::vector<std::uint8_t> seen;
-  for (const double line : lines) seen.push_back(std::ranges::count(fixed, line) > 0 ? 1 : 0);
-  return seen;
 }
 
 std::size_t cells(const FixedLines& lines) {
@@ -99,129 +76,14 @@ bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
   return eps > 0 && std::isfinite(eps);
 }
 
-std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
-  std::vector<std::size_t> result(end - begin);
-  std::iota(result.begin(), result.end(), begin);
-  return result;
-}
-
-/// Leaves that are to be refined, and the witnesses against them.
-struct Failed {
-  std::vector<Leaf> leaves;
-  std::vector<Witness> witnesses;
-};
-
-/// Makes one mesh.
-class Mesher {
+/// What becomes of leaves.
+class Finisher {
  public:
-  /// Takes the plan's lines.
-  Mesher(const Surface& surface, const AdaptiveOptions& options, MeshPlan& plan)
-      : surface_(surface),
-        options_(options),
-        refining_{plan.aim,
-                  options.normal_tolerance,
-                  options.max_triangles,
-                  options.clip,
-                  seen_lines(plan.lines.u, plan.fixed.u),
-                  seen_lines(plan.lines.v, plan.fixed.v),
-                  options.threads},
-        grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v),
-                          options.threads)),
-        seams_(weld_if_two_dimensional(plan.probe)),
-        lattice_(surface, grid_, options.threads),
-        judge_(refining_, grid_, lattice_),
-        verifier_(surface, grid_, lattice_, options.threads) {}
-
-  /// Refines until tests, fresh samples and bounds find nothing more.
-  void refine_all(std::vector<Witness> witnesses) {
-    lattice_.add_middles(options_.threads);
-    add({root_leaves(grid_), std::move(witnesses)});
-    std::size_t island_boxes = budget_.boxes / kProofsPerIsland;
-    for (int round = 0; round < kRounds; ++round) {
-      Failed failed{take_failed(), {}};
-      if (failed.leaves.empty() && options_.certify) failed = take_islands(island_boxes);
-      if (failed.leaves.empty() && measure_singular()) failed.leaves = take_failed();
-      if (failed.leaves.empty() && options_.certify) failed = take_suspects();
-      if (failed.leaves.empty()) break;
-      add(failed);
-    }
-  }
-
-  /// The mesh; nothing if none of its triangles has any area.
-  std::optional<GridMesh> take(GridMesh result) {
-    MeshReport& report = result.report;
-    cut_poles();
-    list_cuts(report);
-    const auto& leaves = mesh_.leaves;
-    const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
-    measure(singular.leaves(), singular);
-    LeafTriangles triangles =
-        triangulate_leaves(leaves, numbers(0, leaves.size()), singular, grid_, lattice_);
-    for (std::size_t k = 0; k < leaves.size(); ++k) {
-      if (triangles.of(k).empty() || is_clipped(leaves[k])) continue;
-      const double eps = mesh_.allowed[k];
-      const double off = std::max(mesh_.deviations[k].distance, leaves[k].known_error * eps);
-      // Where the tolerance depends on the place: as if it were the strictest everywhere.
-      report.max_error =
-          std::max(report.max_error, eps > *report.tolerance ? off / eps * *report.tolerance : off);
-      if (width(leaves[k]) <= kSeenTurn * eps) continue;
-      report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
-    }
-    if (triangles.all.empty()) return std::nullopt;
-    report.undefined_fraction = undefined_fraction(triangles);
-    // A polygon that meets itself at a pole may have more triangles than it has corners for.
-    report.flat_triangles =
-        std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
-    report.cells = leaves.size();
-    report.reached_limit = report.reached_limit || reached_limit_;
-    report.coarse_normals = coarse_normals_;
-    report.certified = certified_ && !reached_limit_;
-    report.closed_u = seams_.u.name();
-    report.closed_v = seams_.v.name();
-    report.work.leaf_samples +=
-        grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
-    report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
-    report.evaluations += report.work.leaf_samples;
-    grid_.mesh.triangles = std::move(triangles.all);
-    grid_.mesh.lines = leaf_lines(grid_, lattice_, options_.lines_u, options_.lines_v);
-    if (options_.clip) clip_mesh(*options_.clip, grid_.mesh);
-    keep_used_corners(grid_.mesh);
-    result.mesh = std::move(grid_.mesh);
-    return result;
-  }
-
- private:
-  Seams weld_if_two_dimensional(const Probe& probe) {
-    if (probe.island()) grid_.range = probe.island()->where.high - probe.island()->where.low;
-    if (grid_.left_out_count == grid_.cell_count()) {
-      set_extent(grid_, probe.bounds());
-      return {};
-    }
-    require_two_dimensional(surface_, grid_, options_.threads);
-    return weld(grid_);
-  }
-
-  CrossingOptions crossing_options(bool poles) const {
-    return {refining_.tolerance, poles, options_.threads};
-  }
-
-  /// Looks for poles on the sides of leaves that halving did not help: they would be walls.
-  void cut_poles() {
-    if (reached_limit_) return;
-    std::set<Side> suspects;
-    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      const Leaf& leaf = mesh_.leaves[k];
-      const bool is_off = mesh_.off(k) > 1 || (leaf.given_up && leaf.known_error > 1);
-      if (leaf.on_rim || !is_off) continue;
-      for (const Side& side : sides_of(leaf, lattice_)) {
-        if (!lattice_.crossing(side[0], side[1])) suspects.insert(side);
-      }
-    }
-    if (suspects.empty()) return;
-    const std::vector<Side> sides(suspects.begin(), suspects.end());
-    find_crossings(sides, crossing_options(true), lattice_);
-    follow_crossings(crossing_options(true), mesh_.leaves, lattice_);
-  }
+  explicit Finisher(Halving& halving)
+      : halving_(halving),
+        mesh_(halving.measured()),
+        lattice_(halving.lattice()),
+        grid_(halving.grid()) {}
 
   /// Lists where the sides of leaves are cut by jumps and poles, and by cusps, which are singular.
   void list_cuts(MeshReport& report) const {
@@ -236,6 +98,45 @@ class Mesher {
     }
   }
 
+  /// The share of the domain that no leaf covers, and of leaves on the rim what their triangles
+  /// leave out.
+  double undefined_fraction(const LeafTriangles& triangles, const Domain& d) const {
+    const auto area = [](const dvec2& a, const dvec2& b) {
+      return std::fabs(a.x * b.y - a.y * b.x);
+    };
+    double covered = 0;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
+      if (!leaf.on_rim) {
+        covered += std::fabs(size.x * size.y);
+        continue;
+      }
+      for (const Triangle& t : triangles.of(k)) {
+        const auto& uv = grid_.mesh.uv;
+        covered += 0.5 * area(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
+      }
+    }
+    const double share = 1 - covered / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
+    return share > kAllCovered ? share : 0;
+  }
+
+  /// The largest errors of the triangles.
+  void take_errors(const LeafTriangles& triangles, MeshReport& report) const {
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      if (triangles.of(k).empty() || halving_.is_clipped(leaf)) continue;
+      const double eps = mesh_.allowed[k];
+      const double off = std::max(mesh_.deviations[k].distance, leaf.known_error * eps);
+      // Where the tolerance depends on the place: as if it were the strictest everywhere.
+      report.max_error =
+          std::max(report.max_error, eps > *report.tolerance ? off / eps * *report.tolerance : off);
+      if (halving_.width(leaf) <= kSeenTurn * eps) continue;
+      report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
+    }
+  }
+
+ private:
   void list_cut(const Crossing& crossing, MeshReport& report) const {
     const auto& n = grid_.mesh.normal;
     const dvec2& uv = grid_.mesh.uv[crossing.beside_first];
@@ -259,281 +160,33 @@ class Mesher {
     }
   }
 
-  /// The share of the domain that no leaf covers, and of leaves on the rim what their triangles
-  /// leave out.
-  double undefined_fraction(const LeafTriangles& triangles) const {
-    const auto area = [](const dvec2& a, const dvec2& b) {
-      return std::fabs(a.x * b.y - a.y * b.x);
-    };
-    double covered = 0;
-    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      const Leaf& leaf = mesh_.leaves[k];
-      const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
-      if (!leaf.on_rim) {
-        covered += std::fabs(size.x * size.y);
-        continue;
-      }
-      for (const Triangle& t : triangles.of(k)) {
-        const auto& uv = grid_.mesh.uv;
-        covered += 0.5 * area(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
-      }
-    }
-    const Domain& d = surface_.domain;
-    const double share = 1 - covered / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
-    return share > kAllCovered ? share : 0;
-  }
-
-  /// Whether one more halving could exceed the limit of triangles.
-  bool is_full() {
-    const bool full = lattice_.is_full(options_.max_triangles);
-    reached_limit_ = reached_limit_ || full;
-    return full;
-  }
-
-  std::array<dvec3, 4> positions(const Leaf& leaf) const {
-    std::array<dvec3, 4> p;
-    const auto corners = leaf.corners();
-    for (std::size_t k = 0; k < 4; ++k) {
-      p[k] = grid_.mesh.position[lattice_.vertex_at_corner(corners[k])];
-    }
-    return p;
-  }
-
-  /// Whether nothing of a leaf will be left.
-  bool is_clipped(const Leaf& leaf) const {
-    return options_.clip && is_beyond(*options_.clip, positions(leaf));
-  }
-
-  /// How wide a leaf is where it is narrow; on the rim, how large what of it is defined.
-  double width(const Leaf& leaf) const {
-    if (leaf.on_rim) {
-      Bounds bounds;
-      for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t) {
-        if (lattice_.is_defined(a)) bounds.add(grid_.mesh.position[a]);
-      });
-      return bounds.diagonal();
-    }
-    const auto places = leaf.corners();
-    std::array<std::uint32_t, 4> corners{};
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = lattice_.vertex_at_corner(places[k]);
-    return narrow_side(grid_.mesh, corners);
-  }
-
-  /// Refines leaves, adds what comes out and measures it.
-  void add(const Failed& failed) {
-    const Refinement refinement =
-        refine(failed.leaves, failed.witnesses, refining_, grid_, lattice_);
-    reached_limit_ = reached_limit_ || refinement.reached_limit;
-    auto& leaves = mesh_.leaves;
-    leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
-    empty_.insert(empty_.end(), refinement.empty.begin(), refinement.empty.end());
-    Points points(grid_.mesh);
-    mirror_seams(seams_, options_.threads, grid_, lattice_, points);
-    points.settle();
-    std::vector<std::size_t> changed = follow_crossings(crossing_options(false), leaves, lattice_);
-    if (lattice_.has_crossings() && (seams_.u.closed || seams_.v.closed)) {
-      mirror_crossings(seams_, crossing_options(false), grid_, lattice_);
-      const auto more = follow_crossings(crossing_options(false), leaves, lattice_);
-      changed.insert(changed.end(), more.begin(), more.end());
-      join_crossings(seams_, grid_, lattice_, points);
-    }
-    join_poles(std::span(leaves).subspan(mesh_.deviations.size()), grid_, lattice_, points);
-    points.settle();
-    std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.deviations.size(); });
-    for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
-      mesh_.allowed.push_back(tolerance_of(leaves[k], refining_.tolerance, lattice_));
-    }
-    const std::vector<std::size_t> fresh = numbers(mesh_.deviations.size(), leaves.size());
-    changed.insert(changed.end(), fresh.begin(), fresh.end());
-    measure(changed, SingularCorners());
-  }
-
-  void measure(std::span<const std::size_t> which, const SingularCorners& singular) {
-    verifier_.measure(mesh_, which,
-                      triangulate_leaves(mesh_.leaves, which, singular, grid_, lattice_));
-  }
-
-  /// Measures the leaves with singular corners with the limits of their normals, which are not kept
-  /// until no leaf changes any more. False if there are none.
-  bool measure_singular() {
-    if (!lattice_.has_singular()) return false;
-    Mesh& mesh = grid_.mesh;
-    const std::size_t count = mesh.position.size();
-    MeshReport unused;
-    const SingularCorners singular(surface_, mesh_.leaves, lattice_, options_.threads, grid_,
-                                   unused);
-    measure(singular.leaves(), singular);
-    mesh.position.resize(count);
-    mesh.normal.resize(count);
-    mesh.uv.resize(count);
-    mesh.point.resize(count);
-    return true;
-  }
-
-  /// Which way to halve a leaf that deviates: the one that its tests find worse, or the longer one:
-  /// what the tests along its sides did not see, they see at half.
-  bool splits_u(std::size_t number) {
-    const Leaf& leaf = mesh_.leaves[number];
-    if (mesh_.deviations[number].on_crease) return is_cut_along_u(leaf, lattice_);
-    const Samples samples = request_samples(leaf, lattice_);
-    if (leaf.on_rim) return judge_.splits_rim_u(leaf, samples);
-    if (is_cut_unclearly(leaf)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
-    const Verdict verdict = judge_.score(leaf, samples);
-    const Scores scores = mesh_.off(number) > 1 ? verdict.distance : verdict.turn;
-    constexpr double kTells = 0.5;  // of the tolerance
-    const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
-    const bool is_narrow = Oscillation(grid_).is_narrow(leaf, lattice_);
-    return tells && !is_narrow ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
-  }
-
-  /// Whether a leaf is cut by more than one jump, or by one that ends in it: its pieces do not
-  /// tell.
-  bool is_cut_unclearly(const Leaf& leaf) const {
-    if (!leaf.is_split || leaf.given_up) return false;
-    const CutCount cuts = count_cuts(leaf, lattice_);
-    return !cuts.only_creases && !cuts.is_through();
-  }
-
-  /// How many times worse than allowed the normals of a leaf are, as a score; 0 where no more
-  /// triangles are worth it.
-  double turn(std::size_t number) {
-    const Leaf& leaf = mesh_.leaves[number];
-    const double share = turn_of_line(mesh_.deviations[number].degrees) / options_.normal_tolerance;
-    if (!(share > 1) || width(leaf) <= kSeenTurn * mesh_.allowed[number]) return 0;
-    if (!lattice_.is_full(allowed_for_normals(options_.max_triangles))) return share * share;
-    if (!coarse_normals_) coarse_normals_ = lattice_.parameters(leaf.middle());
-    return 0;
-  }
-
-  /// Where leaves are hopeless.
-  Oscillation oscillation() const {
-    Oscillation oscillation(grid_);
-    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
-    }
-    return oscillation;
-  }
-
-  /// Whether a leaf that deviates too much is not to be halved any more.
-  bool stays(const Leaf& leaf, const Oscillation& oscillation) {
-    return oscillation.contains(leaf, lattice_) || leaf.given_up || is_clipped(leaf) || is_full();
-  }
-
-  /// Halves of the leaves that deviate too much.
-  std::vector<Leaf> take_failed() {
-    const Oscillation hopeless = oscillation();
-    std::vector<std::size_t> failed;
-    std::vector<Leaf> halves;
-    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      const double off = is_cut_unclearly(mesh_.leaves[k]) ? kMostStrict : mesh_.off(k);
-      const double turned = turn(k);
-      if (!(off > 1) && !(turned > 1)) continue;
-      const Leaf& leaf = mesh_.leaves[k];
-      if (stays(leaf, hopeless)) continue;
-      const auto both = halve(leaf, splits_u(k), lattice_);
-      if (!both) continue;
-      failed.push_back(k);
-      for (Leaf half : *both) {
-        half.strictness *= static_cast<float>(std::clamp(off, 1.0, kMostStrict));
-        half.turn_strictness *= static_cast<float>(std::clamp(turned, 1.0, kMostStrict));
-        halves.push_back(half);
-      }
-    }
-    mesh_.remove(failed);
-    // A neighbour was halved, and the side that both share turns out to be defined.
-    const auto is_no_more = [this](const Leaf& leaf) {
-      return has_defined_corner(leaf, lattice_) && !is_full();
-    };
-    std::ranges::copy_if(empty_, std::back_inserter(halves), is_no_more);
-    std::erase_if(empty_, is_no_more);
-    return halves;
-  }
-
-  /// The leaves that are defined at none of their samples, but elsewhere.
-  Failed take_islands(std::size_t& boxes) {
-    std::vector<ParameterBox> where;
-    for (const Leaf& leaf : empty_) {
-      where.push_back({lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)});
-    }
-    const auto found = find_defined(surface_, where, boxes, options_.threads);
-    Failed failed;
-    std::vector<Leaf> kept;
-    for (std::size_t k = 0; k < where.size(); ++k) {
-      if (!found[k] || is_full()) {
-        kept.push_back(empty_[k]);
-        continue;
-      }
-      failed.witnesses.push_back({*found[k], {}, {}, {}, failed.leaves.size()});
-      failed.leaves.push_back(empty_[k]);
-    }
-    empty_ = std::move(kept);
-    return failed;
-  }
-
-  /// The leaves in which bounds found places that deviate too much.
-  Failed take_suspects() {
-    const Certification proof =
-        certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget_);
-    certified_ = proof.complete && proof.suspects.empty();
-    std::vector<dvec2> middles;
-    std::vector<std::size_t> suspected;
-    for (const Suspect& suspect : proof.suspects) {
-      middles.push_back(suspect.middle);
-      suspected.push_back(suspect.leaf);
-    }
-    std::ranges::sort(suspected);
-    suspected.erase(std::unique(suspected.begin(), suspected.end()), suspected.end());
-    const LeafTriangles triangles =
-        triangulate_leaves(mesh_.leaves, suspected, SingularCorners(), grid_, lattice_);
-    const std::vector<SurfacePoint> points = evaluate(surface_, middles, options_.threads);
-    std::vector<double> distances;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Suspect& suspect = proof.suspects[k];
-      const auto number = std::ranges::lower_bound(suspected, suspect.leaf) - suspected.begin();
-      distances.push_back(distance_from(grid_, triangles.of(static_cast<std::size_t>(number)),
-                                        suspect.middle, points[k].position));
-      Deviation& worst = mesh_.deviations[suspect.leaf];
-      worst.distance = std::max(worst.distance, distances.back());
-    }
-    const Oscillation hopeless = oscillation();
-    std::set<std::size_t> guilty;
-    std::vector<Witness> witnesses;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Suspect& suspect = proof.suspects[k];
-      if (!(distances[k] > mesh_.allowed[suspect.leaf]) ||
-          stays(mesh_.leaves[suspect.leaf], hopeless)) {
-        continue;
-      }
-      guilty.insert(suspect.leaf);
-      witnesses.push_back(
-          {suspect.middle, points[k].position, suspect.size, suspect.bend, suspect.leaf});
-    }
-    for (Witness& witness : witnesses) {
-      witness.cell =
-          static_cast<std::size_t>(std::distance(guilty.begin(), guilty.find(witness.cell)));
-    }
-    Failed failed{{}, std::move(witnesses)};
-    const std::vector<std::size_t> taken(guilty.begin(), guilty.end());
-    for (const std::size_t k : taken) failed.leaves.push_back(mesh_.leaves[k]);
-    mesh_.remove(taken);
-    return failed;
-  }
-
-  const Surface& surface_;
-  const AdaptiveOptions& options_;
-  RefineOptions refining_;
-  Grid grid_;
-  Seams seams_;
-  Lattice lattice_;
-  Judge judge_;
-  Verifier verifier_;
-  Measured mesh_;
-  std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
-  ProofBudget budget_{surface_.bounds};
-  bool reached_limit_ = false;
-  std::optional<dvec2> coarse_normals_;
-  bool certified_ = false;
+  const Halving& halving_;
+  const Measured& mesh_;
+  const Lattice& lattice_;
+  const Grid& grid_;
 };
+
+/// The mesh; nothing if none of its triangles has any area.
+std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& options,
+                               Halving& halving, GridMesh result) {
+  MeshReport& report = result.report;
+  const Finisher finisher(halving);
+  finisher.list_cuts(report);
+  LeafTriangles triangles = halving.triangulate(report);
+  finisher.take_errors(triangles, report);
+  if (triangles.all.empty()) return std::nullopt;
+  report.undefined_fraction = finisher.undefined_fraction(triangles, surface.domain);
+  // A polygon that meets itself at a pole may have more triangles than it has corners for.
+  report.flat_triangles = std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
+  halving.complete(report);
+  Grid& grid = halving.grid();
+  grid.mesh.triangles = std::move(triangles.all);
+  grid.mesh.lines = leaf_lines(grid, halving.lattice(), options.lines_u, options.lines_v);
+  if (options.clip) clip_mesh(*options.clip, grid.mesh);
+  keep_used_corners(grid.mesh);
+  result.mesh = std::move(grid.mesh);
+  return result;
+}
 
 }  // namespace
 
@@ -569,9 +222,9 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
                                               const AdaptiveOptions& options, MeshPlan plan) {
   GridMesh result{{}, report_of(plan)};
   std::vector<Witness> witnesses = plan.probe.witnesses(plan.lines, plan.aim);
-  Mesher mesher(surface, options, plan);
-  mesher.refine_all(std::move(witnesses));
-  return mesher.take(std::move(result));
+  Halving halving(surface, options, plan);
+  halving.run(std::move(witnesses));
+  return finish(surface, options, halving, std::move(result));
 }
 
 }  // namespace saddle

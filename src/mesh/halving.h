@@ -1,0 +1,86 @@
+// Cells of a root grid halved until tests, fresh samples and bounds find nothing more.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/adaptive_mesh.h"
+#include "mesh/certify.h"
+#include "mesh/crossings.h"
+#include "mesh/joins.h"
+#include "mesh/judge.h"
+#include "mesh/oscillation.h"
+#include "mesh/verify.h"
+
+namespace saddle {
+
+class Halving {
+ public:
+  /// Takes the plan's lines. Throws Error (Nothing) as mesh_on_grid() does.
+  Halving(const Surface& surface, const AdaptiveOptions& options, MeshPlan& plan);
+
+  /// Halves until nothing is found any more, and cuts poles out.
+  void run(std::vector<Witness> witnesses);
+
+  /// The leaves, and how far off they are.
+  const Measured& measured() const { return mesh_; }
+  const Lattice& lattice() const { return lattice_; }
+  /// The vertices, and all that is to become of the mesh.
+  Grid& grid() { return grid_; }
+  const Grid& grid() const { return grid_; }
+
+  /// Gives singular vertices the corners that leaves see there, measures those leaves once more and
+  /// triangulates all.
+  LeafTriangles triangulate(MeshReport& report);
+
+  /// Whether nothing of a leaf will be left.
+  bool is_clipped(const Leaf& leaf) const;
+  /// How wide a leaf is where it is narrow; on the rim, how large what of it is defined.
+  double width(const Leaf& leaf) const;
+
+  /// What is to be said of the way here.
+  void complete(MeshReport& report) const;
+
+ private:
+  /// Leaves that are to be refined, and the witnesses against them.
+  struct Failed {
+    std::vector<Leaf> leaves;
+    std::vector<Witness> witnesses;
+  };
+
+  Seams weld_if_two_dimensional(const Probe& probe);
+  CrossingOptions crossing_options(bool poles) const;
+  void cut_poles();
+  bool is_full();
+  std::array<dvec3, 4> positions(const Leaf& leaf) const;
+  void add(const Failed& failed);
+  void measure(std::span<const std::size_t> which, const SingularCorners& singular);
+  bool measure_singular();
+  bool splits_u(std::size_t number);
+  bool is_cut_unclearly(const Leaf& leaf) const;
+  double turn(std::size_t number);
+  Oscillation oscillation() const;
+  bool stays(const Leaf& leaf, const Oscillation& oscillation);
+  std::vector<Leaf> take_failed();
+  Failed take_islands(std::size_t& boxes);
+  Failed take_suspects();
+
+  const Surface& surface_;
+  const AdaptiveOptions& options_;
+  RefineOptions refining_;
+  Grid grid_;
+  Seams seams_;
+  Lattice lattice_;
+  Judge judge_;
+  Verifier verifier_;
+  Measured mesh_;
+  std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
+  ProofBudget budget_;
+  bool reached_limit_ = false;
+  std::optional<dvec2> coarse_normals_;
+  bool certified_ = false;
+};
+
+}  // namespace saddle
