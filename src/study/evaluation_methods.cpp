@@ -94,7 +94,9 @@ std::vector<unsigned> thread_counts(unsigned allowed) {
 
 }  // namespace
 
-std::vector<Measurement> measure_evaluation(const Subject& subject) {
+std::vector<Measurement> measure_evaluation(const Subject& subject, const StudyProgress& progress) {
+  const std::vector<unsigned> counts = thread_counts(subject.threads);
+  PanelProgress bar(progress, 2 + 2 * counts.size());
   const Samples samples = sample(subject.bound.domain);
   const Reference reference = make_reference(subject, samples);
   const Tape tape = compile(subject.bound.graph, subject.bound.r);
@@ -105,6 +107,7 @@ std::vector<Measurement> measure_evaluation(const Subject& subject) {
   std::vector<Measurement> result;
   const auto measure = [&](const char* method, const std::string& setting,
                            const std::function<void()>& work) {
+    bar.next(method, setting);
     const Timing time = time_repeatedly(work);
     Measurement m{
         Panel::Evaluation, method, setting, time, error_of(outputs, reference), "ulp", {}};
@@ -118,10 +121,10 @@ std::vector<Measurement> measure_evaluation(const Subject& subject) {
     measure("muparser bulk", threads_text(available_threads()),
             [&] { muparser->bulk(samples.u, samples.v, to); });
   }
-  for (const unsigned n : thread_counts(subject.threads)) {
+  for (const unsigned n : counts) {
     measure("tape", threads_text(n), [&] { evaluate_points(tape, samples.u, samples.v, to, n); });
   }
-  for (const unsigned n : thread_counts(subject.threads)) {
+  for (const unsigned n : counts) {
     measure("tape hoisted", threads_text(n),
             [&] { evaluate_grid(tape, samples.line_u, samples.line_v, to, n); });
   }

@@ -35,8 +35,9 @@ Scene plain_scene(const Subject& subject) {
 
 class ImageStudy {
  public:
-  explicit ImageStudy(const Subject& subject)
+  ImageStudy(const Subject& subject, const StudyProgress& progress)
       : subject_(subject),
+        progress_(progress, 3 * kTolerances.size() + kSamples.size()),
         scene_(plain_scene(subject)),
         exact_(draw_exactly(subject)),
         context_(make_context(Backend::Any)) {}
@@ -61,6 +62,7 @@ class ImageStudy {
  private:
   /// From the tapes to the picture; what a run does once, context and shaders, is there.
   bool add(const char* method, const std::string& setting, double pixels, int antialias) {
+    progress_.next(method, setting);
     Image image;
     std::size_t triangles = 0;
     const auto draw = [&] {
@@ -100,6 +102,7 @@ class ImageStudy {
   }
 
   const Subject& subject_;
+  PanelProgress progress_;
   Scene scene_;
   ExactImage exact_;
   std::unique_ptr<Context> context_;
@@ -109,8 +112,8 @@ class ImageStudy {
 
 }  // namespace
 
-std::vector<Measurement> measure_images(const Subject& subject) {
-  return ImageStudy(subject).measure();
+std::vector<Measurement> measure_images(const Subject& subject, const StudyProgress& progress) {
+  return ImageStudy(subject, progress).measure();
 }
 
 }  // namespace saddle

@@ -14,7 +14,19 @@ constexpr double kEnoughTime = 120;  // milliseconds
 constexpr std::size_t kMost = 101;
 constexpr double kMostTime = 1000;
 
+/// What finding the truth takes of a panel's time, about.
+constexpr double kTruthShare = 0.3;
+
 }  // namespace
+
+PanelProgress::PanelProgress(const StudyProgress& progress, std::size_t settings)
+    : progress_(progress), settings_(static_cast<double>(settings)) {
+  progress_(0, "the truth");
+}
+
+void PanelProgress::next(const std::string& method, const std::string& setting) {
+  progress_(kTruthShare + (1 - kTruthShare) * begun_++ / settings_, method + ", " + setting);
+}
 
 Timing time_repeatedly(const std::function<void()>& work) {
   using Clock = std::chrono::steady_clock;

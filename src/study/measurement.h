@@ -16,6 +16,23 @@ struct Timing {
   double high = 0;
 };
 
+/// Called with the share of the work that is done, about, and what comes next.
+using StudyProgress = std::function<void(double share, const std::string& what)>;
+
+/// How far the work of one panel is: first the truth is found, then settings are measured.
+class PanelProgress {
+ public:
+  /// The truth comes next. `settings`: as many are measured, at most.
+  PanelProgress(const StudyProgress& progress, std::size_t settings);
+  /// A setting comes next.
+  void next(const std::string& method, const std::string& setting);
+
+ private:
+  const StudyProgress& progress_;
+  double settings_;
+  double begun_ = 0;
+};
+
 /// Does the work until the median is worth something, once at least, and a few seconds at most
 /// unless a single time takes longer.
 Timing time_repeatedly(const std::function<void()>& work);

@@ -25,7 +25,10 @@ constexpr double kPatience = 1500;  // milliseconds
 
 class MeshStudy {
  public:
-  explicit MeshStudy(const Subject& subject) : subject_(subject), distance_(subject) {}
+  MeshStudy(const Subject& subject, const StudyProgress& progress)
+      : subject_(subject),
+        progress_(progress, kGrids.size() + 3 * kTolerances.size()),
+        distance_(subject) {}
 
   std::vector<Measurement> measure() {
     for (const int n : kGrids) {
@@ -61,6 +64,7 @@ class MeshStudy {
   /// False if the method has taken too long, or has no mesh.
   template <class F>
   bool add(const char* method, const std::string& setting, std::optional<double> promise, F make) {
+    progress_.next(method, setting);
     std::optional<GridMesh> mesh;
     Timing time;
     try {
@@ -124,6 +128,7 @@ class MeshStudy {
   }
 
   const Subject& subject_;
+  PanelProgress progress_;
   MeshDistance distance_;
   double least_ = 0;  ///< triangles at a tolerance of one pixel, at least
   std::vector<Measurement> result_;
@@ -131,8 +136,8 @@ class MeshStudy {
 
 }  // namespace
 
-std::vector<Measurement> measure_meshes(const Subject& subject) {
-  return MeshStudy(subject).measure();
+std::vector<Measurement> measure_meshes(const Subject& subject, const StudyProgress& progress) {
+  return MeshStudy(subject, progress).measure();
 }
 
 }  // namespace saddle

@@ -20,6 +20,7 @@ constexpr double kMissing = 180;
 
 const std::array<double, 11> kSteps = {1e-1, 1e-2, 1e-3, 1e-4,  1e-5, 1e-6,
                                        1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+constexpr const char* kDifferences = "central differences";
 /// Times that the grid of faces is finer than the grid of normals.
 const std::array<std::size_t, 4> kFiner = {1, 2, 4, 8};
 
@@ -61,8 +62,9 @@ Approach approach(const Lines& at, std::size_t i, std::size_t j) {
 
 class NormalStudy {
  public:
-  explicit NormalStudy(const Subject& subject)
+  NormalStudy(const Subject& subject, const StudyProgress& progress)
       : subject_(subject),
+        progress_(progress, kSteps.size() + kFiner.size() + 2),
         at_(lines(subject.bound.domain, kIntervals)),
         positions_(compile(subject.bound.graph, subject.bound.r)),
         normals_(kIntervals + 1, std::vector<dvec3>(kIntervals + 1)) {
@@ -78,8 +80,10 @@ class NormalStudy {
   std::vector<Measurement> measure() {
     const Timing time = time_repeatedly([&] { differences(kSteps[0]); });  // the same for any h
     for (const double h : kSteps) {
+      const std::string setting = "h=" + number_text(h);
+      progress_.next(kDifferences, setting);
       differences(h);
-      add("central differences", "h=" + number_text(h), time);
+      add(kDifferences, setting, time);
     }
     for (const std::size_t finer : kFiner) {
       const std::string n = std::to_string(finer * kIntervals);
@@ -92,6 +96,7 @@ class NormalStudy {
 
  private:
   void add(const char* method, const std::string& setting, const std::function<void()>& work) {
+    progress_.next(method, setting);
     add(method, setting, time_repeatedly(work));
   }
   void add(const char* method, const std::string& setting, const Timing& time) {
@@ -210,6 +215,7 @@ class NormalStudy {
   }
 
   const Subject& subject_;
+  PanelProgress progress_;
   Lines at_;
   Tape positions_;
   std::vector<std::vector<dvec3>> normals_;  ///< along r_u x r_v, by row and column
@@ -219,8 +225,8 @@ class NormalStudy {
 
 }  // namespace
 
-std::vector<Measurement> measure_normals(const Subject& subject) {
-  return NormalStudy(subject).measure();
+std::vector<Measurement> measure_normals(const Subject& subject, const StudyProgress& progress) {
+  return NormalStudy(subject, progress).measure();
 }
 
 }  // namespace saddle

@@ -11,20 +11,24 @@ namespace {
 struct Part {
   Panel panel;
   double start;  ///< share of the time that is over when it begins, about
-  std::vector<Measurement> (*measure)(const Subject&);
+  std::vector<Measurement> (*measure)(const Subject&, const StudyProgress&);
 };
 
 constexpr std::array kParts = {
-    Part{Panel::Evaluation, 0, measure_evaluation}, Part{Panel::Normals, 0.1, measure_normals},
-    Part{Panel::Mesh, 0.2, measure_meshes}, Part{Panel::Image, 0.6, measure_images}};
+    Part{Panel::Evaluation, 0, measure_evaluation}, Part{Panel::Normals, 0.03, measure_normals},
+    Part{Panel::Mesh, 0.06, measure_meshes}, Part{Panel::Image, 0.45, measure_images}};
 
 }  // namespace
 
 std::vector<Measurement> study(const Subject& subject, const StudyProgress& progress) {
   std::vector<Measurement> all;
-  for (const Part& part : kParts) {
-    progress(part.start, panel_name(part.panel));
-    std::ranges::move(part.measure(subject), std::back_inserter(all));
+  for (std::size_t i = 0; i < kParts.size(); ++i) {
+    const Part& part = kParts[i];
+    const double end = i + 1 < kParts.size() ? kParts[i + 1].start : 1;
+    const auto in_part = [&](double share, const std::string& what) {
+      progress(part.start + share * (end - part.start), panel_name(part.panel) + (": " + what));
+    };
+    std::ranges::move(part.measure(subject, in_part), std::back_inserter(all));
   }
   mark_pareto(all);
   return all;

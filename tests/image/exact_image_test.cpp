@@ -90,6 +90,8 @@ TEST(ExactImage, EndsWhereASurfaceGoesToInfinityAcrossBothParameters) {
   EXPECT_GT(std::ranges::count_if(image.color, is_lit), kWidth * kHeight / 20);
 }
 
+constexpr auto kSilent = [](double, const std::string&) {};
+
 TEST(ImageStudy, DrawsWhatACoarseGridMisses) {
   // One vertex in a hundred or so of a grid is where there is a surface.
   const Scene scene = scene_of("u", "v", "sqrt(0.01-u^2-v^2)");
@@ -101,7 +103,7 @@ TEST(ImageStudy, DrawsWhatACoarseGridMisses) {
   const Bounds bounds{dvec3(-0.1, -0.1, 0), dvec3(0.1)};
   subject.camera = fit_camera(scene.camera, bounds, static_cast<double>(kWidth) / kHeight);
   std::set<std::string> methods;
-  for (const Measurement& m : measure_images(subject)) {
+  for (const Measurement& m : measure_images(subject, kSilent)) {
     methods.insert(m.method);
     EXPECT_LT(m.error, 0.1) << m.method << " " << m.setting;
   }

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "study/chart.h"
 
@@ -25,6 +29,23 @@ std::vector<bool> fronts(std::vector<Measurement> measurements) {
   std::vector<bool> result;
   for (const Measurement& m : measurements) result.push_back(m.pareto);
   return result;
+}
+
+TEST(PanelProgress, GoesForwardWithEachSettingAndEndsBeforeTheNextPanel) {
+  std::vector<double> shares;
+  std::string last;
+  const StudyProgress record = [&](double share, const std::string& what) {
+    shares.push_back(share);
+    last = what;
+  };
+  PanelProgress progress(record, 3);
+  EXPECT_EQ(last, "the truth");
+  for (const char* setting : {"1x1", "2x2", "3x3"}) progress.next("uniform", setting);
+  EXPECT_EQ(last, "uniform, 3x3");
+  ASSERT_EQ(shares.size(), 4);
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_TRUE(std::ranges::is_sorted(shares, std::less_equal<>{}));
+  EXPECT_LT(shares.back(), 1);
 }
 
 TEST(ParetoFront, IsWhatNothingBeatsInBothTimeAndError) {
