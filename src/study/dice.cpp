@@ -120,8 +120,28 @@ class Dicer {
     if (!(longest <= kSmall) && halvings < kMostHalvings) return split(piece, across_u, next);
     if (!(longest <= kJump)) return;
     const std::array<dvec2, 4> uv = piece.corners();
+    if (sticks_out(points)) return add_fan(within_box({uv.begin(), uv.end()}));
     result_.push_back({{seen[0], seen[1], seen[2]}, {uv[0], uv[1], uv[2]}});
     result_.push_back({{seen[0], seen[2], seen[3]}, {uv[0], uv[2], uv[3]}});
+  }
+
+  bool sticks_out(std::span<const SurfacePoint> points) const {
+    if (!subject_.clip) return false;
+    return std::ranges::any_of(points, [&](const SurfacePoint& p) {
+      return glm::clamp(p.position, subject_.clip->low, subject_.clip->high) != p.position;
+    });
+  }
+
+  /// The part of a small cell that is inside of the clip box, if there is one, by one face of the
+  /// box after the other. Source: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping",
+  /// 1974.
+  std::vector<dvec2> within_box(std::vector<dvec2> polygon) const {
+    if (!subject_.clip) return polygon;
+    for (int k = 0; k < 3; ++k) {
+      polygon = part_where(polygon, [&](const dvec3& p) { return p[k] >= subject_.clip->low[k]; });
+      polygon = part_where(polygon, [&](const dvec3& p) { return p[k] <= subject_.clip->high[k]; });
+    }
+    return polygon;
   }
 
   /// Whether a piece is outside of the clip box, by more than its own size.
@@ -158,27 +178,35 @@ class Dicer {
     if (halvings < kRimHalvings) return split(piece, piece.halvings_u <= piece.halvings_v, next);
     if (defined == 0) return;
     const std::array<dvec2, 4> corners = piece.corners();
-    std::vector<dvec2> polygon;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t after = (k + 1) % 4;
-      const bool here = is_finite(points[k].position);
-      const bool there = is_finite(points[after].position);
-      if (here) polygon.push_back(corners[k]);
-      if (here != there) {
-        polygon.push_back(here ? rim(corners[k], corners[after]) : rim(corners[after], corners[k]));
-      }
-    }
-    add_fan(polygon);
+    const auto is_defined = [](const dvec3& p) { return is_finite(p); };
+    add_fan(within_box(part_where({corners.begin(), corners.end()}, is_defined)));
   }
 
-  /// The last defined point on the way from one that is to one that is not.
-  dvec2 rim(dvec2 defined, dvec2 undefined) const {
-    for (int i = 0; i < kRimBisections; ++i) {
-      const dvec2 middle = 0.5 * (defined + undefined);
-      const bool is = is_finite(evaluate(subject_.surface, std::span(&middle, 1), 1)[0].position);
-      (is ? defined : undefined) = middle;
+  /// The part of a polygon of parameters where a condition holds, by its corners and edges.
+  template <class Condition>
+  std::vector<dvec2> part_where(const std::vector<dvec2>& polygon, Condition holds) const {
+    std::vector<dvec2> part;
+    const std::vector<SurfacePoint> points = evaluate(subject_.surface, polygon, 1);
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const std::size_t after = (k + 1) % polygon.size();
+      const bool here = holds(points[k].position);
+      const bool there = holds(points[after].position);
+      if (here) part.push_back(polygon[k]);
+      if (here && !there) part.push_back(last_where(holds, polygon[k], polygon[after]));
+      if (there && !here) part.push_back(last_where(holds, polygon[after], polygon[k]));
     }
-    return defined;
+    return part;
+  }
+
+  /// The last point where a condition holds on the way from one where it does to one where not.
+  template <class Condition>
+  dvec2 last_where(Condition holds, dvec2 inside, dvec2 outside) const {
+    for (int i = 0; i < kRimBisections; ++i) {
+      const dvec2 middle = 0.5 * (inside + outside);
+      const bool is = holds(evaluate(subject_.surface, std::span(&middle, 1), 1)[0].position);
+      (is ? inside : outside) = middle;
+    }
+    return inside;
   }
 
   void add_fan(const std::vector<dvec2>& polygon) {

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 
 #include "image/lighting_reference.h"
 #include "mesh/grid_mesh.h"
 #include "render/picture_in_tiles.h"
+#include "study/dice.h"
 #include "study/methods.h"
 #include "study_subject.h"
 
@@ -88,6 +90,30 @@ TEST(ExactImage, EndsWhereASurfaceGoesToInfinityAcrossBothParameters) {
   const ExactImage image = exact_image(scene);
   const auto is_lit = [](const dvec3& color) { return glm::length(color) > 0.1; };
   EXPECT_GT(std::ranges::count_if(image.color, is_lit), kWidth * kHeight / 20);
+}
+
+TEST(ExactImage, EndsAtTheClipBox) {
+  Scene scene = scene_of("u", "v", "sin(u)+v");
+  scene.camera.target = dvec3(0);
+  Subject subject(scene, scene.surfaces[0]);
+  subject.width = kWidth;
+  subject.height = kHeight;
+  subject.clip = Bounds{dvec3(-2), dvec3(2, 0.35, 0.5)};
+  subject.camera = fit_camera(scene.camera, {dvec3(-1), dvec3(1)}, 4.0 / 3);
+  double area = 0;
+  for (const DicedTriangle& t : dice(subject, Projection(subject))) {
+    for (const dvec2& uv : t.uv) {
+      EXPECT_LE(uv.y, 0.35);
+      EXPECT_LE(std::sin(uv.x) + uv.y, 0.5 + 1e-15);  // another sine than the surface's
+    }
+    const dvec2 a = t.uv[1] - t.uv[0];
+    const dvec2 b = t.uv[2] - t.uv[0];
+    area += 0.5 * std::fabs(a.x * b.y - a.y * b.x);
+  }
+  // What is below v = 0.35 is cut by v = 0.5 - sin(u) from the u where the two meet.
+  const double meet = std::asin(0.15);
+  const double expected = 1.35 * (meet + 1) + 1.5 * (1 - meet) + std::cos(1) - std::cos(meet);
+  EXPECT_NEAR(area, expected, 1e-4);
 }
 
 constexpr auto kSilent = [](double, const std::string&) {};
