@@ -1,19 +1,9 @@
 #include "view/model.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
-#include <optional>
-#include <span>
-#include <sstream>
 #include <utility>
 #include <vector>
 
-#include "render/annotations.h"
-#include "scene/color_scale.h"
-#include "scene/instances.h"
-#include "scene/prepare.h"
 #include "scene/resolve.h"
 
 namespace saddle {
@@ -69,59 +59,6 @@ bool sees_from_elsewhere(const Camera& a, const Camera& b) {
 }
 
 }  // namespace
-
-std::string describe(const PickedPoint& picked) {
-  const SurfacePlace& p = picked.place;
-  std::ostringstream text;
-  text.precision(9);
-  text << picked.surface << ": u " << p.uv.x << " v " << p.uv.y << " x " << p.position.x << " y "
-       << p.position.y << " z " << p.position.z;
-  if (p.normal) {
-    text << " normal " << p.normal->x << ' ' << p.normal->y << ' ' << p.normal->z;
-  }
-  text << " gauss " << p.curvature.gauss << " mean " << p.curvature.mean;
-  return text.str();
-}
-
-namespace {
-
-/// The part of the picture that these surfaces of the scene may take.
-Room room_for(const Scene& scene, std::span<const std::shared_ptr<const SurfaceMesh>> surfaces,
-              const Bounds& bounds, const dvec2& size) {
-  std::vector<std::optional<ColorRange>> ranges;
-  for (const auto& surface : surfaces) ranges.push_back(color_range_of(surface->mesh));
-  return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
-}
-
-}  // namespace
-
-Bounds bounds_of(const Meshed& meshed) {
-  Bounds bounds;
-  for (const Instance& instance : instances(meshed.scene)) {
-    bounds.add(transformed(meshed.surfaces[instance.surface]->mesh.bounds, instance.to_world));
-  }
-  return bounds;
-}
-
-double radius_around(const dvec3& centre, const Meshed& meshed) {
-  double radius = 0;
-  for (const Instance& instance : instances(meshed.scene)) {
-    for (const dvec3& corner : meshed.surfaces[instance.surface]->mesh.position) {
-      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
-      radius = std::max(radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
-    }
-  }
-  return radius;
-}
-
-FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture) {
-  Bounds bounds = bounds_of(meshed);
-  if (bounds.empty()) bounds.add(dvec3(0));
-  const dvec2 size(picture.width, picture.height);
-  return fit_camera(camera, bounds, size.x / size.y,
-                    radius_around(camera_target(camera, bounds), meshed),
-                    room_for(meshed.scene, meshed.surfaces, bounds, size));
-}
 
 Model::Model(ViewerSetup setup, std::function<void()> wake)
     : table_up(setup.scene.camera.up),
@@ -215,23 +152,21 @@ void Model::end_edit() {
 }
 
 void Model::undo() {
-  if (auto scene = history_.undo(scene_)) {
-    scene->camera = scene_.camera;
-    scene->picture = scene_.picture;
-    scene_ = std::move(*scene);
-    frame();
-    wish(Manner::PreviewFirst);
-  }
+  restore(history_.undo(scene_));
 }
 
 void Model::redo() {
-  if (auto scene = history_.redo(scene_)) {
-    scene->camera = scene_.camera;
-    scene->picture = scene_.picture;
-    scene_ = std::move(*scene);
-    frame();
-    wish(Manner::PreviewFirst);
-  }
+  restore(history_.redo(scene_));
+}
+
+/// Takes a scene of the history, if there is one; camera and window stay.
+void Model::restore(std::optional<Scene> scene) {
+  if (!scene) return;
+  scene->camera = scene_.camera;
+  scene->picture = scene_.picture;
+  scene_ = std::move(*scene);
+  frame();
+  wish(Manner::PreviewFirst);
 }
 
 void Model::open(Scene scene) {
@@ -331,43 +266,16 @@ std::optional<Model::Clock::time_point> Model::next_pass() const {
   return refine_at_;
 }
 
-/// The first surface on a line of sight, where a node has put it.
-struct Model::Sight {
-  Instance instance;
-  Ray ray;  ///< in the surface's own coordinates; distances along it are the world's
-  Hit hit;
-};
-
-std::optional<Model::Sight> Model::look_along(const Ray& ray) const {
-  std::optional<Sight> nearest;
-  for (const Instance& instance : instances(good_.scene)) {
-    const glm::dmat4 to_surface = glm::inverse(instance.to_world);
-    const Ray own{dvec3(to_surface * glm::dvec4(ray.origin, 1)),
-                  glm::dmat3(to_surface) * ray.direction};
-    const Mesh* const mesh = &good_.surfaces[instance.surface]->mesh;
-    const auto hit = first_hit({&mesh, 1}, own);
-    if (hit && (!nearest || hit->distance < nearest->hit.distance)) nearest = {instance, own, *hit};
-  }
-  return nearest;
-}
-
 dvec3 Model::under(const dvec2& pixel) const {
   const Grip now = grip();
   const Ray ray = ray_through(now, pixel);
-  const auto sight = look_along(ray);
+  const auto sight = look_along(good_, ray);
   return sight ? ray.origin + sight->hit.distance * ray.direction
                : point_on_target_plane(now, pixel);
 }
 
 void Model::pick(const dvec2& pixel) {
-  picked_.reset();
-  const auto sight = look_along(ray_through(grip(), pixel));
-  if (!sight) return;
-  const SurfaceSpec& spec = good_.scene.surfaces[sight->instance.surface];
-  const Surface surface = prepare_surface(good_.scene, spec, Order::Second).surface;
-  const SurfacePlace place = place_on_surface(surface, sight->ray, sight->hit);
-  const dvec3 world(sight->instance.to_world * glm::dvec4(place.position, 1));
-  picked_ = {spec.name, place, world};
+  picked_ = saddle::pick(good_, ray_through(grip(), pixel));
 }
 
 Scene Model::scene_to_save() const {

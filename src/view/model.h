@@ -16,19 +16,9 @@
 #include "view/history.h"
 #include "view/keys.h"
 #include "view/mesh_worker.h"
-#include "view/pick.h"
+#include "view/meshed_scene.h"
 
 namespace saddle {
-
-/// A point that was picked, and the surface it is on.
-struct PickedPoint {
-  std::string surface;
-  SurfacePlace place;  ///< in the surface's own coordinates
-  dvec3 world;         ///< where its node has put it
-};
-
-/// The point in a line: u, v, x, y, z, the normal and the curvatures.
-std::string describe(const PickedPoint& picked);
 
 /// What the program gives to the viewer.
 struct ViewerSetup {
@@ -40,13 +30,6 @@ struct ViewerSetup {
   bool quiet = false;                 ///< show no warnings
   bool verbose = false;               ///< say at the end what it took
 };
-
-/// A box around all that is drawn of the meshes, and their farthest point from `centre`.
-Bounds bounds_of(const Meshed& meshed);
-double radius_around(const dvec3& centre, const Meshed& meshed);
-
-/// The camera as render() would fit it to these meshes.
-FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture);
 
 class Model {
  public:
@@ -116,13 +99,11 @@ class Model {
   dvec3 table_up{0, 0, 1};
 
  private:
-  struct Sight;
-
   void frame();
   void wish(Manner manner);
+  void restore(std::optional<Scene> scene);
   bool keeps_up() const;
   bool is_close(const Camera& camera) const;
-  std::optional<Sight> look_along(const Ray& ray) const;
   void show(Meshed meshed);
   double surface_radius(const dvec3& centre) const;
   void next_lights();

@@ -1,0 +1,85 @@
+#include "view/meshed_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "render/annotations.h"
+#include "scene/color_scale.h"
+#include "scene/prepare.h"
+
+namespace saddle {
+
+Bounds bounds_of(const Meshed& meshed) {
+  Bounds bounds;
+  for (const Instance& instance : instances(meshed.scene)) {
+    bounds.add(transformed(meshed.surfaces[instance.surface]->mesh.bounds, instance.to_world));
+  }
+  return bounds;
+}
+
+double radius_around(const dvec3& centre, const Meshed& meshed) {
+  double radius = 0;
+  for (const Instance& instance : instances(meshed.scene)) {
+    for (const dvec3& corner : meshed.surfaces[instance.surface]->mesh.position) {
+      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
+      radius = std::max(radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
+    }
+  }
+  return radius;
+}
+
+FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture) {
+  Bounds bounds = bounds_of(meshed);
+  if (bounds.empty()) bounds.add(dvec3(0));
+  const dvec2 size(picture.width, picture.height);
+  return fit_camera(camera, bounds, size.x / size.y,
+                    radius_around(camera_target(camera, bounds), meshed),
+                    room_for(meshed.scene, meshed.surfaces, bounds, size));
+}
+
+Room room_for(const Scene& scene, std::span<const std::shared_ptr<const SurfaceMesh>> surfaces,
+              const Bounds& bounds, const dvec2& size) {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const auto& surface : surfaces) ranges.push_back(color_range_of(surface->mesh));
+  return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
+}
+
+std::optional<Sight> look_along(const Meshed& meshed, const Ray& ray) {
+  std::optional<Sight> nearest;
+  for (const Instance& instance : instances(meshed.scene)) {
+    const glm::dmat4 to_surface = glm::inverse(instance.to_world);
+    const Ray own{dvec3(to_surface * glm::dvec4(ray.origin, 1)),
+                  glm::dmat3(to_surface) * ray.direction};
+    const Mesh* const mesh = &meshed.surfaces[instance.surface]->mesh;
+    const auto hit = first_hit({&mesh, 1}, own);
+    if (hit && (!nearest || hit->distance < nearest->hit.distance)) nearest = {instance, own, *hit};
+  }
+  return nearest;
+}
+
+std::optional<PickedPoint> pick(const Meshed& meshed, const Ray& ray) {
+  const auto sight = look_along(meshed, ray);
+  if (!sight) return std::nullopt;
+  const SurfaceSpec& spec = meshed.scene.surfaces[sight->instance.surface];
+  const Surface surface = prepare_surface(meshed.scene, spec, Order::Second).surface;
+  const SurfacePlace place = place_on_surface(surface, sight->ray, sight->hit);
+  const dvec3 world(sight->instance.to_world * glm::dvec4(place.position, 1));
+  return PickedPoint{spec.name, place, world};
+}
+
+std::string describe(const PickedPoint& picked) {
+  const SurfacePlace& p = picked.place;
+  std::ostringstream text;
+  text.precision(9);
+  text << picked.surface << ": u " << p.uv.x << " v " << p.uv.y << " x " << p.position.x << " y "
+       << p.position.y << " z " << p.position.z;
+  if (p.normal) {
+    text << " normal " << p.normal->x << ' ' << p.normal->y << ' ' << p.normal->z;
+  }
+  text << " gauss " << p.curvature.gauss << " mean " << p.curvature.mean;
+  return text.str();
+}
+
+}  // namespace saddle

@@ -1,0 +1,49 @@
+// What is asked of a scene and its meshes, as they are shown: how large it is, which camera holds
+// it, what is under a pixel.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "scene/camera.h"
+#include "scene/instances.h"
+#include "view/mesh_worker.h"
+#include "view/pick.h"
+
+namespace saddle {
+
+/// A box around all that is drawn of the meshes, and their farthest point from `centre`.
+Bounds bounds_of(const Meshed& meshed);
+double radius_around(const dvec3& centre, const Meshed& meshed);
+
+/// The part of a picture of `size` pixels that these surfaces of the scene may take.
+Room room_for(const Scene& scene, std::span<const std::shared_ptr<const SurfaceMesh>> surfaces,
+              const Bounds& bounds, const dvec2& size);
+
+/// The camera as render() would fit it to these meshes.
+FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture);
+
+/// The first surface on a line of sight, where a node has put it.
+struct Sight {
+  Instance instance;
+  Ray ray;  ///< in the surface's own coordinates; distances along it are the world's
+  Hit hit;
+};
+std::optional<Sight> look_along(const Meshed& meshed, const Ray& ray);
+
+/// A point that was picked, and the surface it is on.
+struct PickedPoint {
+  std::string surface;
+  SurfacePlace place;  ///< in the surface's own coordinates
+  dvec3 world;         ///< where its node has put it
+};
+
+/// The point of the first surface on a line of sight.
+std::optional<PickedPoint> pick(const Meshed& meshed, const Ray& ray);
+
+/// The point in a line: u, v, x, y, z, the normal and the curvatures.
+std::string describe(const PickedPoint& picked);
+
+}  // namespace saddle
