@@ -1,6 +1,7 @@
 #include "mesh/choose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "mesh/cost_model.h"
@@ -41,7 +42,8 @@ class Chooser {
     FixedLines lines = plan_.lines;
     double worst = outlook_.worst;  // cell, in tolerances
     for (double stricter = 1;;) {
-      if (!is_cheaper(lines)) return std::nullopt;
+      if (!is_cheaper(cells_of(lines))) return std::nullopt;
+      ++choice_.grids;
       if (worst <= kForeseen) {
         GridTrial trial = try_grid(surface_, options_, plan_, lines);
         if (trial.mesh) return std::move(trial.mesh);
@@ -51,6 +53,9 @@ class Chooser {
         if (!(worst > 0 && worst <= kWorthCloserLines)) return std::nullopt;
       }
       stricter *= std::max(worst, kStep);
+      // Errors grow with areas. That bounds the search, too: lines need not come closer at once,
+      // nor ever, where it is one place that misses.
+      if (!is_cheaper(cells_of(plan_.lines) * std::sqrt(stricter))) return std::nullopt;
       lines = plan_.probe.place_lines(plan_.fixed, plan_.aim.times(1 / stricter), plan_.ratio);
       worst = plan_.probe.outlook(lines, plan_.aim).worst;
     }
@@ -76,19 +81,25 @@ class Chooser {
     return choice_.why == Why::GridIsCheaper;
   }
 
-  bool is_cheaper(const FixedLines& lines) {
-    const auto cells_u = lines.u.size() - 1;
-    const auto cells_v = lines.v.size() - 1;
-    const double cells = static_cast<double>(cells_u) * static_cast<double>(cells_v);
-    const MeshWork work = work_of_grid(cells);
+  /// Cells along u and along v.
+  static dvec2 cells_of(const FixedLines& lines) {
+    return {lines.u.size() - 1, lines.v.size() - 1};
+  }
+
+  bool is_cheaper(const dvec2& sides) {
+    const double cells = sides.x * sides.y;
+    // Not so for NaN.
+    const bool is_allowed = kTrianglesOfCell * cells <= static_cast<double>(options_.max_triangles);
+    const MeshWork work = is_allowed ? work_of_grid(cells) : MeshWork();
     const double in_vain = cost(work_, operations_);
     if (in_vain > 0 && in_vain + cost(work, operations_) > kMostInVain * choice_.halving_cost) {
       return false;  // that it missed remains the reason
     }
-    choice_.cells_u = cells_u;
-    choice_.cells_v = cells_v;
-    choice_.grid_cost = cost_of(work, cells);
-    const bool is_allowed = kTrianglesOfCell * cells <= static_cast<double>(options_.max_triangles);
+    if (is_allowed) {
+      choice_.cells_u = static_cast<std::size_t>(sides.x);
+      choice_.cells_v = static_cast<std::size_t>(sides.y);
+      choice_.grid_cost = cost_of(work, cells);
+    }
     choice_.why = !is_allowed                                ? Why::Limited
                   : choice_.grid_cost < choice_.halving_cost ? Why::GridIsCheaper
                                                              : Why::HalvingIsCheaper;

@@ -109,6 +109,7 @@ struct MeshChoice {
   };
   Why why = Why::Asked;
   std::size_t cells_u = 0, cells_v = 0;    ///< of the grid that was thought of, 0: of none
+  std::size_t grids = 0;                   ///< that were thought of, each with closer lines
   double grid_cost = 0, halving_cost = 0;  ///< milliseconds by the model, 0: not estimated
   double excess = 0;                       ///< by how much the grid missed, in tolerances
 };

@@ -212,6 +212,18 @@ TEST(Choice, GivesAGridUpThatMissesWhatNobodySawBefore) {
   EXPECT_GT(spike.report.work.grid_samples, 0U);
 }
 
+TEST(Choice, IsMadeSoonWhereCloserLinesDoNotHelp) {
+  // Flat but for a steep front: half of each column's samples, and so its lines, do not see it.
+  const GridMesh plateau = chosen(height_field("tanh(1e5*(u^2+v^2-.5))/9"));
+  EXPECT_NE(why(plateau), Why::GridIsCheaper);
+  EXPECT_LE(plateau.report.choice.value().grids, 2U);
+  // Where every closer grid has as many lines, those that are drawn.
+  AdaptiveOptions options = half_a_thousandth();
+  options.lines_u = options.lines_v = 60;
+  const GridMesh bump = chosen(height_field("exp(-40*(u^2+v^2))"), options);
+  EXPECT_LE(bump.report.choice.value().grids, 8U);
+}
+
 TEST(Choice, HalvesCellsOfWhatIsClippedOrSeenFromCloseBy) {
   AdaptiveOptions options = half_a_thousandth();
   options.clip = Bounds{dvec3(-2), dvec3(0.5)};
