@@ -7,8 +7,7 @@
 
 #include "base/random.h"
 #include "eval/batch.h"
-#include "mesh/grid.h"
-#include "mesh/robust_box.h"
+#include "mesh/place_lines.h"
 
 namespace saddle {
 namespace {
@@ -18,10 +17,6 @@ constexpr std::size_t kProbes = 64;
 /// Largest shift of a probe's line from the middle of its stretch, in stretches: a surface that
 /// oscillates in step with an even grid does not with this one.
 constexpr double kJitter = 0.4;
-/// A column is as dense as this share of its samples want; the rest is refined locally. At 1 a
-/// narrow peak would draw its lines through the whole domain; over the gallery 0.9 takes a tenth
-/// more triangles than 0.5.
-constexpr double kShare = 0.5;
 /// Density falls by at most this factor from one probe to the next, and to no less than this share
 /// of the largest: a straight stretch between curved ones is not skipped in one step.
 constexpr double kFallOff = 0.7;
@@ -33,15 +28,11 @@ constexpr int kRatios = 6;
 constexpr std::size_t kEveryForRatio = 4;
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
 constexpr double kSeam = 1e-9;
-/// Cells that rounding may add to a sum of densities; a whole number of them is not exceeded by it.
-constexpr double kRoundingOfSums = 1e-9;
-constexpr int kPasses = 2;
+/// Times that cells are given a shape, at first the ratio's.
+constexpr int kPasses = 3;
 /// A cell that is off by so many tolerances at a sample is no cell that most of a line is good for:
 /// its own tests might not see why.
 constexpr double kFarTooLarge = 4;
-/// No interval between fixed lines is cut into more cells to begin with.
-constexpr double kMaxPerInterval = 1000;
-
 /// The middles of even stretches of [first, last], each shifted.
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
   std::vector<double> values;
@@ -72,31 +63,6 @@ class GridColumns {
   std::vector<std::vector<double>> columns_;
 };
 
-/// Lines per unit of parameter for which arcs of second derivative `bend`, in tolerances, stay
-/// within half of the tolerance, the other half being the other direction's: h^2 bend / 8 <= 1 / 2.
-double density(double bend) {
-  return std::sqrt(bend / 4);
-}
-
-/// The error of a cell of sides h and k that is cut along its shorter diagonal, beside its bound
-/// (|L| h^2 + 2 |M| h k + |N| k^2) / 8. Where the surface curves to both sides errors do not add
-/// up; where it curves to one side the error is largest at the centre of the circle through a
-/// triangle's corners, in the metric of curvature, if that is inside.
-struct CellBend {
-  double error, bound;
-};
-CellBend bend_of_cell(double L, double M, double N, double h, double k) {
-  const double a = L * h * h;
-  const double b = std::fabs(M * h * k);
-  const double c = N * k * k;
-  const double diagonal = std::min(std::fabs(a + c + 2 * b), std::fabs(a + c - 2 * b));
-  const double edges = std::max({std::fabs(a), std::fabs(c), diagonal});
-  const double determinant = a * c - b * b;
-  const bool is_acute = std::min(std::fabs(a), std::fabs(c)) > b;
-  const double circle = determinant > 0 && is_acute ? std::fabs(a * c) * diagonal / determinant : 0;
-  return {0.125 * std::max(edges, circle), 0.125 * (std::fabs(a) + 2 * b + std::fabs(c))};
-}
-
 void limit_fall_off(std::vector<double>& density) {
   const double least = kFloor * *std::ranges::max_element(density);
   for (double& d : density) d = std::max(d, least);
@@ -120,79 +86,6 @@ void share_density(const Seam& seam, std::vector<double>& density) {
   for (std::size_t i = 0; seam.shifted && i < half; ++i) {
     density[i] = density[i + half] = std::max(density[i], density[i + half]);
   }
-}
-
-/// The lines, and those that they meet across a seam. Even lines are their own mirror image.
-std::vector<double> shared_lines(const Seam& seam, const std::vector<double>& fixed) {
-  if (!seam.shifted || fixed.size() % 2 != 0) return fixed;  // an even number of cells
-  return even_lines(fixed.front(), fixed.back(), 2 * (fixed.size() - 1));
-}
-
-/// A density that is constant on stretches around the probes, integrated.
-class Cumulative {
- public:
-  Cumulative(std::span<const double> density, double first, double last)
-      : first_(first), last_(last), sums_(1, 0.0) {
-    const double stretch = std::fabs(last - first) / static_cast<double>(density.size());
-    for (const double d : density) sums_.push_back(sums_.back() + d * stretch);
-  }
-
-  /// Lines from the range's first end to a parameter.
-  double at(double parameter) const {
-    const double part = (parameter - first_) / (last_ - first_) * static_cast<double>(count());
-    const auto i = static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(count())));
-    if (i >= count()) return sums_.back();
-    return std::lerp(sums_[i], sums_[i + 1], part - static_cast<double>(i));
-  }
-
-  /// The parameter with so many lines before it.
-  double where(double lines) const {
-    const auto above = std::ranges::upper_bound(sums_, lines);
-    const auto i = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(above - sums_.begin(), 1, std::ssize(sums_) - 1));
-    const double step = sums_[i] - sums_[i - 1];
-    const double within = step > 0 ? (lines - sums_[i - 1]) / step : 0.5;
-    const double part = (static_cast<double>(i - 1) + within) / static_cast<double>(count());
-    return first_ * (1 - part) + last_ * part;
-  }
-
- private:
-  std::size_t count() const { return sums_.size() - 1; }
-
-  double first_, last_;
-  std::vector<double> sums_;
-};
-
-/// Cells between two fixed lines.
-double cells_between(const Cumulative& cumulative, double a, double b) {
-  const double cells = std::ceil(cumulative.at(b) - cumulative.at(a) - kRoundingOfSums);
-  return std::clamp(std::isfinite(cells) ? cells : 1.0, 1.0, kMaxPerInterval);
-}
-
-double total_cells(const Cumulative& cumulative, std::span<const double> fixed) {
-  double sum = 0;
-  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
-    sum += cells_between(cumulative, fixed[k], fixed[k + 1]);
-  }
-  return sum;
-}
-
-std::vector<double> place(const Cumulative& cumulative, std::span<const double> fixed) {
-  std::vector<double> lines;
-  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
-    lines.push_back(fixed[k]);
-    const double cells = cells_between(cumulative, fixed[k], fixed[k + 1]);
-    const double first = cumulative.at(fixed[k]);
-    const double step = (cumulative.at(fixed[k + 1]) - first) / cells;
-    for (double c = 1; c < cells; ++c) {
-      const double line = cumulative.where(first + c * step);
-      const double even = std::lerp(fixed[k], fixed[k + 1], c / cells);
-      const bool inside = (line - fixed[k]) * (line - fixed[k + 1]) < 0 && line != lines.back();
-      lines.push_back(inside && step > 0 ? line : even);
-    }
-  }
-  lines.push_back(fixed.back());
-  return lines;
 }
 
 }  // namespace
@@ -246,7 +139,7 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
       const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
       if (!is_finite(position) || !std::isfinite(across)) continue;
       auto& edges = along_u ? edges_u_ : edges_v_;
-      edges.push_back({along_u ? u[i % u.size()] : v[i / u.size()], position, across});
+      edges.push_back({along_u ? i % u.size() : i / u.size(), position, across});
     }
   };
   sample(u_, std::array{domain_.v0, domain_.v1}, true);
@@ -298,7 +191,7 @@ Seam Probe::find_seam(const Surface& surface, bool along_v) const {
   return {};
 }
 
-std::vector<Probe::Bend> Probe::bends(const Tolerance& tolerance) const {
+std::vector<Bend> Probe::bends(const Tolerance& tolerance) const {
   std::vector<Bend> bends;
   bends.reserve(samples_.size());
   for (const Sample& s : samples_) {
@@ -308,43 +201,35 @@ std::vector<Probe::Bend> Probe::bends(const Tolerance& tolerance) const {
   return bends;
 }
 
-Probe::Densities Probe::densities(const Tolerance& tolerance, std::span<const Bend> bends,
-                                  double rho, const Densities* shape, std::size_t every) const {
-  Densities result;
-  // What of the tolerance the bends along u of each column take, and along v of each row.
-  std::vector<std::vector<double>> columns(u_.size());
-  std::vector<std::vector<double>> rows(v_.size());
-  for (std::size_t j = 0; j < v_.size(); ++j) {
-    for (std::size_t i = (every - j % every) % every; i < u_.size(); i += every) {
-      const std::size_t s = j * u_.size() + i;
-      if (!samples_[s].regular) continue;
-      const auto& [L, M, N] = bends[s];
-      const double h = shape != nullptr ? shape->of_v[j] : 1;
-      const double k = shape != nullptr ? shape->of_u[i] : rho;
-      const CellBend cell = bend_of_cell(L, M, N, h, k);
-      const double share = cell.bound > 0 ? cell.error / cell.bound : 1;
-      columns[i].push_back((std::fabs(L) + rho * std::fabs(M)) * share);
-      rows[j].push_back((std::fabs(N) + std::fabs(M) / rho) * share);
-    }
-  }
-  for (auto& column : columns) result.of_u.push_back(density(quantile(column, kShare)));
-  for (auto& row : rows) result.of_v.push_back(density(quantile(row, kShare)));
-  // Along the domain's edge the mesh must follow the edge itself, with all of the tolerance.
-  const auto follow = [&](std::vector<double>& densities, std::span<const double> places,
-                          std::span<const EdgeSample> edges) {
+SampledBends Probe::sampled_bends(const Tolerance& tolerance, std::size_t every) const {
+  std::vector<std::uint8_t> regular;
+  regular.reserve(samples_.size());
+  for (const Sample& s : samples_) regular.push_back(s.regular ? 1 : 0);
+  return {bends(tolerance), regular, u_.size(), v_.size(), every};
+}
+
+Densities Probe::along_edges(const Tolerance& tolerance) const {
+  const auto largest = [&](std::size_t lines, std::span<const EdgeSample> edges) {
+    std::vector<double> densities(lines, 0.0);
     for (const EdgeSample& edge : edges) {
-      const auto at = std::ranges::find(places, edge.place) - places.begin();
-      double& d = densities[static_cast<std::size_t>(at)];
-      d = std::max(d, density(edge.across / (2 * tolerance(edge.position))));
+      double& d = densities[edge.line];
+      d = std::max(d, density_for(edge.across / (2 * tolerance(edge.position))));
     }
+    return densities;
   };
-  follow(result.of_u, u_, edges_u_);
-  follow(result.of_v, v_, edges_v_);
-  share_density(seam_u_, result.of_v);
-  share_density(seam_v_, result.of_u);
-  limit_fall_off(result.of_u);
-  limit_fall_off(result.of_v);
-  return result;
+  return {largest(u_.size(), edges_u_), largest(v_.size(), edges_v_)};
+}
+
+void Probe::complete(const Densities& along_edges, Densities& densities) const {
+  const auto follow = [](const std::vector<double>& edges, std::vector<double>& lines) {
+    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = std::max(lines[k], edges[k]);
+  };
+  follow(along_edges.of_u, densities.of_u);
+  follow(along_edges.of_v, densities.of_v);
+  share_density(seam_u_, densities.of_v);
+  share_density(seam_v_, densities.of_u);
+  limit_fall_off(densities.of_u);
+  limit_fall_off(densities.of_v);
 }
 
 FixedLines Probe::shared(const FixedLines& fixed) const {
@@ -354,12 +239,14 @@ FixedLines Probe::shared(const FixedLines& fixed) const {
 double Probe::best_ratio(const FixedLines& fixed, const Tolerance& tolerance) const {
   const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
   const FixedLines lines = shared(fixed);
-  const std::vector<Bend> bent = bends(tolerance);
+  SampledBends bent = sampled_bends(tolerance, kEveryForRatio);
+  const Densities edges = along_edges(tolerance);
   double best_ratio = own_ratio;
   double least = std::numeric_limits<double>::infinity();
   for (int power = -kRatios; power <= kRatios; ++power) {
     const double ratio = std::ldexp(own_ratio, power);
-    const Densities d = densities(tolerance, bent, ratio, nullptr, kEveryForRatio);
+    Densities d = bent.densities(ratio, nullptr);
+    complete(edges, d);
     const double cells = total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u) *
                          total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v);
     if (!(cells < least)) continue;
@@ -376,11 +263,15 @@ FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& toleranc
 FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance,
                               double ratio) const {
   const FixedLines lines = shared(fixed);
-  const std::vector<Bend> bent = bends(tolerance);
-  Densities d = densities(tolerance, bent, ratio, nullptr, 1);
-  for (int k = 0; k < kPasses; ++k) d = densities(tolerance, bent, ratio, &d, 1);
-  return {place(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u),
-          place(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v)};
+  SampledBends bent = sampled_bends(tolerance, 1);
+  const Densities edges = along_edges(tolerance);
+  Densities d;
+  for (int k = 0; k < kPasses; ++k) {
+    d = bent.densities(ratio, k > 0 ? &d : nullptr);
+    complete(edges, d);
+  }
+  return {place_between(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u),
+          place_between(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v)};
 }
 
 template <class F>
@@ -400,10 +291,9 @@ void Probe::for_sampled_cells(const FixedLines& lines, std::span<const Bend> ben
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     const std::size_t i = columns[s % u_.size()];
     const std::size_t j = rows[s / u_.size()];
-    const auto& [L, M, N] = bends[s];
     const double h = lines.u[i + 1] - lines.u[i];
     const double k = lines.v[j + 1] - lines.v[j];
-    f(s, SampledCell{i, j, std::fabs(h * k), bend_of_cell(L, M, N, h, k).error});
+    f(s, SampledCell{i, j, std::fabs(h * k), bend_of_cell(bends[s], h, k).error});
   }
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/bends.h"
 #include "mesh/islands.h"
 #include "mesh/mesh.h"
 #include "mesh/seam.h"
@@ -127,23 +128,15 @@ class Probe {
   };
   /// Second derivatives of the domain's edges across their tangents.
   struct EdgeSample {
-    double place;  // the parameter along the edge
+    std::size_t line;  // the column or row
     dvec3 position;
     double across;
   };
-  struct Densities {
-    std::vector<double> of_u, of_v;  // lines per unit of parameter, at the probe's columns and rows
-  };
-
   /// The lines, and those that they meet across a seam.
   FixedLines shared(const FixedLines& fixed) const;
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
   Seam find_seam(const Surface& surface, bool along_v) const;
-  /// Second derivatives along the normal, in tolerances; 0 where there is none.
-  struct Bend {
-    double L, M, N;
-  };
   std::vector<Bend> bends(const Tolerance& tolerance) const;
   /// The error of the cell of these lines around a sample, in tolerances.
   struct SampledCell {
@@ -154,9 +147,13 @@ class Probe {
   /// Calls f(sample, cell) for all samples.
   template <class F>
   void for_sampled_cells(const FixedLines& lines, std::span<const Bend> bends, F f) const;
-  /// From each `every`-th sample of each column and row.
-  Densities densities(const Tolerance& tolerance, std::span<const Bend> bends, double rho,
-                      const Densities* shape, std::size_t every) const;
+  /// Every so many samples of each column and row; see SampledBends.
+  SampledBends sampled_bends(const Tolerance& tolerance, std::size_t every) const;
+  /// What the edges ask for: along them the mesh must follow the edge itself, with all of the
+  /// tolerance.
+  Densities along_edges(const Tolerance& tolerance) const;
+  /// From what most samples ask for, that which all of the surface needs.
+  void complete(const Densities& along_edges, Densities& densities) const;
 
   std::vector<double> u_, v_;
   Domain domain_;

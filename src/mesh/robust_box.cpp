@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace saddle {
 namespace {
@@ -16,7 +17,7 @@ constexpr int kSteps = 20;
 
 }  // namespace
 
-double quantile(std::vector<double>& numbers, double share) {
+double quantile(std::span<double> numbers, double share) {
   if (numbers.empty()) return 0;
   const auto place = std::min(static_cast<std::size_t>(share * static_cast<double>(numbers.size())),
                               numbers.size() - 1);

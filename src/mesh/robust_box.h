@@ -3,7 +3,6 @@
 
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "mesh/mesh.h"
 
@@ -11,7 +10,7 @@ namespace saddle {
 
 /// The number that the given share (0 to 1) of the numbers are below; 0 if there are none. Changes
 /// their order.
-double quantile(std::vector<double>& numbers, double share);
+double quantile(std::span<double> numbers, double share);
 
 /// In each coordinate, where all but the lowest and the highest twentieth of the points are. More
 /// is left out, up to a quarter at either end, where the box is else longer than `longest`. The

@@ -1,0 +1,79 @@
+#include "mesh/place_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/grid.h"
+
+namespace saddle {
+namespace {
+
+/// Cells that rounding may add to a sum of densities; a whole number of them is not exceeded by it.
+constexpr double kRoundingOfSums = 1e-9;
+/// No interval between fixed lines is cut into more cells to begin with.
+constexpr double kMaxPerInterval = 1000;
+
+/// Cells between two fixed lines.
+double cells_between(const Cumulative& cumulative, double a, double b) {
+  const double cells = std::ceil(cumulative.at(b) - cumulative.at(a) - kRoundingOfSums);
+  return std::clamp(std::isfinite(cells) ? cells : 1.0, 1.0, kMaxPerInterval);
+}
+
+}  // namespace
+
+Cumulative::Cumulative(std::span<const double> density, double first, double last)
+    : first_(first), last_(last), sums_(1, 0.0) {
+  const double stretch = std::fabs(last - first) / static_cast<double>(density.size());
+  sums_.reserve(density.size() + 1);
+  for (const double d : density) sums_.push_back(sums_.back() + d * stretch);
+}
+
+double Cumulative::at(double parameter) const {
+  const double part = (parameter - first_) / (last_ - first_) * static_cast<double>(count());
+  const auto i = static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(count())));
+  if (i >= count()) return sums_.back();
+  return std::lerp(sums_[i], sums_[i + 1], part - static_cast<double>(i));
+}
+
+double Cumulative::where(double lines) const {
+  const auto above = std::ranges::upper_bound(sums_, lines);
+  const auto i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(above - sums_.begin(), 1, std::ssize(sums_) - 1));
+  const double step = sums_[i] - sums_[i - 1];
+  const double within = step > 0 ? (lines - sums_[i - 1]) / step : 0.5;
+  const double part = (static_cast<double>(i - 1) + within) / static_cast<double>(count());
+  return first_ * (1 - part) + last_ * part;
+}
+
+double total_cells(const Cumulative& cumulative, std::span<const double> fixed) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
+    sum += cells_between(cumulative, fixed[k], fixed[k + 1]);
+  }
+  return sum;
+}
+
+std::vector<double> place_between(const Cumulative& cumulative, std::span<const double> fixed) {
+  std::vector<double> lines;
+  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
+    lines.push_back(fixed[k]);
+    const double cells = cells_between(cumulative, fixed[k], fixed[k + 1]);
+    const double first = cumulative.at(fixed[k]);
+    const double step = (cumulative.at(fixed[k + 1]) - first) / cells;
+    for (double c = 1; c < cells; ++c) {
+      const double line = cumulative.where(first + c * step);
+      const double even = std::lerp(fixed[k], fixed[k + 1], c / cells);
+      const bool inside = (line - fixed[k]) * (line - fixed[k + 1]) < 0 && line != lines.back();
+      lines.push_back(inside && step > 0 ? line : even);
+    }
+  }
+  lines.push_back(fixed.back());
+  return lines;
+}
+
+std::vector<double> shared_lines(const Seam& seam, const std::vector<double>& fixed) {
+  if (!seam.shifted || fixed.size() % 2 != 0) return fixed;  // an even number of cells
+  return even_lines(fixed.front(), fixed.back(), 2 * (fixed.size() - 1));
+}
+
+}  // namespace saddle
