@@ -1,8 +1,18 @@
 #include "eval/enclose.h"
 
+#include <algorithm>
+#include <bit>
 #include <cassert>
 
 namespace saddle {
+namespace {
+
+/// Ranges of a parameter whose values are kept, all that a grid has in most cases; with the values
+/// of a long formula they take some megabytes.
+constexpr std::size_t kMostRanges = 1024;
+
+}  // namespace
+
 Interval enclose(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] const Interval& b,
                  [[maybe_unused]] const Interval& c) {
   switch (op) {
@@ -26,9 +36,13 @@ Enclosure::Enclosure(const Tape& tape) {
   for (std::size_t i = 0; i < tape.constants.size(); ++i) {
     slots_[i] = constant_interval(tape.constants[i]);
   }
-  append(tape.of_u);
-  append(tape.of_v);
-  append(tape.of_both);
+  of_u_.first = banks_[1];
+  of_u_.count = tape.slots_u;
+  of_v_.first = banks_[2];
+  of_v_.count = tape.slots_v;
+  append(tape.of_u, of_u_.steps);
+  append(tape.of_v, of_v_.steps);
+  append(tape.of_both, of_both_);
   for (const Slot slot : tape.outputs) outputs_.push_back(place(slot));
 }
 
@@ -36,7 +50,7 @@ std::uint32_t Enclosure::place(Slot slot) const {
   return banks_[static_cast<std::size_t>(slot.rate)] + slot.index;
 }
 
-void Enclosure::append(std::span<const Instruction> instructions) {
+void Enclosure::append(std::span<const Instruction> instructions, std::vector<Step>& steps) const {
   for (const Instruction& instruction : instructions) {
     Step step = {instruction.op, false, place(instruction.out), {}};
     for (int i = 0; i < arity(step.op); ++i) step.in[i] = place(instruction.in[i]);
@@ -44,25 +58,56 @@ void Enclosure::append(std::span<const Instruction> instructions) {
     const bool constant = instruction.in[1].rate == Rate::Constant && is_point(exponent);
     step.square = (step.op == Op::Mul && step.in[0] == step.in[1]) ||
                   (step.op == Op::Pow && constant && exponent.low == 2);
-    steps_.push_back(step);
+    steps.push_back(step);
     if (!instruction.cosine) continue;
     step.op = Op::Cos;
     step.out = place(*instruction.cosine);
-    steps_.push_back(step);
+    steps.push_back(step);
   }
 }
 
-void Enclosure::operator()(const Interval& u, const Interval& v, std::span<Interval> outputs) {
-  assert(outputs.size() == outputs_.size());
+void Enclosure::run(std::span<const Step> steps) {
   Interval* const slots = slots_.data();
-  slots[place({Rate::U, 0})] = u;
-  slots[place({Rate::V, 0})] = v;
-  for (const Step& step : steps_) {
+  for (const Step& step : steps) {
     const Interval& a = slots[step.in[0]];
     slots[step.out] =
         step.square ? sqr(a) : enclose(step.op, a, slots[step.in[1]], slots[step.in[2]]);
   }
-  for (std::size_t k = 0; k < outputs_.size(); ++k) outputs[k] = slots[outputs_[k]];
+}
+
+std::size_t Enclosure::RangeHash::operator()(const RangeKey& key) const {
+  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
+  const std::uint64_t mixed = (key[0] * kSpread ^ key[1]) * kSpread;
+  return mixed ^ mixed >> 32U;
+}
+
+void Enclosure::load(const Interval& range, Bank& bank) {
+  if (range.low == bank.now.low && range.high == bank.now.high) return;
+  bank.now = range;
+  const auto slots = std::span(slots_).subspan(bank.first, bank.count);
+  const RangeKey key = {std::bit_cast<std::uint64_t>(range.low),
+                        std::bit_cast<std::uint64_t>(range.high)};
+  if (const auto found = bank.known.find(key); found != bank.known.end()) {
+    std::ranges::copy(std::span(bank.values).subspan(found->second, bank.count), slots.begin());
+    return;
+  }
+  slots[0] = range;
+  run(bank.steps);
+  if (bank.steps.empty()) return;
+  if (bank.known.size() == kMostRanges) {
+    bank.known.clear();
+    bank.values.clear();
+  }
+  bank.known.emplace(key, bank.values.size());
+  bank.values.insert(bank.values.end(), slots.begin(), slots.end());
+}
+
+void Enclosure::operator()(const Interval& u, const Interval& v, std::span<Interval> outputs) {
+  assert(outputs.size() == outputs_.size());
+  load(u, of_u_);
+  load(v, of_v_);
+  run(of_both_);
+  for (std::size_t k = 0; k < outputs_.size(); ++k) outputs[k] = slots_[outputs_[k]];
 }
 
 void enclose(const Tape& tape, const Interval& u, const Interval& v, std::span<Interval> outputs) {

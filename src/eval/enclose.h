@@ -2,7 +2,10 @@
 // be defined and continuous there.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "eval/interval.h"
@@ -14,7 +17,8 @@ namespace saddle {
 /// are ignored.
 Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c);
 
-/// A tape made ready for many boxes, with the memory that one box takes. One for each thread.
+/// A tape made ready for many boxes. What depends on u alone, or on v alone, is computed once for
+/// each range of it, as long as those are few: boxes are often cells of grids. One for each thread.
 class Enclosure {
  public:
   explicit Enclosure(const Tape& tape);
@@ -30,11 +34,27 @@ class Enclosure {
     std::uint32_t out;
     std::array<std::uint32_t, 3> in;
   };
-  void append(std::span<const Instruction> instructions);
+  using RangeKey = std::array<std::uint64_t, 2>;  ///< the bits of its ends
+  struct RangeHash {
+    std::size_t operator()(const RangeKey& key) const;
+  };
+  /// What depends on one parameter alone.
+  struct Bank {
+    std::vector<Step> steps;
+    std::uint32_t first = 0;  ///< slot: the parameter's own
+    std::uint32_t count = 0;
+    Interval now = kUndefined;  ///< the range that the slots are of
+    std::unordered_map<RangeKey, std::size_t, RangeHash> known;  ///< ranges: where in `values`
+    std::vector<Interval> values;
+  };
+  void append(std::span<const Instruction> instructions, std::vector<Step>& steps) const;
+  void run(std::span<const Step> steps);
+  void load(const Interval& range, Bank& bank);
   std::uint32_t place(Slot slot) const;
 
   std::array<std::uint32_t, 4> banks_ = {};  ///< where the slots of each rate begin
-  std::vector<Step> steps_;
+  Bank of_u_, of_v_;
+  std::vector<Step> of_both_;
   std::vector<std::uint32_t> outputs_;
   std::vector<Interval> slots_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "eval/enclose.h"
@@ -19,6 +20,19 @@ constexpr int kMaxDepth = 12;
 /// boxes tell no more. Steps are instructions of a box, 40 nanoseconds each.
 constexpr std::size_t kMaxBoxes = 8'000;
 constexpr std::size_t kMaxSteps = 2'500'000;
+/// Second derivatives that are known to this factor hide nothing. If even so they are too large for
+/// a proof, as they are along a surface that is flat but whose parameters are polar, halving boxes
+/// does not make them smaller.
+constexpr double kKnown = 4;
+/// The same if they are known so well, and no less than is too much.
+constexpr double kWellKnown = 1.1;
+/// A box in which they are endless after so many halvings holds a point where they are.
+constexpr int kMaxUnboundedDepth = 4;
+/// Boxes along a line become twice as many when both their sides are halved, around a point as
+/// many, and fewer where a proof comes nearer. Where they become this many times as many, and are
+/// not few, there are no proofs to be found.
+constexpr double kGrows = 1.5;
+constexpr double kFew = 200;
 /// What a special function takes in steps.
 constexpr std::size_t kSpecialSteps = 600;
 
@@ -32,6 +46,10 @@ double magnitude(const Interval& a) {
 }
 double length(std::span<const Interval> vector) {
   return std::hypot(magnitude(vector[0]), magnitude(vector[1]), magnitude(vector[2]));
+}
+double least_length(std::span<const Interval> vector) {
+  const auto least = [](const Interval& a) { return std::max({a.low, -a.high, 0.0}); };
+  return std::hypot(least(vector[0]), least(vector[1]), least(vector[2]));
 }
 
 struct Box {
@@ -83,6 +101,7 @@ class Certifier {
         leaves_of_(grid, leaves) {}
 
   Certification run() {
+    gather_demands();
     prove_cells();
     prove_parts();
     return std::move(result_);
@@ -101,41 +120,70 @@ class Certifier {
     return glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
   }
 
-  /// The largest leaf of some cells and the least that is allowed of one.
+  /// What some leaves ask of a proof: that of all of them, and the least that one of them does.
   struct Demand {
-    dvec2 leaf{0};
+    dvec2 largest{0};
     double eps = std::numeric_limits<double>::infinity();
+    dvec2 smallest{std::numeric_limits<double>::infinity()};
+    double largest_eps = 0;
+
+    void add(const Demand& other) {
+      largest = glm::max(largest, other.largest);
+      eps = std::min(eps, other.eps);
+      smallest = glm::min(smallest, other.smallest);
+      largest_eps = std::max(largest_eps, other.largest_eps);
+    }
   };
+  Demand demand(std::uint32_t leaf) const {
+    const dvec2 size = size_of(leaves_[leaf]);
+    return {size, allowed_[leaf], size, allowed_[leaf]};
+  }
   Demand demand(const Cells& cells) const {
     Demand demand;
     for (std::size_t j = cells.first_v; j < cells.end_v; ++j) {
       for (std::size_t i = cells.first_u; i < cells.end_u; ++i) {
-        for (const std::uint32_t leaf : leaves_of_.of(grid_.cell(i, j))) {
-          demand.leaf = glm::max(demand.leaf, size_of(leaves_[leaf]));
-          demand.eps = std::min(demand.eps, allowed_[leaf]);
-        }
+        demand.add(of_cells_[grid_.cell(i, j)]);
       }
     }
     return demand;
   }
+  void gather_demands() {
+    of_cells_.resize(grid_.cell_count());
+    for (std::size_t cell = 0; cell < of_cells_.size(); ++cell) {
+      for (const std::uint32_t leaf : leaves_of_.of(cell)) of_cells_[cell].add(demand(leaf));
+    }
+  }
 
-  /// Whether leaves of a size are near enough wherever they are in the box. Of a box that nobody
-  /// looks at any more nothing is known.
-  bool is_proved(const Box& box, const Demand& of) {
+  enum class Proof { Found, Open, Endless, Hopeless };
+
+  /// Whether leaves of a size are near enough wherever they are in the box, second derivatives are
+  /// endless, or no halving can prove anything. Of a box that nobody looks at any more nothing is
+  /// known.
+  Proof prove(const Box& box, const Demand& of) {
     --budget_.boxes;
     enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), outputs_);
     // r, r_u, r_v, then r_uu, r_uv, r_vv.
     const std::span<const Interval> all(outputs_);
     for (const Interval& a : all.first(9)) {
-      if (a.defined != Defined::Yes || !a.continuous) return false;
+      if (a.defined != Defined::Yes || !a.continuous) return Proof::Open;
     }
     for (const Interval& a : all.subspan(9)) {
-      if (a.defined != Defined::Yes) return false;
+      if (a.defined != Defined::Yes) return Proof::Open;
     }
-    const double bound = of.leaf.x * of.leaf.x * length(all.subspan(9, 3)) +
-                         2 * of.leaf.x * of.leaf.y * length(all.subspan(12, 3)) +
-                         of.leaf.y * of.leaf.y * length(all.subspan(15, 3));
-    return bound <= 8 * kProofFactor * of.eps;  // false for NaN, too
+    const auto bound = [&all](const dvec2& size, double (*length)(std::span<const Interval>)) {
+      return size.x * size.x * length(all.subspan(9, 3)) +
+             2 * size.x * size.y * length(all.subspan(12, 3)) +
+             size.y * size.y * length(all.subspan(15, 3));
+    };
+    constexpr double kLimit = 8 * kProofFactor;
+    if (bound(of.largest, length) <= kLimit * of.eps) return Proof::Found;  // not so for NaN
+    const double least = bound(of.smallest, least_length);
+    const double most = bound(of.smallest, length);
+    if (!std::isfinite(most)) return Proof::Endless;
+    const bool is_hopeless =
+        most > kLimit * of.largest_eps &&
+        most <= (least > kLimit * of.largest_eps ? kKnown : kWellKnown) * least;
+    return is_hopeless ? Proof::Hopeless : Proof::Open;
   }
 
   /// Cells of the root grid, many at a time. Leaves the leaves of those without a proof.
@@ -148,8 +196,11 @@ class Certifier {
         if (budget_.boxes == 0) return give_up();
         const Box box = {{grid_.u[cells.first_u], grid_.v[cells.first_v]},
                          {grid_.u[cells.end_u], grid_.v[cells.end_v]}};
-        if (is_proved(box, demand(cells))) continue;
-        if (cells.is_one()) {
+        const Proof proof = prove(box, demand(cells));
+        if (proof == Proof::Found) continue;
+        if (proof == Proof::Hopeless) {
+          give_up();
+        } else if (cells.is_one()) {
           add_leaves(cells);
         } else {
           halve(cells, next);
@@ -185,28 +236,43 @@ class Certifier {
 
   void give_up() { result_.complete = false; }
 
-  /// Parts of leaves, all of a size before any of the next: when the boxes are used up, all places
-  /// without a proof have been narrowed down alike.
+  /// Parts of leaves, all of a size before any of the next: when there are no proofs to be found,
+  /// or no boxes to find them with, all places without one have been narrowed down alike.
   void prove_parts() {
     std::vector<Part> next;
+    constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
+    std::array<std::size_t, 2> before = {kUnknown, kUnknown};  // one level, and two
     while (!parts_.empty()) {
       next.clear();
+      const bool grows = static_cast<double>(parts_.size()) >
+                         std::max(kFew, kGrows * static_cast<double>(before[1]));
       for (Part& part : parts_) {
-        if (budget_.boxes == 0) {
+        if (grows || budget_.boxes == 0) {
           give_up();
-        } else if (is_proved(part.box, {size_of(leaves_[part.leaf]), allowed_[part.leaf]})) {
-          continue;
-        } else if (part.depth < kMaxDepth) {
-          halve(part, next);
-          continue;
+          suspect(part);
         } else {
-          const std::span<const Interval> second = std::span(outputs_).subspan(9);
-          part.bend = {length(second.first(3)), length(second.subspan(6, 3))};
+          prove(part, next);
         }
-        result_.suspects.push_back({part.leaf, part.box.middle(), part.box.size(), part.bend});
       }
+      before = {parts_.size(), before[0]};
       parts_.swap(next);
     }
+  }
+
+  void prove(Part& part, std::vector<Part>& next) {
+    const Proof proof = prove(part.box, demand(part.leaf));
+    if (proof == Proof::Found) return;
+    if (proof == Proof::Hopeless) return give_up();
+    if (part.depth < (proof == Proof::Open ? kMaxDepth : kMaxUnboundedDepth)) {
+      return halve(part, next);
+    }
+    const std::span<const Interval> second = std::span(outputs_).subspan(9);
+    part.bend = {length(second.first(3)), length(second.subspan(6, 3))};
+    suspect(part);
+  }
+
+  void suspect(const Part& part) {
+    result_.suspects.push_back({part.leaf, part.box.middle(), part.box.size(), part.bend});
   }
 
   static void halve(const Part& part, std::vector<Part>& to) {
@@ -227,6 +293,7 @@ class Certifier {
   Enclosure enclosure_;
   std::vector<Interval> outputs_;
   LeavesOfCells leaves_of_;
+  std::vector<Demand> of_cells_;  // of the root grid
   std::vector<Part> parts_;
   Certification result_;
 };

@@ -39,7 +39,8 @@ struct ProofBudget {
 /// Bounds the distance of r(u, v) from the triangles of each leaf, of sides h and k, by
 /// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
 /// its first derivatives continuous; large boxes first, parts of leaves last. `allowed`: of each
-/// leaf, in units of length. Where the budget is used up, what has no proof by then is suspected.
+/// leaf, in units of length. Where the budget is used up, what has no proof by then is suspected;
+/// where derivatives are known well and too large for a proof, there is none, and no suspicion.
 Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
                       std::span<const Leaf> leaves, std::span<const double> allowed,
                       ProofBudget& budget);
