@@ -104,9 +104,11 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
   if (!scene.mesh.samples) {
     AdaptiveOptions options;
     options.clip = scene.clip.box;
-    Bounds box;
+    Bounds around;
+    std::vector<dvec3> positions;  // spread over the surface
     options.tolerance = [&](const Probe& probe) {
-      box = clip_box(probe.bounds(), probe.positions());
+      around = probe.bounds();
+      positions = probe.positions();
       return tolerance_of(scene, spec, purpose, probe, options.clip);
     };
     options.normal_tolerance = scene.mesh.normal_tolerance;
@@ -117,7 +119,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     auto mesh = mesh_for(purpose, surface, options);
     if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
       // Only a mesh tells that it needs the box, and in which coordinates.
-      options.clip = open_where_it_stays(box, mesh->report.beside_poles);
+      options.clip = open_where_it_stays(clip_box(around, positions), mesh->report.beside_poles);
       const MeshReport whole = std::move(mesh->report);
       if (auto clipped = mesh_for(purpose, surface, options)) mesh = std::move(clipped);
       mesh->report.poles = whole.poles;  // cells outside of the box are not looked at any more
