@@ -142,8 +142,7 @@ dvec2 Lattice::parameters(LatticePlace place) const {
   return {at(grid_.u, place.u), at(grid_.v, place.v)};
 }
 
-std::uint32_t Lattice::vertex(LatticePlace place) {
-  if (is_on_grid(place)) return vertex_on_grid(place);
+std::uint32_t Lattice::vertex_off_grid(LatticePlace place) {
   if (const std::uint32_t* known = numbers_.find(place)) return *known;
   const auto vertex = static_cast<std::uint32_t>(used_.size());
   numbers_.insert(place, vertex);
@@ -156,15 +155,6 @@ void Lattice::number(std::span<const LatticePlace> places) {
   used_.resize(used_.size() + places.size(), 0);
   regular_.resize(used_.size(), 1);
   defined_.resize(used_.size(), 1);
-}
-
-std::optional<std::uint32_t> Lattice::used_vertex(LatticePlace place) const {
-  if (is_on_grid(place)) {
-    const std::uint32_t vertex = vertex_on_grid(place);
-    return is_used(vertex) ? std::optional(vertex) : std::nullopt;
-  }
-  const std::uint32_t* const number = numbers_.find(place);
-  return number != nullptr && is_used(*number) ? std::optional(*number) : std::nullopt;
 }
 
 bool Lattice::is_defined_at(LatticePlace place) const {

@@ -127,13 +127,25 @@ class Lattice {
   dvec2 parameters(LatticePlace place) const;
 
   /// The vertex at a place; a new one has its position after the next evaluate().
-  std::uint32_t vertex(LatticePlace place);
+  std::uint32_t vertex(LatticePlace place) {
+    return is_on_grid(place) ? vertex_on_grid(place) : vertex_off_grid(place);
+  }
   /// The vertex at a corner of a leaf, which is in use.
   std::uint32_t vertex_at_corner(LatticePlace place) const {
     return is_on_grid(place) ? vertex_on_grid(place) : *numbers_.find(place);
   }
   /// The vertex at a place, if it is in use.
-  std::optional<std::uint32_t> used_vertex(LatticePlace place) const;
+  std::optional<std::uint32_t> used_vertex(LatticePlace place) const {
+    const std::uint32_t* number = nullptr;
+    std::uint32_t on_grid = 0;
+    if (is_on_grid(place)) {
+      on_grid = vertex_on_grid(place);
+      number = &on_grid;
+    } else {
+      number = numbers_.find(place);
+    }
+    return number != nullptr && is_used(*number) ? std::optional(*number) : std::nullopt;
+  }
 
   /// Whether there is a vertex at a place, in use or a sample, at which the surface is defined.
   bool is_defined_at(LatticePlace place) const;
@@ -238,6 +250,7 @@ class Lattice {
         sub_grids_[(place.u & kHalfUnit) / kHalfUnit + (place.v & kHalfUnit) / kHalfUnit * 2];
     return grid.first + place.v / kCellUnit * grid.pitch + place.u / kCellUnit;
   }
+  std::uint32_t vertex_off_grid(LatticePlace place);
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
   }

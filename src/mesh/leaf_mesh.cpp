@@ -78,6 +78,20 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
   return views;
 }
 
+constexpr std::uint32_t kNoCell = 0xffffffff;
+
+/// The cell of the root grid that a plain leaf is, if that has been cut when it was sampled.
+std::uint32_t cell_cut_before(const Leaf& leaf, const std::array<std::uint32_t, 4>& corners,
+                              const Grid& grid, const Lattice& lattice) {
+  if (leaf.size_u() != kCellUnit || leaf.size_v() != kCellUnit) return kNoCell;
+  const std::size_t cell = grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
+  const bool is_cut =
+      grid.cells[cell] == Cell::Two && std::ranges::all_of(corners, [&](std::uint32_t corner) {
+        return lattice.is_regular(corner);
+      });
+  return is_cut ? static_cast<std::uint32_t>(cell) : kNoCell;
+}
+
 /// Leaves of four corners, cut as cells of a grid are: many at a time, the plain ones at once.
 class PlainCutter {
  public:
@@ -263,10 +277,14 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     if (!lattice.is_regular(vertex)) vertex = singular.corner(leaf, piece, vertex);
   };
   PlainCutter cutter(grid);
-  for (const std::size_t leaf : which) {
+  std::vector<std::uint32_t> cut_before(which.size(), kNoCell);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::size_t leaf = which[k];
     auto plain = plain_corners(leaves[leaf], lattice);
     result.is_plain.push_back(plain ? 1 : 0);
     if (!plain) continue;
+    cut_before[k] = cell_cut_before(leaves[leaf], *plain, grid, lattice);
+    if (cut_before[k] != kNoCell) continue;
     for (std::uint32_t& vertex : *plain) choose_corner(leaf, 0, vertex);
     cutter.add(*plain);
   }
@@ -275,6 +293,11 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   for (std::size_t k = 0; k < which.size(); ++k) {
     const std::size_t first = result.all.size();
     result.first.push_back(static_cast<std::uint32_t>(first));
+    if (cut_before[k] != kNoCell) {
+      for (const Triangle& triangle : grid.triangles(cut_before[k])) result.all.push_back(triangle);
+      result.expected += 2;
+      continue;
+    }
     if (result.is_plain[k] != 0) {
       result.expected += cutter.take(result.all);
       result.is_plain[k] = result.all.size() == first + 2 ? 1 : 0;
