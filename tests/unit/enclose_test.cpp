@@ -95,6 +95,28 @@ TEST(Enclosure, ServesManyBoxesAndAllRates) {
   expect_exact(r[5], 4, 5);
 }
 
+TEST(Enclosure, IsThatOfTheBoxHoweverManyRangesCameBefore) {
+  Graph graph;
+  const std::array roots = {testing::parse(graph, "exp(u)*v^3-sin(v)*u"),
+                            testing::parse(graph, "cos(u)"), testing::parse(graph, "sqrt(v)")};
+  const Tape tape = compile(graph, roots);
+  Enclosure enclosure(tape);
+  const auto range = [](int k) { return Interval{k / 64.0, (k + 1) / 64.0}; };
+  // More of u than are kept, and each again a little later, with another v.
+  for (int k = 0; k < 6000; ++k) {
+    const Interval u = range(k % 7 < 5 ? k : k - 4);
+    const Interval v = range(k % 3);
+    std::array<Interval, 3> kept;
+    std::array<Interval, 3> fresh;
+    enclosure(u, v, kept);
+    enclose(tape, u, v, fresh);
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      ASSERT_EQ(kept[i].low, fresh[i].low) << k;
+      ASSERT_EQ(kept[i].high, fresh[i].high) << k;
+    }
+  }
+}
+
 TEST(Enclosure, ByTheMeanValueIsNarrowerWhereAVariableOccursOften) {
   Graph graph;
   const NodeId f = testing::parse(graph, "u*u-u*v+v*v+u");
