@@ -241,19 +241,28 @@ double Probe::best_ratio(const FixedLines& fixed, const Tolerance& tolerance) co
   const FixedLines lines = shared(fixed);
   SampledBends bent = sampled_bends(tolerance, kEveryForRatio);
   const Densities edges = along_edges(tolerance);
-  double best_ratio = own_ratio;
-  double least = std::numeric_limits<double>::infinity();
-  for (int power = -kRatios; power <= kRatios; ++power) {
-    const double ratio = std::ldexp(own_ratio, power);
-    Densities d = bent.densities(ratio, nullptr);
+  const auto cells = [&](int power) {
+    Densities d = bent.densities(std::ldexp(own_ratio, power), nullptr);
     complete(edges, d);
-    const double cells = total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u) *
-                         total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v);
-    if (!(cells < least)) continue;
-    least = cells;
-    best_ratio = ratio;
+    return total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u) *
+           total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v);
+  };
+  // Sums of powers of the ratio have one valley.
+  int best = 0;
+  double least = cells(best);
+  for (const int step : {4, 2, 1}) {
+    for (const int way : {-step, step}) {
+      const int before = best;
+      while (std::abs(best + way) <= kRatios) {
+        const double next = cells(best + way);
+        if (!(next < least)) break;
+        least = next;
+        best += way;
+      }
+      if (best != before) break;
+    }
   }
-  return best_ratio;
+  return std::ldexp(own_ratio, best);
 }
 
 FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance) const {
