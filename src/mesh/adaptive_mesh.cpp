@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <set>
+#include <span>
 
 #include "mesh/clip.h"
 #include "mesh/corners.h"
@@ -51,17 +53,27 @@ std::vector<double> merged(std::vector<double> lines, std::span<const double> mo
   return lines;
 }
 
+/// A tolerance that asks nothing of what is clipped away.
+Tolerance inside(const std::optional<Bounds>& clip, const Tolerance& tolerance) {
+  if (!clip) return tolerance;
+  return [box = *clip, tolerance](const dvec3& place, double reach) {
+    const bool is_clipped = is_beyond(box, std::span(&place, 1));
+    return is_clipped ? std::numeric_limits<double>::infinity() : tolerance(place, reach);
+  };
+}
+
 /// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
 /// than are allowed.
 void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
-  plan.ratio = plan.probe.best_ratio(plan.fixed, plan.aim);
-  plan.lines = plan.probe.place_lines(plan.fixed, plan.aim, plan.ratio);
+  const Tolerance aim = inside(options.clip, plan.aim);
+  plan.ratio = plan.probe.best_ratio(plan.fixed, aim);
+  plan.lines = plan.probe.place_lines(plan.fixed, aim, plan.ratio);
   const auto is_too_fine = [&] {
     return 2 * cells(plan.lines) > options.max_triangles && cells(plan.lines) > cells(plan.fixed);
   };
   for (double factor = 2; is_too_fine(); factor *= 2) {
     plan.is_limited = true;
-    plan.lines = plan.probe.place_lines(plan.fixed, plan.aim.times(factor));
+    plan.lines = plan.probe.place_lines(plan.fixed, aim.times(factor));
   }
   if (const auto& island = plan.probe.island()) {
     const auto [low, high] = island->where;
@@ -221,7 +233,7 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
 std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
                                               const AdaptiveOptions& options, MeshPlan plan) {
   GridMesh result{{}, report_of(plan)};
-  std::vector<Witness> witnesses = plan.probe.witnesses(plan.lines, plan.aim);
+  std::vector<Witness> witnesses = plan.probe.witnesses(plan.lines, inside(options.clip, plan.aim));
   Halving halving(surface, options, plan);
   halving.run(std::move(witnesses));
   return finish(surface, options, halving, std::move(result));

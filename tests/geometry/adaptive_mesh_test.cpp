@@ -452,6 +452,18 @@ TEST(AdaptiveMesh, IsClippedAlongABox) {
   EXPECT_GT(mesh.lines.size(), 20U);
 }
 
+TEST(AdaptiveMesh, HasNoDenseLinesForWhatIsClipped) {
+  // Beside the pole it takes lines as close as doubles go, out where nothing is kept.
+  const Surface funnel =
+      surface_from_text("u", "v", "1/((u-0.4)^2+(v-0.1)^2)", {-1, 1, -1, 1}, {}, Order::Second);
+  AdaptiveOptions options = share_of_diagonal(0);
+  options.tolerance = [](const Probe&) { return Tolerance(2e-3); };
+  options.clip = Bounds{dvec3(-1, -1, 0), dvec3(1, 1, 3)};
+  const GridMesh mesh = mesh_within_tolerance(funnel, options).value();
+  EXPECT_LE(mesh.report.max_error, 2e-3);
+  EXPECT_LT(mesh.mesh.triangles.size(), 4000);
+}
+
 TEST(AdaptiveMesh, DoesNotCutSteepSlopesAndKinks) {
   for (const char* z :
        {"tanh(1e5*u)", "atan(1e6*u)", "sqrt(abs(u))", "abs(u-0.3*v)", "cbrt(u)", "exp(-1e6*u^2)"}) {
