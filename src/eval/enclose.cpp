@@ -28,7 +28,7 @@ Interval enclose(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] con
   return kUndefined;
 }
 
-Enclosure::Enclosure(const Tape& tape) {
+Enclosure::Enclosure(const Tape& tape, std::size_t outputs) {
   banks_ = {0, static_cast<std::uint32_t>(tape.constants.size()), 0, 0};
   banks_[2] = banks_[1] + tape.slots_u;
   banks_[3] = banks_[2] + tape.slots_v;
@@ -43,7 +43,25 @@ Enclosure::Enclosure(const Tape& tape) {
   append(tape.of_u, of_u_.steps);
   append(tape.of_v, of_v_.steps);
   append(tape.of_both, of_both_);
-  for (const Slot slot : tape.outputs) outputs_.push_back(place(slot));
+  for (const Slot slot : std::span(tape.outputs).first(outputs)) outputs_.push_back(place(slot));
+  if (outputs < tape.outputs.size()) keep_needed_steps();
+}
+
+/// Leaves out the steps that no output depends on. Slots are used again: what is needed of one is
+/// what was last written there.
+void Enclosure::keep_needed_steps() {
+  std::vector<bool> is_needed(slots_.size(), false);
+  for (const std::uint32_t slot : outputs_) is_needed[slot] = true;
+  for (std::vector<Step>* const steps : {&of_both_, &of_v_.steps, &of_u_.steps}) {
+    std::vector<Step> kept;
+    for (auto step = steps->rbegin(); step != steps->rend(); ++step) {
+      if (!is_needed[step->out]) continue;
+      is_needed[step->out] = false;
+      for (int i = 0; i < arity(step->op); ++i) is_needed[step->in[i]] = true;
+      kept.push_back(*step);
+    }
+    steps->assign(kept.rbegin(), kept.rend());
+  }
 }
 
 std::uint32_t Enclosure::place(Slot slot) const {

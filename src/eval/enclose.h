@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -21,7 +22,9 @@ Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c)
 /// each range of it, as long as those are few: boxes are often cells of grids. One for each thread.
 class Enclosure {
  public:
-  explicit Enclosure(const Tape& tape);
+  explicit Enclosure(const Tape& tape) : Enclosure(tape, tape.outputs.size()) {}
+  /// Of the tape's first outputs alone: nothing is done for the others.
+  Enclosure(const Tape& tape, std::size_t outputs);
 
   /// outputs[k] encloses output k over u x v. The ends of u and v may be infinite. A product of a
   /// value with itself is a square. Tapes compiled with Powers::Whole give narrower bounds.
@@ -50,6 +53,7 @@ class Enclosure {
   void append(std::span<const Instruction> instructions, std::vector<Step>& steps) const;
   void run(std::span<const Step> steps);
   void load(const Interval& range, Bank& bank);
+  void keep_needed_steps();
   std::uint32_t place(Slot slot) const;
 
   std::array<std::uint32_t, 4> banks_ = {};  ///< where the slots of each rate begin

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "eval/enclose.h"
+#include "mesh/continuity.h"
 #include "mesh/corners.h"
 #include "surface/normal.h"
 
@@ -106,53 +106,6 @@ void look_outward(const Surface& surface, std::span<Search> searches, double del
   }
 }
 
-/// Tells by bounds where a line may be broken.
-class Continuity {
- public:
-  explicit Continuity(const Surface& surface)
-      : enclosure_(surface.bounds), bounds_(surface.bounds.outputs.size()) {}
-
-  /// Parts of a line, apart from each other, on which the surface is not proved to be continuous:
-  /// as short as doubles go, or as many as are worth a search.
-  std::vector<Line> unproved(const Line& line) {
-    std::vector<Line> ends;  // that have no middle
-    std::vector<Line> level = {line};
-    for (int depth = 0; !level.empty() && depth < kMaxHalvings; ++depth) {
-      if (level.size() > kMostParts && depth >= kLeastHalvings) break;
-      std::vector<Line> next;
-      for (const Line& part : level) {
-        if (is_proved(part)) continue;
-        const dvec2 middle = 0.5 * part[0] + 0.5 * part[1];
-        if (middle == part[0] || middle == part[1]) {
-          ends.push_back(part);
-        } else {
-          next.push_back({part[0], middle});
-          next.push_back({middle, part[1]});
-        }
-      }
-      level = std::move(next);
-    }
-    level.insert(level.end(), ends.begin(), ends.end());
-    return level;
-  }
-
- private:
-  /// Halvings of a line until as many parts as these are too many to be narrowed down.
-  static constexpr int kLeastHalvings = 6;
-  static constexpr std::size_t kMostParts = 8;
-
-  bool is_proved(const Line& line) {
-    const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
-    enclosure_(range(line[0].x, line[1].x), range(line[0].y, line[1].y), bounds_);
-    return std::ranges::all_of(std::span(bounds_).first(3), [](const Interval& a) {
-      return a.continuous && a.defined == Defined::Yes;
-    });
-  }
-
-  Enclosure enclosure_;
-  std::vector<Interval> bounds_;
-};
-
 /// `value`: the vector that may jump, of a point of the surface.
 template <class F>
 std::vector<Found> search_lines(const Surface& surface, std::span<const Line> lines, double delta,
@@ -189,38 +142,25 @@ std::vector<Found> search_lines(const Surface& surface, std::span<const Line> li
   return result;
 }
 
-}  // namespace
-
-namespace {
-
-/// A part of a line on which bounds leave room for a break.
-struct Suspect {
-  std::size_t line;  ///< its number
-  Line part;
-};
-
-std::vector<Suspect> suspects(const Surface& surface, std::span<const Line> lines,
-                              std::span<const Found> found) {
-  Continuity continuity(surface);
-  std::vector<Suspect> result;
-  const auto add_unproved = [&](std::size_t k, const Line& line) {
-    for (const Line& part : continuity.unproved(line)) result.push_back({k, part});
-  };
+/// Where bounds leave room for breaks beside those that were found.
+std::vector<LinePart> suspects(const Surface& surface, std::span<const Line> lines,
+                               std::span<const Found> found, double delta) {
+  std::vector<LinePart> parts;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (found[k].kind == Break::None) {
-      add_unproved(k, lines[k]);
+      parts.push_back({k, lines[k]});
     } else {
-      add_unproved(k, {lines[k][0], found[k].ends[0]});
-      add_unproved(k, {found[k].ends[1], lines[k][1]});
+      parts.push_back({k, {lines[k][0], found[k].ends[0]}});
+      parts.push_back({k, {found[k].ends[1], lines[k][1]}});
     }
   }
-  return result;
+  return unproved(surface, std::move(parts), delta);
 }
 
 /// What there is at suspects. At a pole of even order, where the surface comes back from where it
 /// went to, both ends of a gap may be alike.
 std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
-                           std::span<const Suspect> suspects, double delta, unsigned threads) {
+                           std::span<const LinePart> suspects, double delta, unsigned threads) {
   std::vector<Line> parts;
   std::vector<Line> ways;
   for (const auto& [line, part] : suspects) {
@@ -247,7 +187,7 @@ std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lin
                                unsigned threads) {
   std::vector<Found> found = search_lines(surface, lines, delta, threads,
                                           [](const SurfacePoint& point) { return point.position; });
-  const std::vector<Suspect> where = suspects(surface, lines, found);
+  const std::vector<LinePart> where = suspects(surface, lines, found, delta);
   const std::vector<Found> more = look_at(surface, lines, where, delta, threads);
   for (std::size_t i = 0; i < where.size(); ++i) {
     if (more[i].kind == Break::None) continue;

@@ -7,14 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "mesh/continuity.h"
 #include "surface/surface.h"
 
 namespace saddle {
 
 enum class Break : std::uint8_t { None, Jump, Pole };
-
-/// A straight line of parameters.
-using Line = std::array<dvec2, 2>;
 
 /// What is found on a line, and between which neighbours in double precision.
 struct Found {

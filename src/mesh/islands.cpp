@@ -33,8 +33,7 @@ class Search {
       : surface_(surface),
         boxes_(boxes),
         threads_(threads),
-        enclosure_(surface.bounds),
-        bounds_(surface.bounds.outputs.size()),
+        enclosure_(surface.bounds, 3),
         found_(where.size()) {
     for (std::size_t k = 0; k < where.size(); ++k) parts_.push_back({where[k], k});
   }
@@ -55,8 +54,8 @@ class Search {
     if (boxes_ == 0) return true;
     --boxes_;
     const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
-    enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), bounds_);
-    const auto position = std::span(bounds_).first(3);
+    std::array<Interval, 3> position;
+    enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), position);
     return std::ranges::any_of(position,
                                [](const Interval& a) { return a.defined == Defined::No; });
   }
@@ -86,7 +85,6 @@ class Search {
   std::size_t& boxes_;
   unsigned threads_;
   Enclosure enclosure_;
-  std::vector<Interval> bounds_;
   std::vector<Part> parts_;
   std::vector<std::optional<dvec2>> found_;
 };

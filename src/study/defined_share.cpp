@@ -1,9 +1,9 @@
 #include "study/defined_share.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <span>
-#include <vector>
 
 #include "eval/enclose.h"
 
@@ -31,16 +31,16 @@ DefinedShare prove_defined(const Surface& surface, std::size_t boxes) {
     const double b = first * (1 - high) + last * high;
     return Interval{std::min(a, b), std::max(a, b)};
   };
-  Enclosure enclosure(surface.bounds);
-  std::vector<Interval> outputs(surface.bounds.outputs.size());
+  Enclosure enclosure(surface.bounds, 3);
+  std::array<Interval, 3> position;
   DefinedShare share;
   std::deque<Box> undecided = {{dvec2(0), dvec2(1)}};
   for (std::size_t k = 0; k < boxes && !undecided.empty(); ++k) {
     const Box box = undecided.front();
     undecided.pop_front();
     enclosure(range(d.u0, d.u1, box.low.x, box.high.x), range(d.v0, d.v1, box.low.y, box.high.y),
-              outputs);
-    const Defined found = defined(std::span<const Interval>(outputs).first(3));
+              position);
+    const Defined found = defined(position);
     if (found == Defined::Yes) share.yes += box.area();
     if (found == Defined::No) share.no += box.area();
     if (found != Defined::Maybe) continue;

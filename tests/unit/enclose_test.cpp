@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "formula/derive.h"
 #include "interval_checks.h"
@@ -114,6 +115,24 @@ TEST(Enclosure, IsThatOfTheBoxHoweverManyRangesCameBefore) {
       ASSERT_EQ(kept[i].low, fresh[i].low) << k;
       ASSERT_EQ(kept[i].high, fresh[i].high) << k;
     }
+  }
+}
+
+TEST(Enclosure, OfTheFirstOutputsAloneIsTheSame) {
+  Graph graph;
+  const std::array roots = {testing::parse(graph, "sin(u)+cos(u)*v"), testing::parse(graph, "u"),
+                            testing::parse(graph, "exp(u*v)/gamma(v)"),
+                            testing::parse(graph, "sin(u)^3*v")};
+  const Tape tape = compile(graph, roots);
+  std::array<Interval, 4> all;
+  Enclosure whole(tape);
+  whole({0.5, 0.75}, {2, 2.25}, all);
+  for (const std::size_t count : {1, 2, 3}) {
+    std::vector<Interval> first(count);
+    Enclosure part(tape, count);
+    part({0.1, 0.2}, {1, 3}, first);  // what that leaves behind does no harm
+    part({0.5, 0.75}, {2, 2.25}, first);
+    for (std::size_t k = 0; k < count; ++k) expect_exact(first[k], all[k].low, all[k].high);
   }
 }
 

@@ -1,0 +1,105 @@
+#include "mesh/continuity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "eval/enclose.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings at most: doubles between two parameters run out before, except next to 0, where what
+/// is left of the line is then 1e-30 of it.
+constexpr int kMaxHalvings = 100;
+/// Halvings of a line until as many parts as these are too many to be narrowed down.
+constexpr int kLeastHalvings = 6;
+constexpr std::size_t kMostParts = 8;
+
+class Prover {
+ public:
+  Prover(const Surface& surface, double delta) : enclosure_(surface.bounds, 3), delta_(delta) {}
+
+  /// Proves many lines at a time where boxes around them do; puts the parts of others into
+  /// `result`. Changes the lines' order.
+  void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
+    if (lines.empty()) return;
+    if (lines.size() == 1) return add_unproved(lines[0], result);
+    dvec2 low = lines[0].part[0];
+    dvec2 high = low;
+    for (const LinePart& line : lines) {
+      low = glm::min(low, glm::min(line.part[0], line.part[1]));
+      high = glm::max(high, glm::max(line.part[0], line.part[1]));
+    }
+    if (is_proved({low, high})) return;
+    const int axis = is_wider_along_u(lines, high - low) ? 0 : 1;
+    const auto place = [&](const LinePart& line) {
+      return line.part[0][axis] + line.part[1][axis];
+    };
+    const std::size_t half = lines.size() / 2;
+    std::ranges::nth_element(lines, lines.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
+    prove(lines.first(half), result);
+    prove(lines.subspan(half), result);
+  }
+
+ private:
+  /// Beside the lines themselves, whose units differ.
+  static bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
+    dvec2 sum(0);
+    for (const LinePart& line : lines) sum += glm::abs(line.part[1] - line.part[0]);
+    return size.x * sum.y >= size.y * sum.x;
+  }
+
+  void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
+    std::vector<Line> level = {line.part};
+    for (int depth = 0; !level.empty() && depth < kMaxHalvings; ++depth) {
+      if (level.size() > kMostParts && depth >= kLeastHalvings) break;
+      std::vector<Line> next;
+      for (const Line& part : level) {
+        if (is_proved(part)) continue;
+        const dvec2 middle = 0.5 * part[0] + 0.5 * part[1];
+        if (middle == part[0] || middle == part[1]) {
+          result.push_back({line.line, part});
+        } else {
+          next.push_back({part[0], middle});
+          next.push_back({middle, part[1]});
+        }
+      }
+      level = std::move(next);
+    }
+    for (const Line& part : level) result.push_back({line.line, part});
+  }
+
+  bool is_proved(const Line& box) {
+    const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
+    std::array<Interval, 3> position;
+    enclosure_(range(box[0].x, box[1].x), range(box[0].y, box[1].y), position);
+    bool is_continuous = true;
+    dvec3 size;
+    for (int k = 0; k < 3; ++k) {
+      const Interval& a = position[static_cast<std::size_t>(k)];
+      if (a.defined != Defined::Yes) return false;
+      is_continuous = is_continuous && a.continuous;
+      size[k] = a.high - a.low;
+    }
+    return is_continuous || glm::length(size) < delta_;
+  }
+
+  Enclosure enclosure_;
+  double delta_;
+};
+
+}  // namespace
+
+std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta) {
+  std::vector<LinePart> result;
+  Prover(surface, delta).prove(lines, result);
+  std::ranges::stable_sort(result, {}, &LinePart::line);
+  return result;
+}
+
+}  // namespace saddle

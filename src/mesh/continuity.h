@@ -1,0 +1,28 @@
+// Proves by interval arithmetic that a surface is continuous along lines of parameters.
+// Source: J. Tupper, "Reliable two-dimensional graphing methods for mathematical formulae with two
+// free variables", 2001.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// A straight line of parameters.
+using Line = std::array<dvec2, 2>;
+
+/// A line, or a part of one.
+struct LinePart {
+  std::size_t line;  ///< its number
+  Line part;
+};
+
+/// Parts of these, apart from each other, on which the surface is proved neither to be continuous
+/// nor to stay within `delta`, so that it jumps by no more: as short as doubles go, or as many as
+/// are worth a search. Those of a line follow each other, in the order of lines.
+std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta);
+
+}  // namespace saddle

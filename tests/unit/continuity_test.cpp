@@ -1,0 +1,65 @@
+#include "mesh/continuity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+constexpr int kLines = 40;
+
+/// Short lines along u, side by side, each 1/kLines of the range from -1 to 1.
+std::vector<LinePart> lines_along_u() {
+  std::vector<LinePart> lines;
+  for (std::size_t k = 0; k < kLines; ++k) {
+    const double at = -1 + 2.0 * static_cast<double>(k) / kLines;
+    lines.push_back({k, {dvec2(at, 0.3), dvec2(at + 2.0 / kLines, 0.3)}});
+  }
+  return lines;
+}
+
+std::vector<LinePart> unproved_of(const std::string& z, double delta) {
+  return unproved(surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second),
+                  lines_along_u(), delta);
+}
+
+/// Whether the parts are where the surface breaks, each place has some, and no more than doubles
+/// beside it are in doubt.
+void expect_only_at(const std::vector<LinePart>& parts, const std::vector<double>& breaks) {
+  const auto is_at = [](const LinePart& part, double u) {
+    return part.part[0].x - 1e-14 <= u && u <= part.part[1].x + 1e-14;
+  };
+  for (const double u : breaks) {
+    EXPECT_TRUE(std::ranges::any_of(parts, [&](const LinePart& p) { return is_at(p, u); })) << u;
+  }
+  for (const LinePart& part : parts) {
+    EXPECT_LT(part.part[1].x - part.part[0].x, 1e-15);
+    EXPECT_TRUE(std::ranges::any_of(breaks, [&](double u) { return is_at(part, u); }));
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(parts, {}, &LinePart::line));
+}
+
+TEST(Continuity, IsProvedOfManyLinesAtATime) {
+  for (const char* z : {"sin(3*u)*exp(v)", "1/(u^2+v^2)", "abs(u)", "tanh(1e5*u)", "cbrt(u)"}) {
+    EXPECT_TRUE(unproved_of(z, 1e-9).empty()) << z;
+  }
+}
+
+TEST(Continuity, IsNotProvedAtJumpsAndPoles) {
+  expect_only_at(unproved_of("floor(2*u+0.11)", 1e-3), {-0.555, -0.055, 0.445, 0.945});
+  expect_only_at(unproved_of("1/(u-0.33)^2", 1e-3), {0.33});
+}
+
+TEST(Continuity, IsNotAskedForBelowTheJumpsThatMatter) {
+  EXPECT_TRUE(unproved_of("sign(u-0.31)*abs(u-0.31)^3", 1e-3).empty());
+  EXPECT_TRUE(unproved_of("floor(2*u+0.1)*1e-4", 1e-3).empty());
+  EXPECT_FALSE(unproved_of("floor(2*u+0.1)*1e-2", 1e-3).empty());
+}
+
+}  // namespace
+}  // namespace saddle
