@@ -71,24 +71,25 @@ dvec3 weights_at(const Grid& grid, const Triangle& t, const dvec2& uv) {
   return {weight(1, 2), weight(2, 0), weight(0, 1)};
 }
 
-/// How deep (u, v) is in a triangle.
-double depth_in(const Grid& grid, const Triangle& t, const dvec2& uv) {
-  const dvec3 weights = weights_at(grid, t, uv);
-  return std::min({weights.x, weights.y, weights.z});
-}
+/// A triangle, and what its corners weigh at a place in (u, v).
+struct Below {
+  const Triangle* triangle;
+  dvec3 weights;
+};
 
 /// The triangle that (u, v) is in, or is least outside of.
-const Triangle& deepest_triangle(const Grid& grid, std::span<const Triangle> triangles,
-                                 const dvec2& uv) {
-  std::size_t best = 0;
+Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv) {
+  Below best{&triangles.front(), dvec3(std::numeric_limits<double>::quiet_NaN())};
   double deepest = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const double depth = depth_in(grid, triangles[k], uv);
+  for (const Triangle& t : triangles) {
+    const dvec3 weights = weights_at(grid, t, uv);
+    const double depth = std::min({weights.x, weights.y, weights.z});
     if (!(depth > deepest)) continue;
-    best = k;
+    best = {&t, weights};
     deepest = depth;
+    if (deepest > 0) break;  // inside: they do not overlap
   }
-  return triangles[best];
+  return best;
 }
 
 Nearest nearest_on(const Grid& grid, const Triangle& t, const dvec3& p) {
@@ -108,11 +109,11 @@ double distance(const Grid& grid, std::span<const Triangle> triangles, const dve
 /// The distance of a triangle's point at (u, v) from the surface, which is at `p` there, in local
 /// units: along its normal, since what is along the surface is no distance. 0 where the two are too
 /// far apart for that, or (u, v) is not in the triangle.
-double height_above(const Grid& grid, const Triangle& t, const dvec2& uv, const dvec3& p,
-                    const dvec3& normal) {
+double height_above(const Grid& grid, const Below& below, const dvec3& p, const dvec3& normal) {
   constexpr double kBeside = 0.3;  // of the longest side: then curvature adds a third at most
   constexpr double kFlat = 0.1;    // of it: beyond, the triangle bridges a front that is nearer
-  const dvec3 weights = weights_at(grid, t, uv);
+  const auto& [triangle, weights] = below;
+  const Triangle& t = *triangle;
   if (!(std::min({weights.x, weights.y, weights.z}) >= -kRounding)) return 0;
   const std::array<dvec3, 3> at = {grid.local(t[0]), grid.local(t[1]), grid.local(t[2])};
   const dvec3 off = weights.x * at[0] + weights.y * at[1] + weights.z * at[2] - p;
@@ -232,30 +233,32 @@ class Measurer {
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position) {
   if (triangles.empty() || !is_finite(position)) return 0;
-  const Triangle& own = deepest_triangle(grid, triangles, uv);
+  const Triangle& own = *triangle_below(grid, triangles, uv).triangle;
   const dvec3 p = grid.local_scale * position;
   return distance(grid, triangles, p, nearest_on(grid, own, p)) / grid.local_scale;
 }
 
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
-                    const SurfacePoint& point, bool flip) {
+                    const SurfacePoint& point, bool flip, double known) {
   const double size_u = safe_length(point.r_u);
   return deviation(grid, triangles, uv, point.position,
-                   unit_normal(point, size_u, safe_length(point.r_v), flip));
+                   unit_normal(point, size_u, safe_length(point.r_v), flip), known);
 }
 
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
-                    const dvec3& position, const std::optional<dvec3>& normal) {
+                    const dvec3& position, const std::optional<dvec3>& normal, double known) {
   if (triangles.empty() || !is_finite(position)) return {};
-  const Triangle& own = deepest_triangle(grid, triangles, uv);
+  const Below below = triangle_below(grid, triangles, uv);
+  const Triangle& own = *below.triangle;
   const dvec3 p = grid.local_scale * position;
   const Nearest on_own = nearest_on(grid, own, p);
   dvec3 interpolated(0);
   for (int k = 0; k < 3; ++k) {
     interpolated += on_own.weights[k] * grid.mesh.normal[own[static_cast<std::size_t>(k)]];
   }
-  double away = distance(grid, triangles, p, on_own);
-  if (normal) away = std::max(away, height_above(grid, own, uv, p, *normal));
+  const bool is_near = on_own.distance <= grid.local_scale * known;
+  double away = is_near ? on_own.distance : distance(grid, triangles, p, on_own);
+  if (normal) away = std::max(away, height_above(grid, below, p, *normal));
   return {away / grid.local_scale, normal ? degrees_between(*normal, interpolated) : 0};
 }
 

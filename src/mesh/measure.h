@@ -18,12 +18,14 @@ struct Deviation {
 /// `point` is at (u, v). Its distance is from the triangle that (u, v) is in, if it is straight
 /// above it, else from the nearest one; or that triangle's point at (u, v) from the surface, if
 /// that is larger, as at an edge that sticks out. Its normal is compared with that triangle's,
-/// since near a cusp the other sheet may be as near.
+/// since near a cusp the other sheet may be as near. Whoever knows of a larger distance already
+/// need not be told a smaller one exactly: nobody looks for a nearer triangle than one within
+/// `known`. The triangles do not overlap in (u, v).
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
-                    const SurfacePoint& point, bool flip);
+                    const SurfacePoint& point, bool flip, double known = 0);
 /// The same of a position with its unit normal, if it has one.
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
-                    const dvec3& position, const std::optional<dvec3>& normal);
+                    const dvec3& position, const std::optional<dvec3>& normal, double known = 0);
 
 /// Its distance alone.
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,

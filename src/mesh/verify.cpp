@@ -85,13 +85,13 @@ void Measured::remove(std::span<const std::size_t> which) {
 /// Where a leaf is cut, its pieces meet along a chord of the true line: what lies between the two
 /// is no farther from the surface than the other piece, and faces as that one does.
 Deviation Verifier::deviation_of(const Leaf& leaf, std::span<const Triangle> triangles,
-                                 const dvec2& uv, const SurfacePoint& point) const {
+                                 const dvec2& uv, const SurfacePoint& point, double known) const {
   if (!leaf.is_split || triangles.empty())
-    return deviation(grid_, triangles, uv, point, surface_.flip);
+    return deviation(grid_, triangles, uv, point, surface_.flip, known);
   Deviation best{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   while (!triangles.empty()) {
     const std::size_t count = count_connected(triangles);
-    const Deviation d = deviation(grid_, triangles.first(count), uv, point, surface_.flip);
+    const Deviation d = deviation(grid_, triangles.first(count), uv, point, surface_.flip, known);
     best.distance = std::min(best.distance, d.distance);
     best.degrees = std::min(best.degrees, d.degrees);
     triangles = triangles.subspan(count);
@@ -208,8 +208,9 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
     Deviation& worst = mesh.deviations[which[k]] = {};
     for (std::size_t s = first[i]; s < first[i + 1]; ++s) {
       const auto& [place, beside_cut, crease] = samples[s];
-      const Deviation d = crease ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
-                                 : deviation_of(leaf, triangles.of(k), place, points[s]);
+      const Deviation d =
+          crease ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
+                 : deviation_of(leaf, triangles.of(k), place, points[s], worst.distance);
       if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease};
       if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
     }

@@ -50,7 +50,7 @@ class Verifier {
                       std::vector<Sample>& samples) const;
   double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;
   Deviation deviation_of(const Leaf& leaf, std::span<const Triangle> triangles, const dvec2& uv,
-                         const SurfacePoint& point) const;
+                         const SurfacePoint& point, double known) const;
 
   const Surface& surface_;
   const Grid& grid_;
