@@ -57,8 +57,13 @@ class Face {
   void clip_triangles() {
     Array<Triangle> kept;
     kept.reserve(mesh_.triangles.size());
+    std::vector<std::uint32_t> polygon;
     for (const Triangle& t : mesh_.triangles) {
-      std::vector<std::uint32_t> polygon;
+      const int inside =
+          (is_inside(t[0]) ? 1 : 0) + (is_inside(t[1]) ? 1 : 0) + (is_inside(t[2]) ? 1 : 0);
+      if (inside == 3) kept.push_back(t);
+      if (inside == 3 || inside == 0) continue;
+      polygon.clear();
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = t[k];
         const std::uint32_t b = t[(k + 1) % 3];
