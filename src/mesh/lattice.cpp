@@ -244,12 +244,22 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
       2.0 * dvec2(0, step.y), 2.0 * dvec2(0, -step.y), step,
       dvec2(-step.x, step.y)};
   constexpr std::size_t kNearest = 4;
-  std::vector<dvec2> uv;
-  for (const std::uint32_t vertex : vertices) {
-    for (const dvec2& way : ways) uv.push_back(grid_.mesh.uv[vertex] + way);
+  const auto look = [&](std::span<const dvec2> where) {
+    std::vector<dvec2> uv;
+    for (const std::uint32_t vertex : vertices) {
+      for (const dvec2& way : where) uv.push_back(grid_.mesh.uv[vertex] + way);
+    }
+    evaluations_ += uv.size();
+    return saddle::evaluate(surface_, uv, threads);
+  };
+  // In the midst of what is undefined one look tells.
+  std::vector<std::uint32_t> beside_defined;
+  const std::vector<SurfacePoint> beside = look(std::span(ways).first(1));
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (is_finite(beside[k].position)) beside_defined.push_back(vertices[k]);
   }
-  const std::vector<SurfacePoint> points = saddle::evaluate(surface_, uv, threads);
-  evaluations_ += points.size();
+  vertices = std::move(beside_defined);
+  const std::vector<SurfacePoint> points = look(ways);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     Bounds around;
     dvec3 sum(0);
