@@ -49,9 +49,12 @@ class GridColumns {
  public:
   GridColumns(const Tape& tape, std::span<const double> u, std::span<const double> v,
               unsigned threads)
-      : columns_(tape.outputs.size(), std::vector<double>(u.size() * v.size())) {
-    std::vector<double*> starts(columns_.size());
-    std::ranges::transform(columns_, starts.begin(), [](auto& column) { return column.data(); });
+      : columns_(tape.outputs.size()) {
+    std::vector<double*> starts;
+    for (Array<double>& column : columns_) {
+      column.resize(u.size() * v.size());
+      starts.push_back(column.data());
+    }
     evaluate_grid(tape, u, v, starts, threads);
   }
   double number(std::size_t output, std::size_t i) const { return columns_[output][i]; }
@@ -60,7 +63,7 @@ class GridColumns {
   }
 
  private:
-  std::vector<std::vector<double>> columns_;
+  std::vector<Array<double>> columns_;
 };
 
 void limit_fall_off(std::vector<double>& density) {
