@@ -28,7 +28,7 @@ struct Bounds {
     low = glm::min(low, b.low);
     high = glm::max(high, b.high);
   }
-  dvec3 centre() const { return 0.5 * (low + high); }
+  dvec3 centre() const { return 0.5 * low + 0.5 * high; }
   dvec3 size() const { return high - low; }
   /// Whether a point is in the box or on its faces.
   bool contains(const dvec3& p) const {

@@ -111,7 +111,11 @@ double distance_of_box(const Bounds& bounds, const FittedCamera& fitted, const A
   return least;
 }
 
-void check(const Camera& camera) {
+}  // namespace
+
+void check_camera(const Camera& camera) {
+  direction(camera.view, "--view");
+  direction(camera.up, "--up");
   if (!(camera.fov > 0 && camera.fov < 180)) {
     throw Error(Status::Input, "the field of view must be more than 0 and less than 180 degrees",
                 {"--fov", {}, {}});
@@ -123,6 +127,8 @@ void check(const Camera& camera) {
     throw Error(Status::Input, "the target is not finite", {"--target", {}, {}});
   }
 }
+
+namespace {
 
 void fit_depth(FittedCamera& fitted, const Bounds& bounds, const dvec3& backward, bool ortho) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -176,7 +182,7 @@ dvec3 camera_target(const Camera& camera, const Bounds& bounds) {
 
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
                         std::optional<double> radius, const Room& room) {
-  check(camera);
+  check_camera(camera);
   const Axes axes = camera_axes(camera);
   const double half_fov = camera.fov * std::numbers::pi / 360;
   FittedCamera fitted;

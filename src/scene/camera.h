@@ -36,6 +36,10 @@ struct Room {
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
                         std::optional<double> radius = std::nullopt, const Room& room = {});
 
+/// Throws Error (Input), with the option's name: an angle, a direction, a distance or a target that
+/// no camera can have.
+void check_camera(const Camera& camera);
+
 /// Where `camera` looks: its target, or the centre of the box.
 dvec3 camera_target(const Camera& camera, const Bounds& bounds);
 

@@ -181,8 +181,14 @@ void Model::open(Scene scene) {
   wish(Manner::PreviewFirst);
 }
 
-/// The mesh depends on what a pixel is, and close up on what is seen.
+/// The mesh depends on what a pixel is, and close up on what is seen. Where a hand on a surface as
+/// large as numbers get leads beyond them, the camera stays.
 void Model::look_through(const Camera& camera) {
+  try {
+    check_camera(camera);
+  } catch (const Error&) {
+    return;
+  }
   const bool close = is_close(camera);
   const bool refine = sees_another_size(camera, meshed_camera_) ||
                       (close && sees_from_elsewhere(camera, meshed_camera_));
