@@ -98,9 +98,12 @@ class PlainCutter {
   explicit PlainCutter(const Grid& grid) : grid_(grid) {}
 
   void add(const std::array<std::uint32_t, 4>& corners) {
+    cells_.push_back(kNoCell);
     corners_.push_back(corners);
     if (corners_.size() % kBlock == 0) cut();
   }
+  /// Adds a leaf that is a cell of the root grid, which is cut already.
+  void add_cut(std::uint32_t cell) { cells_.push_back(cell); }
   void finish() {
     if (cuts_.size() < corners_.size()) cut();
   }
@@ -108,8 +111,13 @@ class PlainCutter {
   /// Appends the triangles of the next leaf; returns how many there would be if none were without
   /// area.
   std::size_t take(Array<Triangle>& triangles) {
-    const auto& c = corners_[taken_];
-    const Way way = cuts_[taken_++];
+    const std::uint32_t cell = cells_[taken_++];
+    if (cell != kNoCell) {
+      for (const Triangle& triangle : grid_.triangles(cell)) triangles.push_back(triangle);
+      return 2;
+    }
+    const auto& c = corners_[taken_corners_];
+    const Way way = cuts_[taken_corners_++];
     if (way == Way::Unknown) {
       std::vector<std::uint32_t> points;
       for (const std::uint32_t corner : c) points.push_back(grid_.mesh.point[corner]);
@@ -161,9 +169,11 @@ class PlainCutter {
   }
 
   const Grid& grid_;
+  std::vector<std::uint32_t> cells_;  // of all leaves; kNoCell: the next of the corners
   std::vector<std::array<std::uint32_t, 4>> corners_;
   std::vector<Way> cuts_;
   std::size_t taken_ = 0;
+  std::size_t taken_corners_ = 0;
   std::unique_ptr<Strips> strips_ = std::make_unique_for_overwrite<Strips>();
   std::unique_ptr<Cuts> found_ = std::make_unique_for_overwrite<Cuts>();
 };
@@ -277,27 +287,22 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     if (!lattice.is_regular(vertex)) vertex = singular.corner(leaf, piece, vertex);
   };
   PlainCutter cutter(grid);
-  std::vector<std::uint32_t> cut_before(which.size(), kNoCell);
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    const std::size_t leaf = which[k];
-    auto plain = plain_corners(leaves[leaf], lattice);
+  const auto add_plain = [&](std::size_t leaf, std::array<std::uint32_t, 4> corners) {
+    const std::uint32_t cell = cell_cut_before(leaves[leaf], corners, grid, lattice);
+    if (cell != kNoCell) return cutter.add_cut(cell);
+    for (std::uint32_t& vertex : corners) choose_corner(leaf, 0, vertex);
+    cutter.add(corners);
+  };
+  for (const std::size_t leaf : which) {
+    const auto plain = plain_corners(leaves[leaf], lattice);
     result.is_plain.push_back(plain ? 1 : 0);
-    if (!plain) continue;
-    cut_before[k] = cell_cut_before(leaves[leaf], *plain, grid, lattice);
-    if (cut_before[k] != kNoCell) continue;
-    for (std::uint32_t& vertex : *plain) choose_corner(leaf, 0, vertex);
-    cutter.add(*plain);
+    if (plain) add_plain(leaf, *plain);
   }
   cutter.finish();
   std::vector<std::uint32_t> points;
   for (std::size_t k = 0; k < which.size(); ++k) {
     const std::size_t first = result.all.size();
     result.first.push_back(static_cast<std::uint32_t>(first));
-    if (cut_before[k] != kNoCell) {
-      for (const Triangle& triangle : grid.triangles(cut_before[k])) result.all.push_back(triangle);
-      result.expected += 2;
-      continue;
-    }
     if (result.is_plain[k] != 0) {
       result.expected += cutter.take(result.all);
       result.is_plain[k] = result.all.size() == first + 2 ? 1 : 0;
