@@ -16,7 +16,7 @@ struct CostModel {
   double box_operation;
   double triangle;  ///< drawn once
 };
-inline constexpr CostModel kCosts = {60, 126, 0.214, 0, 8.09, 1100};
+inline constexpr CostModel kCosts = {67.4, 131, 0.289, 761, 0, 988};
 
 /// Operations of a surface's formulas that a point takes on a grid, where what depends on u alone
 /// or v alone is computed once, elsewhere, and in a box.
