@@ -150,8 +150,8 @@ std::vector<LinePart> suspects(const Surface& surface, std::span<const Line> lin
     if (found[k].kind == Break::None) {
       parts.push_back({k, lines[k]});
     } else {
-      parts.push_back({k, {lines[k][0], found[k].ends[0]}});
-      parts.push_back({k, {found[k].ends[1], lines[k][1]}});
+      parts.push_back({k, {lines[k][0], found[k].ends[0]}, 1});
+      parts.push_back({k, {found[k].ends[1], lines[k][1]}, 0});
     }
   }
   return unproved(surface, std::move(parts), delta);
@@ -163,7 +163,7 @@ std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
                            std::span<const LinePart> suspects, double delta, unsigned threads) {
   std::vector<Line> parts;
   std::vector<Line> ways;
-  for (const auto& [line, part] : suspects) {
+  for (const auto& [line, part, broken_end] : suspects) {
     parts.push_back(part);
     ways.push_back({part[0], lines[line][0]});
     ways.push_back({part[1], lines[line][1]});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include <glm/common.hpp>
@@ -19,6 +20,9 @@ constexpr int kMaxHalvings = 100;
 /// Halvings of a line until as many parts as these are too many to be narrowed down.
 constexpr int kLeastHalvings = 6;
 constexpr std::size_t kMostParts = 8;
+/// Beside a break that is known to be there, the part of a line that is left without a proof is so
+/// much of it at each step: over the rest bounds of a pole are within a factor of 16 or so.
+constexpr double kBesideBreak = 1.0 / 16;
 
 class Prover {
  public:
@@ -54,24 +58,33 @@ class Prover {
     return size.x * sum.y >= size.y * sum.x;
   }
 
+  /// Cuts a part in two; nothing if it is as short as doubles go.
+  static std::optional<std::array<LinePart, 2>> cut(const LinePart& whole) {
+    const auto& [line, part, broken] = whole;
+    const double share = !broken ? 0.5 : *broken == 0 ? kBesideBreak : 1 - kBesideBreak;
+    const dvec2 at = (1 - share) * part[0] + share * part[1];
+    if (at == part[0] || at == part[1]) return std::nullopt;
+    std::array<LinePart, 2> parts = {LinePart{line, {part[0], at}}, LinePart{line, {at, part[1]}}};
+    if (broken) parts[*broken].broken_end = broken;
+    return parts;
+  }
+
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
-    std::vector<Line> level = {line.part};
+    std::vector<LinePart> level = {line};
     for (int depth = 0; !level.empty() && depth < kMaxHalvings; ++depth) {
       if (level.size() > kMostParts && depth >= kLeastHalvings) break;
-      std::vector<Line> next;
-      for (const Line& part : level) {
-        if (is_proved(part)) continue;
-        const dvec2 middle = 0.5 * part[0] + 0.5 * part[1];
-        if (middle == part[0] || middle == part[1]) {
-          result.push_back({line.line, part});
+      std::vector<LinePart> next;
+      for (const LinePart& part : level) {
+        if (is_proved(part.part)) continue;
+        if (const auto parts = cut(part)) {
+          next.insert(next.end(), parts->begin(), parts->end());
         } else {
-          next.push_back({part[0], middle});
-          next.push_back({middle, part[1]});
+          result.push_back(part);
         }
       }
       level = std::move(next);
     }
-    for (const Line& part : level) result.push_back({line.line, part});
+    result.insert(result.end(), level.begin(), level.end());
   }
 
   bool is_proved(const Line& box) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "surface/surface.h"
@@ -18,6 +19,8 @@ using Line = std::array<dvec2, 2>;
 struct LinePart {
   std::size_t line;  ///< its number
   Line part;
+  /// Which end is known to be beside a break: there is no proof there.
+  std::optional<std::size_t> broken_end = {};
 };
 
 /// Parts of these, apart from each other, on which the surface is proved neither to be continuous

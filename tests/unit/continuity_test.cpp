@@ -55,6 +55,18 @@ TEST(Continuity, IsNotProvedAtJumpsAndPoles) {
   expect_only_at(unproved_of("1/(u-0.33)^2", 1e-3), {0.33});
 }
 
+TEST(Continuity, IsNotProvedOnEitherSideOfAKnownBreak) {
+  const Surface surface =
+      surface_from_text("u", "v", "ln(abs(u-0.33))", {-1, 1, -1, 1}, {}, Order::Second);
+  const dvec2 pole(0.33, 0.3);
+  const auto found =
+      unproved(surface, {{0, {dvec2(-1, 0.3), pole}, 1}, {1, {pole, dvec2(1, 0.3)}, 0}}, 1e-3);
+  ASSERT_EQ(found.size(), 2);
+  EXPECT_EQ(found[0].part[1], pole);
+  EXPECT_EQ(found[1].part[0], pole);
+  for (const LinePart& part : found) EXPECT_LT(part.part[1].x - part.part[0].x, 1e-15);
+}
+
 TEST(Continuity, IsNotAskedForBelowTheJumpsThatMatter) {
   EXPECT_TRUE(unproved_of("sign(u-0.31)*abs(u-0.31)^3", 1e-3).empty());
   EXPECT_TRUE(unproved_of("floor(2*u+0.1)*1e-4", 1e-3).empty());
