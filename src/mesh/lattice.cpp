@@ -56,7 +56,7 @@ void PlaceMap::insert(LatticePlace place, std::uint32_t number) {
   slots_[slot_of(key_of(place))] = {key_of(place), number};
 }
 
-void CellMarks::add(const dvec2& place) {
+void CellMarks::add(const dvec2& place, std::uint32_t mark) {
   const dvec2 cells = place / static_cast<double>(kCellUnit);
   const auto range = [](double at, std::size_t count) {
     const auto low = static_cast<std::size_t>(std::max(std::ceil(at) - 1, 0.0));
@@ -66,7 +66,7 @@ void CellMarks::add(const dvec2& place) {
   const auto [low_u, high_u] = range(cells.x, cells_u_);
   const auto [low_v, high_v] = range(cells.y, cells_v_);
   for (std::size_t j = low_v; j <= high_v; ++j) {
-    for (std::size_t i = low_u; i <= high_u; ++i) marks_[j * cells_u_ + i] = 1;
+    for (std::size_t i = low_u; i <= high_u; ++i) marks_[j * cells_u_ + i] = mark;
   }
 }
 
@@ -85,6 +85,7 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
       regular_(grid.vertex_count(), 1),
       defined_(grid.vertex_count(), 1),
       crossed_cells_(grid),
+      changed_cells_(grid),
       used_count_(grid.vertex_count()),
       evaluated_(grid.vertex_count()) {
   sub_grids_[0] = {0, static_cast<std::uint32_t>(grid.u.size())};
@@ -161,6 +162,14 @@ bool Lattice::is_defined_at(LatticePlace place) const {
   if (is_on_grid(place)) return is_defined(vertex_on_grid(place));
   const std::uint32_t* const number = numbers_.find(place);
   return number != nullptr && is_defined(*number);
+}
+
+void Lattice::use(std::uint32_t vertex) {
+  if (is_used(vertex)) return;
+  used_[vertex] = 1;
+  ++used_count_;
+  const LatticePlace p = place(vertex);
+  changed_cells_.add(dvec2(p.u, p.v), now_);
 }
 
 LatticePlace Lattice::place(std::uint32_t vertex) const {
@@ -285,7 +294,9 @@ std::optional<Crossing> Lattice::crossing(std::uint32_t a, std::uint32_t b) cons
 void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing) {
   if (crossing) {
     has_crossings_ = true;
-    crossed_cells_.add(0.5 * (place_between(a) + place_between(b)));
+    const dvec2 middle = 0.5 * (place_between(a) + place_between(b));
+    crossed_cells_.add(middle);
+    changed_cells_.add(middle, now_);
   }
   sides_[key(a, b)] = crossing;
 }

@@ -34,8 +34,9 @@ struct Leaf {
   bool is_split = false;            ///< a jump, a pole or a crease goes through it
   bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
   bool given_up = false;            ///< halving does not help, or is not allowed
-  std::uint8_t sought = 0;          ///< halvings of its root cell until it was defined somewhere
-  float known_error = 0;            ///< what its tests found, in tolerances
+  std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
+  std::uint8_t sought = 0;     ///< halvings of its root cell until it was defined somewhere
+  float known_error = 0;       ///< what its tests found, in tolerances
   /// How much worse fresh samples found ancestors than their tests had: distances and normals.
   float strictness = 1;
   float turn_strictness = 1;
@@ -96,22 +97,24 @@ class PlaceMap {
   std::size_t count_ = 0;
 };
 
-/// Cells of the root grid that are marked.
+/// Marks on cells of the root grid: numbers, 0 for none.
 class CellMarks {
  public:
   explicit CellMarks(const Grid& grid)
       : cells_u_(grid.cells_u), cells_v_(grid.cells_v), marks_(grid.cell_count(), 0) {}
 
   /// Marks the cells that a place, in units, is in or on the border of.
-  void add(const dvec2& place);
-  /// Whether the cell is marked that a leaf is in.
-  bool contains(const Leaf& leaf) const {
-    return marks_[leaf.low.v / kCellUnit * cells_u_ + leaf.low.u / kCellUnit] != 0;
+  void add(const dvec2& place, std::uint32_t mark = 1);
+  /// The last mark of the cell that a leaf is in.
+  std::uint32_t of(const Leaf& leaf) const {
+    return marks_[leaf.low.v / kCellUnit * cells_u_ + leaf.low.u / kCellUnit];
   }
+  /// Whether that is marked.
+  bool contains(const Leaf& leaf) const { return of(leaf) != 0; }
 
  private:
   std::size_t cells_u_, cells_v_;
-  std::vector<std::uint8_t> marks_;
+  std::vector<std::uint32_t> marks_;
 };
 
 /// Vertices of the root grid and between its lines. Their positions and normals are grid.mesh's.
@@ -157,10 +160,7 @@ class Lattice {
 
   /// A vertex in use is a corner of leaves; others are samples.
   bool is_used(std::uint32_t vertex) const { return used_[vertex] != 0; }
-  void use(std::uint32_t vertex) {
-    used_count_ += used_[vertex] == 0 ? 1 : 0;
-    used_[vertex] = 1;
-  }
+  void use(std::uint32_t vertex);
   /// Whether one more halving, which takes up to two vertices into use, could make more triangles
   /// than are allowed: a mesh has fewer than twice as many as vertices (Euler).
   bool is_full(std::size_t max_triangles) const { return 2 * (used_count_ + 2) > max_triangles; }
@@ -215,6 +215,12 @@ class Lattice {
 
   const Surface& surface() const { return surface_; }
   const Mesh& mesh() const { return grid_.mesh; }
+
+  /// Whether vertices around a leaf may have gone into use, or its sides been cut, since crossings
+  /// were followed into it.
+  bool has_changed(const Leaf& leaf) const { return changed_cells_.of(leaf) >= leaf.followed; }
+  /// Counts on: changes from here on are later than those before.
+  std::uint32_t next_moment() { return ++now_; }
 
   /// Whether something may cut a leaf: it cuts a side of the leaf's root cell, or within it.
   bool may_be_crossed(const Leaf& leaf) const {
@@ -292,6 +298,8 @@ class Lattice {
   std::unordered_set<std::uint64_t> crowded_sides_;
   bool has_crossings_ = false;
   CellMarks crossed_cells_;
+  CellMarks changed_cells_;  // when
+  std::uint32_t now_ = 0;
   std::size_t used_count_;
   std::size_t evaluated_;  // vertices that have been computed
   std::size_t evaluations_ = 0;

@@ -345,6 +345,7 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattic
   if ((across_u ? leaf.size_u() : leaf.size_v()) < 2) return std::nullopt;
   const LatticePlace middle = leaf.middle();
   std::array<Leaf, 2> halves = {leaf, leaf};
+  for (Leaf& half : halves) half.followed = 0;
   if (across_u) {
     halves[0].high.u = halves[1].low.u = middle.u;
     lattice.use(lattice.vertex({middle.u, leaf.low.v}));
@@ -365,6 +366,7 @@ Refinement refine(std::span<const Leaf> active, std::span<const Witness> witness
   for (const Leaf& leaf : active) {
     constexpr double kNotKnown = std::numeric_limits<double>::infinity();
     candidates.push_back({leaf, {}, kNotKnown, kNotKnown});
+    candidates.back().leaf.followed = 0;
   }
   for (std::uint32_t k = 0; k < witnesses.size(); ++k) {
     candidates[witnesses[k].cell].witnesses.push_back(k);
