@@ -58,13 +58,15 @@ struct Sampled {
   bool moves = false;
 };
 
-/// The box that a surface is clipped to if it has poles; nothing if it seems to have none.
+/// The box that a surface is clipped to if it has poles, or outgrows its picture; nothing if it
+/// seems to do neither.
 /// `coarse`: a box around each other sample.
-Bounds box_of_poles(const std::vector<dvec3>& positions, const Bounds& coarse) {
+Bounds automatic_box(const std::vector<dvec3>& positions, const Bounds& coarse) {
   Bounds all;
   for (const dvec3& p : positions) all.add(p);
   const dvec3 growth = all.size() - kGrowth * coarse.size();
-  if (positions.empty() || std::max({growth.x, growth.y, growth.z}) <= 0) return {};
+  const bool has_poles = !positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
+  if (!has_poles) return readable_box(positions).value_or(Bounds());
   return clip_box(all, positions);
 }
 
@@ -88,7 +90,7 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
   }
   Bounds box;
   if (scene.clip.box) box = *scene.clip.box;
-  if (!scene.clip.box && scene.clip.automatic) box = box_of_poles(result.positions, coarse);
+  if (!scene.clip.box && scene.clip.automatic) box = automatic_box(result.positions, coarse);
   if (!box.empty())
     std::erase_if(result.positions, [&](const dvec3& p) { return !box.contains(p); });
   for (const dvec3& p : result.positions) result.bounds.add(p);

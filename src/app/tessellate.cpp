@@ -107,8 +107,10 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     Bounds around;
     std::vector<dvec3> positions;  // spread over the surface
     options.tolerance = [&](const Probe& probe) {
-      around = probe.bounds();
-      positions = probe.positions();
+      if (!options.clip) {
+        around = probe.bounds();
+        positions = probe.positions();
+      }
       return tolerance_of(scene, spec, purpose, probe, options.clip);
     };
     options.normal_tolerance = scene.mesh.normal_tolerance;
@@ -125,6 +127,9 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
       mesh->report.poles = whole.poles;  // cells outside of the box are not looked at any more
       mesh->report.pole_count = whole.pole_count;
       mesh->report.clip = options.clip;
+    } else if (scene.clip.automatic && (options.clip = readable_box(positions))) {
+      if (auto clipped = mesh_for(purpose, surface, options)) mesh = std::move(clipped);
+      if (mesh) mesh->report.clip = options.clip;
     }
     if (mesh) return std::move(*mesh);
   }
@@ -132,6 +137,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
   GridMesh mesh = mesh_uniformly(scene, spec, surface, share, threads);
   if (scene.clip.box) {
     clip_mesh(*scene.clip.box, mesh.mesh);
+    mesh.report.is_clipped = true;
     keep_used_corners(mesh.mesh);
   }
   if (!scene.mesh.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();
@@ -168,6 +174,7 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
   take_user_parameters(surface, mesh.mesh.uv);
   take_user_parameters(surface, report.poles);
   take_user_parameters(surface, report.jumps);
+  take_user_parameters(surface, report.torn);
   if (report.coarse_normals) take_user_parameters(surface, std::span(&*report.coarse_normals, 1));
   for (SingularPoint& point : report.singular_points) {
     take_user_parameters(surface, std::span(&point.uv, 1));

@@ -26,6 +26,13 @@ constexpr double kFarOut = 3;
 /// What goes to infinity is shown so many times as far as the surface's other sides are long, if
 /// that shows half of it: beside the spikes of 1/(u v) its square would be too small to be seen.
 constexpr double kTall = 4;
+/// Beside a side that is so many times as long, the others are narrower than a pixel.
+constexpr double kNeedle = 1000;
+/// A part of so many of the samples is worth a picture: more than one of the probe's 64 columns.
+constexpr double kReadable = 0.02;
+/// The part is narrower than the whole, and so again is what is in proportion to it.
+constexpr int kNarrowings = 8;
+constexpr double kAsNarrow = 0.9;
 /// An eye is close to a surface whose nearest part has pixels smaller than this share of those of a
 /// picture that it fills: then each part of it has its own, and what is not seen has large ones.
 constexpr double kClose = 0.5;
@@ -203,6 +210,67 @@ Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
     const double margin = is_far_out(k) ? 0 : kBeyondProbe * all.size()[k];
     box.low[k] = kept.low[k] - margin;
     box.high[k] = kept.high[k] + margin;
+  }
+  return box;
+}
+
+namespace {
+
+int longest_axis(const dvec3& size) {
+  return size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+}
+
+/// The larger of the other two sides.
+double next_longest(const dvec3& size, int axis) {
+  return std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+}
+
+Bounds bounds_of(std::span<const dvec3> points) {
+  Bounds bounds;
+  for (const dvec3& p : points) bounds.add(p);
+  return bounds;
+}
+
+/// The points of the window of this length along an axis that holds most of them. `sorted` along
+/// that axis.
+std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, double length) {
+  std::size_t best = 0;
+  std::size_t most = 0;
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < sorted.size(); ++begin) {
+    while (end < sorted.size() && sorted[end][axis] <= sorted[begin][axis] + length) ++end;
+    if (end - begin <= most) continue;
+    most = end - begin;
+    best = begin;
+  }
+  return sorted.subspan(best, most);
+}
+
+}  // namespace
+
+std::optional<Bounds> readable_box(std::span<const dvec3> points) {
+  if (points.empty()) return std::nullopt;
+  const Bounds all = bounds_of(points);
+  const int axis = longest_axis(all.size());
+  double usual = next_longest(all.size(), axis);
+  if (!(all.size()[axis] > kNeedle * usual)) return std::nullopt;
+  std::vector<dvec3> sorted(points.begin(), points.end());
+  std::ranges::sort(sorted, {}, [axis](const dvec3& p) { return p[axis]; });
+  const double least = kReadable * static_cast<double>(points.size());
+  std::optional<Bounds> box;
+  std::span<const dvec3> part = sorted;
+  for (int k = 0; k < kNarrowings; ++k) {
+    const double length = kTall * usual;
+    part = fullest_window(part, axis, length);
+    if (static_cast<double>(part.size()) < least) break;
+    constexpr double kNoFace = std::numeric_limits<double>::infinity();
+    box = Bounds{dvec3(-kNoFace), dvec3(kNoFace)};
+    const double first = part.front()[axis];
+    if (part.data() != sorted.data()) box->low[axis] = first;
+    if (first + length < all.high[axis]) box->high[axis] = first + length;
+    const double narrower = next_longest(bounds_of(part).size(), axis);
+    if (narrower >= kAsNarrow * usual) break;
+    usual = narrower;
   }
   return box;
 }

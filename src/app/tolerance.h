@@ -40,7 +40,12 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
 /// if some go far beyond, and less of that if it is much longer than the box's other sides.
 Bounds clip_box(const Bounds& all, std::span<const dvec3> points);
 
-/// The same for a mesh that knows only its box, as a share of the box's diagonal, which the
+/// The box that shows what can be seen of a surface that outgrows its picture: one of whose sides
+/// is so long that the others are no wider than a pixel, while a part of the points (finite) is in
+/// proportion. Its faces are infinitely far where no point is beyond. Nothing for other surfaces.
+std::optional<Bounds> readable_box(std::span<const dvec3> points);
+
+/// The tolerance for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.
 double tolerance_share(const Scene& scene, const Purpose& purpose);
 

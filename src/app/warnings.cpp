@@ -31,13 +31,21 @@ std::string clipped_range(const char* name, double low, double high) {
   return "";
 }
 
+/// A mesh that is cut along a box does not show where the surface is defined beyond it.
 std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
-  return number(100 * grid_mesh.report.undefined_fraction) +
-         " % of the domain is undefined and left out, " + where_defined(grid_mesh.mesh, domain);
+  const std::string percent = number(100 * grid_mesh.report.undefined_fraction);
+  const std::string share = (percent == "100" ? "almost all" : percent + " %") +
+                            " of the domain is undefined and left out";
+  if (grid_mesh.report.is_clipped) return share;
+  return share + ", " + where_defined(grid_mesh.mesh, domain);
 }
 
 std::string plural(std::size_t count, const std::string& one, const std::string& many) {
   return count == 1 ? "1 " + one : std::to_string(count) + " " + many;
+}
+
+std::string others(std::size_t count) {
+  return count > 1 ? " and " + plural(count - 1, "other point", "other points") : "";
 }
 
 std::string off_by(const MeshReport& report) {
@@ -54,10 +62,13 @@ std::string where_defined(const Mesh& mesh, const Domain& domain) {
     low = glm::min(low, uv);
     high = glm::max(high, uv);
   }
-  const bool whole_u =
-      low.x == std::min(domain.u0, domain.u1) && high.x == std::max(domain.u0, domain.u1);
-  const bool whole_v =
-      low.y == std::min(domain.v0, domain.v1) && high.y == std::max(domain.v0, domain.v1);
+  // All of a range, as far as its ends are printed.
+  const auto is_whole = [](double from, double to, double first, double last) {
+    return number(from) == number(std::min(first, last)) &&
+           number(to) == number(std::max(first, last));
+  };
+  const bool whole_u = is_whole(low.x, high.x, domain.u0, domain.u1);
+  const bool whole_v = is_whole(low.y, high.y, domain.v0, domain.v1);
   if (whole_u && whole_v) return "in places across the ranges";
   const std::string u = whole_u ? "" : range("u", low.x, high.x);
   const std::string v = whole_v ? "" : range("v", low.y, high.y);
@@ -97,7 +108,15 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
                        ", v = " + number(places.front().y) + ")");
   };
   cut("the surface goes to infinity", report.pole_count, report.poles);
-  cut("the surface jumps", report.jump_count, report.jumps);
+  if (report.jump_count > report.torn.size()) {
+    cut("the surface jumps", report.jump_count, report.jumps);
+  }
+  if (!report.torn.empty()) {
+    const dvec2& uv = report.torn.front();
+    warnings.push_back(name + ": the surface has no limit at u = " + number(uv.x) +
+                       ", v = " + number(uv.y) + others(report.torn.size()) +
+                       ": each way there leads to another place; left out");
+  }
   if (report.clip) {
     std::string ranges;
     for (int k = 0; k < 3; ++k) {
@@ -107,7 +126,9 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
       if (!faces.empty()) ranges += (ranges.empty() ? "" : ", ") + faces;
     }
     if (!ranges.empty()) {
-      warnings.push_back(name + ": clipped to " + ranges + "; --clip off shows all of it");
+      const char* why = report.pole_count > 0 ? "" : "x, y and z are out of proportion: ";
+      warnings.push_back(name + ": " + why + "clipped to " + ranges +
+                         "; --clip off shows all of it");
     }
   }
   if (!report.orientable) {

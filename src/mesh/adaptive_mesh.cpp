@@ -83,7 +83,8 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
 }
 
 bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
-  if (bounds.empty() || !std::isnormal(bounds.diagonal())) return false;
+  const double diagonal = bounds.diagonal();
+  if (!std::isnormal(diagonal * diagonal)) return false;  // the judge takes squares of lengths
   const double eps = tolerance(bounds.centre());
   return eps > 0 && std::isfinite(eps);
 }
@@ -110,24 +111,36 @@ class Finisher {
     }
   }
 
-  /// The share of the domain that no leaf covers, and of leaves on the rim what their triangles
-  /// leave out.
-  double undefined_fraction(const LeafTriangles& triangles, const Domain& d) const {
-    const auto area = [](const dvec2& a, const dvec2& b) {
-      return std::fabs(a.x * b.y - a.y * b.x);
-    };
+  /// Lists the single points that have no limit, and where the surface is around those where it
+  /// goes to infinity.
+  void list_holes(MeshReport& report) const {
+    for (const auto& [vertex, hole] : lattice_.holes()) {
+      if (hole.kind == Hole::Kind::Pole) report.beside_poles.add(hole.near);
+      if (hole.kind != Hole::Kind::NoLimit) continue;
+      add_torn(grid_.mesh.uv[vertex], report);
+    }
+    for (const auto& [uv, hole] : halving_.holes()) {
+      if (hole.kind == Hole::Kind::NoLimit) {
+        add_torn(uv, report);
+        continue;
+      }
+      ++report.pole_count;
+      if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
+      report.beside_poles.add(hole.near);
+    }
+  }
+
+  /// The share of the domain that no leaf covers, and of leaves on the rim what their pieces leave
+  /// out.
+  double undefined_fraction(const Domain& d) const {
     double covered = 0;
-    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      const Leaf& leaf = mesh_.leaves[k];
+    for (const Leaf& leaf : mesh_.leaves) {
       const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
-      if (!leaf.on_rim) {
+      if (!leaf.on_rim || has_only_thin_holes(leaf)) {
         covered += std::fabs(size.x * size.y);
         continue;
       }
-      for (const Triangle& t : triangles.of(k)) {
-        const auto& uv = grid_.mesh.uv;
-        covered += 0.5 * area(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
-      }
+      for (const Polygon& piece : pieces(leaf, lattice_)) covered += std::fabs(area_of(piece));
     }
     const double share = 1 - covered / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
     return share > kAllCovered ? share : 0;
@@ -139,7 +152,9 @@ class Finisher {
       const Leaf& leaf = mesh_.leaves[k];
       if (triangles.of(k).empty() || halving_.is_clipped(leaf)) continue;
       const double eps = mesh_.allowed[k];
-      const double off = std::max(mesh_.deviations[k].distance, leaf.known_error * eps);
+      // Of a leaf that crosses the box its tests do not tell what is in it.
+      const double known = halving_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
+      const double off = std::max(mesh_.deviations[k].distance, known);
       // Where the tolerance depends on the place: as if it were the strictest everywhere.
       report.max_error =
           std::max(report.max_error, eps > *report.tolerance ? off / eps * *report.tolerance : off);
@@ -149,11 +164,39 @@ class Finisher {
   }
 
  private:
+  /// In parameters.
+  double area_of(const Polygon& polygon) const {
+    double area = 0;
+    const dvec2& first = grid_.mesh.uv[polygon[0].corner];
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+      const dvec2 a = grid_.mesh.uv[polygon[k].corner] - first;
+      const dvec2 b = grid_.mesh.uv[polygon[k + 1].corner] - first;
+      area += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+    return area;
+  }
+
+  static void add_torn(const dvec2& uv, MeshReport& report) {
+    ++report.jump_count;
+    if (report.jumps.size() < kMaxListed) report.jumps.push_back(uv);
+    if (report.torn.size() < kMaxListed) report.torn.push_back(uv);
+  }
+
+  /// Whether all of a leaf is defined but points and lines.
+  bool has_only_thin_holes(const Leaf& leaf) const {
+    bool is_thin = true;
+    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t) {
+      is_thin = is_thin && (lattice_.is_defined(a) || lattice_.hole(a) != Hole::Kind::Part);
+    });
+    return is_thin;
+  }
+
   void list_cut(const Crossing& crossing, MeshReport& report) const {
     const auto& n = grid_.mesh.normal;
     const dvec2& uv = grid_.mesh.uv[crossing.beside_first];
     switch (crossing.kind) {
       case Cut::Rim:
+      case Cut::Torn:
         return;
       case Cut::Jump:
         ++report.jump_count;
@@ -178,23 +221,46 @@ class Finisher {
   const Grid& grid_;
 };
 
+/// Forgets the singular points that are beyond a box.
+void keep_singular_points_within(const Bounds& box, const Surface& surface, unsigned threads,
+                                 MeshReport& report) {
+  auto& listed = report.singular_points;
+  std::vector<dvec2> uv;
+  for (const SingularPoint& point : listed) uv.push_back(point.uv);
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  std::vector<SingularPoint> kept;
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    if (box.contains(points[k].position)) kept.push_back(listed[k]);
+  }
+  report.singular_point_count -= listed.size() - kept.size();
+  listed = std::move(kept);
+}
+
 /// The mesh; nothing if none of its triangles has any area.
 std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& options,
                                Halving& halving, GridMesh result) {
   MeshReport& report = result.report;
   const Finisher finisher(halving);
   finisher.list_cuts(report);
+  finisher.list_holes(report);
   LeafTriangles triangles = halving.triangulate(report);
   finisher.take_errors(triangles, report);
   if (triangles.all.empty()) return std::nullopt;
-  report.undefined_fraction = finisher.undefined_fraction(triangles, surface.domain);
+  report.undefined_fraction = finisher.undefined_fraction(surface.domain);
   // A polygon that meets itself at a pole may have more triangles than it has corners for.
-  report.flat_triangles = std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
+  // Beside a box most of those without area are beyond it.
+  report.is_clipped = options.clip.has_value();
+  report.flat_triangles =
+      report.is_clipped ? 0
+                        : std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
   halving.complete(report);
   Grid& grid = halving.grid();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines = leaf_lines(grid, halving.lattice(), options.lines_u, options.lines_v);
-  if (options.clip) clip_mesh(*options.clip, grid.mesh);
+  if (options.clip) {
+    clip_mesh(*options.clip, grid.mesh);
+    keep_singular_points_within(*options.clip, surface, options.threads, report);
+  }
   keep_used_corners(grid.mesh);
   result.mesh = std::move(grid.mesh);
   return result;
@@ -204,6 +270,7 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
 
 std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options) {
   Probe probe(surface, options.threads);
+  if (options.clip) probe.keep_within(*options.clip);
   const Tolerance tolerance = options.tolerance(probe);
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
   MeshPlan plan{

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include <glm/common.hpp>
+
 #include "mesh/continuity.h"
 #include "mesh/corners.h"
 #include "surface/normal.h"
@@ -19,6 +21,8 @@ namespace {
 constexpr int kMaxHalvings = 100;
 /// A pole's gap is so many times as large at the end as at the beginning.
 constexpr double kPoleGrowth = 50;
+/// A gap that has shrunk to this part with its line is no jump, however steep the surface is.
+constexpr double kVanishing = 1e-9;
 /// Where lines are halved: a little off their middles, which are the places where a formula for
 /// half of a range has its cusps, and no normal.
 constexpr double kShare = 0.498;
@@ -53,7 +57,7 @@ void finish(Search& search, Break kind) {
 /// What a gap is that no halving has closed.
 Break at_last_digits(const Search& search, double delta) {
   const double gap = glm::distance(search.at_ends[0], search.at_ends[1]);
-  if (gap < delta) return Break::None;
+  if (gap < std::max(delta, kVanishing * search.first_gap)) return Break::None;
   return gap > kPoleGrowth * search.first_gap ? Break::Pole : Break::Jump;
 }
 
@@ -205,20 +209,44 @@ std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lin
   return found;
 }
 
+namespace {
+
+/// What the shares of a short way are multiplied by, so that the nearest place is some digits from
+/// its end.
+double widening(const Line& line) {
+  constexpr double kDigits = 256 * std::numeric_limits<double>::epsilon();
+  constexpr double kMost = 0.5 / kApproach.front();
+  const dvec2 way = glm::abs(line[1] - line[0]);
+  const dvec2 end = glm::abs(line[0]);
+  const double length = std::max(way.x, way.y);
+  const double place = way.x > way.y ? end.x : end.y;
+  if (!(length > 0)) return 1;
+  return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, kMost);
+}
+
+}  // namespace
+
 std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, double delta,
                           unsigned threads) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) {
-    for (const double share : kApproach) uv.push_back(line[0] + share * (line[1] - line[0]));
+    const double wider = widening(line);
+    for (const double share : kApproach)
+      uv.push_back(line[0] + wider * share * (line[1] - line[0]));
   }
   const auto points = evaluate(surface, uv, threads);
   std::vector<bool> result;
   for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::size_t begin = k * kApproach.size();
+    double size = delta;  // squares of what is near the largest of doubles would overflow
+    for (std::size_t i = 0; i < kApproach.size(); ++i) {
+      size = std::max(size, safe_length(points[begin + i].position));
+    }
     const auto way = [&](std::size_t i) {
-      const std::size_t first = k * kApproach.size() + i;
-      return points[first + 1].position - points[first].position;
+      const std::size_t first = begin + i;
+      return points[first + 1].position / size - points[first].position / size;
     };
-    bool goes_on = glm::length(way(kApproach.size() - 2)) > delta;
+    bool goes_on = glm::length(way(kApproach.size() - 2)) > delta / size;
     for (std::size_t i = 0; i + 2 < kApproach.size(); ++i) {
       const double before = glm::length(way(i));
       goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;

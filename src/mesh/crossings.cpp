@@ -60,7 +60,11 @@ class Finder {
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const auto rim = static_cast<std::uint32_t>(first + k);
       const auto [a, b] = sides[k];
-      lattice_.set_crossing(a, b, Crossing{goes_far[k] ? Cut::Pole : Cut::Rim, a, rim, rim});
+      const Hole::Kind hole = lattice_.hole(lattice_.is_defined(a) ? b : a);
+      const Cut kind = hole == Hole::Kind::NoLimit               ? Cut::Torn
+                       : goes_far[k] || hole == Hole::Kind::Pole ? Cut::Pole
+                                                                 : Cut::Rim;
+      lattice_.set_crossing(a, b, Crossing{kind, a, rim, rim});
     }
   }
 

@@ -1,6 +1,8 @@
 #include "mesh/cut_grid.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string>
 
 #include "base/error.h"
@@ -14,9 +16,23 @@ namespace saddle {
 
 namespace {
 
-/// A surface whose extents differ by more has no triangles in doubles. What sin(pi) and its like,
-/// some 1e-16, and products of two leave of an extent of 0 is not meant.
-constexpr double kTooThin = 1e-40;
+/// A surface that is so many times as long as it is wide has no triangles in doubles.
+constexpr double kTooLong = 1e13;
+
+/// A few triangles happen not to be thinner than rounding: one cell in so many.
+constexpr std::size_t kFewCells = 1000;
+
+/// Where all triangles are thinner than rounding.
+[[noreturn]] void throw_too_long(int axis, double times) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.0e", times);
+  throw Error(Status::Nothing,
+              "the surface is " + std::string(text.data()) + " times as long along " + "xyz"[axis] +
+                  " as it is wide: in double precision it is a line",
+              {},
+              std::string("scale ") + "xyz"[axis] +
+                  " down, or give ranges of u and v in which x, y and z stay in proportion");
+}
 
 /// The triangles without the gaps that cells with fewer than two leave.
 void close_gaps(Grid& grid) {
@@ -27,18 +43,31 @@ void close_gaps(Grid& grid) {
   grid.mesh.triangles.resize(count);
 }
 
-void require_triangles(const Grid& grid) {
-  const auto has_triangle = [](Cell cell) { return cell == Cell::One || cell == Cell::Two; };
-  if (std::ranges::any_of(grid.cells, has_triangle)) return;
-  const dvec3 size = grid.mesh.bounds.size();
-  const double longest = std::max({size.x, size.y, size.z});
-  const double shortest = std::min({size.x, size.y, size.z});
-  if (shortest > 0 && shortest <= kTooThin * longest) {
-    throw Error(
-        Status::Nothing, "no cell of the grid has any area in double precision", {},
-        "the surface is too long next to its width: give u and v ranges in which x, y and z "
-        "stay in proportion");
+/// Of the vertices and of some centres of cells: all vertices of a sphere of one cell are on a
+/// line.
+dvec3 extent(const Surface& surface, const Grid& grid, unsigned threads) {
+  constexpr std::size_t kCentres = 1024;
+  std::vector<dvec2> centres;
+  const std::size_t stride = grid.cell_count() / kCentres + 1;
+  for (std::size_t cell = 0; cell < grid.cell_count(); cell += stride) {
+    centres.push_back(grid.cell_centre(cell));
   }
+  Bounds bounds = grid.mesh.bounds;
+  for (const SurfacePoint& point : evaluate(surface, centres, threads)) {
+    if (is_finite(point.position)) bounds.add(point.position);
+  }
+  return bounds.size();
+}
+
+void require_triangles(const Surface& surface, const Grid& grid, unsigned threads) {
+  const auto has_triangle = [](Cell cell) { return cell == Cell::One || cell == Cell::Two; };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(grid.cells, has_triangle));
+  if (count > grid.cell_count() / kFewCells) return;
+  const dvec3 size = extent(surface, grid, threads);
+  const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+  const double width = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+  if (width > 0 && size[axis] > kTooLong * width) throw_too_long(axis, size[axis] / width);
+  if (count > 0) return;
   throw Error(Status::Nothing, "no cell of the grid has any area", {},
               "the surface repeats itself in step with the " + std::to_string(grid.cells_u) +
                   " x " + std::to_string(grid.cells_v) + " cells; --samples takes more");
@@ -54,7 +83,7 @@ std::vector<std::size_t> cut_grid(const Surface& surface, unsigned threads, Grid
   report.closed_v = seams.v.name();
   const std::vector<OpenCell> open = open_cells(surface, threads, grid, report);
   triangulate(grid, open);
-  require_triangles(grid);
+  require_triangles(surface, grid, threads);
   std::vector<std::size_t> opened;
   for (const OpenCell& cell : open) {
     std::vector<std::uint32_t> points;

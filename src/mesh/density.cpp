@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "base/random.h"
 #include "eval/batch.h"
@@ -99,10 +100,37 @@ Probe::Probe(const Surface& surface, unsigned threads)
       domain_(surface.domain) {
   sample_inside(surface, threads);
   sample_edges(surface, threads);
-  if (!(bounds_.diagonal() > 0)) island_ = find_island(surface, threads);
-  if (island_) bounds_ = island_->bounds;
+  const auto is_met = [](const Sample& sample) { return is_finite(sample.position); };
+  if (std::ranges::none_of(samples_, is_met) || !(bounds_.diagonal() > 0)) {
+    island_ = find_island(surface, threads);
+  }
+  if (island_) std::ranges::for_each(island_->positions, [&](const dvec3& p) { bounds_.add(p); });
   seam_u_ = find_seam(surface, true);
   seam_v_ = find_seam(surface, false);
+}
+
+void Probe::keep_within(const Bounds& box) {
+  Bounds kept;
+  const auto add = [&](const auto& sample) {
+    if (box.contains(sample.position)) kept.add(sample.position);
+  };
+  std::ranges::for_each(samples_, add);
+  std::ranges::for_each(edges_u_, add);
+  std::ranges::for_each(edges_v_, add);
+  if (kept.empty() || island_) return;
+  const auto is_outside = [&](const EdgeSample& edge) { return !box.contains(edge.position); };
+  std::erase_if(edges_u_, is_outside);
+  std::erase_if(edges_v_, is_outside);
+  for (Sample& sample : samples_) {
+    if (box.contains(sample.position)) continue;
+    sample.position = dvec3(std::numeric_limits<double>::quiet_NaN());
+    sample.regular = false;
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (bounds_.low[k] < box.low[k]) kept.low[k] = box.low[k];
+    if (bounds_.high[k] > box.high[k]) kept.high[k] = box.high[k];
+  }
+  bounds_ = kept;
 }
 
 void Probe::sample_inside(const Surface& surface, unsigned threads) {
@@ -164,6 +192,7 @@ double Probe::radius(const dvec3& centre) const {
 
 std::vector<dvec3> Probe::positions() const {
   std::vector<dvec3> positions;
+  if (island_) positions = island_->positions;
   for (const Sample& s : samples_) {
     if (is_finite(s.position)) positions.push_back(s.position);
   }

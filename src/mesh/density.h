@@ -82,7 +82,11 @@ class Probe {
   /// For a surface of second order.
   Probe(const Surface& surface, unsigned threads);
 
-  /// A box around the finite positions.
+  /// Forgets the samples outside of a box (its faces may be infinitely far), unless all are.
+  void keep_within(const Bounds& box);
+
+  /// A box around the finite positions: where samples are forgotten, as far as the box they were
+  /// to be in.
   const Bounds& bounds() const { return bounds_; }
   /// The finite positions that are spread over the surface, not those of its edges.
   std::vector<dvec3> positions() const;

@@ -64,6 +64,13 @@ Bounds bounds_of(const Grid& grid, std::span<const TileSummary> tiles) {
   return bounds;
 }
 
+/// What both boxes hold; all of the first if that is nothing.
+Bounds common(const Bounds& bounds, const std::optional<Bounds>& clip) {
+  if (!clip) return bounds;
+  const Bounds both{glm::max(bounds.low, clip->low), glm::min(bounds.high, clip->high)};
+  return glm::all(glm::lessThanEqual(both.low, both.high)) ? both : bounds;
+}
+
 }  // namespace
 
 void set_extent(Grid& grid, const Bounds& bounds) {
@@ -137,7 +144,7 @@ void require_defined_cells(const Grid& grid) {
 }
 
 Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
-                 unsigned threads) {
+                 unsigned threads, const std::optional<Bounds>& clip) {
   Grid grid;
   grid.cells_u = u.size() - 1;
   grid.cells_v = v.size() - 1;
@@ -155,7 +162,7 @@ Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<doub
                  [&](TileRows& rows) { tiles[rows.tile().index] = take_tile(rows, grid); });
   find_irregular(surface, tiling, tiles, threads, grid);
   if (grid.left_out_count == grid.cell_count()) return grid;
-  set_extent(grid, bounds_of(grid, tiles));
+  set_extent(grid, common(bounds_of(grid, tiles), clip));
   for (const TileSummary& tile : tiles) {
     grid.worst.insert(grid.worst.end(), tile.worst.begin(), tile.worst.end());
   }

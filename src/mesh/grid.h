@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -114,9 +115,9 @@ void set_extent(Grid& grid, const Bounds& bounds);
 /// Evaluates the surface on the grid of lines u x v (at least two each, the ends those of the
 /// domain) and cuts the cells that are plain. Throws Error: Input for a grid whose corners could
 /// not be numbered; Nothing as set_extent() does, which is not called where no cell has four
-/// defined corners.
+/// defined corners. The extent is that of what is in `clip`.
 Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
-                 unsigned threads);
+                 unsigned threads, const std::optional<Bounds>& clip = {});
 
 /// Throws Error (Nothing) if no cell is kept: the surface is undefined, or defined at isolated
 /// samples only.

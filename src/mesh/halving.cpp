@@ -35,6 +35,16 @@ std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
   return result;
 }
 
+/// Leaves in which points that are no part of the surface are looked for, at most: most take one
+/// proof. And how near to each other, in ranges, points are one.
+constexpr std::size_t kMostHoles = 4096;
+/// The area of a leaf, in units, after 14 halvings of its root cell.
+constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
+constexpr double kSamePlace = 1e-9;
+/// How near each coordinate of a corner must be for it, in what is allowed: a square's corners are
+/// 1.41 times as far away as its sides.
+constexpr double kNearHole = 0.7;
+
 }  // namespace
 
 Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPlan& plan)
@@ -47,12 +57,12 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
                 seen_lines(plan.lines.u, plan.fixed.u),
                 seen_lines(plan.lines.v, plan.fixed.v),
                 options.threads},
-      grid_(
-          sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads)),
+      grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads,
+                        options.clip)),
       seams_(weld_if_two_dimensional(plan.probe)),
       lattice_(surface, grid_, options.threads),
       judge_(refining_, grid_, lattice_),
-      verifier_(surface, grid_, lattice_, options.threads),
+      verifier_(surface, grid_, lattice_, options.clip, options.threads),
       budget_(surface.bounds) {}
 
 void Halving::run(std::vector<Witness> witnesses) {
@@ -67,6 +77,7 @@ void Halving::run(std::vector<Witness> witnesses) {
     if (failed.leaves.empty()) break;
     add(failed);
   }
+  leave_out_holes();
   cut_poles();
 }
 
@@ -104,6 +115,72 @@ CrossingOptions Halving::crossing_options(bool poles) const {
   return {refining_.tolerance, poles, options_.threads};
 }
 
+/// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
+/// is no larger than the tolerance is right, whatever is in it.
+std::vector<std::size_t> Halving::leaves_with_holes() const {
+  std::vector<std::size_t> suspects;
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    const Leaf& leaf = mesh_.leaves[k];
+    const bool is_off = mesh_.off(k) > 1 || (leaf.given_up && leaf.known_error > 1);
+    const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
+    if (!leaf.on_rim && (is_off || is_deep) && !is_clipped(leaf)) suspects.push_back(k);
+  }
+  const auto area = [this](std::size_t k) {
+    const Leaf& leaf = mesh_.leaves[k];
+    return std::uint64_t{leaf.size_u()} * leaf.size_v();
+  };
+  std::ranges::stable_sort(suspects, {}, area);
+  if (suspects.size() > kMostHoles) suspects.resize(kMostHoles);
+  return suspects;
+}
+
+/// Leaves out those in which the surface goes to infinity at a point, or has no limit there.
+void Halving::leave_out_holes() {
+  if (reached_limit_) return;
+  const std::vector<std::size_t> suspects = leaves_with_holes();
+  std::vector<ParameterBox> boxes;
+  for (const std::size_t k : suspects) {
+    const Leaf& leaf = mesh_.leaves[k];
+    boxes.push_back({lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)});
+  }
+  const auto found = find_holes(surface_, boxes);
+  std::vector<dvec2> places;
+  std::vector<std::size_t> around;  // each place, a leaf
+  for (std::size_t i = 0; i < suspects.size(); ++i) {
+    if (!found[i]) continue;
+    places.push_back(*found[i]);
+    around.push_back(suspects[i]);
+  }
+  const std::vector<Hole> holes =
+      look_at_holes(surface_, places, grid_.mesh.bounds.diagonal(), options_.threads);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (holes[i].kind != Hole::Kind::Pole && holes[i].kind != Hole::Kind::NoLimit) continue;
+    mesh_.leaves[around[i]].is_left_out = true;
+    const auto is_same = [&](const PlacedHole& other) {
+      const dvec2 off = glm::abs(other.uv - places[i]) / grid_.range;
+      return std::max(off.x, off.y) < kSamePlace;
+    };
+    if (std::ranges::none_of(holes_, is_same)) holes_.push_back({places[i], holes[i]});
+  }
+  for (const PlacedHole& placed : holes_) accept_around(placed.hole);
+  for (const auto& [vertex, hole] : lattice_.holes()) accept_around(hole);
+}
+
+/// Ways to a point that is a pole or has no limit lead to all places around which it is: what is
+/// nearer to them than is allowed is near enough to the surface, whichever part of it is measured.
+void Halving::accept_around(const Hole& hole) {
+  if (hole.kind != Hole::Kind::NoLimit && hole.kind != Hole::Kind::Pole) return;
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    Leaf& leaf = mesh_.leaves[k];
+    const double near = kNearHole * mesh_.allowed[k];
+    const Bounds around{hole.near.low - near, hole.near.high + near};
+    const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
+    if (!std::ranges::all_of(positions(leaf), is_near)) continue;
+    mesh_.deviations[k] = {};
+    leaf.known_error = 0;
+  }
+}
+
 /// Looks for poles on the sides of leaves that halving did not help: they would be walls.
 void Halving::cut_poles() {
   if (reached_limit_) return;
@@ -111,7 +188,7 @@ void Halving::cut_poles() {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
     const bool is_off = mesh_.off(k) > 1 || (leaf.given_up && leaf.known_error > 1);
-    if (leaf.on_rim || !is_off) continue;
+    if (leaf.on_rim || leaf.is_left_out || !is_off || is_clipped(leaf)) continue;
     for (const Side& side : sides_of(leaf, lattice_)) {
       if (!lattice_.crossing(side[0], side[1])) suspects.insert(side);
     }
@@ -140,6 +217,12 @@ std::array<dvec3, 4> Halving::positions(const Leaf& leaf) const {
 
 bool Halving::is_clipped(const Leaf& leaf) const {
   return options_.clip && is_beyond(*options_.clip, positions(leaf));
+}
+
+bool Halving::crosses_box(const Leaf& leaf) const {
+  return options_.clip && std::ranges::any_of(positions(leaf), [&](const dvec3& p) {
+           return !options_.clip->contains(p);
+         });
 }
 
 double Halving::width(const Leaf& leaf) const {

@@ -16,6 +16,12 @@
 
 namespace saddle {
 
+/// A point at which the surface is not defined, or jumps.
+struct PlacedHole {
+  dvec2 uv;
+  Hole hole;
+};
+
 class Halving {
  public:
   /// Takes the plan's lines. Throws Error (Nothing) as mesh_on_grid() does.
@@ -27,6 +33,8 @@ class Halving {
   /// The leaves, and how far off they are.
   const Measured& measured() const { return mesh_; }
   const Lattice& lattice() const { return lattice_; }
+  /// Points in leaves that are left out with them.
+  const std::vector<PlacedHole>& holes() const { return holes_; }
   /// The vertices, and all that is to become of the mesh.
   Grid& grid() { return grid_; }
   const Grid& grid() const { return grid_; }
@@ -37,6 +45,8 @@ class Halving {
 
   /// Whether nothing of a leaf will be left.
   bool is_clipped(const Leaf& leaf) const;
+  /// Whether a part of a leaf is beyond a face of the box that a mesh is clipped to.
+  bool crosses_box(const Leaf& leaf) const;
   /// How wide a leaf is where it is narrow; on the rim, how large what of it is defined.
   double width(const Leaf& leaf) const;
 
@@ -52,6 +62,9 @@ class Halving {
 
   Seams weld_if_two_dimensional(const Probe& probe);
   CrossingOptions crossing_options(bool poles) const;
+  std::vector<std::size_t> leaves_with_holes() const;
+  void leave_out_holes();
+  void accept_around(const Hole& hole);
   void cut_poles();
   bool is_full();
   std::array<dvec3, 4> positions(const Leaf& leaf) const;
@@ -77,6 +90,7 @@ class Halving {
   Verifier verifier_;
   Measured mesh_;
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
+  std::vector<PlacedHole> holes_;
   ProofBudget budget_;
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;

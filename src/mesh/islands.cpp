@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "eval/enclose.h"
+#include "mesh/grid.h"
 
 namespace saddle {
 
@@ -15,11 +16,15 @@ namespace {
 constexpr int kMaxDepth = 24;
 
 /// An island is looked at closer, tile by tile, until so many of the tiles each way of what is left
-/// have something of it, or so many times.
+/// are around what of it was found, or so many times.
 constexpr int kTiles = 8;
-constexpr std::size_t kEnoughTiles = 8;
+constexpr int kEnoughTiles = 4;
 constexpr int kMaxZooms = 6;
-constexpr std::size_t kBoxesForIsland = 20'000;
+/// Cells of the grid, each way, on whose vertices an island is sampled then.
+constexpr std::size_t kSamples = 32;
+constexpr std::size_t kBoxesForIsland = 40'000;
+/// Parts of a tile that are followed: along the rim of a strip there are as many as digits.
+constexpr std::size_t kPartsOfTile = 16;
 
 struct Part {
   ParameterBox box;
@@ -29,9 +34,10 @@ struct Part {
 class Search {
  public:
   Search(const Surface& surface, std::span<const ParameterBox> where, std::size_t& boxes,
-         unsigned threads)
+         unsigned threads, std::size_t most_parts)
       : surface_(surface),
         boxes_(boxes),
+        most_parts_(most_parts),
         threads_(threads),
         enclosure_(surface.bounds, 3),
         found_(where.size()) {
@@ -43,6 +49,7 @@ class Search {
       std::erase_if(parts_, [&](const Part& part) { return is_undefined(part.box); });
       look_at_middles();
       std::erase_if(parts_, [&](const Part& part) { return found_[part.whole].has_value(); });
+      thin_out();
       halve(depth % 2);
     }
     return std::move(found_);
@@ -69,6 +76,21 @@ class Search {
     }
   }
 
+  /// Keeps as many parts of each box as may be followed, spread over all.
+  void thin_out() {
+    std::vector<Part> kept;
+    for (std::size_t begin = 0; begin < parts_.size();) {
+      std::size_t end = begin;
+      while (end < parts_.size() && parts_[end].whole == parts_[begin].whole) ++end;
+      const std::size_t count = std::min(end - begin, most_parts_);
+      for (std::size_t k = 0; k < count; ++k) {
+        kept.push_back(parts_[begin + k * (end - begin) / count]);
+      }
+      begin = end;
+    }
+    parts_ = std::move(kept);
+  }
+
   void halve(int axis) {
     std::vector<Part> halves;
     for (const Part& part : parts_) {
@@ -83,6 +105,7 @@ class Search {
 
   const Surface& surface_;
   std::size_t& boxes_;
+  std::size_t most_parts_;
   unsigned threads_;
   Enclosure enclosure_;
   std::vector<Part> parts_;
@@ -104,8 +127,9 @@ std::vector<ParameterBox> tiles_of(const ParameterBox& box) {
 
 std::vector<std::optional<dvec2>> find_defined(const Surface& surface,
                                                std::span<const ParameterBox> where,
-                                               std::size_t& boxes, unsigned threads) {
-  return Search(surface, where, boxes, threads).run();
+                                               std::size_t& boxes, unsigned threads,
+                                               std::size_t most_parts) {
+  return Search(surface, where, boxes, threads, most_parts).run();
 }
 
 std::optional<Island> find_island(const Surface& surface, unsigned threads) {
@@ -119,24 +143,28 @@ std::optional<Island> find_island(const Surface& surface, unsigned threads) {
     const ParameterBox whole = island.where;
     dvec2 low = whole.high;
     dvec2 high = whole.low;
-    std::size_t count = 0;
-    for (const auto& found : find_defined(surface, tiles_of(whole), boxes, threads)) {
+    for (const auto& found : find_defined(surface, tiles_of(whole), boxes, threads, kPartsOfTile)) {
       if (!found) continue;
       known.push_back(*found);
       low = glm::min(low, *found);
       high = glm::max(high, *found);
-      ++count;
     }
-    if (count == 0) break;
+    if (low.x > high.x) break;
     // It may reach into the tiles beside those in which it was found.
     const dvec2 tile = (whole.high - whole.low) / double{kTiles};
     island.where = {glm::max(whole.low, low - tile), glm::min(whole.high, high + tile)};
-    if (count >= kEnoughTiles) break;
-  }
-  for (const SurfacePoint& point : evaluate(surface, known, threads)) {
-    island.bounds.add(point.position);
+    // A strip is narrow in one way only.
+    const dvec2 tiles = (high - low) / tile;
+    if (std::min(tiles.x, tiles.y) >= kEnoughTiles - 1) break;
   }
   if (known.empty()) return std::nullopt;
+  const auto [low, high] = island.where;
+  for (const double v : even_lines(low.y, high.y, kSamples)) {
+    for (const double u : even_lines(low.x, high.x, kSamples)) known.emplace_back(u, v);
+  }
+  for (const SurfacePoint& point : evaluate(surface, known, threads)) {
+    if (is_finite(point.position)) island.positions.push_back(point.position);
+  }
   return island;
 }
 

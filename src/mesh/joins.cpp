@@ -88,7 +88,7 @@ void join_crossings(const Seams& seams, const Grid& grid, const Lattice& lattice
   for (const SeamSide& both : crossed_seam_sides(seams, grid, lattice)) {
     const auto crossing = lattice.crossing(both.side[0], both.side[1]);
     const auto other = lattice.crossing(both.other[0], both.other[1]);
-    if (!other || other->kind != crossing->kind || other->kind == Cut::Pole) continue;
+    if (!other || other->kind != crossing->kind || leaves_out(other->kind)) continue;
     for (std::size_t k = 0; k < 2; ++k) {
       const std::uint32_t a = crossing->beside(both.side[k]);
       const std::uint32_t b = other->beside(both.other[k]);

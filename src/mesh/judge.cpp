@@ -119,7 +119,10 @@ int count_defined(const Lattice& lattice, const Samples& samples) {
 /// The distance of the leaf's triangles from the surface in their midst.
 double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) const {
   const auto& [corner, side, centre] = samples;
-  if (!is_regular(centre)) return 0;
+  const auto is_far = [&](std::uint32_t vertex) {
+    return far_ && !far_->contains(mesh_.position[vertex]);
+  };
+  if (!is_regular(centre) || is_far(centre) || std::ranges::any_of(corner, is_far)) return 0;
   const dvec3& normal = mesh_.normal[centre];
   const auto height = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample) {
     const dvec3 middle = 0.5 * (mesh_.position[a] + mesh_.position[b]);
@@ -274,13 +277,19 @@ bool Judge::has_opposed(const Corners& corner) const {
   return glm::dot(n[corner[1]], n[corner[3]]) < 0;
 }
 
+/// How far beyond the box a surface goes does not matter.
+dvec3 Judge::seen_position(std::uint32_t vertex) const {
+  const dvec3& p = mesh_.position[vertex];
+  return far_ ? glm::clamp(p, far_->low, far_->high) : p;
+}
+
 double Judge::distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
-  const dvec3 middle = 0.5 * (mesh_.position[a] + mesh_.position[b]);
-  return glm::distance(mesh_.position[sample], middle);
+  const dvec3 middle = 0.5 * (seen_position(a) + seen_position(b));
+  return glm::distance(seen_position(sample), middle);
 }
 
 bool Judge::is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
-  const double chord = glm::distance(mesh_.position[a], mesh_.position[b]);
+  const double chord = glm::distance(seen_position(a), seen_position(b));
   return distance_of_middle(a, b, sample) <= kSmallArc * chord;
 }
 
@@ -288,15 +297,18 @@ bool Judge::is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample)
 /// the normal, since the triangles go on beside the edge; at the domain's border in any direction.
 double Judge::distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
                                  bool border) const {
-  const dvec3 chord = mesh_.position[b] - mesh_.position[a];
-  const dvec3 off = mesh_.position[sample] - 0.5 * (mesh_.position[a] + mesh_.position[b]);
+  const dvec3 chord = seen_position(b) - seen_position(a);
+  const dvec3 off = seen_position(sample) - 0.5 * (seen_position(a) + seen_position(b));
+  const bool is_far =
+      far_ && !(far_->contains(mesh_.position[a]) && far_->contains(mesh_.position[b]) &&
+                far_->contains(mesh_.position[sample]));
   const double length = glm::length(chord);
   if (!is_small_arc(a, b, sample)) {
     // A steep front within a cell is near the chord, though far from its middle.
     const double share = length > 0 ? glm::dot(off, chord) / (length * length) : 0;
     return glm::length(off - std::clamp(share, -0.5, 0.5) * chord);
   }
-  if (!border && is_regular(sample)) {
+  if (!border && !is_far && is_regular(sample)) {
     const Arc arc{chord, mesh_.normal[a], mesh_.normal[b], mesh_.normal[sample]};
     return arc.largest_height(0.5 + glm::dot(off, chord) / (length * length),
                               glm::dot(off, mesh_.normal[sample]));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "mesh/lattice.h"
 #include "mesh/refine.h"
@@ -56,7 +57,11 @@ int count_defined(const Lattice& lattice, const Samples& samples);
 class Judge {
  public:
   Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
-      : options_(options), grid_(grid), mesh_(grid.mesh), lattice_(lattice) {}
+      : options_(options), grid_(grid), mesh_(grid.mesh), lattice_(lattice) {
+    if (!options.clip) return;
+    const double margin = grid.mesh.bounds.diagonal();
+    far_ = Bounds{options.clip->low - margin, options.clip->high + margin};
+  }
 
   /// What is allowed of a leaf.
   double allowed(const Samples& samples) const;
@@ -86,6 +91,7 @@ class Judge {
   bool is_outside(const Samples& samples) const;
 
  private:
+  dvec3 seen_position(std::uint32_t vertex) const;
   using Corners = std::array<std::uint32_t, 4>;
 
   std::vector<dvec3> defined_positions(const Samples& samples) const;
@@ -102,6 +108,7 @@ class Judge {
 
   const RefineOptions& options_;
   const Grid& grid_;
+  std::optional<Bounds> far_;  ///< beyond it nothing matters
   const Mesh& mesh_;
   const Lattice& lattice_;
 };

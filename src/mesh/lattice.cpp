@@ -261,27 +261,42 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
     evaluations_ += uv.size();
     return saddle::evaluate(surface_, uv, threads);
   };
-  // In the midst of what is undefined one look tells.
+  // In the midst of what is undefined one look tells; aslant, since 1/v is undefined along an axis.
   std::vector<std::uint32_t> beside_defined;
-  const std::vector<SurfacePoint> beside = look(std::span(ways).first(1));
+  const std::vector<SurfacePoint> beside = look(std::array{dvec2(step.x, 0.37 * step.y)});
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (is_finite(beside[k].position)) beside_defined.push_back(vertices[k]);
   }
   vertices = std::move(beside_defined);
   const std::vector<SurfacePoint> points = look(ways);
+  std::vector<std::uint32_t> holes;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     Bounds around;
     dvec3 sum(0);
+    bool is_defined_near = false;
     for (std::size_t w = 0; w < ways.size(); ++w) {
       const dvec3& p = points[k * ways.size() + w].position;
       if (w < kNearest) sum += p;
       around.add(p);
+      is_defined_near = is_defined_near || is_finite(p);
     }
     const bool agree = is_finite(sum) && around.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
+    if (!agree && is_defined_near) holes.push_back(vertices[k]);
     if (!agree) continue;
     grid_.mesh.position[vertices[k]] = sum / static_cast<double>(kNearest);
     defined_[vertices[k]] = 1;
     regular_[vertices[k]] = 0;
+  }
+  find_holes(holes, threads);
+}
+
+void Lattice::find_holes(std::span<const std::uint32_t> vertices, unsigned threads) {
+  std::vector<dvec2> places;
+  for (const std::uint32_t vertex : vertices) places.push_back(grid_.mesh.uv[vertex]);
+  const std::vector<Hole> holes =
+      look_at_holes(surface_, places, grid_.mesh.bounds.diagonal(), threads);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (holes[k].kind != Hole::Kind::Part) holes_[vertices[k]] = holes[k];
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "mesh/grid.h"
+#include "mesh/holes.h"
 
 namespace saddle {
 
@@ -33,6 +35,7 @@ struct Leaf {
   std::uint8_t turned_in_vain = 0;  ///< nor normals
   bool is_split = false;            ///< a jump, a pole or a crease goes through it
   bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
+  bool is_left_out = false;         ///< with a point in it that is a pole or has no limit
   bool given_up = false;            ///< halving does not help, or is not allowed
   std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
   std::uint8_t sought = 0;     ///< halvings of its root cell until it was defined somewhere
@@ -56,7 +59,13 @@ enum class Cut : std::uint8_t {
   Jump,    ///< the surface jumps
   Pole,    ///< it goes to infinity
   Crease,  ///< its normal jumps
+  Torn,    ///< one of them is a point that has no limit: Hole::Kind::NoLimit
 };
+
+/// Whether what is between such a cut and the corners of a leaf is left out with it.
+inline bool leaves_out(Cut kind) {
+  return kind == Cut::Pole || kind == Cut::Torn;
+}
 
 /// Where a side is cut, and the last vertices on either side of the cut. At a rim they are one; at
 /// a pole they are on the way to infinity; at a crease they are one point, and differ in their
@@ -168,6 +177,14 @@ class Lattice {
   /// Whether the position is finite.
   bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }
 
+  /// What there is around a vertex at which the surface is not defined.
+  Hole::Kind hole(std::uint32_t vertex) const {
+    const auto found = holes_.find(vertex);
+    return found == holes_.end() ? Hole::Kind::Part : found->second.kind;
+  }
+  /// Those that are no parts of the domain, by their vertices.
+  const std::map<std::uint32_t, Hole>& holes() const { return holes_; }
+
   /// Where the side between two neighbours is cut, if that has been found.
   std::optional<Crossing> crossing(std::uint32_t a, std::uint32_t b) const;
   /// Whether it has been looked for.
@@ -272,6 +289,7 @@ class Lattice {
   /// Joins the vertices that are computed last to poles, and gives them limits.
   void finish_new(unsigned threads);
   void fill_removable(std::vector<std::uint32_t> vertices, unsigned threads);
+  void find_holes(std::span<const std::uint32_t> vertices, unsigned threads);
   /// A vertex between two root vertices that are one point, on the grid's line through them, is
   /// that point: its tangent along the line is rounding.
   void join_pole(std::uint32_t vertex);
@@ -294,6 +312,7 @@ class Lattice {
   std::vector<std::uint8_t> defined_;
   std::unordered_map<std::uint64_t, std::optional<Crossing>> sides_;  // by their ends
   std::unordered_map<std::uint32_t, dvec2> places_between_;
+  std::map<std::uint32_t, Hole> holes_;
   std::unordered_set<std::uint64_t> pole_sides_;
   std::unordered_set<std::uint64_t> crowded_sides_;
   bool has_crossings_ = false;

@@ -204,7 +204,7 @@ class Chains {
   void cross(std::uint32_t from, std::uint32_t to) {
     const std::optional<Crossing> crossing = lattice_.crossing(from, to);
     if (!crossing) return;
-    if (crossing->kind == Cut::Pole) return interrupt();
+    if (leaves_out(crossing->kind)) return interrupt();
     append(crossing->beside(from));
     if (crossing->kind == Cut::Jump) interrupt();
     append(crossing->beside(to));

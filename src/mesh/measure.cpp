@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include <glm/common.hpp>
+
 #include "base/parallel.h"
 #include "base/random.h"
 #include "mesh/triangulate.h"
@@ -229,6 +231,14 @@ class Measurer {
 };
 
 }  // namespace
+
+dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv) {
+  const Below below = triangle_below(grid, triangles, uv);
+  const Triangle& own = *below.triangle;
+  const dvec3 weights = glm::clamp(below.weights, 0.0, 1.0);
+  const auto& p = grid.mesh.position;
+  return weights.x * p[own[0]] + weights.y * p[own[1]] + weights.z * p[own[2]];
+}
 
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position) {

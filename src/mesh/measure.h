@@ -27,6 +27,9 @@ Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const dvec3& position, const std::optional<dvec3>& normal, double known = 0);
 
+/// The point of the triangles at (u, v); of the one that it is least outside of, if of none.
+dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);
+
 /// Its distance alone.
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -34,7 +35,11 @@ struct Bounds {
   bool contains(const dvec3& p) const {
     return glm::all(glm::lessThanEqual(low, p)) && glm::all(glm::lessThanEqual(p, high));
   }
-  double diagonal() const { return empty() ? 0 : glm::length(size()); }
+  double diagonal() const {
+    if (empty()) return 0;
+    const dvec3 s = size();
+    return std::hypot(s.x, s.y, s.z);  // squares of lengths overflow and vanish
+  }
 };
 
 /// The numbers at the first and the last of the colours; those outside have the colours of the
@@ -138,6 +143,10 @@ struct MeshReport {
   Bounds beside_poles;       ///< a box around the last points before them, as far as doubles go
   std::vector<dvec2> jumps;  ///< the same where it jumps
   std::size_t jump_count = 0;
+  /// Of the jumps, single points that the surface comes to at a different place on each way; at
+  /// most 1000.
+  std::vector<dvec2> torn;
+  bool is_clipped = false;     ///< along a box, asked for or not
   std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles
   std::string closed_u;        ///< how the edges u0 and u1 meet: Seam::name()
   std::string closed_v;

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> singular_points(const Polygon& polygon, const Lattice
 /// A run of vertices between two cuts of the outline.
 struct Run {
   Polygon polygon;
-  bool goes_far = false;  ///< to a pole
+  bool goes_far = false;  ///< to a pole, or to where there is no limit
 };
 
 /// Cuts an outline at its crossings.
@@ -82,7 +82,7 @@ class Cutter {
     }
     const std::optional<Crossing> crossing = lattice_.crossing(a, b);
     if (!crossing) return;
-    const bool far = crossing->kind == Cut::Pole;
+    const bool far = leaves_out(crossing->kind);
     if (lattice_.is_defined(a)) {
       runs_.back().goes_far = runs_.back().goes_far || far;
       if (!far) append(crossing->beside(a));
@@ -170,6 +170,7 @@ class Cutter {
 }  // namespace
 
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
+  if (leaf.is_left_out) return {};
   const Polygon whole = outline(leaf, lattice);
   if (!lattice.may_be_crossed(leaf) && !leaf.on_rim && !leaf.is_split) return {whole};
   return Cutter(whole, lattice).take(leaf.is_split, lattice.is_defined_at(leaf.middle()));
@@ -185,7 +186,7 @@ std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
 
 std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf,
                                                           const Lattice& lattice) {
-  if (leaf.on_rim || leaf.is_split) return std::nullopt;
+  if (leaf.on_rim || leaf.is_split || leaf.is_left_out) return std::nullopt;
   const LatticePlace m = leaf.middle();
   // A side that has vertices in use has one in its middle, unless it is too short for a middle.
   if (leaf.size_u() > 1 &&

@@ -180,8 +180,17 @@ class Refiner {
       const bool goes_far =
           options_.clip && !judge_.is_outside(rim.samples) && has_pole(leaf, lattice_);
       judge_cut(rim, leaf, judge_.splits_rim_u(leaf, rim.samples),
-                goes_far ? kMostCutHalvings : rim_halvings(leaf));
+                goes_far || is_torn(rim.samples) ? kMostCutHalvings : rim_halvings(leaf));
     }
+  }
+
+  /// Whether one of the samples has no limit: what of the leaf it is a corner of is left out.
+  bool is_torn(const Samples& samples) const {
+    const auto has_none = [this](std::uint32_t vertex) {
+      return lattice_.hole(vertex) == Hole::Kind::NoLimit;
+    };
+    return std::ranges::any_of(samples.corner, has_none) ||
+           std::ranges::any_of(samples.side, has_none) || has_none(samples.centre);
   }
 
   /// Halvings of a leaf that the rim crosses: one more for each time that fresh samples found it to

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "base/random.h"
+#include "mesh/clip.h"
 #include "mesh/measure_many.h"
 #include "mesh/rim_distance.h"
 
@@ -144,6 +145,22 @@ void Verifier::append_samples(const Leaf& leaf, std::span<const Triangle> triang
   }
 }
 
+/// Whether the surface and its triangles are beyond the same face of the box at a place.
+bool Verifier::is_unseen(std::span<const Triangle> triangles, const dvec2& uv,
+                         const dvec3& p) const {
+  return clip_ && !triangles.empty() &&
+         is_beyond(*clip_, std::array{p, position_on(grid_, triangles, uv)});
+}
+
+/// Whether a corner of triangles is beyond a face of the box, where a rim may go anywhere.
+bool Verifier::crosses_box(std::span<const Triangle> triangles) const {
+  return clip_ && std::ranges::any_of(triangles, [this](const Triangle& t) {
+           return std::ranges::any_of(t, [this](std::uint32_t corner) {
+             return !clip_->contains(grid_.mesh.position[corner]);
+           });
+         });
+}
+
 /// Of a point that is as good as on a crease, from the crease's chord: along the chord is none.
 double Verifier::distance_from_chord(const Chord& chord, const SurfacePoint& point) const {
   const dvec3 first = grid_.local(chord[0]);
@@ -177,8 +194,10 @@ std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const
   const auto deviations = measure_many(surface_, grid_, plain, threads_);
   evaluations_ += kPlacesInLeaf * plain.size();
   for (std::size_t i = 0; i < plain.size(); ++i) {
-    if (deviations[i]) {
-      mesh.deviations[which[numbers[i]]] = *deviations[i];
+    // Of what is off there may be nothing in the box.
+    const std::size_t leaf = which[numbers[i]];
+    if (deviations[i] && !(clip_ && deviations[i]->distance > mesh.allowed[leaf])) {
+      mesh.deviations[leaf] = *deviations[i];
     } else {
       others.push_back(numbers[i]);
     }
@@ -208,6 +227,7 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
     Deviation& worst = mesh.deviations[which[k]] = {};
     for (std::size_t s = first[i]; s < first[i + 1]; ++s) {
       const auto& [place, beside_cut, crease] = samples[s];
+      if (is_unseen(triangles.of(k), place, points[s].position)) continue;
       const Deviation d =
           crease ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
                  : deviation_of(leaf, triangles.of(k), place, points[s], worst.distance);
@@ -216,7 +236,9 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
     }
   }
   RimDistance rims(surface_, grid_, lattice_, threads_);
-  for (const std::size_t k : others) rims.add(mesh.leaves[which[k]], which[k], triangles.of(k));
+  for (const std::size_t k : others) {
+    if (!crosses_box(triangles.of(k))) rims.add(mesh.leaves[which[k]], which[k], triangles.of(k));
+  }
   for (const auto& [leaf, distance] : rims.measure()) {
     double& worst = mesh.deviations[leaf].distance;
     worst = std::max(worst, distance);

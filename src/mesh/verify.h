@@ -26,8 +26,10 @@ struct Measured {
 
 class Verifier {
  public:
-  Verifier(const Surface& surface, const Grid& grid, const Lattice& lattice, unsigned threads)
-      : surface_(surface), grid_(grid), lattice_(lattice), threads_(threads) {}
+  /// What is outside of `clip` does not count.
+  Verifier(const Surface& surface, const Grid& grid, const Lattice& lattice,
+           const std::optional<Bounds>& clip, unsigned threads)
+      : surface_(surface), grid_(grid), lattice_(lattice), clip_(clip), threads_(threads) {}
 
   /// Measures some leaves of a mesh from their triangles, of which there are as many: the largest
   /// deviation of each on a few points at random, which are the same whenever it is measured.
@@ -48,6 +50,8 @@ class Verifier {
                                          const LeafTriangles& triangles);
   void append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
                       std::vector<Sample>& samples) const;
+  bool is_unseen(std::span<const Triangle> triangles, const dvec2& uv, const dvec3& p) const;
+  bool crosses_box(std::span<const Triangle> triangles) const;
   double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;
   Deviation deviation_of(const Leaf& leaf, std::span<const Triangle> triangles, const dvec2& uv,
                          const SurfacePoint& point, double known) const;
@@ -55,6 +59,7 @@ class Verifier {
   const Surface& surface_;
   const Grid& grid_;
   const Lattice& lattice_;
+  const std::optional<Bounds>& clip_;
   unsigned threads_;
   std::size_t evaluations_ = 0;
 };

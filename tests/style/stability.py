@@ -189,6 +189,21 @@ CASES = [
      lambda r: r.surface["poles_count"] > 0 and "goes to infinity" in r.said
      and r.across(lambda u, v: u > 0.3) == 0,
      lambda r: f"two pieces, none across the pole; clipped to {number(r.extent(2))} high"),
+    ("a pole that is none along the axes", ["z=u*v/(u^2+v^2)^2"],
+     lambda: str(dropped(lambda u, v: u * v / (u * u + v * v)**2, U1, U1))
+             + " cells dropped, heights up to " + number(max(
+                 value(lambda u, v: u * v / (u * u + v * v)**2, u, v) for u in U1 for v in U1
+                 if u or v)),
+     lambda r: r.surface["poles_count"] > 0 and "goes to infinity" in r.said
+     and r.extent(2) < 10,
+     lambda r: f"recognised, and clipped to {number(r.extent(2))} high"),
+    ("a limit for each way", ["z=2*u*v/(u^2+v^2)"],
+     lambda: str(dropped(lambda u, v: 2 * u * v / (u * u + v * v), U1, U1))
+             + " cells dropped, nothing said",
+     lambda r: "has no limit at u = 0, v = 0" in r.said and r.within()
+     and r.surface["undefined_fraction"] == 0
+     and min(math.hypot(c[-2], c[-1]) for c in r.corners) < 2e-3,
+     lambda r: "named, and left out; within tolerance around it"),
     ("a hole that has a limit", ["z=sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", "u=-20:20", "v=-20:20"],
      lambda: str(dropped(lambda u, v: math.sin(math.hypot(u, v)) / math.hypot(u, v),
                          lines(-20, 20), lines(-20, 20))) + " cells dropped around the top",
@@ -224,6 +239,11 @@ CASES = [
      lambda r: near(r.surface["undefined_fraction"], 0.9995, 1e-6) and r.within()
      and near(min(c[0] for c in r.corners), 0.999, 1e-7),
      lambda r: "all of it, from u = 0.999 to 1"),
+    ("a sliver beside a pole", ["z=ln(u-0.9999)"],
+     lambda: str(N * N - dropped(lambda u, v: math.log(u - 0.9999), U1, U1)) + " cells are left",
+     lambda r: r.surface["poles_count"] > 0 and near(r.surface["undefined_fraction"], 0.99995, 1e-4)
+     and near(r.surface["bounds"][1][2], math.log(1e-4), 1e-3),
+     lambda r: f"all of it, clipped to {number(r.extent(2))} high"),
     ("an island", ["z=sqrt(1e-6-(u-0.3)^2-(v+0.2)^2)"],
      lambda: str(N * N - dropped(
          lambda u, v: math.sqrt(1e-6 - (u - .3)**2 - (v + .2)**2), U1, U1)) + " cells are left",
@@ -270,8 +290,19 @@ CASES = [
      lambda: str(sum(value(lambda u: math.exp(u * u), u) > 1e-2 * math.exp(100)
                      for u in lines(-10, 10)))
              + f" of {N + 1} columns are above a hundredth of the box",
-     lambda r: r.status == 0 and "have no area" in r.said,
-     lambda r: "says that most triangles have no area in doubles"),
+     lambda r: "out of proportion" in r.said and r.within() and 8 < r.extent(2) < 20
+     and near(r.surface["bounds"][1][0]**2, math.log(r.surface["bounds"][1][2]), 0.01),
+     lambda r: f"shows the part that is in proportion, {number(r.extent(2))} high, and says so"),
+    ("a height beyond doubles", ["z=exp(u*u)", "u=-30:30"],
+     lambda: str(sum(not math.isfinite(value(lambda u: math.exp(u * u), u))
+                     for u in lines(-30, 30))) + f" of {N + 1} columns are infinite",
+     lambda r: "out of proportion" in r.said and r.within() and 8 < r.extent(2) < 20
+     and near(r.surface["undefined_fraction"], 1 - math.sqrt(math.log(2**1024 - 2**970)) / 30, 0.01),
+     lambda r: f"the same, and {percent(r.surface['undefined_fraction'])} of it is no number"),
+    ("a height without proportion", ["z=1e20*u*v"],
+     lambda: f"a box of 2 x 2 x {number(2e20)}",
+     lambda r: nothing(r, "as long along z"),
+     lambda r: "status 3: it is a line in double precision; scale z down"),
     ("a frequency of the grid's own", ["z=sin(60*u)", "u=0:2*pi", "v=0:2*pi"],
      lambda: "with 60 cells a flat sheet: heights up to " + number(max(
          abs(math.sin(60 * u)) for u in lines(0, TAU, 60))),

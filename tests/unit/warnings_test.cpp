@@ -39,10 +39,40 @@ TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
   constexpr double kNoFace = std::numeric_limits<double>::infinity();
   GridMesh cut = mesh_between({-1, 0}, {1, 2});
   cut.report.clip = Bounds{{-kNoFace, -2, 3}, {4, 5, kNoFace}};
+  cut.report.poles = {{0, 1}};
+  cut.report.pole_count = 1;
+  EXPECT_EQ(mesh_warnings("s", cut, kDomain).back(),
+            "s: clipped to x up to 4, y = -2:5, z from 3 up; --clip off shows all of it");
+  cut.report.poles.clear();
+  cut.report.pole_count = 0;
   EXPECT_EQ(mesh_warnings("s", cut, kDomain),
-            Warnings{"s: clipped to x up to 4, y = -2:5, z from 3 up; --clip off shows all of it"});
+            Warnings{"s: x, y and z are out of proportion: clipped to x up to 4, y = -2:5, z from "
+                     "3 up; --clip off shows all of it"});
   cut.report.clip = Bounds{dvec3(-kNoFace), dvec3(kNoFace)};
   EXPECT_TRUE(mesh_warnings("s", cut, kDomain).empty());
+}
+
+TEST(Warnings, DoNotSayWhereASurfaceIsDefinedThatABoxCuts) {
+  GridMesh cut = mesh_between({-0.1, 0}, {0.1, 2});
+  cut.report.undefined_fraction = 0.25;
+  cut.report.is_clipped = true;
+  EXPECT_EQ(mesh_warnings("s", cut, kDomain),
+            Warnings{"s: 25 % of the domain is undefined and left out"});
+}
+
+TEST(Warnings, NamePointsThatHaveNoLimit) {
+  GridMesh torn = mesh_between({-1, 0}, {1, 2});
+  torn.report.torn = torn.report.jumps = {{0, 1}};
+  torn.report.jump_count = 1;
+  EXPECT_EQ(mesh_warnings("s", torn, kDomain),
+            Warnings{"s: the surface has no limit at u = 0, v = 1: each way there leads to another "
+                     "place; left out"});
+  torn.report.torn = torn.report.jumps = {{0, 1}, {1, 1}, {0.5, 1}};
+  torn.report.jump_count = 4;
+  const Warnings both = mesh_warnings("s", torn, kDomain);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_NE(both[0].find("jumps: it was cut in 4 places"), std::string::npos) << both[0];
+  EXPECT_NE(both[1].find("u = 0, v = 1 and 2 other points"), std::string::npos) << both[1];
 }
 
 TEST(Warnings, SayThatASurfaceIsOneSided) {
@@ -66,6 +96,14 @@ TEST(Warnings, SayThatHolesAreInPlaces) {
               Warnings{"s: 1 % of the domain is undefined and left out, in places across the "
                        "ranges"});
   }
+}
+
+TEST(Warnings, TakeNoRangeForAPartThatIsPrintedLikeTheWhole) {
+  GridMesh holes = mesh_between({-1 + 1e-9, 0}, {1, 2});
+  holes.report.undefined_fraction = 0.01;
+  EXPECT_EQ(mesh_warnings("s", holes, kDomain),
+            Warnings{"s: 1 % of the domain is undefined and left out, in places across the "
+                     "ranges"});
 }
 
 TEST(Warnings, CountSingularPointsWithoutANormal) {

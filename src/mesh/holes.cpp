@@ -1,0 +1,169 @@
+#include "mesh/holes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/common.hpp>
+
+#include "eval/enclose.h"
+#include "mesh/breaks.h"
+
+namespace saddle {
+
+namespace {
+
+/// Ways to a place, all around it. Every other one is aslant to the axes and diagonals along which
+/// formulas like to be undefined, or 0.
+constexpr std::size_t kWays = 16;
+constexpr double kAslant = 0.07;  // of a turn between two ways
+/// How far away the ways begin, in ranges of the parameters; and where on them, as parts, the
+/// surface is looked at: 1e-6 and 1e-12 of the ranges away.
+constexpr double kReach = 0x1p-8;
+constexpr std::array kLooks = {0x1p-12, 0x1p-32};
+/// Places that agree to this part of the diagonal are one; what differs by no more than this part
+/// of what it did farther away is on its way to agree.
+constexpr double kAgree = 1e-4;
+constexpr double kShrinks = 0.5;
+
+/// The ways to one place that are in the domain.
+struct Ways {
+  std::vector<Line> lines;         ///< from the place outward
+  std::vector<bool> is_aslant;     ///< of each line
+  bool is_open_aslant = true;      ///< the surface is defined on all that are aslant
+  bool is_open = true;             ///< on all
+  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each look
+};
+
+Ways ways_to(const dvec2& place, const Domain& d) {
+  const dvec2 low = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  const dvec2 high = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  Ways ways;
+  for (std::size_t k = 0; k < kWays; ++k) {
+    const bool is_aslant = k % 2 != 0;
+    const double turn = (static_cast<double>(k) + (is_aslant ? kAslant : 0)) / kWays;
+    const double angle = 2 * std::numbers::pi * turn;
+    dvec2 way(std::cos(angle), std::sin(angle));
+    if (!is_aslant) way = glm::round(1.1 * way);  // along axes and diagonals to the last digit
+    const dvec2 end = place + kReach * (high - low) * way;
+    const bool is_inside = end.x >= low.x && end.x <= high.x && end.y >= low.y && end.y <= high.y;
+    if (!is_inside) continue;
+    ways.lines.push_back({place, end});
+    ways.is_aslant.push_back(is_aslant);
+  }
+  return ways;
+}
+
+void look(const Surface& surface, std::span<Ways> all, unsigned threads) {
+  std::vector<dvec2> uv;
+  for (const Ways& ways : all) {
+    for (const double share : kLooks) {
+      for (const Line& line : ways.lines) uv.push_back(line[0] + share * (line[1] - line[0]));
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  std::size_t next = 0;
+  for (Ways& ways : all) {
+    for (Bounds& bounds : ways.at_looks) {
+      for (const bool is_aslant : ways.is_aslant) {
+        const dvec3& p = points[next++].position;
+        if (is_finite(p)) {
+          bounds.add(p);
+        } else {
+          ways.is_open = false;
+          if (is_aslant) ways.is_open_aslant = false;
+        }
+      }
+    }
+  }
+}
+
+Hole::Kind kind_of_point(const Surface& surface, const Ways& ways, double agree, unsigned threads) {
+  const std::vector<bool> far = diverge(surface, ways.lines, agree, threads);
+  if (std::ranges::count(far, true) > 0) return Hole::Kind::Pole;
+  const double before = ways.at_looks[0].diagonal();
+  const double near = ways.at_looks[1].diagonal();
+  return near > agree && near > kShrinks * before ? Hole::Kind::NoLimit : Hole::Kind::Limit;
+}
+
+/// A box is halved so many times each way, and so many of its parts are followed: four meet at a
+/// point on their corners.
+constexpr int kHalvings = 40;
+constexpr std::size_t kMostParts = 16;
+/// What is left then is one point if it is no larger than this part of the box.
+constexpr double kOnePoint = 0x1p-30;
+
+class Narrowing {
+ public:
+  explicit Narrowing(const Surface& surface) : enclosure_(surface.bounds, 3) {}
+
+  std::optional<dvec2> operator()(const ParameterBox& whole) {
+    std::vector<ParameterBox> parts = {whole};
+    for (int depth = 0; depth < 2 * kHalvings; ++depth) {
+      std::erase_if(parts, [this](const ParameterBox& part) { return is_proved(part); });
+      if (parts.empty() || parts.size() > kMostParts) return std::nullopt;
+      std::vector<ParameterBox> halves;
+      for (const ParameterBox& part : parts) {
+        ParameterBox first = part;
+        ParameterBox second = part;
+        first.high[depth % 2] = second.low[depth % 2] = part.middle()[depth % 2];
+        halves.push_back(first);
+        halves.push_back(second);
+      }
+      parts = std::move(halves);
+    }
+    Bounds left;
+    for (const ParameterBox& part : parts) left.add(dvec3(part.middle(), 0));
+    const dvec2 most = kOnePoint * glm::abs(whole.high - whole.low);
+    if (left.size().x > most.x || left.size().y > most.y) return std::nullopt;
+    // A place that is 0 as far as digits go is meant to be 0.
+    dvec2 place(left.centre());
+    for (int k = 0; k < 2; ++k) {
+      if (std::fabs(place[k]) <= most[k]) place[k] = 0;
+    }
+    return place;
+  }
+
+ private:
+  bool is_proved(const ParameterBox& box) {
+    const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
+    std::array<Interval, 3> position;
+    enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), position);
+    return std::ranges::all_of(
+        position, [](const Interval& a) { return a.continuous && a.defined == Defined::Yes; });
+  }
+
+  Enclosure enclosure_;
+};
+
+}  // namespace
+
+std::vector<std::optional<dvec2>> find_holes(const Surface& surface,
+                                             std::span<const ParameterBox> where) {
+  Narrowing narrow(surface);
+  std::vector<std::optional<dvec2>> places;
+  for (const ParameterBox& box : where) places.push_back(narrow(box));
+  return places;
+}
+
+std::vector<Hole> look_at_holes(const Surface& surface, std::span<const dvec2> places,
+                                double diagonal, unsigned threads) {
+  std::vector<Ways> all;
+  for (const dvec2& place : places) all.push_back(ways_to(place, surface.domain));
+  look(surface, all, threads);
+  std::vector<Hole> holes;
+  for (const Ways& ways : all) {
+    Hole hole;
+    if (ways.is_open && !ways.lines.empty()) {
+      hole = {kind_of_point(surface, ways, kAgree * diagonal, threads), ways.at_looks[1]};
+    } else if (ways.is_open_aslant) {
+      hole.kind = Hole::Kind::Line;
+    }
+    holes.push_back(hole);
+  }
+  return holes;
+}
+
+}  // namespace saddle

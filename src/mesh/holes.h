@@ -1,0 +1,36 @@
+// What there is around a place where a surface is not defined.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/islands.h"
+#include "mesh/mesh.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+struct Hole {
+  enum class Kind : std::uint8_t {
+    Part,     ///< a part of the domain where it is not defined either, or the place is on its rim
+    Line,     ///< places on a line, beside which it is defined
+    Pole,     ///< one point, and on some ways to it the surface goes to infinity
+    NoLimit,  ///< one point, and different ways to it lead to different places
+    Limit,    ///< one point, and all ways to it lead to one place
+  };
+  Kind kind = Kind::Part;
+  Bounds near;  ///< where the surface is around one point, as near to it as digits allow
+};
+
+/// Where bounds leave room for a break in a box of parameters, if that is one point: as near as
+/// digits allow. Nothing if they leave none, or more.
+std::vector<std::optional<dvec2>> find_holes(const Surface& surface,
+                                             std::span<const ParameterBox> where);
+
+/// Of each place, by what is in the domain around it. `diagonal`: of a box around the surface.
+std::vector<Hole> look_at_holes(const Surface& surface, std::span<const dvec2> places,
+                                double diagonal, unsigned threads);
+
+}  // namespace saddle

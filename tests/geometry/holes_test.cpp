@@ -1,0 +1,105 @@
+// Points and lines where a surface is not defined: what there is around them, and their meshes.
+#include "mesh/holes.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mesh/adaptive_mesh.h"
+#include "mesh_checks.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+Surface height(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
+  return surface_from_text("u", "v", z, domain, {}, Order::Second);
+}
+
+Hole hole_at(const std::string& z, const dvec2& place, const Domain& domain = {-1, 1, -1, 1}) {
+  const std::vector<dvec2> places = {place};
+  return look_at_holes(height(z, domain), places, 3, 1).at(0);
+}
+
+TEST(Holes, AreToldApart) {
+  using Kind = Hole::Kind;
+  const struct {
+    const char* z;
+    dvec2 place;
+    Kind kind;
+  } cases[] = {
+      {"sqrt(u)", {-0.5, 0}, Kind::Part},
+      {"ln(u)", {0, 0.2}, Kind::Part},
+      {"1/u", {0, 0.2}, Kind::Line},
+      {"1/(u^2-v^2)", {0.5, 0.5}, Kind::Line},
+      {"1/(u+1)", {-1, 0.2}, Kind::Line},  // on the edge of the domain
+      {"1/(u^2+v^2)", {0, 0}, Kind::Pole},
+      {"ln(u^2+v^2)", {0, 0}, Kind::Pole},
+      {"u/(u^2+v^2)", {0, 0}, Kind::Pole},       // 0 along v
+      {"u*v/(u^2+v^2)^2", {0, 0}, Kind::Pole},   // 0 along both
+      {"u*v/(u^2+v^2)", {0, 0}, Kind::NoLimit},  // 0 along both, too
+      {"sin(1/(u^2+v^2))", {0, 0}, Kind::NoLimit},
+      {"(u^2+v^2)^0.1*u/sqrt(u^2+v^2)", {0, 0}, Kind::Limit},
+  };
+  for (const auto& [z, place, kind] : cases) {
+    EXPECT_EQ(static_cast<int>(hole_at(z, place).kind), static_cast<int>(kind)) << z;
+  }
+  const Domain quarter{0, 1, 0, 1};
+  EXPECT_EQ(hole_at("u*v/(u^2+v^2)", {0, 0}, quarter).kind, Kind::NoLimit) << "from one quarter";
+  EXPECT_GT(hole_at("u*v/(u^2+v^2)^2", {0, 0}).near.high.z, 1e18);
+}
+
+GridMesh mesh_of(const Surface& surface, double tolerance, const std::optional<Bounds>& clip = {}) {
+  AdaptiveOptions options;
+  options.tolerance = [=](const Probe&) { return tolerance; };
+  options.clip = clip;
+  return mesh_within_tolerance(surface, options).value();
+}
+
+TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
+  const GridMesh result = mesh_of(height("2*u*v/(u^2+v^2)"), 3e-3);
+  ASSERT_EQ(result.report.torn.size(), 1U);
+  EXPECT_LT(glm::length(result.report.torn[0]), 1e-12);
+  EXPECT_EQ(result.report.jump_count, 1U);
+  EXPECT_EQ(result.report.pole_count, 0U);
+  EXPECT_EQ(result.report.undefined_fraction, 0);
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+  EXPECT_EQ(euler_number(result.mesh), 0) << "one hole";
+  double hole = 4;
+  for (const Triangle& t : result.mesh.triangles) {
+    const dvec2 a = result.mesh.uv[t[1]] - result.mesh.uv[t[0]];
+    const dvec2 b = result.mesh.uv[t[2]] - result.mesh.uv[t[0]];
+    hole -= 0.5 * std::fabs(a.x * b.y - a.y * b.x);
+  }
+  EXPECT_LT(hole, 4e-5) << "no wider than two tolerances";
+  EXPECT_GT(hole, 0);
+}
+
+TEST(Holes, ThatArePolesFromSomeSidesAreNamed) {
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
+  const MeshReport report =
+      mesh_within_tolerance(height("u*v/(u^2+v^2)^2"), options).value().report;
+  EXPECT_GT(report.pole_count, 0U);
+  EXPECT_TRUE(report.torn.empty());
+}
+
+TEST(Holes, ThatArePolesAreNamedAndWithinTolerance) {
+  const Bounds box{{-1, -1, -3}, {1, 1, 3}};
+  for (const char* z : {"u/(u^2+v^2)", "(u^2-v^2)/(u^2+v^2)^2", "1/u+1/v", "1/(u^2-v^2)"}) {
+    const Surface surface = height(z);
+    AdaptiveOptions options;
+    options.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
+    const MeshReport whole = mesh_within_tolerance(surface, options).value().report;
+    EXPECT_GT(whole.pole_count, 0U) << z;
+    EXPECT_GT(whole.beside_poles.high.z, 1e3) << z;
+    EXPECT_LT(whole.beside_poles.low.z, -1e3) << z;
+    const GridMesh result = mesh_of(surface, 1e-2, box);
+    EXPECT_TRUE(result.report.torn.empty()) << z;
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+    EXPECT_EQ(result.report.undefined_fraction, 0) << z << " is defined but on points and lines";
+  }
+}
+
+}  // namespace
+}  // namespace saddle

@@ -1,0 +1,67 @@
+// What is shown of surfaces that outgrow their pictures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "app/tolerance.h"
+
+namespace saddle {
+namespace {
+
+/// Finite points of a height field over [-reach, reach] x [-1, 1].
+std::vector<dvec3> field(double reach, const std::function<double(double, double)>& z) {
+  constexpr int kCells = 64;
+  std::vector<dvec3> points;
+  for (int i = 0; i < kCells; ++i) {
+    for (int j = 0; j < kCells; ++j) {
+      const double u = reach * (2 * (i + 0.37) / kCells - 1);
+      const double v = 2 * (j + 0.59) / kCells - 1;
+      const dvec3 p(u, v, z(u, v));
+      if (std::isfinite(p.z)) points.push_back(p);
+    }
+  }
+  return points;
+}
+
+double growth(double u, double) {
+  return std::exp(u * u);
+}
+
+TEST(ReadableBox, HoldsThePartOfAGrowingSurfaceThatIsInProportion) {
+  for (const double reach : {10.0, 30.0}) {  // up to 1e43, and beyond doubles
+    const auto box = readable_box(field(reach, growth));
+    ASSERT_TRUE(box.has_value()) << reach;
+    EXPECT_EQ(box->low.z, -std::numeric_limits<double>::infinity()) << "nothing is below";
+    // exp(u*u) is four times as high as wide at u = 1.6; samples are up to a unit apart.
+    EXPECT_GT(box->high.z, 8) << reach;
+    EXPECT_LT(box->high.z, 25) << reach;
+    EXPECT_FALSE(std::isfinite(box->low.x) || std::isfinite(box->high.x)) << reach;
+    EXPECT_FALSE(std::isfinite(box->low.y) || std::isfinite(box->high.y)) << reach;
+  }
+}
+
+TEST(ReadableBox, IsThereForNoSurfaceThatCanBeSeenAsItIs) {
+  EXPECT_FALSE(readable_box(field(2.5, growth)));  // 500 high
+  EXPECT_FALSE(readable_box(field(1, [](double, double) { return 0.0; })));
+  EXPECT_FALSE(readable_box({}));
+}
+
+TEST(ReadableBox, IsThereForNoSurfaceThatHasNoPartInProportion) {
+  EXPECT_FALSE(readable_box(field(1, [](double u, double v) { return 1e20 * (u + 0.3) * v; })));
+  EXPECT_FALSE(readable_box(field(1, [](double u, double) { return 1e6 * u; })));
+}
+
+TEST(ReadableBox, IsWhereMostOfTheSurfaceIs) {
+  // Flat at 7 but for a wall on either side.
+  const auto flat = [](double u, double) { return 7 + 1e9 * std::pow(u, 21); };
+  const auto box = readable_box(field(1, flat));
+  ASSERT_TRUE(box.has_value());
+  EXPECT_LT(box->low.z, 7);
+  EXPECT_GT(box->high.z, 7);
+  EXPECT_LT(box->high.z - box->low.z, 10);
+}
+
+}  // namespace
+}  // namespace saddle
