@@ -12,11 +12,23 @@ namespace {
 /// that doubles cannot hold.
 constexpr double kManyFlat = 0.1;
 
+/// What is so small beside its range is an error of rounding, or as good as one, to who reads it.
+constexpr double kNothing = 1e-12;
+
 /// Four digits: enough to find the place, short enough to read.
 std::string number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", value + 0.0);  // + 0: no "-0"
   return text.data();
+}
+
+/// A place in the domain. A bisection may end at 1e-20 where 0 is meant.
+std::string place(const dvec2& uv, const Domain& domain) {
+  const auto coordinate = [](double value, double from, double to) {
+    return number(std::fabs(value) < kNothing * std::fabs(to - from) ? 0 : value);
+  };
+  return "u = " + coordinate(uv.x, domain.u0, domain.u1) +
+         ", v = " + coordinate(uv.y, domain.v0, domain.v1);
 }
 
 std::string range(const char* name, double low, double high) {
@@ -97,24 +109,21 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
   }
   if (report.coarse_normals) {
     warnings.push_back(name + ": normals turn faster than its triangles show, by up to " +
-                       number(report.max_normal_error) +
-                       " degrees, as at u = " + number(report.coarse_normals->x) + ", v = " +
-                       number(report.coarse_normals->y) + "; --max-triangles allows more");
+                       number(report.max_normal_error) + " degrees, as at " +
+                       place(*report.coarse_normals, domain) + "; --max-triangles allows more");
   }
   const auto cut = [&](const char* what, std::size_t count, const std::vector<dvec2>& places) {
     if (places.empty()) return;
     warnings.push_back(name + ": " + what + ": it was cut in " + std::to_string(count) +
-                       " places (the first at u = " + number(places.front().x) +
-                       ", v = " + number(places.front().y) + ")");
+                       " places (the first at " + place(places.front(), domain) + ")");
   };
   cut("the surface goes to infinity", report.pole_count, report.poles);
   if (report.jump_count > report.torn.size()) {
     cut("the surface jumps", report.jump_count, report.jumps);
   }
   if (!report.torn.empty()) {
-    const dvec2& uv = report.torn.front();
-    warnings.push_back(name + ": the surface has no limit at u = " + number(uv.x) +
-                       ", v = " + number(uv.y) + others(report.torn.size()) +
+    warnings.push_back(name + ": the surface has no limit at " +
+                       place(report.torn.front(), domain) + others(report.torn.size()) +
                        ": each way there leads to another place; left out");
   }
   if (report.clip) {
@@ -146,8 +155,7 @@ std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& 
     warnings.push_back(
         name + ": " + (all_listed ? "" : "at least ") +
         plural(count, "singular point has no normal", "singular points have no normal") +
-        " (the first at u = " + number(first->uv.x) + ", v = " + number(first->uv.y) +
-        "): the faces' are drawn there");
+        " (the first at " + place(first->uv, domain) + "): the faces' are drawn there");
   }
   return warnings;
 }

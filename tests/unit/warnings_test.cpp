@@ -67,6 +67,9 @@ TEST(Warnings, NamePointsThatHaveNoLimit) {
   EXPECT_EQ(mesh_warnings("s", torn, kDomain),
             Warnings{"s: the surface has no limit at u = 0, v = 1: each way there leads to another "
                      "place; left out"});
+  torn.report.torn =
+      torn.report.jumps = {{-7e-21, 1e-11}};  // what a bisection takes for 0; near it
+  EXPECT_NE(mesh_warnings("s", torn, kDomain)[0].find("at u = 0, v = 1e-11:"), std::string::npos);
   torn.report.torn = torn.report.jumps = {{0, 1}, {1, 1}, {0.5, 1}};
   torn.report.jump_count = 4;
   const Warnings both = mesh_warnings("s", torn, kDomain);
