@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace saddle {
 namespace {
@@ -46,8 +47,8 @@ std::string clipped_range(const char* name, double low, double high) {
 /// A mesh that is cut along a box does not show where the surface is defined beyond it.
 std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
   const std::string percent = number(100 * grid_mesh.report.undefined_fraction);
-  const std::string share = (percent == "100" ? "almost all" : percent + " %") +
-                            " of the domain is undefined and left out";
+  std::string share = (percent == "100" ? "almost all" : percent + " %") +
+                      " of the domain is undefined and left out";
   if (grid_mesh.report.is_clipped) return share;
   return share + ", " + where_defined(grid_mesh.mesh, domain);
 }
@@ -87,77 +88,112 @@ std::string where_defined(const Mesh& mesh, const Domain& domain) {
   return "at least outside of " + u + (u.empty() || v.empty() ? "" : ", ") + v;
 }
 
-std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
-                                       const Domain& domain) {
-  std::vector<std::string> warnings;
-  const MeshReport& report = grid_mesh.report;
-  if (report.undefined_fraction > 0 && !grid_mesh.mesh.uv.empty()) {
-    warnings.push_back(name + ": " + undefined_warning(grid_mesh, domain));
+namespace {
+
+/// Collects what is to be said of a mesh, in this order.
+class MeshWarnings {
+ public:
+  MeshWarnings(const std::string& name, const GridMesh& grid_mesh, const Domain& domain)
+      : name_(name), grid_mesh_(grid_mesh), report_(grid_mesh.report), domain_(domain) {}
+
+  std::vector<std::string> all() {
+    take_missing_parts();
+    take_errors();
+    take_cuts();
+    take_clip();
+    take_sides();
+    take_singular_points();
+    return std::move(warnings_);
   }
-  const std::size_t triangles = 2 * report.cells;
-  if (static_cast<double>(report.flat_triangles) > kManyFlat * static_cast<double>(triangles)) {
-    warnings.push_back(name + ": " + std::to_string(report.flat_triangles) + " of " +
-                       std::to_string(triangles) +
-                       " triangles have no area in double precision and are left out");
+
+ private:
+  void say(const std::string& text) { warnings_.push_back(name_ + ": " + text); }
+
+  void take_missing_parts() {
+    if (report_.undefined_fraction > 0 && !grid_mesh_.mesh.uv.empty()) {
+      say(undefined_warning(grid_mesh_, domain_));
+    }
+    const std::size_t triangles = 2 * report_.cells;
+    if (static_cast<double>(report_.flat_triangles) > kManyFlat * static_cast<double>(triangles)) {
+      say(std::to_string(report_.flat_triangles) + " of " + std::to_string(triangles) +
+          " triangles have no area in double precision and are left out");
+    }
   }
-  if (report.reached_limit) {
-    warnings.push_back(name + ": the limit of triangles stopped refinement, the mesh is" +
-                       off_by(report) + "; --max-triangles allows more");
-  } else if (report.tolerance && report.max_error > *report.tolerance) {
-    warnings.push_back(name + ": the mesh is" + off_by(report) +
-                       ": a pole, a jump or detail that its cells miss; --samples takes more");
+
+  void take_errors() {
+    if (report_.reached_limit) {
+      say("the limit of triangles stopped refinement, the mesh is" + off_by(report_) +
+          "; --max-triangles allows more");
+    } else if (report_.tolerance && report_.max_error > *report_.tolerance) {
+      say("the mesh is" + off_by(report_) +
+          ": a pole, a jump or detail that its cells miss; --samples takes more");
+    }
+    if (report_.coarse_normals) {
+      say("normals turn faster than its triangles show, by up to " +
+          number(report_.max_normal_error) + " degrees, as at " +
+          place(*report_.coarse_normals, domain_) + "; --max-triangles allows more");
+    }
   }
-  if (report.coarse_normals) {
-    warnings.push_back(name + ": normals turn faster than its triangles show, by up to " +
-                       number(report.max_normal_error) + " degrees, as at " +
-                       place(*report.coarse_normals, domain) + "; --max-triangles allows more");
+
+  void take_cuts() {
+    const auto cut = [this](const char* what, std::size_t count, const std::vector<dvec2>& places) {
+      if (places.empty()) return;
+      say(std::string(what) + ": it was cut in " + plural(count, "place", "places") +
+          (count == 1 ? " (at " : " (the first at ") + place(places.front(), domain_) + ")");
+    };
+    cut("the surface goes to infinity", report_.pole_count, report_.poles);
+    if (report_.jump_count > report_.torn.size()) {
+      cut("the surface jumps", report_.jump_count, report_.jumps);
+    }
+    if (!report_.torn.empty()) {
+      say("the surface has no limit at " + place(report_.torn.front(), domain_) +
+          others(report_.torn.size()) + ": each way there leads to another place; left out");
+    }
   }
-  const auto cut = [&](const char* what, std::size_t count, const std::vector<dvec2>& places) {
-    if (places.empty()) return;
-    warnings.push_back(name + ": " + what + ": it was cut in " + std::to_string(count) +
-                       " places (the first at " + place(places.front(), domain) + ")");
-  };
-  cut("the surface goes to infinity", report.pole_count, report.poles);
-  if (report.jump_count > report.torn.size()) {
-    cut("the surface jumps", report.jump_count, report.jumps);
-  }
-  if (!report.torn.empty()) {
-    warnings.push_back(name + ": the surface has no limit at " +
-                       place(report.torn.front(), domain) + others(report.torn.size()) +
-                       ": each way there leads to another place; left out");
-  }
-  if (report.clip) {
+
+  void take_clip() {
+    if (!report_.clip) return;
     std::string ranges;
     for (int k = 0; k < 3; ++k) {
       const std::string faces =
-          clipped_range(std::array{"x", "y", "z"}[static_cast<std::size_t>(k)], report.clip->low[k],
-                        report.clip->high[k]);
+          clipped_range(std::array{"x", "y", "z"}[static_cast<std::size_t>(k)],
+                        report_.clip->low[k], report_.clip->high[k]);
       if (!faces.empty()) ranges += (ranges.empty() ? "" : ", ") + faces;
     }
-    if (!ranges.empty()) {
-      const char* why = report.pole_count > 0 ? "" : "x, y and z are out of proportion: ";
-      warnings.push_back(name + ": " + why + "clipped to " + ranges +
-                         "; --clip off shows all of it");
-    }
+    if (ranges.empty()) return;
+    const std::string why = report_.pole_count > 0 ? "" : "x, y and z are out of proportion: ";
+    say(why + "clipped to " + ranges + "; --clip off shows all of it");
   }
-  if (!report.orientable) {
-    warnings.push_back(name + ": the surface is one-sided: front and back meet along a line");
+
+  void take_sides() {
+    if (!report_.orientable) say("the surface is one-sided: front and back meet along a line");
+    if (runs_backwards(domain_)) say("a range runs backwards, which swaps front and back");
   }
-  if (runs_backwards(domain)) {
-    warnings.push_back(name + ": a range runs backwards, which swaps front and back");
-  }
-  const auto no_limit = [](const SingularPoint& p) { return !p.has_limit; };
-  const auto first = std::ranges::find_if(report.singular_points, no_limit);
-  if (first != report.singular_points.end()) {
-    const auto count =
-        static_cast<std::size_t>(std::ranges::count_if(report.singular_points, no_limit));
-    const bool all_listed = report.singular_points.size() == report.singular_point_count;
-    warnings.push_back(
-        name + ": " + (all_listed ? "" : "at least ") +
+
+  void take_singular_points() {
+    const auto& points = report_.singular_points;
+    const auto no_limit = [](const SingularPoint& p) { return !p.has_limit; };
+    const auto first = std::ranges::find_if(points, no_limit);
+    if (first == points.end()) return;
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(points, no_limit));
+    const bool all_listed = points.size() == report_.singular_point_count;
+    say((all_listed ? "" : "at least ") +
         plural(count, "singular point has no normal", "singular points have no normal") +
-        " (the first at " + place(first->uv, domain) + "): the faces' are drawn there");
+        " (the first at " + place(first->uv, domain_) + "): the faces' are drawn there");
   }
-  return warnings;
+
+  const std::string& name_;
+  const GridMesh& grid_mesh_;
+  const MeshReport& report_;
+  const Domain& domain_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
+                                       const Domain& domain) {
+  return MeshWarnings(name, grid_mesh, domain).all();
 }
 
 std::vector<std::string> color_warnings(const std::string& name, const Mesh& mesh,
