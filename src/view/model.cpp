@@ -299,6 +299,11 @@ void Model::next_lights() {
 }
 
 bool Model::act(Action action) {
+  return act_on_looks(action) || act_on_camera(action) || act_on_scene(action);
+}
+
+/// Of what concerns colours and lines.
+bool Model::act_on_looks(Action action) {
   Scene changed = scene_;
   switch (action) {
     case Action::Grid:
@@ -306,10 +311,6 @@ bool Model::act(Action action) {
       return true;
     case Action::Wireframe:
       wireframe = !wireframe;
-      return true;
-    case Action::Flip:
-      for (SurfaceSpec& spec : changed.surfaces) spec.flip = !spec.flip;
-      edit(std::move(changed), "");
       return true;
     case Action::NextLights:
       next_lights();
@@ -322,14 +323,23 @@ bool Model::act(Action action) {
                                                                 : Shading::Exact;
       change_look(std::move(changed));
       return true;
-    case Action::Orthographic:
-      changed.camera.ortho = !changed.camera.ortho;
-      look_through(changed.camera);
-      return true;
     case Action::Axes:
       changed.axes = !changed.axes;
       change_look(std::move(changed));
       return true;
+    default:
+      return false;
+  }
+}
+
+bool Model::act_on_camera(Action action) {
+  switch (action) {
+    case Action::Orthographic: {
+      Camera camera = scene_.camera;
+      camera.ortho = !camera.ortho;
+      look_through(camera);
+      return true;
+    }
     case Action::Turntable:
       turntable = !turntable;
       return true;
@@ -344,16 +354,28 @@ bool Model::act(Action action) {
       frame();
       look_through(scene_.camera);
       return true;
+    default:
+      return false;
+  }
+}
+
+/// Of what is meshed anew.
+bool Model::act_on_scene(Action action) {
+  Scene changed = scene_;
+  switch (action) {
+    case Action::Flip:
+      for (SurfaceSpec& spec : changed.surfaces) spec.flip = !spec.flip;
+      edit(std::move(changed), "");
+      return true;
     case Action::Play:
       playing = !playing;
       return true;
     case Action::Coarser:
-    case Action::Finer: {
+    case Action::Finer:
       changed.mesh.tolerance = tolerance();
       changed.mesh.tolerance->value *= action == Action::Finer ? 0.5 : 2;
       edit(std::move(changed), "tolerance");
       return true;
-    }
     case Action::Undo:
       undo();
       return true;

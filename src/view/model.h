@@ -107,6 +107,9 @@ class Model {
   void show(Meshed meshed);
   double surface_radius(const dvec3& centre) const;
   void next_lights();
+  bool act_on_looks(Action action);
+  bool act_on_camera(Action action);
+  bool act_on_scene(Action action);
 
   Scene scene_;
   std::function<Scene()> reload_;
