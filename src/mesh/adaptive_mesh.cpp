@@ -226,6 +226,7 @@ void keep_singular_points_within(const Bounds& box, const Surface& surface, unsi
                                  MeshReport& report) {
   auto& listed = report.singular_points;
   std::vector<dvec2> uv;
+  uv.reserve(listed.size());
   for (const SingularPoint& point : listed) uv.push_back(point.uv);
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   std::vector<SingularPoint> kept;

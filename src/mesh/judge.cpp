@@ -141,8 +141,8 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const double seen_turn = kSeenTurn * eps;
   const bool is_visible = diameter(corner) > kVisible * eps;
   Verdict verdict;
-  const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
-                         double Scores::*part) {
+  const auto judge = [&, &corner = corner](std::uint32_t a, std::uint32_t b, std::uint32_t sample,
+                                           bool border, double Scores::*part) {
     const double distance = distance_of_sample(a, b, sample, border) / eps;
     verdict.distance.*part = std::max(verdict.distance.*part, distance);
     const bool is_small = is_small_arc(a, b, sample);

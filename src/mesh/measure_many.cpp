@@ -66,12 +66,13 @@ class Columns {
   std::array<Array<double>, 9> columns_;
 };
 
-/// The batch's leaves [begin, begin + count).
+/// Leaves of a batch, of which `begin` is the number of the first.
 void measure_block(const Grid& grid, std::span<const TwoTriangles> leaves, std::size_t begin,
-                   std::size_t count, Columns& columns, LeafPoints& points,
+                   Columns& columns, LeafPoints& points,
                    std::span<std::optional<Deviation>> result) {
+  const std::size_t count = leaves.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const TwoTriangles& leaf = leaves[begin + i];
+    const TwoTriangles& leaf = leaves[i];
     const auto corners = corners_of(leaf, grid.mirrored);
     for (std::size_t k = 0; k < 4; ++k) {
       put_vertex(grid.local(corners[k]), grid.mesh.normal[corners[k]], i, points.corner[k]);
@@ -91,8 +92,7 @@ void measure_block(const Grid& grid, std::span<const TwoTriangles> leaves, std::
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (!(worst.is_known[i] > 0)) continue;
-    result[begin + i] = {worst.distance[i] / grid.local_scale,
-                         degrees_of_chord(std::sqrt(worst.chord[i]))};
+    result[i] = {worst.distance[i] / grid.local_scale, degrees_of_chord(std::sqrt(worst.chord[i]))};
   }
 }
 
@@ -109,8 +109,9 @@ std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const
     const auto batch = leaves.subspan(first, std::min(kBatch, leaves.size() - first));
     Columns columns(surface, batch, threads);
     for (std::size_t begin = 0; begin < batch.size(); begin += kLeafBlock) {
-      measure_block(grid, batch, begin, std::min(kLeafBlock, batch.size() - begin), columns,
-                    *points, std::span(result).subspan(first, batch.size()));
+      const std::size_t count = std::min(kLeafBlock, batch.size() - begin);
+      measure_block(grid, batch.subspan(begin, count), begin, columns, *points,
+                    std::span(result).subspan(first + begin, count));
     }
   }
   return result;

@@ -107,16 +107,27 @@ void Verifier::append_samples(const Leaf& leaf, std::span<const Triangle> triang
   for (const dvec2& part : sample_places(leaf)) {
     samples.push_back({low * (1.0 - part) + high * part, false, {}});
   }
-  if (leaf.on_rim && !leaf.is_split) {
-    const auto& uv = grid_.mesh.uv;
-    for (const Triangle& t : triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (const double share : kBesideRim) {
-          samples.push_back({glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), true, {}});
-        }
+  if (leaf.on_rim && !leaf.is_split) append_sides(triangles, samples);
+  append_chords(leaf, triangles, samples);
+}
+
+/// On the sides of triangles, beside their corners.
+void Verifier::append_sides(std::span<const Triangle> triangles,
+                            std::vector<Sample>& samples) const {
+  const auto& uv = grid_.mesh.uv;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const double share : kBesideRim) {
+        samples.push_back({glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), true, {}});
       }
     }
   }
+}
+
+void Verifier::append_chords(const Leaf& leaf, std::span<const Triangle> triangles,
+                             std::vector<Sample>& samples) const {
+  const dvec2 low = lattice_.parameters(leaf.low);
+  const dvec2 high = lattice_.parameters(leaf.high);
   const bool is_creased = leaf.is_split && count_cuts(leaf, lattice_).only_creases;
   if (triangles.size() <= 2 && !is_creased) return;
   // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside

@@ -50,6 +50,9 @@ class Verifier {
                                          const LeafTriangles& triangles);
   void append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
                       std::vector<Sample>& samples) const;
+  void append_sides(std::span<const Triangle> triangles, std::vector<Sample>& samples) const;
+  void append_chords(const Leaf& leaf, std::span<const Triangle> triangles,
+                     std::vector<Sample>& samples) const;
   bool is_unseen(std::span<const Triangle> triangles, const dvec2& uv, const dvec3& p) const;
   bool crosses_box(std::span<const Triangle> triangles) const;
   double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;

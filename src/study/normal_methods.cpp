@@ -39,6 +39,7 @@ Lines lines(const Domain& d, std::size_t intervals) {
 std::vector<Column> run(const Tape& tape, const Lines& at, unsigned threads) {
   std::vector<Column> columns(tape.outputs.size(), Column(at.count()));
   std::vector<double*> to;
+  to.reserve(columns.size());
   for (Column& column : columns) to.push_back(column.data());
   evaluate_grid(tape, at.u, at.v, to, threads);
   return columns;
@@ -201,6 +202,7 @@ class NormalStudy {
       return normal;
     });
     std::vector<Approach> approaches;
+    approaches.reserve(singular.size());
     for (const auto& [i, j] : singular) approaches.push_back(approach(at_, i, j));
     const auto found = limit_normals(subject_.surface, approaches, subject_.threads);
     for (std::size_t k = 0; k < found.size(); ++k) {
