@@ -2,6 +2,7 @@
 // be defined and continuous there.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,11 @@
 #include "eval/tape.h"
 
 namespace saddle {
+
+/// A range of a parameter, in either direction.
+inline Interval range_between(double a, double b) {
+  return {std::min(a, b), std::max(a, b)};
+}
 
 /// One operation on boxes: the interval column of the table of operations. Arguments past its arity
 /// are ignored.

@@ -36,11 +36,6 @@ constexpr double kFew = 200;
 /// What a special function takes in steps.
 constexpr std::size_t kSpecialSteps = 600;
 
-/// A range of parameters in either direction.
-Interval range(double a, double b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
 double magnitude(const Interval& a) {
   return std::max(std::fabs(a.low), std::fabs(a.high));
 }
@@ -161,7 +156,8 @@ class Certifier {
   /// known.
   Proof prove(const Box& box, const Demand& of) {
     --budget_.boxes;
-    enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), outputs_);
+    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
+               outputs_);
     // r, r_u, r_v, then r_uu, r_uv, r_vv.
     const std::span<const Interval> all(outputs_);
     for (const Interval& a : all.first(9)) {

@@ -88,9 +88,8 @@ class Prover {
   }
 
   bool is_proved(const Line& box) {
-    const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
     std::array<Interval, 3> position;
-    enclosure_(range(box[0].x, box[1].x), range(box[0].y, box[1].y), position);
+    enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), position);
     bool is_continuous = true;
     dvec3 size;
     for (int k = 0; k < 3; ++k) {

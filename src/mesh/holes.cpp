@@ -128,9 +128,9 @@ class Narrowing {
 
  private:
   bool is_proved(const ParameterBox& box) {
-    const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
     std::array<Interval, 3> position;
-    enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), position);
+    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
+               position);
     return std::ranges::all_of(
         position, [](const Interval& a) { return a.continuous && a.defined == Defined::Yes; });
   }

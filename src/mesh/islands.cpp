@@ -60,9 +60,9 @@ class Search {
   bool is_undefined(const ParameterBox& box) {
     if (boxes_ == 0) return true;
     --boxes_;
-    const auto range = [](double a, double b) { return Interval{std::min(a, b), std::max(a, b)}; };
     std::array<Interval, 3> position;
-    enclosure_(range(box.low.x, box.high.x), range(box.low.y, box.high.y), position);
+    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
+               position);
     return std::ranges::any_of(position,
                                [](const Interval& a) { return a.defined == Defined::No; });
   }

@@ -29,7 +29,7 @@ DefinedShare prove_defined(const Surface& surface, std::size_t boxes) {
   const auto range = [](double first, double last, double low, double high) {
     const double a = first * (1 - low) + last * low;
     const double b = first * (1 - high) + last * high;
-    return Interval{std::min(a, b), std::max(a, b)};
+    return range_between(a, b);
   };
   Enclosure enclosure(surface.bounds, 3);
   std::array<Interval, 3> position;
