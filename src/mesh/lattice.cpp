@@ -23,37 +23,47 @@ constexpr double kAgree = 1e-4;
 /// the same: what lies between is a sliver made of rounding.
 constexpr double kBeside = 1e-9;
 
-std::uint64_t key_of(LatticePlace place) {
-  return (std::uint64_t{place.u} << 32U) | place.v;
-}
-
 }  // namespace
 
-std::size_t PlaceMap::slot_of(std::uint64_t key) const {
-  const std::size_t mask = slots_.size() - 1;
-  // Places are multiples of large powers of 2: products carry their few bits up, to the end of the
-  // word, and the shift brings them down again.
-  std::uint64_t mixed = (key ^ key >> 29U) * 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
-  mixed = (mixed ^ mixed >> 32U) * 0x9e3779b97f4a7c15ULL;
-  std::size_t slot = (mixed >> 32U) & mask;
-  while (slots_[slot].key != kEmpty && slots_[slot].key != key) slot = (slot + 1) & mask;
-  return slot;
+/// Where a key is, or else would be: from its own place on, the next one that is free. Source:
+/// D. E. Knuth, "The Art of Computer Programming" 3, section 6.4: multiplicative hashing.
+std::uint32_t PlaceMap::slot_of(const Table& table, std::uint32_t key) const {
+  const std::uint32_t mask = ~std::uint32_t{0} >> table.shift;
+  std::uint32_t slot = (key * 0x9e3779b9U) >> table.shift;  // 2^32 / golden ratio
+  while (slots_[table.begin + slot].key != kEmpty && slots_[table.begin + slot].key != key) {
+    slot = (slot + 1) & mask;
+  }
+  return table.begin + slot;
 }
 
 const std::uint32_t* PlaceMap::find(LatticePlace place) const {
-  const Slot& slot = slots_[slot_of(key_of(place))];
+  const Table& table = tables_[table_of(place)];
+  if (table.count == 0) return nullptr;
+  const Slot& slot = slots_[slot_of(table, key_of(place))];
   return slot.key == kEmpty ? nullptr : &slot.number;
 }
 
 void PlaceMap::insert(LatticePlace place, std::uint32_t number) {
-  if (2 * ++count_ > slots_.size()) {
-    std::vector<Slot> old(2 * slots_.size());
-    old.swap(slots_);
-    for (const Slot& slot : old) {
-      if (slot.key != kEmpty) slots_[slot_of(slot.key)] = slot;
-    }
+  Table& table = tables_[table_of(place)];
+  const std::uint32_t size = table.count == 0 ? 0 : 1U << (32 - table.shift);
+  if (2 * ++table.count > size) grow(table);
+  const std::uint32_t key = key_of(place);
+  slots_[slot_of(table, key)] = {key, number};
+}
+
+/// Twice as many slots as before, behind all others.
+void PlaceMap::grow(Table& table) {
+  constexpr std::uint32_t kFirstShift = 28;
+  const bool is_first = table.shift == 32;
+  const Table old = table;
+  table.shift = is_first ? kFirstShift : table.shift - 1;
+  table.begin = static_cast<std::uint32_t>(slots_.size());
+  slots_.resize(slots_.size() + (std::size_t{1} << (32 - table.shift)));
+  if (is_first) return;
+  for (std::uint32_t k = 0; k < 1U << (32 - old.shift); ++k) {
+    const Slot slot = slots_[old.begin + k];
+    if (slot.key != kEmpty) slots_[slot_of(table, slot.key)] = slot;
   }
-  slots_[slot_of(key_of(place))] = {key_of(place), number};
 }
 
 void CellMarks::add(const dvec2& place, std::uint32_t mark) {
@@ -81,6 +91,7 @@ CellMarks Lattice::singular_cells() const {
 Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
     : surface_(surface),
       grid_(grid),
+      numbers_(grid),
       used_(grid.vertex_count(), 1),
       regular_(grid.vertex_count(), 1),
       defined_(grid.vertex_count(), 1),
@@ -302,8 +313,8 @@ void Lattice::find_holes(std::span<const std::uint32_t> vertices, unsigned threa
 
 std::optional<Crossing> Lattice::crossing(std::uint32_t a, std::uint32_t b) const {
   if (!has_crossings_) return std::nullopt;
-  const auto found = sides_.find(key(a, b));
-  return found == sides_.end() ? std::nullopt : found->second;
+  const auto found = sides_.find(pair_of(a, b));
+  return found ? crossings_[*found] : std::nullopt;
 }
 
 void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing) {
@@ -313,15 +324,18 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
     crossed_cells_.add(middle);
     changed_cells_.add(middle, now_);
   }
-  sides_[key(a, b)] = crossing;
+  const auto [at, is_new] =
+      sides_.insert(pair_of(a, b), static_cast<std::uint32_t>(crossings_.size()));
+  if (is_new) crossings_.emplace_back();
+  crossings_[at] = crossing;
 }
 
 std::vector<std::array<std::uint32_t, 2>> Lattice::crossed_sides() const {
   std::vector<std::array<std::uint32_t, 2>> result;
-  for (const auto& [key, crossing] : sides_) {
-    if (crossing)
-      result.push_back({static_cast<std::uint32_t>(key >> 32U), static_cast<std::uint32_t>(key)});
-  }
+  sides_.for_each([&](Pair side, std::uint32_t at) {
+    if (crossings_[at])
+      result.push_back({static_cast<std::uint32_t>(side >> 32), static_cast<std::uint32_t>(side)});
+  });
   std::ranges::sort(result);
   return result;
 }
@@ -338,7 +352,7 @@ std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned thr
     if (share < kBeside || share > 1 - kBeside) share = std::round(share);
     places_between_[static_cast<std::uint32_t>(used_.size())] =
         glm::mix(place_between(between.a), place_between(between.b), share);
-    number(std::array{LatticePlace{}});
+    number(std::array{kBetween});
     u.push_back(between.uv.x);
     v.push_back(between.uv.y);
   }
@@ -357,9 +371,8 @@ void Lattice::share_place(std::uint32_t from, std::uint32_t to) {
 }
 
 dvec2 Lattice::place_between(std::uint32_t vertex) const {
-  const auto found = places_between_.find(vertex);
-  if (found != places_between_.end()) return found->second;
   const LatticePlace p = place(vertex);
+  if (p == kBetween && vertex >= grid_.vertex_count()) return places_between_.at(vertex);
   return {p.u, p.v};
 }
 

@@ -9,11 +9,11 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "mesh/grid.h"
 #include "mesh/holes.h"
+#include "mesh/pair_table.h"
 
 namespace saddle {
 
@@ -86,24 +86,43 @@ struct Between {
   dvec2 uv;
 };
 
-/// From place to vertex: open addressing, since a mesh asks for its vertices millions of times.
+/// From place to vertex, for places that are not on the root grid. Every cell of that has a table of
+/// its own, with open addressing: a mesh asks for its vertices millions of times, cell by cell, and
+/// what it asks for next is then near to what it asked for before.
 class PlaceMap {
  public:
-  PlaceMap() : slots_(1024) {}
-  /// The number stored for a place, or nullptr.
+  explicit PlaceMap(const Grid& grid)
+      : pitch_(grid.u.size()), tables_(grid.u.size() * grid.v.size()) {}
+  /// The number stored for a place, or nullptr; valid until the next insert().
   const std::uint32_t* find(LatticePlace place) const;
   void insert(LatticePlace place, std::uint32_t number);  ///< of a place that is not there
 
  private:
   struct Slot {
-    std::uint64_t key = kEmpty;
+    std::uint32_t key = kEmpty;  ///< the place within its cell
     std::uint32_t number = 0;
   };
-  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
-  std::size_t slot_of(std::uint64_t key) const;
+  /// Slots of a cell, 2^(32 - shift) from `begin` on, or none.
+  struct Table {
+    std::uint32_t begin = 0;
+    std::uint32_t count = 0;
+    std::uint32_t shift = 32;
+  };
+  /// The corner of a cell is on the root grid.
+  static constexpr std::uint32_t kEmpty = 0;
 
-  std::vector<Slot> slots_;
-  std::size_t count_ = 0;
+  std::size_t table_of(LatticePlace place) const {
+    return place.v / kCellUnit * pitch_ + place.u / kCellUnit;
+  }
+  static std::uint32_t key_of(LatticePlace place) {
+    return (place.u % kCellUnit) * kCellUnit + place.v % kCellUnit;
+  }
+  std::uint32_t slot_of(const Table& table, std::uint32_t key) const;
+  void grow(Table& table);
+
+  std::size_t pitch_;
+  std::vector<Table> tables_;  // of cells, and of the lines at the far ends
+  std::vector<Slot> slots_;    // of all; those of tables that have grown are abandoned
 };
 
 /// Marks on cells of the root grid: numbers, 0 for none.
@@ -188,19 +207,21 @@ class Lattice {
   /// Where the side between two neighbours is cut, if that has been found.
   std::optional<Crossing> crossing(std::uint32_t a, std::uint32_t b) const;
   /// Whether it has been looked for.
-  bool is_searched(std::uint32_t a, std::uint32_t b) const { return sides_.contains(key(a, b)); }
+  bool is_searched(std::uint32_t a, std::uint32_t b) const {
+    return sides_.contains(pair_of(a, b));
+  }
   /// Files what was found, or that nothing was.
   void set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing);
   /// A side across which the surface goes to infinity, and that is not cut yet.
   bool leads_to_pole(std::uint32_t a, std::uint32_t b) const {
-    return !pole_sides_.empty() && pole_sides_.contains(key(a, b));
+    return pole_sides_.contains(pair_of(a, b));
   }
-  void set_leads_to_pole(std::uint32_t a, std::uint32_t b) { pole_sides_.insert(key(a, b)); }
+  void set_leads_to_pole(std::uint32_t a, std::uint32_t b) { pole_sides_.insert(pair_of(a, b)); }
   /// A side that is cut in more places than its crossing tells.
   bool has_more(std::uint32_t a, std::uint32_t b) const {
-    return !crowded_sides_.empty() && crowded_sides_.contains(key(a, b));
+    return crowded_sides_.contains(pair_of(a, b));
   }
-  void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(key(a, b)); }
+  void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(pair_of(a, b)); }
   bool has_crossings() const { return has_crossings_; }
   /// The sides that are cut, by their ends.
   std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
@@ -274,9 +295,6 @@ class Lattice {
     return grid.first + place.v / kCellUnit * grid.pitch + place.u / kCellUnit;
   }
   std::uint32_t vertex_off_grid(LatticePlace place);
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-    return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
-  }
   /// Appends the surface at (u[i], v[i]) to the mesh.
   void append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
   /// The same on a grid, v outer.
@@ -300,21 +318,24 @@ class Lattice {
     std::uint32_t pitch;
   };
   static constexpr std::uint32_t kHalfUnit = kCellUnit / 2;
+  /// In place of that of a vertex between neighbours: a vertex of the root grid has this one.
+  static constexpr LatticePlace kBetween = {};
 
   const Surface& surface_;
   Grid& grid_;
   std::array<SubGrid, 4> sub_grids_ = {};    ///< root, middles along u, along v, of cells
   std::uint32_t grid_mask_ = kCellUnit - 1;  ///< bits of a place that is not on a grid
   PlaceMap numbers_;
-  std::vector<LatticePlace> places_;  // of vertices past the root grid's
+  std::vector<LatticePlace> places_;  // of vertices past the root grid's, or kBetween
   std::vector<std::uint8_t> used_;
   std::vector<std::uint8_t> regular_;
   std::vector<std::uint8_t> defined_;
-  std::unordered_map<std::uint64_t, std::optional<Crossing>> sides_;  // by their ends
+  PairTable sides_;  // that were searched: by their ends, their places in the next
+  std::vector<std::optional<Crossing>> crossings_;
   std::unordered_map<std::uint32_t, dvec2> places_between_;
   std::map<std::uint32_t, Hole> holes_;
-  std::unordered_set<std::uint64_t> pole_sides_;
-  std::unordered_set<std::uint64_t> crowded_sides_;
+  PairTable pole_sides_;
+  PairTable crowded_sides_;
   bool has_crossings_ = false;
   CellMarks crossed_cells_;
   CellMarks changed_cells_;  // when
