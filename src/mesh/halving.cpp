@@ -62,7 +62,7 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
       seams_(weld_if_two_dimensional(plan.probe)),
       lattice_(surface, grid_, options.threads),
       judge_(refining_, grid_, lattice_),
-      verifier_(surface, grid_, lattice_, options.clip, options.threads),
+      verifier_(surface, grid_, lattice_, refining_),
       budget_(surface.bounds) {}
 
 void Halving::run(std::vector<Witness> witnesses) {

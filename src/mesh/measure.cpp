@@ -73,27 +73,6 @@ dvec3 weights_at(const Grid& grid, const Triangle& t, const dvec2& uv) {
   return {weight(1, 2), weight(2, 0), weight(0, 1)};
 }
 
-/// A triangle, and what its corners weigh at a place in (u, v).
-struct Below {
-  const Triangle* triangle;
-  dvec3 weights;
-};
-
-/// The triangle that (u, v) is in, or is least outside of.
-Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv) {
-  Below best{&triangles.front(), dvec3(std::numeric_limits<double>::quiet_NaN())};
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (const Triangle& t : triangles) {
-    const dvec3 weights = weights_at(grid, t, uv);
-    const double depth = std::min({weights.x, weights.y, weights.z});
-    if (!(depth > deepest)) continue;
-    best = {&t, weights};
-    deepest = depth;
-    if (deepest > 0) break;  // inside: they do not overlap
-  }
-  return best;
-}
-
 Nearest nearest_on(const Grid& grid, const Triangle& t, const dvec3& p) {
   return nearest_on_triangle({grid.local(t[0]), grid.local(t[1]), grid.local(t[2])}, p);
 }
@@ -231,6 +210,20 @@ class Measurer {
 };
 
 }  // namespace
+
+Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv) {
+  Below best{&triangles.front(), dvec3(std::numeric_limits<double>::quiet_NaN())};
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const Triangle& t : triangles) {
+    const dvec3 weights = weights_at(grid, t, uv);
+    const double depth = std::min({weights.x, weights.y, weights.z});
+    if (!(depth > deepest)) continue;
+    best = {&t, weights};
+    deepest = depth;
+    if (deepest > 0) break;  // inside: they do not overlap
+  }
+  return best;
+}
 
 dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv) {
   const Below below = triangle_below(grid, triangles, uv);

@@ -27,6 +27,16 @@ Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const
 Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                     const dvec3& position, const std::optional<dvec3>& normal, double known = 0);
 
+/// A triangle, and what its corners weigh at a place in (u, v).
+struct Below {
+  const Triangle* triangle;
+  dvec3 weights;
+};
+
+/// The triangle that (u, v) is in, or is least outside of: then a weight is negative. There is one
+/// triangle at least.
+Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);
+
 /// The point of the triangles at (u, v); of the one that it is least outside of, if of none.
 dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);
 

@@ -25,17 +25,18 @@ std::array<std::uint32_t, 4> corners_of(const TwoTriangles& leaf, bool mirrored)
 /// Columns of the surface at the places of some leaves, one place of all of them after the other.
 class Columns {
  public:
-  Columns(const Surface& surface, std::span<const TwoTriangles> leaves, unsigned threads)
-      : stride_(leaves.size()), p_(kPlacesInLeaf * stride_), q_(p_.size()) {
+  /// `uv`: the parameters of place s of leaf i.
+  template <class Function>
+  Columns(const Surface& surface, std::size_t leaves, std::size_t places, unsigned threads,
+          Function uv)
+      : stride_(leaves), p_(places * stride_), q_(p_.size()) {
     Array<double> u(p_.size());
     Array<double> v(p_.size());
-    for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
+    for (std::size_t s = 0; s < places; ++s) {
       for (std::size_t i = 0; i < stride_; ++i) {
-        const TwoTriangles& leaf = leaves[i];
-        const dvec2& part = leaf.places[s];
-        const dvec2 uv = leaf.low * (1.0 - part) + leaf.high * part;
-        u[s * stride_ + i] = uv.x;
-        v[s * stride_ + i] = uv.y;
+        const dvec2 at = uv(s, i);
+        u[s * stride_ + i] = at.x;
+        v[s * stride_ + i] = at.y;
       }
     }
     std::array<double*, 9> starts{};
@@ -66,33 +67,51 @@ class Columns {
   std::array<Array<double>, 9> columns_;
 };
 
-/// Leaves of a batch, of which `begin` is the number of the first.
-void measure_block(const Grid& grid, std::span<const TwoTriangles> leaves, std::size_t begin,
-                   Columns& columns, LeafPoints& points,
-                   std::span<std::optional<Deviation>> result) {
-  const std::size_t count = leaves.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const TwoTriangles& leaf = leaves[i];
-    const auto corners = corners_of(leaf, grid.mirrored);
+/// A block of leaves, and what is found at their places.
+class Block {
+ public:
+  Block(const Surface& surface, const Grid& grid)
+      : grid_(grid), points_(std::make_unique_for_overwrite<LeafPoints>()) {
+    points_->scale = grid.local_scale;
+    points_->front = surface.flip ? -1 : 1;
+  }
+
+  void put_corners(std::size_t i, const std::array<std::uint32_t, 4>& corners) {
     for (std::size_t k = 0; k < 4; ++k) {
-      put_vertex(grid.local(corners[k]), grid.mesh.normal[corners[k]], i, points.corner[k]);
-    }
-    const bool turned = grid.mesh.uv[corners[0]] != leaf.low;
-    for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
-      columns.set_place(s, begin + i, leaf.places[s], turned);
+      const std::uint32_t corner = corners[k];
+      put_vertex(grid_.local(corner), grid_.mesh.normal[corner], i, points_->corner[k]);
     }
   }
-  LeafDeviations worst;
-  std::fill_n(worst.distance.begin(), count, 0.0);
-  std::fill_n(worst.chord.begin(), count, 0.0);
-  std::fill_n(worst.is_known.begin(), count, 1.0);
-  const MeasureLeaves loop = measure_loop(cpu_level());
-  for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
-    loop(points, columns.places(s, begin), count, worst);
+
+  /// Measures leaves whose first has the number `begin` in the columns.
+  void measure(const Columns& columns, std::size_t begin, std::size_t places,
+               std::span<std::optional<Deviation>> result) const {
+    const std::size_t count = result.size();
+    LeafDeviations worst;
+    std::fill_n(worst.distance.begin(), count, 0.0);
+    std::fill_n(worst.chord.begin(), count, 0.0);
+    std::fill_n(worst.is_known.begin(), count, 1.0);
+    const MeasureLeaves loop = measure_loop(cpu_level());
+    for (std::size_t s = 0; s < places; ++s) {
+      loop(*points_, columns.places(s, begin), count, worst);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(worst.is_known[i] > 0)) continue;
+      result[i] = {worst.distance[i] / grid_.local_scale,
+                   degrees_of_chord(std::sqrt(worst.chord[i]))};
+    }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!(worst.is_known[i] > 0)) continue;
-    result[i] = {worst.distance[i] / grid.local_scale, degrees_of_chord(std::sqrt(worst.chord[i]))};
+
+ private:
+  const Grid& grid_;
+  std::unique_ptr<LeafPoints> points_;
+};
+
+/// Calls f(begin, end) for parts of at most `length` of [0, count).
+template <class Function>
+void for_parts(std::size_t count, std::size_t length, Function f) {
+  for (std::size_t begin = 0; begin < count; begin += length) {
+    f(begin, std::min(begin + length, count));
   }
 }
 
@@ -102,18 +121,46 @@ std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const
                                                    std::span<const TwoTriangles> leaves,
                                                    unsigned threads) {
   std::vector<std::optional<Deviation>> result(leaves.size());
-  const auto points = std::make_unique_for_overwrite<LeafPoints>();
-  points->scale = grid.local_scale;
-  points->front = surface.flip ? -1 : 1;
-  for (std::size_t first = 0; first < leaves.size(); first += kBatch) {
-    const auto batch = leaves.subspan(first, std::min(kBatch, leaves.size() - first));
-    Columns columns(surface, batch, threads);
-    for (std::size_t begin = 0; begin < batch.size(); begin += kLeafBlock) {
-      const std::size_t count = std::min(kLeafBlock, batch.size() - begin);
-      measure_block(grid, batch.subspan(begin, count), begin, columns, *points,
-                    std::span(result).subspan(first + begin, count));
-    }
-  }
+  Block block(surface, grid);
+  for_parts(leaves.size(), kBatch, [&](std::size_t first, std::size_t last) {
+    const auto batch = leaves.subspan(first, last - first);
+    Columns columns(surface, batch.size(), kPlacesInLeaf, threads, [&](auto s, auto i) {
+      const dvec2& part = batch[i].places[s];
+      return batch[i].low * (1.0 - part) + batch[i].high * part;
+    });
+    for_parts(batch.size(), kLeafBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto corners = corners_of(batch[i], grid.mirrored);
+        block.put_corners(i - begin, corners);
+        const bool turned = grid.mesh.uv[corners[0]] != batch[i].low;
+        for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
+          columns.set_place(s, i, batch[i].places[s], turned);
+        }
+      }
+      block.measure(columns, begin, kPlacesInLeaf,
+                    std::span(result).subspan(first + begin, end - begin));
+    });
+  });
+  return result;
+}
+
+std::vector<std::optional<Deviation>> measure_places(const Surface& surface, const Grid& grid,
+                                                     std::span<const PlaceOnTriangle> places,
+                                                     unsigned threads) {
+  std::vector<std::optional<Deviation>> result(places.size());
+  Block block(surface, grid);
+  for_parts(places.size(), kBatch, [&](std::size_t first, std::size_t last) {
+    const auto batch = places.subspan(first, last - first);
+    Columns columns(surface, batch.size(), 1, threads, [&](auto, auto i) { return batch[i].uv; });
+    for_parts(batch.size(), kLeafBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        block.put_corners(i - begin, batch[i].corners);
+        const dvec3& weights = batch[i].weights;
+        columns.set_place(0, i, {1 - weights.x, weights.z}, false);
+      }
+      block.measure(columns, begin, 1, std::span(result).subspan(first + begin, end - begin));
+    });
+  });
   return result;
 }
 

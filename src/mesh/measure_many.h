@@ -27,4 +27,16 @@ std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const
                                                    std::span<const TwoTriangles> leaves,
                                                    unsigned threads);
 
+/// A place on one of several triangles of a leaf.
+struct PlaceOnTriangle {
+  dvec2 uv;
+  std::array<std::uint32_t, 4> corners;  ///< of that triangle, 0 1 2, and of one beside it, 2 3 0
+  dvec3 weights;                         ///< of the first three corners
+};
+
+/// Deviations at places; nothing for those that are to be measured with deviation().
+std::vector<std::optional<Deviation>> measure_places(const Surface& surface, const Grid& grid,
+                                                     std::span<const PlaceOnTriangle> places,
+                                                     unsigned threads);
+
 }  // namespace saddle

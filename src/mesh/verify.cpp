@@ -46,11 +46,15 @@ bool share_corner(const Triangle& a, const Triangle& b) {
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
 }
 
-/// Whether a triangle runs from corner a to corner b.
-bool has_side(std::span<const Triangle> triangles, std::uint32_t a, std::uint32_t b) {
-  return std::ranges::any_of(triangles, [&](const Triangle& t) {
-    return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-  });
+/// The third corner of the triangle that runs from corner a to corner b.
+std::optional<std::uint32_t> apex_beyond(std::span<const Triangle> triangles, std::uint32_t a,
+                                         std::uint32_t b) {
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (t[k] == a && t[(k + 1) % 3] == b) return t[(k + 2) % 3];
+    }
+  }
+  return std::nullopt;
 }
 
 /// Triangles from the front that are connected; those of a leaf's pieces follow each other.
@@ -62,6 +66,26 @@ std::size_t count_connected(std::span<const Triangle> triangles) {
   };
   while (count < triangles.size() && is_connected(triangles[count])) ++count;
   return count;
+}
+
+/// The triangle that a place is in, and the one beyond its nearest side, if that is one of them.
+PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangles,
+                            const dvec2& uv) {
+  const auto& [below, weights] = triangle_below(grid, triangles, uv);
+  const Triangle& own = *below;
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (weights[static_cast<int>(k)] < weights[static_cast<int>(least)]) least = k;
+  }
+  const std::array<std::size_t, 3> from_nearest = {(least + 2) % 3, least, (least + 1) % 3};
+  PlaceOnTriangle place{uv, {}, {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    place.corners[k] = own[from_nearest[k]];
+    place.weights[static_cast<int>(k)] = weights[static_cast<int>(from_nearest[k])];
+  }
+  place.corners[3] =
+      apex_beyond(triangles, place.corners[0], place.corners[2]).value_or(place.corners[1]);
+  return place;
 }
 
 }  // namespace
@@ -100,60 +124,63 @@ Deviation Verifier::deviation_of(const Leaf& leaf, std::span<const Triangle> tri
   return best;
 }
 
-void Verifier::append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
+void Verifier::append_samples(std::size_t number, const Leaf& leaf,
+                              std::span<const Triangle> triangles,
                               std::vector<Sample>& samples) const {
   const dvec2 low = lattice_.parameters(leaf.low);
   const dvec2 high = lattice_.parameters(leaf.high);
   for (const dvec2& part : sample_places(leaf)) {
-    samples.push_back({low * (1.0 - part) + high * part, false, {}});
+    samples.push_back({number, low * (1.0 - part) + high * part});
   }
-  if (leaf.on_rim && !leaf.is_split) append_sides(triangles, samples);
-  append_chords(leaf, triangles, samples);
+  if (leaf.on_rim && !leaf.is_split) append_sides(number, triangles, samples);
+  append_chords(number, leaf, triangles, samples);
 }
 
 /// On the sides of triangles, beside their corners.
-void Verifier::append_sides(std::span<const Triangle> triangles,
+void Verifier::append_sides(std::size_t number, std::span<const Triangle> triangles,
                             std::vector<Sample>& samples) const {
   const auto& uv = grid_.mesh.uv;
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       for (const double share : kBesideRim) {
-        samples.push_back({glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), true, {}});
+        samples.push_back({number, glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), true});
       }
     }
   }
 }
 
-void Verifier::append_chords(const Leaf& leaf, std::span<const Triangle> triangles,
+void Verifier::append_chords(std::size_t number, const Leaf& leaf,
+                             std::span<const Triangle> triangles,
                              std::vector<Sample>& samples) const {
-  const dvec2 low = lattice_.parameters(leaf.low);
-  const dvec2 high = lattice_.parameters(leaf.high);
   const bool is_creased = leaf.is_split && count_cuts(leaf, lattice_).only_creases;
   if (triangles.size() <= 2 && !is_creased) return;
   // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
   // chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
-  const auto is_inside = [&](const dvec2& place) {
-    const dvec2 part = (place - low) / (high - low);
-    return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
-  };
   const auto append_chord = [&](std::uint32_t a, std::uint32_t b) {
-    const bool inside = is_inside(0.5 * (at[a] + at[b]));
+    const bool inside = is_inside(leaf, 0.5 * (at[a] + at[b]));
     if (!inside && !is_creased) return;
-    const bool on_crease = inside && is_creased && !has_side(triangles, b, a);
+    const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
     if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
     const std::optional<Chord> crease = on_crease ? std::optional(Chord{a, b}) : std::nullopt;
     for (const double share : kOnDiagonal) {
-      samples.push_back({glm::mix(at[a], at[b], share), leaf.is_split, crease});
+      samples.push_back({number, glm::mix(at[a], at[b], share), leaf.is_split, crease});
     }
   };
   for (const Triangle& t : triangles) {
     if (triangles.size() > 2) {
-      samples.push_back({(at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, false, {}});
+      samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0});
     }
     if (leaf.is_split && !is_creased) continue;
     for (std::size_t k = 0; k < 3; ++k) append_chord(t[k], t[(k + 1) % 3]);
   }
+}
+
+/// Whether a place is in a leaf, and not on its border.
+bool Verifier::is_inside(const Leaf& leaf, const dvec2& uv) const {
+  const dvec2 low = lattice_.parameters(leaf.low);
+  const dvec2 part = (uv - low) / (lattice_.parameters(leaf.high) - low);
+  return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
 }
 
 /// Whether the surface and its triangles are beyond the same face of the box at a place.
@@ -216,36 +243,67 @@ std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const
   return others;
 }
 
-void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
-                       const LeafTriangles& triangles) {
-  mesh.deviations.resize(mesh.leaves.size());
-  const std::vector<std::size_t> others = measure_plain(mesh, which, triangles);
+std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
+                                                        std::span<const std::size_t> which,
+                                                        std::span<const std::size_t> others,
+                                                        const LeafTriangles& triangles) {
+  std::vector<Sample> rest;
   std::vector<Sample> samples;
-  std::vector<std::size_t> first;  // sample of each leaf, and the end
-  first.reserve(others.size() + 1);
+  std::vector<PlaceOnTriangle> places;
   for (const std::size_t k : others) {
-    first.push_back(samples.size());
-    append_samples(mesh.leaves[which[k]], triangles.of(k), samples);
+    const Leaf& leaf = mesh.leaves[which[k]];
+    const std::span<const Triangle> of_leaf = triangles.of(k);
+    mesh.deviations[which[k]] = {};
+    std::vector<Sample>& wanted = clip_ || leaf.on_rim || of_leaf.empty() ? rest : samples;
+    append_samples(k, leaf, of_leaf, wanted);
+    for (std::size_t s = places.size(); s < samples.size(); ++s) {
+      places.push_back(on_triangle(grid_, of_leaf, samples[s].uv));
+    }
   }
-  first.push_back(samples.size());
+  const auto found = measure_places(surface_, grid_, places, threads_);
+  evaluations_ += places.size();
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const Sample& sample = samples[s];
+    const std::size_t leaf = which[sample.number];
+    // Of a leaf that is cut another piece may be nearer.
+    const bool is_known = found[s] && !sample.crease &&
+                          (!mesh.leaves[leaf].is_split || is_good(*found[s], mesh.allowed[leaf]));
+    if (!is_known) {
+      rest.push_back(sample);
+      continue;
+    }
+    Deviation& worst = mesh.deviations[leaf];
+    worst.distance = std::max(worst.distance, found[s]->distance);
+    if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->degrees);
+  }
+  return rest;
+}
+
+void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> which,
+                                  const LeafTriangles& triangles,
+                                  std::span<const Sample> samples) {
   std::vector<dvec2> uv(samples.size());
   std::ranges::transform(samples, uv.begin(), &Sample::uv);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += points.size();
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const std::size_t k = others[i];
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const auto& [k, place, beside_cut, crease] = samples[s];
     const Leaf& leaf = mesh.leaves[which[k]];
-    Deviation& worst = mesh.deviations[which[k]] = {};
-    for (std::size_t s = first[i]; s < first[i + 1]; ++s) {
-      const auto& [place, beside_cut, crease] = samples[s];
-      if (is_unseen(triangles.of(k), place, points[s].position)) continue;
-      const Deviation d =
-          crease ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
-                 : deviation_of(leaf, triangles.of(k), place, points[s], worst.distance);
-      if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease};
-      if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
-    }
+    Deviation& worst = mesh.deviations[which[k]];
+    if (is_unseen(triangles.of(k), place, points[s].position)) continue;
+    const Deviation d = crease
+                            ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
+                            : deviation_of(leaf, triangles.of(k), place, points[s], worst.distance);
+    if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease};
+    if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
   }
+}
+
+void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
+                       const LeafTriangles& triangles) {
+  mesh.deviations.resize(mesh.leaves.size());
+  const std::vector<std::size_t> others = measure_plain(mesh, which, triangles);
+  measure_one_by_one(mesh, which, triangles, measure_several(mesh, which, others, triangles));
   RimDistance rims(surface_, grid_, lattice_, threads_);
   for (const std::size_t k : others) {
     if (!crosses_box(triangles.of(k))) rims.add(mesh.leaves[which[k]], which[k], triangles.of(k));

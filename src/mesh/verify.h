@@ -8,6 +8,7 @@
 
 #include "mesh/leaf_mesh.h"
 #include "mesh/measure.h"
+#include "mesh/refine.h"
 
 namespace saddle {
 
@@ -26,10 +27,15 @@ struct Measured {
 
 class Verifier {
  public:
-  /// What is outside of `clip` does not count.
+  /// What is outside of the options' box does not count.
   Verifier(const Surface& surface, const Grid& grid, const Lattice& lattice,
-           const std::optional<Bounds>& clip, unsigned threads)
-      : surface_(surface), grid_(grid), lattice_(lattice), clip_(clip), threads_(threads) {}
+           const RefineOptions& options)
+      : surface_(surface),
+        grid_(grid),
+        lattice_(lattice),
+        clip_(options.clip),
+        normal_tolerance_(options.normal_tolerance),
+        threads_(options.threads) {}
 
   /// Measures some leaves of a mesh from their triangles, of which there are as many: the largest
   /// deviation of each on a few points at random, which are the same whenever it is measured.
@@ -41,18 +47,31 @@ class Verifier {
   using Chord = std::array<std::uint32_t, 2>;  ///< from corner to corner
   /// A place at which a leaf is measured.
   struct Sample {
+    std::size_t number;  ///< of the leaf, among those that are measured
     dvec2 uv;
-    bool beside_cut;              ///< the normal may be that of the other side
-    std::optional<Chord> crease;  ///< whose chord it is on
+    bool beside_cut = false;           ///< the normal may be that of the other side
+    std::optional<Chord> crease = {};  ///< whose chord it is on
   };
   /// Measures the leaves that are as most are. Returns the numbers in `which` of the others.
   std::vector<std::size_t> measure_plain(Measured& mesh, std::span<const std::size_t> which,
                                          const LeafTriangles& triangles);
-  void append_samples(const Leaf& leaf, std::span<const Triangle> triangles,
+  /// The same with leaves of any triangles, of `others`. Returns those of their samples that are
+  /// still to be measured.
+  std::vector<Sample> measure_several(Measured& mesh, std::span<const std::size_t> which,
+                                      std::span<const std::size_t> others,
+                                      const LeafTriangles& triangles);
+  bool is_good(const Deviation& deviation, double allowed) const {
+    return deviation.distance <= allowed && deviation.degrees <= normal_tolerance_;
+  }
+  void measure_one_by_one(Measured& mesh, std::span<const std::size_t> which,
+                          const LeafTriangles& triangles, std::span<const Sample> samples);
+  void append_samples(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                       std::vector<Sample>& samples) const;
-  void append_sides(std::span<const Triangle> triangles, std::vector<Sample>& samples) const;
-  void append_chords(const Leaf& leaf, std::span<const Triangle> triangles,
+  void append_sides(std::size_t number, std::span<const Triangle> triangles,
+                    std::vector<Sample>& samples) const;
+  void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      std::vector<Sample>& samples) const;
+  bool is_inside(const Leaf& leaf, const dvec2& uv) const;
   bool is_unseen(std::span<const Triangle> triangles, const dvec2& uv, const dvec3& p) const;
   bool crosses_box(std::span<const Triangle> triangles) const;
   double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;
@@ -63,6 +82,7 @@ class Verifier {
   const Grid& grid_;
   const Lattice& lattice_;
   const std::optional<Bounds>& clip_;
+  double normal_tolerance_;
   unsigned threads_;
   std::size_t evaluations_ = 0;
 };
