@@ -148,7 +148,8 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
     const bool is_small = is_small_arc(a, b, sample);
     const double gap = is_small ? distance : distance_of_middle(a, b, sample) / eps;
     verdict.gap.*part = std::max(verdict.gap.*part, gap);
-    verdict.may_jump = verdict.may_jump || (is_visible && !is_small);
+    verdict.may_jump =
+        verdict.may_jump || (is_visible && !is_small && is_on_one_side(a, b, sample));
     const bool turn_counts = part == &Scores::centre
                                  ? narrow_side(mesh_, corner) > seen_turn
                                  : glm::distance(mesh_.position[a], mesh_.position[b]) > seen_turn;
@@ -164,7 +165,7 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
   verdict.distance.centre =
       std::max(verdict.distance.centre, bulge_of_triangles(samples, first) / eps);
-  verdict.is_folded = is_visible && has_opposed(corner);
+  verdict.is_folded = is_visible && has_opposed(samples);
   return verdict;
 }
 
@@ -268,13 +269,31 @@ bool Judge::is_seen(const Leaf& leaf, std::size_t side) const {
   }
 }
 
-bool Judge::has_opposed(const Corners& corner) const {
+/// Whether the normals of two neighbours among the samples are opposed: a smooth surface may well
+/// turn as much from corner to corner.
+bool Judge::has_opposed(const Samples& samples) const {
   const auto& n = mesh_.normal;
   // The products with a normal of no direction, which is zero, are not negative.
-  for (std::size_t k = 1; k < 4; ++k) {
-    if (glm::dot(n[corner[0]], n[corner[k]]) < 0) return true;
+  const auto is_opposed = [&](std::uint32_t a, std::uint32_t b) {
+    return glm::dot(n[a], n[b]) < 0;
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t side = samples.side[k];
+    if (is_opposed(samples.corner[k], side) || is_opposed(side, samples.corner[(k + 1) % 4]) ||
+        is_opposed(side, samples.centre)) {
+      return true;
+    }
   }
-  return glm::dot(n[corner[1]], n[corner[3]]) < 0;
+  return false;
+}
+
+/// Whether most of the way from a to b is on one side of the sample between them, as at a jump; a
+/// wave that is not resolved yet has about as much on both.
+bool Judge::is_on_one_side(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
+  constexpr double kMost = 3;  // times as much
+  const double first = glm::distance(seen_position(a), seen_position(sample));
+  const double second = glm::distance(seen_position(sample), seen_position(b));
+  return std::max(first, second) > kMost * std::min(first, second);
 }
 
 /// How far beyond the box a surface goes does not matter.

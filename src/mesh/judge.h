@@ -97,7 +97,8 @@ class Judge {
   std::vector<dvec3> defined_positions(const Samples& samples) const;
   double diameter(const Corners& corner) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
-  bool has_opposed(const Corners& corner) const;
+  bool has_opposed(const Samples& samples) const;
+  bool is_on_one_side(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   bool is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
