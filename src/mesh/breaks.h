@@ -38,9 +38,9 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
                           unsigned threads);
 
 /// As find_breaks(), of unit normals: where they jump by more than kCreaseDegrees the surface has a
-/// crease, or, if to their opposites, a cusp.
+/// crease, or, if to their opposites, a cusp. `normals`: along r_u x r_v, at the ends of each line.
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
-                                unsigned threads);
+                                std::span<const std::array<dvec3, 2>> normals, unsigned threads);
 
 /// Bisects lines from a place where the surface is defined to one where it is not: the last places
 /// known to be defined, after so many halvings.

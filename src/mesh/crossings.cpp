@@ -122,7 +122,13 @@ class Finder {
     if (sides.empty()) return;
     std::vector<Line> lines(sides.size());
     std::ranges::transform(sides, lines.begin(), [&](const Side& side) { return line(side); });
-    const auto found = find_creases(lattice_.surface(), lines, options_.threads);
+    const double front = lattice_.surface().flip ? -1 : 1;
+    const auto& normal = lattice_.mesh().normal;
+    std::vector<std::array<dvec3, 2>> normals(sides.size());
+    std::ranges::transform(sides, normals.begin(), [&](const Side& side) {
+      return std::array{front * normal[side[0]], front * normal[side[1]]};
+    });
+    const auto found = find_creases(lattice_.surface(), lines, normals, options_.threads);
     std::vector<Side> creased;
     std::vector<Found> creases;
     for (std::size_t k = 0; k < sides.size(); ++k) {

@@ -269,22 +269,19 @@ bool Judge::is_seen(const Leaf& leaf, std::size_t side) const {
   }
 }
 
-/// Whether the normals of two neighbours among the samples are opposed: a smooth surface may well
-/// turn as much from corner to corner.
+/// Whether the normals of two neighbours among the samples that have one are opposed: a smooth
+/// surface may well turn as much from corner to corner.
 bool Judge::has_opposed(const Samples& samples) const {
   const auto& n = mesh_.normal;
-  // The products with a normal of no direction, which is zero, are not negative.
-  const auto is_opposed = [&](std::uint32_t a, std::uint32_t b) {
-    return glm::dot(n[a], n[b]) < 0;
+  const auto is_opposed = [&](std::uint32_t a, std::uint32_t middle, std::uint32_t b) {
+    if (!is_regular(middle)) return glm::dot(n[a], n[b]) < 0;
+    return glm::dot(n[a], n[middle]) < 0 || glm::dot(n[middle], n[b]) < 0;
   };
+  const auto& [corner, side, centre] = samples;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::uint32_t side = samples.side[k];
-    if (is_opposed(samples.corner[k], side) || is_opposed(side, samples.corner[(k + 1) % 4]) ||
-        is_opposed(side, samples.centre)) {
-      return true;
-    }
+    if (is_opposed(corner[k], side[k], corner[(k + 1) % 4])) return true;
   }
-  return false;
+  return is_opposed(side[0], centre, side[2]) || is_opposed(side[1], centre, side[3]);
 }
 
 /// Whether most of the way from a to b is on one side of the sample between them, as at a jump; a
