@@ -314,7 +314,7 @@ void Lattice::find_holes(std::span<const std::uint32_t> vertices, unsigned threa
 std::optional<Crossing> Lattice::crossing(std::uint32_t a, std::uint32_t b) const {
   if (!has_crossings_) return std::nullopt;
   const auto found = sides_.find(pair_of(a, b));
-  return found ? crossings_[*found] : std::nullopt;
+  return found ? searched_[*found].crossing : std::nullopt;
 }
 
 void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing) {
@@ -325,18 +325,16 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
     changed_cells_.add(middle, now_);
   }
   const auto [at, is_new] =
-      sides_.insert(pair_of(a, b), static_cast<std::uint32_t>(crossings_.size()));
-  if (is_new) crossings_.emplace_back();
-  crossings_[at] = crossing;
+      sides_.insert(pair_of(a, b), static_cast<std::uint32_t>(searched_.size()));
+  if (is_new) searched_.push_back({{std::min(a, b), std::max(a, b)}, {}});
+  searched_[at].crossing = crossing;
 }
 
 std::vector<std::array<std::uint32_t, 2>> Lattice::crossed_sides() const {
   std::vector<std::array<std::uint32_t, 2>> result;
-  sides_.for_each([&](Pair side, std::uint32_t at) {
-    if (crossings_[at])
-      result.push_back({static_cast<std::uint32_t>(side >> 32), static_cast<std::uint32_t>(side)});
-  });
-  std::ranges::sort(result);
+  for (const auto& [side, crossing] : searched_) {
+    if (crossing) result.push_back(side);
+  }
   return result;
 }
 

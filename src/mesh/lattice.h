@@ -86,9 +86,9 @@ struct Between {
   dvec2 uv;
 };
 
-/// From place to vertex, for places that are not on the root grid. Every cell of that has a table of
-/// its own, with open addressing: a mesh asks for its vertices millions of times, cell by cell, and
-/// what it asks for next is then near to what it asked for before.
+/// From place to vertex, for places that are not on the root grid. Every cell of that has a table
+/// of its own, with open addressing: a mesh asks for its vertices millions of times, cell by cell,
+/// and what it asks for next is then near to what it asked for before.
 class PlaceMap {
  public:
   explicit PlaceMap(const Grid& grid)
@@ -223,7 +223,7 @@ class Lattice {
   }
   void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(pair_of(a, b)); }
   bool has_crossings() const { return has_crossings_; }
-  /// The sides that are cut, by their ends.
+  /// The sides that are cut, by their ends, in the order in which they were searched.
   std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
   /// New vertices between neighbours, with consecutive numbers; the number of the first.
   std::uint32_t add_between(std::span<const Between> places, unsigned threads);
@@ -312,6 +312,12 @@ class Lattice {
   /// that point: its tangent along the line is rounding.
   void join_pole(std::uint32_t vertex);
 
+  /// A side, by its ends, the smaller number first, and what was found on it.
+  struct SearchedSide {
+    std::array<std::uint32_t, 2> side;
+    std::optional<Crossing> crossing;
+  };
+
   /// Vertices in rows: the root grid, and three of middles.
   struct SubGrid {
     std::uint32_t first;
@@ -331,7 +337,7 @@ class Lattice {
   std::vector<std::uint8_t> regular_;
   std::vector<std::uint8_t> defined_;
   PairTable sides_;  // that were searched: by their ends, their places in the next
-  std::vector<std::optional<Crossing>> crossings_;
+  std::vector<SearchedSide> searched_;
   std::unordered_map<std::uint32_t, dvec2> places_between_;
   std::map<std::uint32_t, Hole> holes_;
   PairTable pole_sides_;

@@ -49,7 +49,7 @@ struct LeafPoints {
   double front;  ///< 1: normals are along r_u x r_v; -1: the other way
 };
 /// Points, one for each leaf: where they are in the leaf, p from corner 0 to 1 and q from 1 to 2,
-/// and the columns of tangent_outputs().
+/// and the columns of tangent_outputs(). Without numbers p and q they are beside 2 3 0, outside.
 struct LeafPlaces {
   const double* p;
   const double* q;

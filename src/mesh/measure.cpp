@@ -33,33 +33,45 @@ struct Nearest {
   bool inside = false;  ///< the triangle, straight below `p`
 };
 
-Nearest nearest_on_edge(const std::array<dvec3, 3>& t, int a, int b, const dvec3& p) {
-  const dvec3 edge = t[b] - t[a];
+/// The nearest place on the edge from corner a to corner b.
+struct OnEdge {
+  double square = std::numeric_limits<double>::infinity();  ///< of the distance
+  double share = 0;                                         ///< from a
+};
+
+OnEdge nearest_on_edge(const dvec3& a, const dvec3& b, const dvec3& p) {
+  const dvec3 edge = b - a;
   const double square = glm::dot(edge, edge);
-  const double s = square > 0 ? std::clamp(glm::dot(p - t[a], edge) / square, 0.0, 1.0) : 0;
-  Nearest nearest{glm::distance(p, t[a] + s * edge), dvec3(0)};
-  nearest.weights[a] = 1 - s;
-  nearest.weights[b] = s;
-  return nearest;
+  const double share = square > 0 ? std::clamp(glm::dot(p - a, edge) / square, 0.0, 1.0) : 0;
+  const dvec3 off = p - (a + share * edge);
+  return {glm::dot(off, off), share};
 }
 
 Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double square = glm::dot(normal, normal);
-  if (square > 0) {
-    const auto weight = [&](int a, int b) {
-      return glm::dot(glm::cross(t[a] - p, t[b] - p), normal) / square;
-    };
-    const dvec3 weights(weight(1, 2), weight(2, 0), weight(0, 1));
-    if (weights.x >= 0 && weights.y >= 0 && weights.z >= 0) {
-      return {std::abs(glm::dot(p - t[0], normal)) / std::sqrt(square), weights, true};
-    }
+  // Twice the area of p and two corners, beside that of the triangle: what the third one weighs.
+  const dvec3 weights = dvec3(glm::dot(glm::cross(t[1] - p, t[2] - p), normal),
+                              glm::dot(glm::cross(t[2] - p, t[0] - p), normal),
+                              glm::dot(glm::cross(t[0] - p, t[1] - p), normal));
+  if (square > 0 && weights.x >= 0 && weights.y >= 0 && weights.z >= 0) {
+    return {std::abs(glm::dot(p - t[0], normal)) / std::sqrt(square), weights / square, true};
   }
-  Nearest best = nearest_on_edge(t, 0, 1, p);
-  for (const Nearest& other : {nearest_on_edge(t, 1, 2, p), nearest_on_edge(t, 2, 0, p)}) {
-    if (other.distance < best.distance) best = other;
+  OnEdge best;
+  int from = 0;
+  for (int k = 0; k < 3; ++k) {
+    // Only an edge that p is beyond can be nearest, unless rounding has it on the inside of all.
+    if (square > 0 && weights[(k + 2) % 3] > 0) continue;
+    const OnEdge edge = nearest_on_edge(t[static_cast<std::size_t>(k)],
+                                        t[static_cast<std::size_t>((k + 1) % 3)], p);
+    if (!(edge.square < best.square)) continue;
+    best = edge;
+    from = k;
   }
-  return best;
+  Nearest nearest{std::sqrt(best.square), dvec3(0)};
+  nearest.weights[from] = 1 - best.share;
+  nearest.weights[(from + 1) % 3] = best.share;
+  return nearest;
 }
 
 /// What the corners of a triangle weigh at (u, v); negative outside.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "eval/batch.h"
@@ -107,6 +108,14 @@ class Block {
   std::unique_ptr<LeafPoints> points_;
 };
 
+/// Where a place with such weights is: in the triangle 2 3 0. Outside of it the triangle is at no
+/// height above the surface, and that is what places that are no numbers have.
+dvec2 place_of(const dvec3& weights) {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  if (!(std::min({weights.x, weights.y, weights.z}) >= 0)) return dvec2(kNowhere);
+  return {weights.x, 1 - weights.z};
+}
+
 /// Calls f(begin, end) for parts of at most `length` of [0, count).
 template <class Function>
 void for_parts(std::size_t count, std::size_t length, Function f) {
@@ -155,8 +164,7 @@ std::vector<std::optional<Deviation>> measure_places(const Surface& surface, con
     for_parts(batch.size(), kLeafBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         block.put_corners(i - begin, batch[i].corners);
-        const dvec3& weights = batch[i].weights;
-        columns.set_place(0, i, {1 - weights.x, weights.z}, false);
+        columns.set_place(0, i, place_of(batch[i].weights), false);
       }
       block.measure(columns, begin, 1, std::span(result).subspan(first + begin, end - begin));
     });

@@ -30,8 +30,8 @@ std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const
 /// A place on one of several triangles of a leaf.
 struct PlaceOnTriangle {
   dvec2 uv;
-  std::array<std::uint32_t, 4> corners;  ///< of that triangle, 0 1 2, and of one beside it, 2 3 0
-  dvec3 weights;                         ///< of the first three corners
+  std::array<std::uint32_t, 4> corners;  ///< of that triangle, 2 3 0, and of one beside it, 0 1 2
+  dvec3 weights;                         ///< of corners 2, 3 and 0; negative: it is outside
 };
 
 /// Deviations at places; nothing for those that are to be measured with deviation().

@@ -20,14 +20,18 @@ Polygon outline(const Leaf& leaf, const Lattice& lattice) {
   return polygon;
 }
 
+/// Adds the point of the surface at a singular vertex, if it is not among those yet.
+void add_singular_point(std::uint32_t vertex, const Lattice& lattice,
+                        std::vector<std::uint32_t>& points) {
+  if (lattice.is_regular(vertex)) return;
+  const std::uint32_t point = lattice.mesh().point[vertex];
+  if (std::ranges::count(points, point) == 0) points.push_back(point);
+}
+
 /// The different points of the surface at the singular vertices of a polygon.
 std::vector<std::uint32_t> singular_points(const Polygon& polygon, const Lattice& lattice) {
   std::vector<std::uint32_t> points;
-  for (const PolygonCorner& corner : polygon) {
-    const std::uint32_t point = lattice.mesh().point[corner.corner];
-    if (lattice.is_regular(corner.corner) || std::ranges::count(points, point) > 0) continue;
-    points.push_back(point);
-  }
+  for (const PolygonCorner& corner : polygon) add_singular_point(corner.corner, lattice, points);
   return points;
 }
 
@@ -221,10 +225,10 @@ bool has_pole(const Leaf& leaf, const Lattice& lattice) {
 
 bool is_cut_along_u(const Leaf& leaf, const Lattice& lattice) {
   Bounds cuts;
-  for (const Side& side : sides_of(leaf, lattice)) {
-    const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<Crossing> crossing = lattice.crossing(a, b);
     if (crossing) cuts.add(dvec3(lattice.place_between(crossing->beside_first), 0));
-  }
+  });
   const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
   const double along_u = size.x / leaf.size_u();
   const double along_v = size.y / leaf.size_v();
@@ -234,17 +238,19 @@ bool is_cut_along_u(const Leaf& leaf, const Lattice& lattice) {
 
 CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
   CutCount count;
-  for (const Side& side : sides_of(leaf, lattice)) {
-    const std::optional<Crossing> crossing = lattice.crossing(side[0], side[1]);
-    count.leads_to_pole = count.leads_to_pole || lattice.leads_to_pole(side[0], side[1]);
-    if (!crossing) continue;
-    const bool on_side_of_u = lattice.place_between(side[0]).x == lattice.place_between(side[1]).x;
-    const std::size_t crossings = lattice.has_more(side[0], side[1]) ? 2 : 1;
+  std::vector<std::uint32_t> singular;
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+    add_singular_point(a, lattice, singular);
+    count.leads_to_pole = count.leads_to_pole || lattice.leads_to_pole(a, b);
+    const std::optional<Crossing> crossing = lattice.crossing(a, b);
+    if (!crossing) return;
+    const bool on_side_of_u = lattice.place_between(a).x == lattice.place_between(b).x;
+    const std::size_t crossings = lattice.has_more(a, b) ? 2 : 1;
     count.crossings += crossings;
     if (on_side_of_u) count.on_sides_of_u += crossings;
     if (crossing->kind != Cut::Crease) count.only_creases = false;
-  }
-  count.singular_points = singular_points(outline(leaf, lattice), lattice).size();
+  });
+  count.singular_points = singular.size();
   return count;
 }
 

@@ -43,14 +43,6 @@ class PairTable {
 
   bool contains(Pair pair) const { return find(pair).has_value(); }
 
-  /// Calls f(pair, value) for all, in no order.
-  template <class F>
-  void for_each(F f) const {
-    for (const Slot& slot : slots_) {
-      if (slot.pair != kNone) f(slot.pair, slot.value);
-    }
-  }
-
   void clear() {
     slots_.clear();
     size_ = 0;

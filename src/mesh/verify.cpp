@@ -77,14 +77,15 @@ PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangle
   for (std::size_t k = 1; k < 3; ++k) {
     if (weights[static_cast<int>(k)] < weights[static_cast<int>(least)]) least = k;
   }
-  const std::array<std::size_t, 3> from_nearest = {(least + 2) % 3, least, (least + 1) % 3};
+  // In the triangle's order, with the nearest side from the third to the first.
+  const std::array<std::size_t, 3> order = {(least + 2) % 3, least, (least + 1) % 3};
   PlaceOnTriangle place{uv, {}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
-    place.corners[k] = own[from_nearest[k]];
-    place.weights[static_cast<int>(k)] = weights[static_cast<int>(from_nearest[k])];
+    place.corners[(k + 2) % 4] = own[order[k]];
+    place.weights[static_cast<int>(k)] = weights[static_cast<int>(order[k])];
   }
-  place.corners[3] =
-      apex_beyond(triangles, place.corners[0], place.corners[2]).value_or(place.corners[1]);
+  place.corners[1] =
+      apex_beyond(triangles, place.corners[2], place.corners[0]).value_or(place.corners[3]);
   return place;
 }
 
@@ -280,8 +281,7 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
 }
 
 void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> which,
-                                  const LeafTriangles& triangles,
-                                  std::span<const Sample> samples) {
+                                  const LeafTriangles& triangles, std::span<const Sample> samples) {
   std::vector<dvec2> uv(samples.size());
   std::ranges::transform(samples, uv.begin(), &Sample::uv);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
