@@ -27,6 +27,10 @@ constexpr double kVanishing = 1e-9;
 /// half of a range has its cusps, and no normal.
 constexpr double kShare = 0.498;
 
+/// Halvings of a line for a proof that it has no break: what they do not prove may have one, and is
+/// searched.
+constexpr int kProofHalvings = 3;
+
 /// Halvings after which most lines are done, so that the others are worth more than halvings.
 constexpr int kPlainHalvings = 8;
 /// Places nearer to an end than so many doubles may be that end.
@@ -292,7 +296,7 @@ std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lin
   for (std::size_t k = 0; k < lines.size(); ++k) whole.push_back({k, lines[k]});
   std::vector<std::size_t> open;
   std::vector<Line> open_lines;
-  for (const LinePart& part : unproved(surface, std::move(whole), delta)) {
+  for (const LinePart& part : unproved(surface, std::move(whole), delta, kProofHalvings)) {
     if (!open.empty() && open.back() == part.line) continue;
     open.push_back(part.line);
     open_lines.push_back(lines[part.line]);

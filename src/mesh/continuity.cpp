@@ -14,9 +14,6 @@ namespace saddle {
 
 namespace {
 
-/// Halvings at most: doubles between two parameters run out before, except next to 0, where what
-/// is left of the line is then 1e-30 of it.
-constexpr int kMaxHalvings = 100;
 /// Halvings of a line until as many parts as these are too many to be narrowed down.
 constexpr int kLeastHalvings = 6;
 constexpr std::size_t kMostParts = 8;
@@ -26,7 +23,8 @@ constexpr double kBesideBreak = 1.0 / 16;
 
 class Prover {
  public:
-  Prover(const Surface& surface, double delta) : enclosure_(surface.bounds, 3), delta_(delta) {}
+  Prover(const Surface& surface, double delta, int halvings)
+      : enclosure_(surface.bounds, 3), delta_(delta), halvings_(halvings) {}
 
   /// Proves many lines at a time where boxes around them do; puts the parts of others into
   /// `result`. Changes the lines' order.
@@ -71,7 +69,7 @@ class Prover {
 
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
     std::vector<LinePart> level = {line};
-    for (int depth = 0; !level.empty() && depth < kMaxHalvings; ++depth) {
+    for (int depth = 0; !level.empty() && depth < halvings_; ++depth) {
       if (level.size() > kMostParts && depth >= kLeastHalvings) break;
       std::vector<LinePart> next;
       for (const LinePart& part : level) {
@@ -103,13 +101,15 @@ class Prover {
 
   Enclosure enclosure_;
   double delta_;
+  int halvings_;
 };
 
 }  // namespace
 
-std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta) {
+std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
+                               int halvings) {
   std::vector<LinePart> result;
-  Prover(surface, delta).prove(lines, result);
+  Prover(surface, delta, halvings).prove(lines, result);
   std::ranges::stable_sort(result, {}, &LinePart::line);
   return result;
 }

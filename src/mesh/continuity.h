@@ -23,9 +23,15 @@ struct LinePart {
   std::optional<std::size_t> broken_end = {};
 };
 
+/// Doubles between two parameters run out before, except next to 0, where what is left of a line is
+/// then 1e-30 of it.
+inline constexpr int kAllHalvings = 100;
+
 /// Parts of these, apart from each other, on which the surface is proved neither to be continuous
 /// nor to stay within `delta`, so that it jumps by no more: as short as doubles go, or as many as
-/// are worth a search. Those of a line follow each other, in the order of lines.
-std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta);
+/// are worth a search, or what is left after some halvings. Those of a line follow each other, in
+/// the order of lines.
+std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
+                               int halvings = kAllHalvings);
 
 }  // namespace saddle
