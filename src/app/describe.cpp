@@ -196,6 +196,13 @@ std::string seams(const SurfaceReport& s) {
   if (!s.mesh.closed_v.empty()) {
     text += (text.empty() ? "" : "; ") + edges("v", d.v0, d.v1, s.mesh.closed_v);
   }
+  const auto add_fold = [&text](const std::string& edge) {
+    text += (text.empty() ? "" : "; ") + edge + " is folded: its halves join";
+  };
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (s.mesh.folded_u[k]) add_fold("u = " + number(k == 0 ? d.u0 : d.u1));
+    if (s.mesh.folded_v[k]) add_fold("v = " + number(k == 0 ? d.v0 : d.v1));
+  }
   return text.empty() ? "none" : text;
 }
 

@@ -62,6 +62,17 @@ Json singular_places(const std::vector<SingularPlace>& places) {
   return list;
 }
 
+/// The edges of the domain that are folded, each by its u or v.
+Json folded_edges(const SurfaceReport& s) {
+  const Domain& d = s.facts->domain;
+  Json list = Json::array();
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (s.mesh.folded_u[k]) list.push_back({{"u", number(k == 0 ? d.u0 : d.u1)}});
+    if (s.mesh.folded_v[k]) list.push_back({{"v", number(k == 0 ? d.v0 : d.v1)}});
+  }
+  return list;
+}
+
 /// What `saddle check` adds to a surface's report.
 void add_facts(const SurfaceReport& s, Json& json) {
   const Facts& facts = *s.facts;
@@ -71,6 +82,7 @@ void add_facts(const SurfaceReport& s, Json& json) {
                     {"v", ends(facts.domain.v0, facts.domain.v1)}};
   json["proved_defined_fraction"] = number(facts.defined.yes);
   json["proved_undefined_fraction"] = number(facts.defined.no);
+  json["folded"] = folded_edges(s);
   json["euler_number"] = t.euler_number;
   json["components"] = t.components;
   json["closed"] = t.is_closed();

@@ -29,6 +29,8 @@ constexpr int kRatios = 6;
 constexpr std::size_t kEveryForRatio = 4;
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
 constexpr double kSeam = 1e-9;
+/// Where they are compared, in parts of their length.
+constexpr std::array kPlaces = {0.07, 0.19, 0.41, 0.83};
 /// Times that cells are given a shape, at first the ratio's.
 constexpr int kPasses = 3;
 /// A cell that is off by so many tolerances at a sample is no cell that most of a line is good for:
@@ -78,10 +80,11 @@ void limit_fall_off(std::vector<double>& density) {
   }
 }
 
-/// Where edges meet, both need the density of the other.
-void share_density(const Seam& seam, std::vector<double>& density) {
+/// Where edges meet, both need the density of the other, and where one is folded, each half.
+void share_density(const Seam& seam, const std::array<bool, 2>& folded,
+                   std::vector<double>& density) {
   static_assert(kProbes % 2 == 0);
-  if (seam.reversed) {
+  if (seam.reversed || folded[0] || folded[1]) {
     for (std::size_t i = 0; i < density.size(); ++i) {
       density[i] = std::max(density[i], density[density.size() - 1 - i]);
     }
@@ -105,8 +108,13 @@ Probe::Probe(const Surface& surface, unsigned threads)
     island_ = find_island(surface, threads);
   }
   if (island_) std::ranges::for_each(island_->positions, [&](const dvec3& p) { bounds_.add(p); });
-  seam_u_ = find_seam(surface, true);
-  seam_v_ = find_seam(surface, false);
+  seams_.u = find_seam(surface, true);
+  seams_.v = find_seam(surface, false);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto end = static_cast<double>(k);
+    seams_.folded_u[k] = !seams_.u.closed && is_folded(surface, true, end);
+    seams_.folded_v[k] = !seams_.v.closed && is_folded(surface, false, end);
+  }
 }
 
 void Probe::keep_within(const Bounds& box) {
@@ -200,27 +208,49 @@ std::vector<dvec3> Probe::positions() const {
 }
 
 Seam Probe::find_seam(const Surface& surface, bool along_v) const {
-  constexpr std::array kPlaces = {0.07, 0.19, 0.41, 0.83};
   std::vector<dvec2> uv;
   const auto add = [&](double end, double along) {
-    const dvec2 part = along_v ? dvec2(end, along) : dvec2(along, end);
-    uv.push_back(dvec2(domain_.u0, domain_.v0) * (1.0 - part) +
-                 dvec2(domain_.u1, domain_.v1) * part);
+    uv.push_back(place(along_v ? dvec2(end, along) : dvec2(along, end)));
   };
-  for (const double place : kPlaces) {
-    add(0, place);
-    for (const Seam& seam : kSeams) add(1, seam.partner(place, 1.0));
+  for (const double along : kPlaces) {
+    add(0, along);
+    for (const Seam& seam : kSeams) add(1, seam.partner(along, 1.0));
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
   for (std::size_t kind = 0; kind < kSeams.size(); ++kind) {
     const auto meets = [&](std::size_t place) {
       const std::size_t first = place * (1 + kSeams.size());
-      const double gap = glm::distance(points[first].position, points[first + 1 + kind].position);
-      return gap <= kSeam * bounds_.diagonal();
+      return is_near(points[first].position, points[first + 1 + kind].position);
     };
     if (meets(0) && meets(1) && meets(2) && meets(3)) return kSeams[kind];
   }
   return {};
+}
+
+/// Whether each half of an edge lies on the other. An edge that is a point is not folded.
+bool Probe::is_folded(const Surface& surface, bool along_v, double end) const {
+  std::vector<dvec2> uv;
+  for (const double along : kPlaces) {
+    for (const double at : {along, kFold.partner(along, 1.0)}) {
+      uv.push_back(place(along_v ? dvec2(end, at) : dvec2(at, end)));
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
+  bool is_point = true;
+  for (std::size_t k = 0; k < points.size(); k += 2) {
+    if (!is_near(points[k].position, points[k + 1].position)) return false;
+    is_point = is_point && is_near(points[k].position, points[0].position);
+  }
+  return !is_point;
+}
+
+/// Parameters from parts of the ranges.
+dvec2 Probe::place(const dvec2& part) const {
+  return dvec2(domain_.u0, domain_.v0) * (1.0 - part) + dvec2(domain_.u1, domain_.v1) * part;
+}
+
+bool Probe::is_near(const dvec3& a, const dvec3& b) const {
+  return glm::distance(a, b) <= kSeam * bounds_.diagonal();  // not so for NaN
 }
 
 std::vector<Bend> Probe::bends(const Tolerance& tolerance) const {
@@ -258,14 +288,14 @@ void Probe::complete(const Densities& along_edges, Densities& densities) const {
   };
   follow(along_edges.of_u, densities.of_u);
   follow(along_edges.of_v, densities.of_v);
-  share_density(seam_u_, densities.of_v);
-  share_density(seam_v_, densities.of_u);
+  share_density(seams_.u, seams_.folded_u, densities.of_v);
+  share_density(seams_.v, seams_.folded_v, densities.of_u);
   limit_fall_off(densities.of_u);
   limit_fall_off(densities.of_v);
 }
 
 FixedLines Probe::shared(const FixedLines& fixed) const {
-  return {shared_lines(seam_v_, fixed.u), shared_lines(seam_u_, fixed.v)};
+  return {shared_lines(seams_.v, fixed.u), shared_lines(seams_.u, fixed.v)};
 }
 
 double Probe::best_ratio(const FixedLines& fixed, const Tolerance& tolerance) const {

@@ -110,9 +110,8 @@ class Probe {
   /// What to expect of a mesh that starts from these lines.
   Outlook outlook(const FixedLines& lines, const Tolerance& tolerance) const;
 
-  /// Whether the edges u0 and u1 meet, and v0 and v1.
-  bool joins_u() const { return seam_u_.closed; }
-  bool joins_v() const { return seam_v_.closed; }
+  /// How the domain's edges meet, by a few places on each.
+  const Seams& seams() const { return seams_; }
 
   /// The number of triangles that no mesh with its corners on the surface can do without, for small
   /// tolerances: (0.3849 I+ + 0.2236 I-) / eps, I+ and I- the integrals of sqrt|K| dA where K > 0
@@ -141,6 +140,9 @@ class Probe {
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
   Seam find_seam(const Surface& surface, bool along_v) const;
+  bool is_folded(const Surface& surface, bool along_v, double end) const;
+  dvec2 place(const dvec2& part) const;
+  bool is_near(const dvec3& a, const dvec3& b) const;
   std::vector<Bend> bends(const Tolerance& tolerance) const;
   /// The error of the cell of these lines around a sample, in tolerances.
   struct SampledCell {
@@ -164,7 +166,7 @@ class Probe {
   std::vector<Sample> samples_;      // v outer
   std::vector<EdgeSample> edges_u_;  // of constant v
   std::vector<EdgeSample> edges_v_;
-  Seam seam_u_, seam_v_;  // how the edges u0 and u1 meet, and v0 and v1
+  Seams seams_;
   Bounds bounds_;
   std::optional<Island> island_;
   std::size_t evaluations_ = 0;

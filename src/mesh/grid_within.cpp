@@ -25,6 +25,17 @@ std::vector<std::uint8_t> marks(std::span<const std::size_t> indices, std::size_
   return marks;
 }
 
+/// Whether the grid's edges meet as the probe's samples of them do, and turn back at vertices.
+bool is_joined_alike(const Seams& seams, const MeshReport& report, const Grid& grid) {
+  const auto turns_at_vertex = [](const std::array<bool, 2>& folded, std::size_t cells) {
+    return !(folded[0] || folded[1]) || cells % 2 == 0;
+  };
+  return report.closed_u.empty() != seams.u.closed && report.closed_v.empty() != seams.v.closed &&
+         report.folded_u == seams.folded_u && report.folded_v == seams.folded_v &&
+         turns_at_vertex(seams.folded_u, grid.cells_v) &&
+         turns_at_vertex(seams.folded_v, grid.cells_u);
+}
+
 /// Whether all that is not plain of a grid's cells is a side that is a single point.
 bool has_poles_only(const Grid& grid, std::span<const std::size_t> opened) {
   const auto& point = grid.mesh.point;
@@ -75,9 +86,8 @@ GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const
   trial.work.grid_samples = grid.vertex_count();
   if (grid.left_out_count > 0) return trial;
   const std::vector<std::size_t> opened = cut_grid(surface, options.threads, grid, report);
-  const bool is_joined = report.closed_u.empty() != plan.probe.joins_u() &&
-                         report.closed_v.empty() != plan.probe.joins_v();
-  if (!is_joined || !has_poles_only(grid, opened)) return trial;
+  if (!is_joined_alike(plan.probe.seams(), report, grid) || !has_poles_only(grid, opened))
+    return trial;
 
   const SeenLines seen{marks(columns, grid.u.size()), marks(rows, grid.v.size())};
   const MeasuredError error = check_cells(surface, grid, seen, options.threads);

@@ -7,6 +7,7 @@
 
 #include "mesh/clip.h"
 #include "mesh/degenerate.h"
+#include "mesh/flip.h"
 #include "mesh/islands.h"
 #include "mesh/refine.h"
 #include "mesh/weld.h"
@@ -85,7 +86,10 @@ LeafTriangles Halving::triangulate(MeshReport& report) {
   const auto& leaves = mesh_.leaves;
   const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
   measure(singular.leaves(), singular);
-  return triangulate_leaves(leaves, numbers(0, leaves.size()), singular, grid_, lattice_);
+  LeafTriangles triangles =
+      triangulate_leaves(leaves, numbers(0, leaves.size()), singular, grid_, lattice_);
+  if (meets_itself_ || seams_.has_folds()) flip_shared_chords(grid_, triangles);
+  return triangles;
 }
 
 void Halving::complete(MeshReport& report) const {
@@ -95,6 +99,8 @@ void Halving::complete(MeshReport& report) const {
   report.certified = certified_ && !reached_limit_;
   report.closed_u = seams_.u.name();
   report.closed_v = seams_.v.name();
+  report.folded_u = seams_.folded_u;
+  report.folded_v = seams_.folded_v;
   report.work.leaf_samples +=
       grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
@@ -108,7 +114,7 @@ Seams Halving::weld_if_two_dimensional(const Probe& probe) {
     return {};
   }
   require_two_dimensional(surface_, grid_, options_.threads);
-  return weld(grid_);
+  return weld(surface_, options_.threads, grid_);
 }
 
 CrossingOptions Halving::crossing_options(bool poles) const {
@@ -250,13 +256,14 @@ void Halving::add(const Failed& failed) {
   mirror_seams(seams_, options_.threads, grid_, lattice_, points);
   points.settle();
   std::vector<std::size_t> changed = follow_crossings(crossing_options(false), leaves, lattice_);
-  if (lattice_.has_crossings() && (seams_.u.closed || seams_.v.closed)) {
+  if (lattice_.has_crossings() && seams_.any()) {
     mirror_crossings(seams_, crossing_options(false), grid_, lattice_);
     const auto more = follow_crossings(crossing_options(false), leaves, lattice_);
     changed.insert(changed.end(), more.begin(), more.end());
     join_crossings(seams_, grid_, lattice_, points);
   }
-  join_poles(std::span(leaves).subspan(mesh_.deviations.size()), grid_, lattice_, points);
+  meets_itself_ |= join_poles(std::span(leaves).subspan(mesh_.deviations.size()), options_.threads,
+                              grid_, lattice_, points);
   points.settle();
   std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.deviations.size(); });
   for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {

@@ -95,6 +95,7 @@ class Halving {
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;
   bool certified_ = false;
+  bool meets_itself_ = false;  // poles at one place are one point
 };
 
 }  // namespace saddle

@@ -1,13 +1,14 @@
 #include "mesh/joins.h"
 
+#include <map>
 #include <optional>
 
 namespace saddle {
 
 namespace {
 
-/// Where the side of the domain that vertices lie on meets the other: the place that is one point
-/// with `place`, or nothing.
+/// Where the side of the domain that vertices lie on meets the other, or itself: the place that is
+/// one point with `place`, or nothing.
 std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, LatticePlace place) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
@@ -17,7 +18,23 @@ std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, Lattic
   if (seams.v.closed && (place.v == 0 || place.v == end_v)) {
     return LatticePlace{seams.v.partner(place.u, end_u), end_v - place.v};
   }
+  if ((seams.folded_u[0] && place.u == 0) || (seams.folded_u[1] && place.u == end_u)) {
+    return LatticePlace{place.u, kFold.partner(place.v, end_v)};
+  }
+  if ((seams.folded_v[0] && place.v == 0) || (seams.folded_v[1] && place.v == end_v)) {
+    return LatticePlace{kFold.partner(place.u, end_u), place.v};
+  }
   return std::nullopt;
+}
+
+/// Puts the middles of folded edges into use, where these turn back.
+void use_middles_of_folds(const Seams& seams, const Grid& grid, Lattice& lattice) {
+  const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
+  const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    if (seams.folded_u[k]) lattice.use(lattice.vertex({k * end_u, end_v / 2}));
+    if (seams.folded_v[k]) lattice.use(lattice.vertex({end_u / 2, k * end_v}));
+  }
 }
 
 /// The ends of a side on a seam, and their partners.
@@ -55,10 +72,90 @@ std::vector<SeamSide> crossed_seam_sides(const Seams& seams, const Grid& grid,
   return result;
 }
 
+/// Calls f(a, b) for the neighbours a and b around the pieces of a leaf.
+template <class F>
+void for_sides_of_pieces(const Leaf& leaf, const Lattice& lattice, F f) {
+  for (const Polygon& piece : pieces(leaf, lattice)) {
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      f(piece[k].corner, piece[(k + 1) % piece.size()].corner);
+    }
+  }
+}
+
+/// Points of the surface that sides of leaves are, and where in the domain.
+class Poles {
+ public:
+  Poles(const Grid& grid, const Lattice& lattice) : grid_(grid), lattice_(lattice) {}
+
+  /// Adds a side of a leaf or of a piece of one, if it is a point.
+  void add(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t point = grid_.mesh.point[a];
+    if (point != grid_.mesh.point[b]) return;
+    const dvec2 place = lattice_.place_between(a);
+    const auto [found, is_new] = ways_.try_emplace(point, Ways{place, place});
+    Ways& ways = found->second;
+    for (const dvec2& other : {place, lattice_.place_between(b)}) {
+      ways.low = glm::min(ways.low, other);
+      ways.high = glm::max(ways.high, other);
+    }
+  }
+
+  /// Makes those at the same place one.
+  void join(Points& points) {
+    std::vector<std::uint32_t> distinct;
+    for (const auto& [point, ways] : ways_) {
+      const auto is_same = [&, pole = point](std::uint32_t other) {
+        return is_one_point(grid_, pole, other);
+      };
+      const auto found = std::ranges::find_if(distinct, is_same);
+      if (found == distinct.end()) {
+        distinct.push_back(point);
+      } else {
+        points.unite(point, *found);
+      }
+    }
+    meet_ = meet_ || distinct.size() < ways_.size();
+  }
+
+  /// Whether one of them is more than a line of constant u or v.
+  bool meet() const {
+    return meet_ || std::ranges::any_of(ways_, [](const auto& pole) {
+             const dvec2 size = pole.second.high - pole.second.low;
+             return size.x > 0 && size.y > 0;
+           });
+  }
+
+ private:
+  struct Ways {
+    dvec2 low, high;
+  };
+
+  const Grid& grid_;
+  const Lattice& lattice_;
+  std::map<std::uint32_t, Ways> ways_;
+  bool meet_ = false;
+};
+
+/// Makes poles at the same place one point, as where all of the lines on which a radius is 0 come
+/// together. Whether there are any.
+bool join_equal_poles(std::span<const Leaf> leaves, const Grid& grid, const Lattice& lattice,
+                      Points& points) {
+  if (!lattice.has_singular()) return false;
+  Poles poles(grid, lattice);
+  const auto add = [&poles](std::uint32_t a, std::uint32_t b) { poles.add(a, b); };
+  for (const Leaf& leaf : leaves) {
+    for_sides(leaf, lattice, add);
+    if (leaf.is_split) for_sides_of_pieces(leaf, lattice, add);
+  }
+  poles.join(points);
+  return poles.meet();
+}
+
 }  // namespace
 
 void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, Lattice& lattice,
                   Points& points) {
+  use_middles_of_folds(seams, grid, lattice);
   // The corners of the domain may have two partners; they are root vertices, and welded.
   const std::size_t count = lattice.size();
   std::vector<Side> pairs;
@@ -97,27 +194,31 @@ void join_crossings(const Seams& seams, const Grid& grid, const Lattice& lattice
   }
 }
 
-void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice, Points& points) {
+bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid, Lattice& lattice,
+                Points& points) {
   const auto at_one_place = [&](std::uint32_t a, std::uint32_t b) {
     return lattice.is_defined(a) && lattice.is_defined(b) &&
            grid.mesh.point[a] != grid.mesh.point[b] && is_one_point(grid, a, b);
   };
+  std::vector<Neighbours> sides;
+  std::vector<Neighbours> cuts;
   for (const Leaf& leaf : leaves) {
     for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
-      if (!at_one_place(a, b)) return;
-      points.unite(a, b);
-      lattice.make_singular(a);
-      lattice.make_singular(b);
+      if (at_one_place(a, b)) sides.push_back({a, b});
     });
     if (!leaf.is_split) continue;
-    for (const Polygon& piece : pieces(leaf, lattice)) {
-      for (std::size_t k = 0; k < piece.size(); ++k) {
-        const std::uint32_t a = piece[k].corner;
-        const std::uint32_t b = piece[(k + 1) % piece.size()].corner;
-        if (at_one_place(a, b)) points.unite(a, b);
-      }
-    }
+    for_sides_of_pieces(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+      if (at_one_place(a, b)) cuts.push_back({a, b});
+    });
   }
+  for (const auto& [a, b] : collapsed(lattice.surface(), grid, sides, threads)) {
+    points.unite(a, b);
+    lattice.make_singular(a);
+    lattice.make_singular(b);
+  }
+  for (const auto& [a, b] : cuts) points.unite(a, b);
+  points.settle();
+  return join_equal_poles(leaves, grid, lattice, points);
 }
 
 }  // namespace saddle

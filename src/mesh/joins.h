@@ -25,7 +25,9 @@ void join_crossings(const Seams& seams, const Grid& grid, const Lattice& lattice
 
 /// Makes neighbours on the sides of leaves that are at the same place one singular point, as at
 /// poles that no line of the root grid goes through, and neighbours on a cut as well, as at the
-/// apex of a double cone.
-void join_poles(std::span<const Leaf> leaves, const Grid& grid, Lattice& lattice, Points& points);
+/// apex of a double cone. Poles at the same place become one;
+/// returns whether there are any.
+bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid, Lattice& lattice,
+                Points& points);
 
 }  // namespace saddle

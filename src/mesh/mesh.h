@@ -150,6 +150,8 @@ struct MeshReport {
   std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles
   std::string closed_u;        ///< how the edges u0 and u1 meet: Seam::name()
   std::string closed_v;
+  std::array<bool, 2> folded_u = {};  ///< whether u0 and u1 are folded; see Seams
+  std::array<bool, 2> folded_v = {};
   bool orientable = true;  ///< false: the surface is one-sided
 };
 

@@ -1,6 +1,8 @@
 #include "mesh/polygon.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "mesh/triangulate.h"
 
@@ -21,13 +23,40 @@ double doubled_area(std::span<const PolygonCorner> polygon) {
   return sum;
 }
 
-/// The ear to cut off: its tip's index.
-std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon) {
+/// Two points of the surface, in order.
+using PointPair = std::pair<std::uint32_t, std::uint32_t>;
+
+PointPair points_of(const Mesh& mesh, const PolygonCorner& a, const PolygonCorner& b) {
+  return std::minmax(mesh.point[a.corner], mesh.point[b.corner]);
+}
+
+/// The sides of a polygon that meets itself, as where an edge of the domain is folded in it: a
+/// chord beside a side of the same points would be an edge of four triangles. None of others:
+/// neighbours that are one point, as at a pole, are no meeting.
+std::vector<PointPair> sides_that_meet(const Mesh& mesh, std::span<const PolygonCorner> polygon) {
+  std::vector<PointPair> sides;
+  std::vector<std::uint32_t> points;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const PointPair side = points_of(mesh, polygon[k], polygon[(k + 1) % polygon.size()]);
+    if (side.first == side.second) continue;
+    sides.push_back(side);
+    points.push_back(mesh.point[polygon[k].corner]);
+  }
+  std::ranges::sort(points);
+  const bool meets = std::ranges::adjacent_find(points) != points.end();
+  return meets ? sides : std::vector<PointPair>();
+}
+
+/// The ear to cut off: its tip's index. Its chord is none of `taken`, if that can be.
+std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon,
+                     std::span<const PointPair> taken) {
   const double whole = doubled_area(polygon);
   const Mesh& mesh = grid.mesh;
   std::size_t best = 0;
   double best_sagitta = std::numeric_limits<double>::infinity();
   double best_length = std::numeric_limits<double>::infinity();
+  bool is_found = false;
+  bool best_is_taken = false;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const PolygonCorner& before = polygon[(k + polygon.size() - 1) % polygon.size()];
     const PolygonCorner& after = polygon[(k + 1) % polygon.size()];
@@ -38,10 +67,14 @@ std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon) {
     const dvec3& b = mesh.position[after.corner];
     const double arc = sagitta(a, mesh.normal[before.corner], b, mesh.normal[after.corner]);
     const double length = glm::dot(b - a, b - a);
+    const bool is_taken =
+        !taken.empty() && std::ranges::count(taken, points_of(mesh, before, after)) > 0;
     const bool better = is_smaller(arc, best_sagitta) ||
                         (!is_smaller(best_sagitta, arc) && is_smaller(length, best_length));
-    if (!better && best_length < std::numeric_limits<double>::infinity()) continue;
+    if (is_taken == best_is_taken ? !better && is_found : is_taken && is_found) continue;
+    is_found = true;
     best = k;
+    best_is_taken = is_taken;
     best_sagitta = arc;
     best_length = length;
   }
@@ -60,8 +93,10 @@ void append(const Grid& grid, const PolygonCorner& a, const PolygonCorner& b,
 
 void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
                          Array<Triangle>& triangles) {
+  const std::vector<PointPair> taken =
+      polygon.size() > 3 ? sides_that_meet(grid.mesh, polygon) : std::vector<PointPair>();
   while (polygon.size() > 3) {
-    const std::size_t k = best_ear(grid, polygon);
+    const std::size_t k = best_ear(grid, polygon, taken);
     const std::size_t before = (k + polygon.size() - 1) % polygon.size();
     const std::size_t after = (k + 1) % polygon.size();
     append(grid, polygon[before], polygon[k], polygon[after], triangles);

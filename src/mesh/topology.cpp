@@ -1,6 +1,7 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -52,6 +53,9 @@ class SignedSets {
   std::vector<std::uint8_t> turned_;
 };
 
+/// Two points or corners, in order.
+using PointPair = std::pair<std::uint32_t, std::uint32_t>;
+
 /// A side of a triangle, filed under the smaller one of its points.
 struct HalfEdge {
   std::uint32_t to;  ///< the larger point
@@ -94,6 +98,36 @@ HalfEdges half_edges(const Mesh& mesh) {
   return edges;
 }
 
+/// The corners that a triangle's side between two points goes through, in order.
+PointPair corners_of(const Mesh& mesh, const HalfEdge& side, const PointPair& points) {
+  const Triangle& t = mesh.triangles[side.triangle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PointPair ends = std::minmax(mesh.point[t[k]], mesh.point[t[(k + 1) % 3]]);
+    if (ends == points) return std::minmax(t[k], t[(k + 1) % 3]);
+  }
+  return {};
+}
+
+/// The sides between two points, parted into edges: those of two triangles that share corners are
+/// one that others may lie on, as where leaves around a point have chords to the same neighbour.
+std::vector<std::vector<HalfEdge>> edges_between(const Mesh& mesh, const PointPair& points,
+                                                 std::span<const HalfEdge> sides) {
+  if (sides.size() == 1) return {{sides[0]}};
+  std::map<PointPair, std::vector<HalfEdge>> by_corners;
+  for (const HalfEdge& side : sides) by_corners[corners_of(mesh, side, points)].push_back(side);
+  std::vector<std::vector<HalfEdge>> edges;
+  std::vector<HalfEdge> rest;
+  for (auto& [corners, both] : by_corners) {
+    if (both.size() == 2) {
+      edges.push_back(std::move(both));
+    } else {
+      rest.insert(rest.end(), both.begin(), both.end());
+    }
+  }
+  if (!rest.empty()) edges.push_back(std::move(rest));
+  return edges;
+}
+
 std::size_t count_sets(const SignedSets& sets, std::span<const std::uint8_t> counted) {
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < counted.size(); ++k) {
@@ -112,25 +146,35 @@ Topology topology(const Mesh& mesh) {
   SignedSets boundary(mesh.point_count);
   std::vector<std::uint8_t> on_boundary(mesh.point_count);
   std::size_t edge_count = 0;
+  const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
+    // Neighbours run along their edge in opposite directions.
+    if (!triangles.join(a.triangle, b.triangle, a.downward == b.downward)) {
+      result.orientable = false;
+    }
+  };
   for (std::uint32_t p = 0; p < mesh.point_count; ++p) {
     for (std::size_t first = edges.begin[p], last = first; first < edges.begin[p + 1];
          first = last) {
-      const HalfEdge& a = edges.all[first];
-      while (last < edges.begin[p + 1] && edges.all[last].to == a.to) ++last;
-      ++edge_count;
-      points.join(p, a.to, false);
-      if (last - first == 1) {
-        ++result.open_edges;
-        boundary.join(p, a.to, false);
-        on_boundary[p] = on_boundary[a.to] = 1;
-      } else if (last - first == 2) {
-        const HalfEdge& b = edges.all[first + 1];
-        // Neighbours run along their edge in opposite directions.
-        if (!triangles.join(a.triangle, b.triangle, a.downward == b.downward)) {
-          result.orientable = false;
+      const std::uint32_t to = edges.all[first].to;
+      while (last < edges.begin[p + 1] && edges.all[last].to == to) ++last;
+      points.join(p, to, false);
+      const std::span<const HalfEdge> sides = std::span(edges.all).subspan(first, last - first);
+      if (sides.size() == 2) {
+        ++edge_count;
+        join(sides[0], sides[1]);
+        continue;
+      }
+      for (const std::vector<HalfEdge>& edge : edges_between(mesh, {p, to}, sides)) {
+        ++edge_count;
+        if (edge.size() == 1) {
+          ++result.open_edges;
+          boundary.join(p, to, false);
+          on_boundary[p] = on_boundary[to] = 1;
+        } else if (edge.size() == 2) {
+          join(edge[0], edge[1]);
+        } else {
+          ++result.shared_edges;
         }
-      } else {
-        ++result.shared_edges;
       }
     }
   }

@@ -113,42 +113,63 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
   return majority.says_one_point();
 }
 
+/// Unites the vertices of two edges that meet.
+void unite(Grid& grid, const EdgePair& edges, const Seam& seam, Points& points) {
+  for (std::size_t k = 0; k < edges.first.count; ++k) {
+    const std::size_t a = edges.first[k];
+    const std::size_t b = edges.partner(k, seam);
+    if (!grid.is_used(a)) continue;
+    grid.mesh.position[b] = grid.mesh.position[a];
+    points.unite(a, b);
+    if (edges.last.first == edges.after_first.first) grid.open_around(a);  // one cell across
+  }
+}
+
 /// Unites the vertices of two edges that meet; says how they meet.
 Seam join_edges(Grid& grid, const EdgePair& edges, Points& points) {
   for (const Seam& seam : kSeams) {
     if (!edges_meet(grid, edges, seam)) continue;
-    for (std::size_t k = 0; k < edges.first.count; ++k) {
-      const std::size_t a = edges.first[k];
-      const std::size_t b = edges.partner(k, seam);
-      if (!grid.is_used(a)) continue;
-      grid.mesh.position[b] = grid.mesh.position[a];
-      points.unite(a, b);
-      if (edges.last.first == edges.after_first.first) grid.open_around(a);  // one cell across
-    }
+    unite(grid, edges, seam, points);
     return seam;
   }
   return {};
 }
 
-/// Neighbours at the same place are one point. A cell between two of them is not plain, so it is
-/// open.
-void join_equal_neighbours(const Grid& grid, Points& points) {
+/// Unites the halves of an edge that is folded, and is no point. Its middle is a vertex, or its
+/// middle cell has a side that is one.
+bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, Points& points) {
+  Bounds bounds;
+  for (std::size_t k = 0; k < edge.count; ++k) {
+    if (grid.is_used(edge[k])) bounds.add(grid.local(edge[k]));
+  }
+  const EdgePair halves{edge, beside, edge};
+  if (is_one_point(grid, bounds) || !edges_meet(grid, halves, kFold)) return false;
+  unite(grid, halves, kFold, points);
+  if (edge.count % 2 == 0) grid.open_around(edge[edge.count / 2]);
+  return true;
+}
+
+/// Neighbours at the same place are one point if what is between them is. A cell between two of
+/// them is not plain, so it is open.
+void join_equal_neighbours(const Surface& surface, unsigned threads, const Grid& grid,
+                           Points& points) {
+  std::vector<Neighbours> sides;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
     if (grid.cells[cell] != Cell::Open) continue;
     const auto vertices = grid.vertices(cell);
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t a = vertices[k];
       const std::size_t b = vertices[(k + 1) % 4];
-      if (grid.mesh.position[a] == grid.mesh.position[b]) points.unite(a, b);
+      if (grid.mesh.position[a] != grid.mesh.position[b]) continue;
+      sides.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
     }
   }
+  for (const auto& [a, b] : collapsed(surface, grid, sides, threads)) points.unite(a, b);
 }
 
-}  // namespace
-
-bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
-  const dvec3 p = grid.local(a);
-  const dvec3 q = grid.local(b);
+/// Whether two places, in local units, are one but for rounding and what sin(2 pi) and its like
+/// lose.
+bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q) {
   for (int k = 0; k < 3; ++k) {  // most are apart in the first
     const double gap = std::fabs(p[k] - q[k]);
     const double least = kRounding * std::max(std::fabs(p[k]), std::fabs(q[k]));
@@ -158,7 +179,30 @@ bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
   return true;
 }
 
-Seams weld(Grid& grid) {
+}  // namespace
+
+bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
+  return is_one_place(grid, grid.local(a), grid.local(b));
+}
+
+std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
+                                  std::span<const Neighbours> sides, unsigned threads) {
+  const auto& uv = grid.mesh.uv;
+  std::vector<dvec2> middles;
+  middles.reserve(sides.size());
+  for (const auto& [a, b] : sides) middles.push_back(0.5 * uv[a] + 0.5 * uv[b]);
+  const std::vector<SurfacePoint> points = evaluate(surface, middles, threads);
+  std::vector<Neighbours> result;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const dvec3 middle = grid.local_scale * points[k].position;
+    // An undefined middle tells nothing.
+    const bool stays = !is_finite(middle) || is_one_place(grid, middle, grid.local(sides[k][0]));
+    if (stays) result.push_back(sides[k]);
+  }
+  return result;
+}
+
+Seams weld(const Surface& surface, unsigned threads, Grid& grid) {
   std::vector<GridLine> columns;
   std::vector<GridLine> rows;
   for (std::size_t i = 0; i <= grid.cells_u; ++i) columns.push_back(grid.column(i));
@@ -172,7 +216,15 @@ Seams weld(Grid& grid) {
   collapse_poles(grid, rows);
   seams.u = join_edges(grid, {columns[0], columns[1], columns[nu]}, points);
   seams.v = join_edges(grid, {rows[0], rows[1], rows[nv]}, points);
-  join_equal_neighbours(grid, points);
+  if (!seams.u.closed) {
+    seams.folded_u = {fold_edge(grid, columns[0], columns[1], points),
+                      fold_edge(grid, columns[nu], columns[nu - 1], points)};
+  }
+  if (!seams.v.closed) {
+    seams.folded_v = {fold_edge(grid, rows[0], rows[1], points),
+                      fold_edge(grid, rows[nv], rows[nv - 1], points)};
+  }
+  join_equal_neighbours(surface, threads, grid, points);
   points.settle();
   return seams;
 }

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "cli/program.h"
 
@@ -10,6 +11,8 @@ namespace saddle {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr double kPi = std::numbers::pi;
 
 class CheckCommand : public ProgramTest {
  protected:
@@ -46,6 +49,19 @@ TEST_F(CheckCommand, SaysWhatIsTrueOfASphere) {
     EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
   }
   EXPECT_TRUE(files().empty());
+}
+
+TEST_F(CheckCommand, ClosesASurfaceWhoseEdgesAreFolded) {
+  const std::string text = words({"pillow"});
+  EXPECT_TRUE(contains(text, "u = 0 is folded: its halves join; u = 3.14159 is folded")) << text;
+  EXPECT_TRUE(contains(text, "Euler number 2 (a sphere), closed")) << text;
+  const Json pillow = facts({"pillow"});
+  ASSERT_EQ(pillow["folded"].size(), 2U);
+  EXPECT_EQ(pillow["folded"][0]["u"], 0);
+  EXPECT_TRUE(pillow["closed_u"].is_null());
+  // Twice the integral of sin(u) sin(v) / 2 over the square, in x = cos(u) and y = cos(v).
+  EXPECT_NEAR(pillow["volume"].get<double>(), kPi * kPi / 4, 1e-9);
+  EXPECT_TRUE(facts({"torus"})["folded"].empty());
 }
 
 TEST_F(CheckCommand, NamesTheKindOfSurface) {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mesh/grid_mesh.h"
+#include "mesh/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 
@@ -120,6 +120,60 @@ TEST(Seams, AreMadeAlongTheDefinedPartOfAnEdge) {
   const GridMesh result = mesh(holed, 12, 10);
   EXPECT_EQ(result.report.closed_u, "join");
   EXPECT_EQ(euler_number(result.mesh), 0);
+}
+
+/// Two sheets sewn together: each of the edges u = 0 and u = pi is a segment, there and back.
+Surface pillow(Order order = Order::First) {
+  return surface_from_text("cos(u)", "cos(v)", "sin(u)*sin(v)", {0, kPi, -kPi, kPi}, {}, order);
+}
+
+/// The number of different points on an edge of constant u, all of whose corners of one point are
+/// at one place.
+std::size_t points_on(const Mesh& m, double u) {
+  std::set<std::uint32_t> points;
+  for (std::size_t k = 0; k < m.uv.size(); ++k) {
+    if (m.uv[k].x != u) continue;
+    points.insert(m.point[k]);
+    for (std::size_t other = 0; other < k; ++other) {
+      if (m.uv[other].x != u || m.uv[other].y != -m.uv[k].y) continue;
+      EXPECT_EQ(m.point[other], m.point[k]);
+      EXPECT_EQ(m.position[other], m.position[k]);
+    }
+  }
+  return points.size();
+}
+
+TEST(Seams, OfAFoldedEdgeJoinItsHalves) {
+  const GridMesh even = mesh(pillow(), 10, 12);
+  EXPECT_EQ(even.report.folded_u, (std::array{true, true}));
+  EXPECT_EQ(even.report.folded_v, (std::array{false, false}));
+  EXPECT_EQ(even.report.closed_u, "");
+  EXPECT_EQ(points_on(even.mesh, 0), 7U);
+  EXPECT_EQ(euler_number(even.mesh), 2);
+  // A cell of an odd number has the turning point in the middle of its side.
+  EXPECT_EQ(euler_number(mesh(pillow(), 10, 13).mesh), 2);
+}
+
+TEST(Seams, OfAFoldedEdgeJoinTheHalvesOfAMeshWithinATolerance) {
+  for (const int lines : {0, 16, 17}) {
+    AdaptiveOptions options;
+    options.tolerance = [](const Probe&) { return 5e-3; };
+    options.lines_u = options.lines_v = lines;
+    const GridMesh result = mesh_within_tolerance(pillow(Order::Second), options).value();
+    EXPECT_EQ(result.report.folded_u, (std::array{true, true}));
+    EXPECT_EQ(euler_number(result.mesh), 2);
+    const std::size_t corners = static_cast<std::size_t>(
+        std::ranges::count(result.mesh.uv, 0.0, [](const dvec2& uv) { return uv.x; }));
+    EXPECT_LT(points_on(result.mesh, 0), corners);
+  }
+}
+
+TEST(Seams, OfAnEdgeThatTurnsBackElsewhereAreNone) {
+  const Surface off_middle = surface_from_text("u", "(v-0.3)^2+u*v", "u*v", {0, 1, -1, 1});
+  EXPECT_EQ(mesh(off_middle, 10, 20).report.folded_u, (std::array{false, false}));
+  // Neighbours at the same place with a curve between them are no pole.
+  const Surface beside = surface_from_text("u", "(v-0.05)^2+u*v", "u*v", {0, 1, -1, 1});
+  EXPECT_EQ(mesh(beside, 10, 20).mesh.point_count, 11U * 21);
 }
 
 TEST(Seams, AtAPoleAreOnePoint) {

@@ -1,0 +1,85 @@
+#include "mesh/flip.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "mesh/triangulate.h"
+
+namespace saddle {
+
+namespace {
+
+/// The sides of triangles that each pair of points has.
+class SideCounts {
+ public:
+  explicit SideCounts(const Mesh& mesh) : mesh_(mesh) {}
+
+  std::size_t& of(std::uint32_t corner_a, std::uint32_t corner_b) {
+    const auto [a, b] = std::minmax(mesh_.point[corner_a], mesh_.point[corner_b]);
+    return counts_[(std::uint64_t{a} << 32U) | b];
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::unordered_map<std::uint64_t, std::size_t> counts_;
+};
+
+/// Twice the area in parameters.
+double doubled_area(const Mesh& mesh, const Triangle& t) {
+  const dvec2 a = mesh.uv[t[1]] - mesh.uv[t[0]];
+  const dvec2 b = mesh.uv[t[2]] - mesh.uv[t[0]];
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Two triangles with a common side, the other way around: the same two corners of both.
+struct Pair {
+  std::uint32_t a, b;  ///< the chord; from a to b in the first
+  std::uint32_t c, d;  ///< the tips
+};
+
+std::optional<Pair> common_side(const Triangle& first, const Triangle& second) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::uint32_t a = first[i];
+      const std::uint32_t b = first[(i + 1) % 3];
+      if (second[j] == b && second[(j + 1) % 3] == a) {
+        return Pair{a, b, first[(i + 2) % 3], second[(j + 2) % 3]};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool flip(const Grid& grid, SideCounts& sides, Triangle& first, Triangle& second) {
+  const std::optional<Pair> pair = common_side(first, second);
+  if (!pair || sides.of(pair->a, pair->b) <= 2 || sides.of(pair->c, pair->d) > 0) return false;
+  const Triangle one = {pair->c, pair->a, pair->d};
+  const Triangle other = {pair->d, pair->b, pair->c};
+  const double front = doubled_area(grid.mesh, first);
+  const bool faces_alike =
+      doubled_area(grid.mesh, one) * front > 0 && doubled_area(grid.mesh, other) * front > 0;
+  if (!faces_alike || is_collapsed(grid, one) || is_collapsed(grid, other)) return false;
+  sides.of(pair->a, pair->b) -= 2;
+  sides.of(pair->c, pair->d) += 2;
+  first = one;
+  second = other;
+  return true;
+}
+
+}  // namespace
+
+void flip_shared_chords(const Grid& grid, LeafTriangles& triangles) {
+  SideCounts sides(grid.mesh);
+  for (const Triangle& t : triangles.all) {
+    for (std::size_t k = 0; k < 3; ++k) ++sides.of(t[k], t[(k + 1) % 3]);
+  }
+  for (std::size_t leaf = 0; leaf + 1 < triangles.first.size(); ++leaf) {
+    for (std::size_t i = triangles.first[leaf]; i < triangles.first[leaf + 1]; ++i) {
+      for (std::size_t j = i + 1; j < triangles.first[leaf + 1]; ++j) {
+        flip(grid, sides, triangles.all[i], triangles.all[j]);
+      }
+    }
+  }
+}
+
+}  // namespace saddle
