@@ -273,9 +273,26 @@ std::string mesh(const SurfaceReport& s) {
          number(std::ceil(least)) + "; half the tolerance takes twice as many";
 }
 
-std::string proof(const MeshReport& report) {
-  return report.certified ? "nothing hides between the samples (proved)"
-                          : "samples only: no proof that nothing hides between them";
+/// The first place of each reason, and how many others it has.
+std::string proof(const MeshReport& report, const Domain& d) {
+  if (report.certified) return "nothing hides between the samples (proved)";
+  std::string text;
+  bool is_everywhere = false;
+  for (std::size_t k = 0; k < report.doubts.size();) {
+    const DoubtfulPlace& place = report.doubts[k];
+    std::size_t next = k;
+    for (; next < report.doubts.size() && report.doubts[next].why == place.why; ++next) {
+      const DoubtfulPlace& other = report.doubts[next];
+      is_everywhere =
+          is_everywhere || (other.contains({d.u0, d.v0}) && other.contains({d.u1, d.v1}));
+    }
+    text += (k > 0 ? "; " : "") + words_for(place.why) + ": " +
+            range("u", place.low.x, place.high.x) + ", " + range("v", place.low.y, place.high.y);
+    if (next > k + 1) text += " and " + plural(next - k - 1, "other place");
+    k = next;
+  }
+  if (is_everywhere) return "samples only: " + text;
+  return "nothing hides between the samples (proved), but for places where " + text;
 }
 
 }  // namespace
@@ -313,7 +330,7 @@ std::string describe(const SurfaceReport& s, const Mesh& triangles) {
   if (encloses_volume(facts)) line("volume", number(facts.measures.volume));
   line("curvature", curvatures(facts.measures));
   line("mesh", mesh(s));
-  line("proof", proof(s.mesh));
+  line("proof", proof(s.mesh, facts.domain));
   return text;
 }
 

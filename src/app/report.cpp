@@ -43,6 +43,16 @@ Json ends(double low, double high) {
   return {number(low), number(high)};
 }
 
+Json doubts(const std::vector<DoubtfulPlace>& places) {
+  Json list = Json::array();
+  for (const DoubtfulPlace& place : places) {
+    list.push_back({{"reason", name_of(place.why)},
+                    {"u", ends(place.low.x, place.high.x)},
+                    {"v", ends(place.low.y, place.high.y)}});
+  }
+  return list;
+}
+
 Json extremes(const Extremes& e) {
   return e.empty() ? Json(nullptr) : ends(e.low, e.high);
 }
@@ -120,7 +130,8 @@ Json surface(const SurfaceReport& s) {
                {"closed_u", closing(s.mesh.closed_u)},
                {"closed_v", closing(s.mesh.closed_v)},
                {"orientable", s.mesh.orientable},
-               {"certified", s.mesh.certified}};
+               {"certified", s.mesh.certified},
+               {"uncertified", doubts(s.mesh.doubts)}};
   if (s.facts) add_facts(s, json);
   return json;
 }

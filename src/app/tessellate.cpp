@@ -2,6 +2,7 @@
 #include "app/tessellate.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 #include <numeric>
@@ -175,6 +176,16 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
   take_user_parameters(surface, report.poles);
   take_user_parameters(surface, report.jumps);
   take_user_parameters(surface, report.torn);
+  for (DoubtfulPlace& place : report.doubts) {
+    std::array<dvec2, 4> corners = {
+        place.low, {place.high.x, place.low.y}, place.high, {place.low.x, place.high.y}};
+    take_user_parameters(surface, corners);
+    place.low = place.high = corners[0];
+    for (const dvec2& corner : corners) {
+      place.low = glm::min(place.low, corner);
+      place.high = glm::max(place.high, corner);
+    }
+  }
   if (report.coarse_normals) take_user_parameters(surface, std::span(&*report.coarse_normals, 1));
   for (SingularPoint& point : report.singular_points) {
     take_user_parameters(surface, std::span(&point.uv, 1));
@@ -202,6 +213,10 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   const auto begin = std::chrono::steady_clock::now();
   GridMesh mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
   mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
+  if (!mesh.report.certified && mesh.report.doubts.empty()) {
+    const Domain& d = surface.domain;
+    mesh.report.doubts.push_back({Doubt::NotTried, {d.u0, d.v0}, {d.u1, d.v1}});
+  }
   std::optional<ColorReport> color;
   if (!spec.color.empty()) color = color_as_asked(scene, spec, surface, mesh, threads);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;

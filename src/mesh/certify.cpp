@@ -8,6 +8,7 @@
 
 #include "eval/enclose.h"
 #include "mesh/judge.h"
+#include "mesh/outline.h"
 
 namespace saddle {
 
@@ -109,6 +110,7 @@ class Certifier {
     int depth;
     Box box;
     dvec2 bend;
+    Doubt why = Doubt::Work;  ///< what its last try has met
   };
 
   dvec2 size_of(const Leaf& leaf) const {
@@ -160,12 +162,15 @@ class Certifier {
                outputs_);
     // r, r_u, r_v, then r_uu, r_uv, r_vv.
     const std::span<const Interval> all(outputs_);
-    for (const Interval& a : all.first(9)) {
-      if (a.defined != Defined::Yes || !a.continuous) return Proof::Open;
+    for (const Interval& a : all.first(3)) {
+      if (a.defined != Defined::Yes) return open(Doubt::Undefined);
+      if (!a.continuous) return open(Doubt::Discontinuous);
     }
-    for (const Interval& a : all.subspan(9)) {
-      if (a.defined != Defined::Yes) return Proof::Open;
+    for (const Interval& a : all.subspan(3)) {
+      const bool is_second = &a >= &all[9];
+      if (a.defined != Defined::Yes || (!is_second && !a.continuous)) return open(Doubt::Rough);
     }
+    why_ = Doubt::Wide;
     const auto bound = [&all](const dvec2& size, double (*length)(std::span<const Interval>)) {
       return size.x * size.x * length(all.subspan(9, 3)) +
              2 * size.x * size.y * length(all.subspan(12, 3)) +
@@ -175,12 +180,22 @@ class Certifier {
     if (bound(of.largest, length) <= kLimit * of.eps) return Proof::Found;  // not so for NaN
     const double least = bound(of.smallest, least_length);
     const double most = bound(of.smallest, length);
-    if (!std::isfinite(most)) return Proof::Endless;
+    if (!std::isfinite(most)) {
+      why_ = Doubt::Rough;
+      return Proof::Endless;
+    }
     const bool is_hopeless =
         most > kLimit * of.largest_eps &&
         most <= (least > kLimit * of.largest_eps ? kKnown : kWellKnown) * least;
     return is_hopeless ? Proof::Hopeless : Proof::Open;
   }
+
+  Proof open(Doubt why) {
+    why_ = why;
+    return Proof::Open;
+  }
+
+  void doubt(Doubt why, const Box& box) { result_.doubts.push_back({why, box.low, box.high}); }
 
   /// Cells of the root grid, many at a time. Leaves the leaves of those without a proof.
   void prove_cells() {
@@ -189,13 +204,16 @@ class Certifier {
     while (!level.empty()) {
       next.clear();
       for (const Cells& cells : level) {
-        if (budget_.boxes == 0) return give_up();
         const Box box = {{grid_.u[cells.first_u], grid_.v[cells.first_v]},
                          {grid_.u[cells.end_u], grid_.v[cells.end_v]}};
+        if (budget_.boxes == 0) {
+          doubt(Doubt::Work, box);
+          continue;
+        }
         const Proof proof = prove(box, demand(cells));
         if (proof == Proof::Found) continue;
         if (proof == Proof::Hopeless) {
-          give_up();
+          doubt(Doubt::Wide, box);
         } else if (cells.is_one()) {
           add_leaves(cells);
         } else {
@@ -221,16 +239,27 @@ class Certifier {
   void add_leaves(const Cells& cell) {
     for (const std::uint32_t k : leaves_of_.of(grid_.cell(cell.first_u, cell.first_v))) {
       const Leaf& leaf = leaves_[k];
+      const Box box = {lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)};
       if (leaf.on_rim || leaf.is_split) {
-        give_up();  // nothing is proved about rims, jumps and creases
+        doubt(what_cuts(leaf), box);  // nothing is proved about rims, jumps and creases
       } else {
-        const Box box = {lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)};
         parts_.push_back({k, 0, box, dvec2(0)});
       }
     }
   }
 
-  void give_up() { result_.complete = false; }
+  /// The worst of what cuts a leaf.
+  Doubt what_cuts(const Leaf& leaf) const {
+    constexpr std::array kOfCut = {Doubt::Rim, Doubt::Jump, Doubt::Pole, Doubt::Crease,
+                                   Doubt::NoLimit};
+    Doubt worst = leaf.on_rim ? Doubt::Rim : Doubt::Crease;
+    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t b) {
+      const auto crossing = lattice_.crossing(a, b);
+      if (!crossing || crossing->kind == Cut::Rim || crossing->kind == Cut::Crease) return;
+      worst = kOfCut[static_cast<std::size_t>(crossing->kind)];
+    });
+    return worst;
+  }
 
   /// Parts of leaves, all of a size before any of the next: when there are no proofs to be found,
   /// or no boxes to find them with, all places without one have been narrowed down alike.
@@ -244,7 +273,6 @@ class Certifier {
                          std::max(kFew, kGrows * static_cast<double>(before[1]));
       for (Part& part : parts_) {
         if (grows || budget_.boxes == 0) {
-          give_up();
           suspect(part);
         } else {
           prove(part, next);
@@ -258,7 +286,8 @@ class Certifier {
   void prove(Part& part, std::vector<Part>& next) {
     const Proof proof = prove(part.box, demand(part.leaf));
     if (proof == Proof::Found) return;
-    if (proof == Proof::Hopeless) return give_up();
+    part.why = why_;
+    if (proof == Proof::Hopeless) return doubt(Doubt::Wide, part.box);
     if (part.depth < (proof == Proof::Open ? kMaxDepth : kMaxUnboundedDepth)) {
       return halve(part, next);
     }
@@ -269,6 +298,7 @@ class Certifier {
 
   void suspect(const Part& part) {
     result_.suspects.push_back({part.leaf, part.box.middle(), part.box.size(), part.bend});
+    doubt(part.why, part.box);
   }
 
   static void halve(const Part& part, std::vector<Part>& to) {
@@ -291,6 +321,7 @@ class Certifier {
   LeavesOfCells leaves_of_;
   std::vector<Demand> of_cells_;  // of the root grid
   std::vector<Part> parts_;
+  Doubt why_ = Doubt::Work;  // of the last box without a proof
   Certification result_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/density.h"
+#include "mesh/doubt.h"
 #include "mesh/lattice.h"
 
 namespace saddle {
@@ -25,8 +26,8 @@ struct Suspect {
 };
 
 struct Certification {
-  std::vector<Suspect> suspects;  ///< none: the proof holds everywhere, if it is complete
-  bool complete = true;           ///< false: there were not enough boxes
+  std::vector<Suspect> suspects;      ///< places to be looked at
+  std::vector<DoubtfulPlace> doubts;  ///< none: the proof holds everywhere
 };
 
 /// Boxes that may still be tried. There are fewer where each one is dear.

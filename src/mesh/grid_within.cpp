@@ -59,7 +59,8 @@ bool is_off(const Surface& surface, const Tolerance& aim, unsigned threads, Grid
   const Certification proof =
       certify(surface, grid, lattice, leaves, std::vector<double>(leaves.size(), allowed), budget);
   report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
-  report.certified = proof.complete && proof.suspects.empty();
+  report.certified = proof.doubts.empty();
+  report.doubts = merged(proof.doubts, surface.domain);
   std::vector<dvec2> uv;
   for (const Suspect& suspect : proof.suspects) uv.push_back(suspect.middle);
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);

@@ -92,11 +92,14 @@ LeafTriangles Halving::triangulate(MeshReport& report) {
   return triangles;
 }
 
-void Halving::complete(MeshReport& report) const {
+void Halving::complete(MeshReport& report) {
   report.cells = mesh_.leaves.size();
   report.reached_limit = report.reached_limit || reached_limit_;
   report.coarse_normals = coarse_normals_;
-  report.certified = certified_ && !reached_limit_;
+  if (reached_limit_) doubt_all(Doubt::Triangles);
+  if (!doubts_) doubt_all(Doubt::NotTried);
+  report.certified = doubts_->empty();
+  name_doubts(report);
   report.closed_u = seams_.u.name();
   report.closed_v = seams_.v.name();
   report.folded_u = seams_.folded_u;
@@ -105,6 +108,27 @@ void Halving::complete(MeshReport& report) const {
       grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
   report.evaluations += report.work.leaf_samples;
+}
+
+/// Has no proof hold anywhere.
+void Halving::doubt_all(Doubt why) {
+  const Domain& d = surface_.domain;
+  doubts_ = {{why, {d.u0, d.v0}, {d.u1, d.v1}}};
+}
+
+/// Where bounds say no more than that there is no proof, what was found in the meantime tells why.
+void Halving::name_doubts(MeshReport& report) {
+  const auto name = [&](Doubt why, const dvec2& uv) {
+    for (DoubtfulPlace& place : *doubts_) {
+      const bool is_vague = place.why >= Doubt::Undefined && place.why <= Doubt::Work;
+      if (is_vague && place.contains(uv)) place.why = why;
+    }
+  };
+  for (const dvec2& uv : report.torn) name(Doubt::NoLimit, uv);
+  for (const dvec2& uv : report.poles) name(Doubt::Pole, uv);
+  for (const dvec2& uv : report.jumps) name(Doubt::Jump, uv);
+  for (const SingularPoint& point : report.singular_points) name(Doubt::Singular, point.uv);
+  report.doubts = merged(*doubts_, surface_.domain);
 }
 
 Seams Halving::weld_if_two_dimensional(const Probe& probe) {
@@ -398,7 +422,7 @@ Halving::Failed Halving::take_islands(std::size_t& boxes) {
 Halving::Failed Halving::take_suspects() {
   const Certification proof =
       certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget_);
-  certified_ = proof.complete && proof.suspects.empty();
+  doubts_ = proof.doubts;
   std::vector<dvec2> middles;
   std::vector<std::size_t> suspected;
   for (const Suspect& suspect : proof.suspects) {

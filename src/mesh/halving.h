@@ -51,7 +51,7 @@ class Halving {
   double width(const Leaf& leaf) const;
 
   /// What is to be said of the way here.
-  void complete(MeshReport& report) const;
+  void complete(MeshReport& report);
 
  private:
   /// Leaves that are to be refined, and the witnesses against them.
@@ -60,6 +60,8 @@ class Halving {
     std::vector<Witness> witnesses;
   };
 
+  void doubt_all(Doubt why);
+  void name_doubts(MeshReport& report);
   Seams weld_if_two_dimensional(const Probe& probe);
   CrossingOptions crossing_options(bool poles) const;
   std::vector<std::size_t> leaves_with_holes() const;
@@ -94,8 +96,8 @@ class Halving {
   ProofBudget budget_;
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;
-  bool certified_ = false;
-  bool meets_itself_ = false;  // poles at one place are one point
+  std::optional<std::vector<DoubtfulPlace>> doubts_;  // nothing: no proof was tried
+  bool meets_itself_ = false;                         // poles at one place are one point
 };
 
 }  // namespace saddle

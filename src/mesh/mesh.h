@@ -12,6 +12,7 @@
 
 #include "base/array.h"
 #include "base/vec.h"
+#include "mesh/doubt.h"
 
 namespace saddle {
 
@@ -121,19 +122,20 @@ struct MeshChoice {
 
 /// What meshing found out and what it cost.
 struct MeshReport {
-  std::size_t cells = 0;             ///< cells of the grid that are covered
-  std::size_t evaluations = 0;       ///< points of the surface that were computed
-  MeshWork work;                     ///< with that of grids that came to nothing
-  std::optional<MeshChoice> choice;  ///< nothing: there was none
-  double undefined_fraction = 0;     ///< share of the domain's cells that were left out
-  std::size_t flat_triangles = 0;    ///< without area in double precision: left out
-  std::optional<double> tolerance;   ///< what max_error was to stay within
-  double least_triangles = 0;        ///< that any mesh within it needs, about; 0: unknown
-  bool reached_limit = false;        ///< more triangles were not allowed
-  bool certified = false;            ///< proved that nothing hides between samples
-  double max_error = 0;              ///< largest measured distance of mesh and surface
-  double max_normal_error = 0;       ///< degrees: interpolated against exact normal, in
-                                     ///< cells larger than the tolerance
+  std::size_t cells = 0;              ///< cells of the grid that are covered
+  std::size_t evaluations = 0;        ///< points of the surface that were computed
+  MeshWork work;                      ///< with that of grids that came to nothing
+  std::optional<MeshChoice> choice;   ///< nothing: there was none
+  double undefined_fraction = 0;      ///< share of the domain's cells that were left out
+  std::size_t flat_triangles = 0;     ///< without area in double precision: left out
+  std::optional<double> tolerance;    ///< what max_error was to stay within
+  double least_triangles = 0;         ///< that any mesh within it needs, about; 0: unknown
+  bool reached_limit = false;         ///< more triangles were not allowed
+  bool certified = false;             ///< proved that nothing hides between samples
+  std::vector<DoubtfulPlace> doubts;  ///< else where that is not proved, at most 1000
+  double max_error = 0;               ///< largest measured distance of mesh and surface
+  double max_normal_error = 0;        ///< degrees: interpolated against exact normal, in
+                                      ///< cells larger than the tolerance
   /// A place at which normals are off by more than allowed: no more triangles were worth it.
   std::optional<dvec2> coarse_normals;
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000

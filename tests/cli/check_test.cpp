@@ -1,6 +1,7 @@
 // saddle check and --strict.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -62,6 +63,40 @@ TEST_F(CheckCommand, ClosesASurfaceWhoseEdgesAreFolded) {
   // Twice the integral of sin(u) sin(v) / 2 over the square, in x = cos(u) and y = cos(v).
   EXPECT_NEAR(pillow["volume"].get<double>(), kPi * kPi / 4, 1e-9);
   EXPECT_TRUE(facts({"torus"})["folded"].empty());
+}
+
+TEST_F(CheckCommand, SaysWhereNothingIsProvedAndWhy) {
+  EXPECT_TRUE(facts({"torus"})["uncertified"].empty());
+  const Json jump = facts({"z=sign(u)"})["uncertified"];
+  ASSERT_EQ(jump.size(), 1U) << jump;
+  EXPECT_EQ(jump[0]["reason"], "jump");
+  EXPECT_LE(jump[0]["u"][0], 0);
+  EXPECT_GE(jump[0]["u"][1], 0);
+  EXPECT_LT(jump[0]["u"][1].get<double>() - jump[0]["u"][0].get<double>(), 0.3);
+  EXPECT_EQ(jump[0]["v"], (Json{-1.0, 1.0}));
+  const struct {
+    std::vector<std::string> arguments;
+    const char* reason;
+    const char* words;
+  } cases[] = {
+      {{"z=sqrt(0.5-u^2-v^2)"}, "rim", "but for places where the surface ends there: u = -0.7"},
+      {{"z=1/(u-0.3)"}, "pole", "it goes to infinity: u = 0."},
+      {{"z=abs(u-v)"}, "crease", "samples only: it has a crease: u = -1:1, v = -1:1"},
+      {{"z=2*u*v/(u^2+v^2)"}, "no limit", "each way leads to another place: u = -"},
+      {{"z=sin(9*u*v)", "--max-triangles", "500"},
+       "limit of triangles",
+       "samples only: --max-triangles stopped refinement: u = -1:1, v = -1:1"},
+      {{"z=u*v", "--samples", "9x9"}, "not tried", "samples only: nothing was proved"},
+  };
+  for (const auto& [arguments, reason, said] : cases) {
+    const Json surface = facts(arguments);
+    EXPECT_EQ(surface["certified"], false);
+    const Json& places = surface["uncertified"];
+    EXPECT_TRUE(std::ranges::any_of(
+        places, [&, name = reason](const Json& place) { return place["reason"] == name; }))
+        << reason << ": " << places;
+    EXPECT_TRUE(contains(words(arguments), said)) << words(arguments);
+  }
 }
 
 TEST_F(CheckCommand, NamesTheKindOfSurface) {

@@ -128,7 +128,7 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
                          "closed_u",
                          "closed_v",
                          "orientable",
-                         "certified"}));
+                         "certified", "uncertified"}));
   keys.clear();
   for (const auto& [key, value] : report["times"].items()) keys.push_back(key);
   EXPECT_EQ(keys, (Names{"parse", "compile", "tessellate", "context", "upload", "draw", "encode",

@@ -1,0 +1,47 @@
+// Where it is not proved that a mesh shows all of its surface, and why not.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// What stands against a proof.
+enum class Doubt : std::uint8_t {
+  Rim,            ///< the surface ends there
+  Jump,           ///< it jumps
+  Pole,           ///< it goes to infinity
+  NoLimit,        ///< each way to a point leads elsewhere
+  Crease,         ///< its normal jumps
+  Singular,       ///< a point without a normal of its own
+  Undefined,      ///< bounds cannot exclude that it is undefined somewhere
+  Discontinuous,  ///< nor that it jumps
+  Rough,          ///< second derivatives are endless or do not exist
+  Wide,       ///< bounds of second derivatives are too wide, or these are large along the surface
+  Work,       ///< as many boxes as are worth it did not do
+  Triangles,  ///< the limit of triangles came first
+  NotTried,   ///< nothing was to be proved, or samples kept failing
+};
+
+/// One word or two for a report, and what to tell a reader.
+std::string name_of(Doubt doubt);
+std::string words_for(Doubt doubt);
+
+/// A box of parameters without a proof; low may be the larger where a range runs backwards.
+struct DoubtfulPlace {
+  Doubt why;
+  dvec2 low, high;
+
+  bool contains(const dvec2& uv) const;
+};
+
+/// The same with boxes that touch or nearly do made one, if their reason is the same: at most
+/// kMaxListed, in the order of reasons.
+std::vector<DoubtfulPlace> merged(std::span<const DoubtfulPlace> places, const Domain& domain);
+
+}  // namespace saddle
