@@ -112,6 +112,20 @@ class Run:
         return sum(math.hypot(*cross(corners[a], corners[b], corners[c])) / 2
                    for a, b, c in self.triangles)
 
+    def volume(self):
+        """Inside of a closed surface, by the divergence theorem."""
+        at = [c[:3] for c in self.corners]
+        return sum(sum(x * y for x, y in zip(at[a], cross(at[a], at[b], at[c]))) / 6
+                   for a, b, c in self.triangles)
+
+    def open_edges(self):
+        """Edges, by their places, of an odd number of triangles."""
+        odd = set()
+        for t in self.triangles:
+            for a, b in zip(t, t[1:] + t[:1]):
+                odd ^= {frozenset((self.corners[a][:3], self.corners[b][:3]))}
+        return len(odd)
+
     def extent(self, axis):
         low, high = self.surface["bounds"]
         return high[axis] - low[axis]
@@ -329,6 +343,32 @@ CASES = [
              f"{number(2.01 / N)} wide",
      lambda r: r.surface["jumps_count"] == 0 and r.within(),
      lambda r: "not cut: it is steep, not a jump; within tolerance"),
+    ("a steeper one", ["z=atan(1e6*u)"],
+     lambda: f"{walls(lambda u, v: math.atan(1e6 * u), lines(-1, 1.01), U1, 2)} cells are a ramp "
+             f"{number(2.01 / N)} wide",
+     lambda r: r.surface["jumps_count"] == 0 and r.within() and near(r.extent(2), math.pi, 1e-5),
+     lambda r: "not cut either; within tolerance"),
+    ("tangents that stand upright", ["z=sqrt(abs(u))"],
+     lambda: f"off by {number(chord_error(lambda u: math.sqrt(abs(u)), lines(-1, 1.01)))}",
+     lambda r: r.surface["jumps_count"] == 0 and r.within()
+     and any(abs(c[0]) < 1e-9 and abs(c[2]) < 1e-4 for c in r.corners),
+     lambda r: "not cut: mesh edges on the crease, within tolerance"),
+    ("steps", ["z=floor(3*u)"],
+     lambda: f"{walls(lambda u, v: math.floor(3 * u), U1, U1, 0.5)} cells are ramps",
+     lambda r: r.surface["jumps_count"] > 0 and "jumps" in r.said
+     and {c[2] for c in r.corners} <= {-3, -2, -1, 0, 1, 2, 3}
+     and r.across(lambda u, v: min(math.floor(3 * u), 2)) == 0 and near(r.area(), 4, 1e-6),
+     lambda r: "six flat steps, nothing between them: area " + number(r.area())),
+    ("an edge that is folded", ["x=cos(u)", "y=cos(v)", "z=sin(u)*sin(v)/2", "u=0:pi", "v=-pi:pi"],
+     lambda: f"{6 * N} open edges: the halves of u = 0 and of u = pi lie on each other unjoined",
+     lambda r: r.within() and r.open_edges() == 0 and near(r.volume(), math.pi**2 / 4),
+     lambda r: f"a closed pillow: no open edge, volume {number(r.volume())}"),
+    ("lobes that meet in a point", ["r=abs(cos(v)^3*sin(v)*cos(3*u))", "x=r*cos(v)*cos(u)",
+                                    "y=r*cos(v)*sin(u)", "z=r*sin(v)", "u=0:2*pi", "v=-pi/2:pi/2"],
+     lambda: f"{4 * N} open edges; no corner at the point but those of the poles and the equator",
+     lambda r: r.within() and r.open_edges() == 0
+     and near(r.volume(), 8 / (9 * 5.5 * 6.5), 0.02),
+     lambda r: f"closed, creases down to the point; volume {number(r.volume())}"),
     ("a range run backwards", ["z=u*v", "u=1:-1", "v=0:1"],
      lambda: "front and back change places without a word",
      lambda r: "runs backwards" in r.said and r.within(),
