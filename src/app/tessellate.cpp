@@ -16,6 +16,7 @@
 #include "mesh/clip.h"
 #include "mesh/color_mesh.h"
 #include "mesh/grid_mesh.h"
+#include "mesh/sampled_mesh.h"
 #include "mesh/tidy.h"
 #include "mesh/topology.h"
 #include "scene/prepare.h"
@@ -90,8 +91,12 @@ Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
 
 /// A picture's mesh is the one that costs least; a file's has the fewest triangles, and what is
 /// told of a surface is told of that.
-std::optional<GridMesh> mesh_for(const Purpose& purpose, const Surface& surface,
+std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, const Surface& surface,
                                  const AdaptiveOptions& options) {
+  if (const auto& samples = scene.mesh.samples) {
+    return mesh_of_samples(surface, options, static_cast<std::size_t>(samples->u),
+                           static_cast<std::size_t>(samples->v));
+  }
   const auto times = static_cast<double>(std::max<std::size_t>(purpose.moments.size(), 1));
   if (!purpose.mesh && !purpose.facts) return mesh_at_least_cost(surface, options, times);
   auto mesh = mesh_within_tolerance(surface, options);
@@ -102,47 +107,45 @@ std::optional<GridMesh> mesh_for(const Purpose& purpose, const Surface& surface,
 /// The mesh that --samples asks for, or the best one that keeps the tolerance.
 GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Surface& surface, unsigned threads) {
-  if (!scene.mesh.samples) {
-    AdaptiveOptions options;
-    options.clip = scene.clip.box;
-    Bounds around;
-    std::vector<dvec3> positions;  // spread over the surface
-    options.tolerance = [&](const Probe& probe) {
-      if (!options.clip) {
-        around = probe.bounds();
-        positions = probe.positions();
-      }
-      return tolerance_of(scene, spec, purpose, probe, options.clip);
-    };
-    options.normal_tolerance = scene.mesh.normal_tolerance;
-    options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);
-    options.lines_u = spec.grid_u;
-    options.lines_v = spec.grid_v;
-    options.threads = threads;
-    auto mesh = mesh_for(purpose, surface, options);
-    if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
-      // Only a mesh tells that it needs the box, and in which coordinates.
-      options.clip = open_where_it_stays(clip_box(around, positions), mesh->report.beside_poles);
-      const MeshReport whole = std::move(mesh->report);
-      if (auto clipped = mesh_for(purpose, surface, options)) mesh = std::move(clipped);
-      mesh->report.poles = whole.poles;  // cells outside of the box are not looked at any more
-      mesh->report.pole_count = whole.pole_count;
-      mesh->report.clip = options.clip;
-    } else if (scene.clip.automatic && (options.clip = readable_box(positions))) {
-      if (auto clipped = mesh_for(purpose, surface, options)) mesh = std::move(clipped);
-      if (mesh) mesh->report.clip = options.clip;
+  AdaptiveOptions options;
+  options.clip = scene.clip.box;
+  Bounds around;
+  std::vector<dvec3> positions;  // spread over the surface
+  options.tolerance = [&](const Probe& probe) {
+    if (!options.clip) {
+      around = probe.bounds();
+      positions = probe.positions();
     }
-    if (mesh) return std::move(*mesh);
+    return tolerance_of(scene, spec, purpose, probe, options.clip);
+  };
+  options.normal_tolerance = scene.mesh.normal_tolerance;
+  options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);
+  options.lines_u = spec.grid_u;
+  options.lines_v = spec.grid_v;
+  options.threads = threads;
+  auto mesh = mesh_for(scene, purpose, surface, options);
+  if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
+    // Only a mesh tells that it needs the box, and in which coordinates.
+    options.clip = open_where_it_stays(clip_box(around, positions), mesh->report.beside_poles);
+    const MeshReport whole = std::move(mesh->report);
+    if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
+    mesh->report.poles = whole.poles;  // cells outside of the box are not looked at any more
+    mesh->report.pole_count = whole.pole_count;
+    mesh->report.clip = options.clip;
+  } else if (scene.clip.automatic && (options.clip = readable_box(positions))) {
+    if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
+    if (mesh) mesh->report.clip = options.clip;
   }
+  if (mesh) return std::move(*mesh);
   const double share = tolerance_share(scene, purpose);
-  GridMesh mesh = mesh_uniformly(scene, spec, surface, share, threads);
+  GridMesh grid = mesh_uniformly(scene, spec, surface, share, threads);
   if (scene.clip.box) {
-    clip_mesh(*scene.clip.box, mesh.mesh);
-    mesh.report.is_clipped = true;
-    keep_used_corners(mesh.mesh);
+    clip_mesh(*scene.clip.box, grid.mesh);
+    grid.report.is_clipped = true;
+    keep_used_corners(grid.mesh);
   }
-  if (!scene.mesh.samples) mesh.report.tolerance = share * mesh.mesh.bounds.diagonal();
-  return mesh;
+  if (!scene.mesh.samples) grid.report.tolerance = share * grid.mesh.bounds.diagonal();
+  return grid;
 }
 
 /// Without a tolerance, as of a uniform grid, edges of this share of the diagonal are short enough
@@ -206,9 +209,7 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
 
 Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                         unsigned threads) {
-  const bool second = purpose.facts || !scene.mesh.samples;
-  const PreparedSurface prepared =
-      prepare_surface(scene, spec, second ? Order::Second : Order::First);
+  const PreparedSurface prepared = prepare_surface(scene, spec, Order::Second);
   const Surface& surface = prepared.surface;
   const auto begin = std::chrono::steady_clock::now();
   GridMesh mesh = mesh_as_asked(scene, spec, purpose, surface, threads);

@@ -94,9 +94,10 @@ LeafTriangles Halving::triangulate(MeshReport& report) {
 
 void Halving::complete(MeshReport& report) {
   report.cells = mesh_.leaves.size();
-  report.reached_limit = report.reached_limit || reached_limit_;
+  const bool stopped = reached_limit_ && !is_unrefined();
+  report.reached_limit = report.reached_limit || stopped;
   report.coarse_normals = coarse_normals_;
-  if (reached_limit_) doubt_all(Doubt::Triangles);
+  if (stopped) doubt_all(Doubt::Triangles);
   if (!doubts_) doubt_all(Doubt::NotTried);
   report.certified = doubts_->empty();
   name_doubts(report);
@@ -166,7 +167,7 @@ std::vector<std::size_t> Halving::leaves_with_holes() const {
 
 /// Leaves out those in which the surface goes to infinity at a point, or has no limit there.
 void Halving::leave_out_holes() {
-  if (reached_limit_) return;
+  if (reached_limit_ && !is_unrefined()) return;
   const std::vector<std::size_t> suspects = leaves_with_holes();
   std::vector<ParameterBox> boxes;
   for (const std::size_t k : suspects) {
@@ -213,7 +214,7 @@ void Halving::accept_around(const Hole& hole) {
 
 /// Looks for poles on the sides of leaves that halving did not help: they would be walls.
 void Halving::cut_poles() {
-  if (reached_limit_) return;
+  if (reached_limit_ && !is_unrefined()) return;
   std::set<Side> suspects;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];

@@ -16,6 +16,9 @@
 
 namespace saddle {
 
+/// A limit of triangles that has no cell of the root grid halved.
+inline constexpr std::size_t kUnrefined = 0;
+
 /// A point at which the surface is not defined, or jumps.
 struct PlacedHole {
   dvec2 uv;
@@ -60,6 +63,7 @@ class Halving {
     std::vector<Witness> witnesses;
   };
 
+  bool is_unrefined() const { return options_.max_triangles == kUnrefined; }
   void doubt_all(Doubt why);
   void name_doubts(MeshReport& report);
   Seams weld_if_two_dimensional(const Probe& probe);

@@ -226,14 +226,17 @@ class Chains {
   std::vector<std::vector<std::uint32_t>> chains_;
 };
 
-/// Index of each of the even lines among the grid's.
+/// Index of each of the even lines among the grid's, or of the nearest one, once each.
 std::vector<std::size_t> indices(const std::vector<double>& lines, int count) {
   std::vector<std::size_t> result;
   if (count < 1) return result;
   const auto wanted =
       even_lines(lines.front(), lines.back(), static_cast<std::size_t>(std::max(count, 2) - 1));
   for (const double line : wanted) {
-    result.push_back(static_cast<std::size_t>(std::ranges::find(lines, line) - lines.begin()));
+    const auto nearest = std::ranges::min_element(
+        lines, {}, [line](double candidate) { return std::fabs(candidate - line); });
+    const auto index = static_cast<std::size_t>(nearest - lines.begin());
+    if (result.empty() || result.back() != index) result.push_back(index);
   }
   if (count == 1) result.resize(1);
   return result;

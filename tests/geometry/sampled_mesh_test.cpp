@@ -1,0 +1,120 @@
+// Uniform grids of surfaces that a plain grid would bridge, tear or leave jagged.
+#include "mesh/sampled_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "geometry/gallery_samples.h"
+#include "mesh_checks.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+GridMesh sampled(const Surface& surface, std::size_t cells = 20) {
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe& probe) -> Tolerance {
+    return 1e-3 * probe.bounds().diagonal();
+  };
+  return mesh_of_samples(surface, options, cells, cells).value();
+}
+
+GridMesh sampled(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
+  return sampled(surface_from_text("u", "v", z, domain, {}, Order::Second));
+}
+
+/// Triangles with corners on both sides.
+template <class Side>
+std::size_t bridges(const Mesh& mesh, Side side) {
+  std::size_t count = 0;
+  for (const Triangle& t : mesh.triangles) {
+    std::set<double> sides;
+    for (const std::uint32_t corner : t) sides.insert(side(mesh.uv[corner].x, mesh.uv[corner].y));
+    if (sides.size() > 1) ++count;
+  }
+  return count;
+}
+
+TEST(SampledMesh, OfWhatIsSmoothHasTwoTrianglesInEachCell) {
+  for (const char* z : {"u*v", "exp(-u*u-v*v)", "sin(3*u)*cos(2*v)"}) {
+    EXPECT_EQ(sampled(z).mesh.triangles.size(), 800U) << z;
+  }
+  for (const char* name :
+       {"torus", "klein-bottle", "klein-figure8", "whitney-umbrella", "mobius"}) {
+    const Scene scene = scene_of(name);
+    const GridMesh mesh =
+        sampled(prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface);
+    EXPECT_EQ(mesh.mesh.triangles.size(), 800U) << name;
+    EXPECT_FALSE(mesh.report.certified);
+    EXPECT_FALSE(mesh.report.reached_limit);
+    EXPECT_FALSE(mesh.report.tolerance);
+  }
+  const Scene scene = scene_of("sphere");  // a row of one triangle each at the poles
+  const Surface sphere = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
+  EXPECT_EQ(sampled(sphere).mesh.triangles.size(), 800U - 40);
+}
+
+TEST(SampledMesh, IsLeftToThePlainGridWhereLinesCannotBeNumbered) {
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe&) { return 1e-3; };
+  const Surface rough = surface_from_text("u", "v", "abs(u)", {-1, 1, -1, 1}, {}, Order::Second);
+  EXPECT_FALSE(mesh_of_samples(rough, options, 100000, 2));
+}
+
+TEST(SampledMesh, EndsOnTheRim) {
+  const Mesh m = sampled("sqrt(1-u^2-v^2)", {-1.2, 1.2, -1.2, 1.2}).mesh;
+  std::map<PointEdge, int> triangles;
+  for (const auto& t : m.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++triangles[point_edge(m, t[k], t[(k + 1) % 3])];
+  }
+  std::vector<dvec3> place(m.point_count);
+  for (std::size_t k = 0; k < m.point.size(); ++k) place[m.point[k]] = m.position[k];
+  std::size_t rim = 0;
+  for (const auto& [edge, count] : triangles) {
+    if (count != 1) continue;
+    ++rim;
+    EXPECT_NEAR(std::hypot(place[edge.first].x, place[edge.first].y), 1, 1e-6);
+    EXPECT_NEAR(place[edge.first].z, 0, 1e-6);
+  }
+  EXPECT_GT(rim, 40U);
+  EXPECT_NEAR(area(m), 2 * kPi, 0.03 * 2 * kPi);
+}
+
+TEST(SampledMesh, BridgesNoPole) {
+  const GridMesh hyperbola = sampled("1/u");
+  EXPECT_GT(hyperbola.report.pole_count, 0U);
+  EXPECT_EQ(bridges(hyperbola.mesh, [](double u, double) { return u > 0; }), 0U);
+  const GridMesh tangent = sampled("tan(u)", {-5, 5, -1, 1});
+  EXPECT_GT(tangent.report.pole_count, 0U);
+  EXPECT_EQ(bridges(tangent.mesh, [](double u, double) { return std::floor(u / kPi + 0.5); }), 0U);
+}
+
+TEST(SampledMesh, GoesUpToJumpsOnEitherSide) {
+  const GridMesh steps = sampled("floor(3*u)");
+  EXPECT_GT(steps.report.jump_count, 0U);
+  EXPECT_EQ(bridges(steps.mesh, [](double u, double) { return std::min(std::floor(3 * u), 2.0); }),
+            0U);
+  EXPECT_NEAR(area(steps.mesh), 4, 1e-9);
+}
+
+TEST(SampledMesh, HasItsCreasesAsEdges) {
+  const GridMesh fold = sampled("abs(u-v+0.03)");
+  EXPECT_LE(fold.report.max_error, 1e-12);
+  for (const Triangle& t : fold.mesh.triangles) {
+    double least = 0;
+    double most = 0;
+    for (const std::uint32_t corner : t) {
+      const double beside = fold.mesh.uv[corner].x - fold.mesh.uv[corner].y + 0.03;
+      least = std::min(least, beside);
+      most = std::max(most, beside);
+    }
+    EXPECT_TRUE(least > -1e-12 || most < 1e-12) << least << " to " << most;
+  }
+}
+
+}  // namespace
+}  // namespace saddle
