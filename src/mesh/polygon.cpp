@@ -23,6 +23,9 @@ double doubled_area(std::span<const PolygonCorner> polygon) {
   return sum;
 }
 
+/// How far from a chord a corner may be, in chords, that is on it but for rounding.
+constexpr double kOnChord = 1e-12;
+
 /// Two points of the surface, in order.
 using PointPair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -47,8 +50,38 @@ std::vector<PointPair> sides_that_meet(const Mesh& mesh, std::span<const Polygon
   return meets ? sides : std::vector<PointPair>();
 }
 
-/// The ear to cut off: its tip's index. Its chord is none of `taken`, if that can be.
-std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon,
+/// Whether a corner lies on an ear's chord, be it the tip: the ear or what is left would have a
+/// side without a neighbour, since triangles without area are left out. So at the apex of a cone.
+bool passes_over_corner(const Grid& grid, std::span<const PolygonCorner> polygon, std::size_t tip) {
+  const std::size_t count = polygon.size();
+  const dvec3 from = grid.local(polygon[(tip + count - 1) % count].corner);
+  const dvec3 chord = grid.local(polygon[(tip + 1) % count].corner) - from;
+  const double square = glm::dot(chord, chord);
+  for (const PolygonCorner& corner : polygon) {
+    const dvec3 way = grid.local(corner.corner) - from;
+    const double along = glm::dot(way, chord);
+    const dvec3 off = glm::cross(way, chord);
+    if (along > 0 && along < square &&
+        glm::dot(off, off) <= kOnChord * kOnChord * square * square) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether two corners are one point.
+bool has_pole(const Mesh& mesh, std::span<const PolygonCorner> polygon) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    for (std::size_t other = 0; other < k; ++other) {
+      if (mesh.point[polygon[k].corner] == mesh.point[polygon[other].corner]) return true;
+    }
+  }
+  return false;
+}
+
+/// The ear to cut off: its tip's index. Its chord is none of `taken`, and passes over no corner, if
+/// that can be.
+std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, bool is_at_pole,
                      std::span<const PointPair> taken) {
   const double whole = doubled_area(polygon);
   const Mesh& mesh = grid.mesh;
@@ -68,7 +101,8 @@ std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon,
     const double arc = sagitta(a, mesh.normal[before.corner], b, mesh.normal[after.corner]);
     const double length = glm::dot(b - a, b - a);
     const bool is_taken =
-        !taken.empty() && std::ranges::count(taken, points_of(mesh, before, after)) > 0;
+        (!taken.empty() && std::ranges::count(taken, points_of(mesh, before, after)) > 0) ||
+        (is_at_pole && passes_over_corner(grid, polygon, k));
     const bool better = is_smaller(arc, best_sagitta) ||
                         (!is_smaller(best_sagitta, arc) && is_smaller(length, best_length));
     if (is_taken == best_is_taken ? !better && is_found : is_taken && is_found) continue;
@@ -95,8 +129,9 @@ void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
                          Array<Triangle>& triangles) {
   const std::vector<PointPair> taken =
       polygon.size() > 3 ? sides_that_meet(grid.mesh, polygon) : std::vector<PointPair>();
+  const bool is_at_pole = polygon.size() > 3 && has_pole(grid.mesh, polygon);
   while (polygon.size() > 3) {
-    const std::size_t k = best_ear(grid, polygon, taken);
+    const std::size_t k = best_ear(grid, polygon, is_at_pole, taken);
     const std::size_t before = (k + polygon.size() - 1) % polygon.size();
     const std::size_t after = (k + 1) % polygon.size();
     append(grid, polygon[before], polygon[k], polygon[after], triangles);

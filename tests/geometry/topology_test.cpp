@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/gallery_samples.h"
+#include "surface_from_text.h"
 
 namespace saddle {
 namespace {
@@ -29,6 +30,18 @@ TEST(Topology, OfATorusWhoseSeamIsShiftedIsThatOfATorus) {
   EXPECT_TRUE(t.is_closed());
   EXPECT_TRUE(t.orientable);
   EXPECT_EQ(t.euler_number, 0);
+}
+
+TEST(Topology, OfAConeIsThatOfADisc) {
+  // Vertices of halved cells are on straight lines to the apex.
+  const Surface cone =
+      surface_from_text("u*cos(v)", "u*sin(v)", "u", {0, 1, 0, 2 * kPi}, {}, Order::Second);
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
+  options.normal_tolerance = 3;
+  const Topology t = topology(mesh_within_tolerance(cone, options)->mesh);
+  EXPECT_EQ(t.euler_number, 1);
+  EXPECT_EQ(t.boundary_loops, 1U);
 }
 
 TEST(Topology, OfAHalfOfAOneSidedSurfaceIsThatOfABand) {
