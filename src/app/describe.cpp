@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include <glm/vector_relational.hpp>
+
 #include "app/warnings.h"
 
 namespace saddle {
@@ -50,6 +52,8 @@ std::string vector(const dvec3& v, double size) {
 constexpr double kSameLine = 1e-6;
 /// And this close, of their size, they are the same but for rounding.
 constexpr double kSameParameters = 1e-12;
+/// Cuts this close, as a part of the range, are one place.
+constexpr double kSamePlace = 1e-9;
 /// So many places on a line of constant u or v are told as one.
 constexpr std::size_t kLine = 12;
 /// Places and lines that are told one by one.
@@ -135,8 +139,27 @@ std::string places(const std::vector<dvec2>& listed, std::size_t count, const Do
   return text;
 }
 
+/// Places that bisections from many sides ended at, each once, and those beside 0 at 0.
+std::vector<dvec2> distinct(const std::vector<dvec2>& places, const Domain& d) {
+  const dvec2 near = kSamePlace * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
+  std::vector<dvec2> result;
+  for (dvec2 place : places) {
+    for (int k = 0; k < 2; ++k) {
+      if (std::fabs(place[k]) < near[k]) place[k] = 0;
+    }
+    const auto is_same = [&](const dvec2& other) {
+      return glm::all(glm::lessThanEqual(glm::abs(place - other), near));
+    };
+    if (std::ranges::none_of(result, is_same)) result.push_back(place);
+  }
+  return result;
+}
+
 std::string cuts(const std::vector<dvec2>& listed, std::size_t count, const Domain& domain) {
-  return places(listed, count, domain, [](const Group&) { return std::string(); });
+  const std::vector<dvec2> told = distinct(listed, domain);
+  const bool are_all_listed = count == listed.size();
+  return places(told, are_all_listed ? told.size() : count, domain,
+                [](const Group&) { return std::string(); });
 }
 
 /// Where the group is on the surface, if that is one point, and the normal there.

@@ -65,6 +65,10 @@ TEST_F(CheckCommand, ClosesASurfaceWhoseEdgesAreFolded) {
   EXPECT_TRUE(facts({"torus"})["folded"].empty());
 }
 
+TEST_F(CheckCommand, TellsAPoleOnceFromHoweverManySidesItWasCut) {
+  EXPECT_TRUE(contains(words({"z=1/(u^2+v^2)"}), "poles       1 place: u = 0, v = 0\n"));
+}
+
 TEST_F(CheckCommand, SaysWhereNothingIsProvedAndWhy) {
   EXPECT_TRUE(facts({"torus"})["uncertified"].empty());
   const Json jump = facts({"z=sign(u)"})["uncertified"];
