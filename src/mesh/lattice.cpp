@@ -95,6 +95,7 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
       used_(grid.vertex_count(), 1),
       regular_(grid.vertex_count(), 1),
       defined_(grid.vertex_count(), 1),
+      beside_cut_(grid.vertex_count(), 0),
       crossed_cells_(grid),
       changed_cells_(grid),
       used_count_(grid.vertex_count()),
@@ -167,6 +168,7 @@ void Lattice::number(std::span<const LatticePlace> places) {
   used_.resize(used_.size() + places.size(), 0);
   regular_.resize(used_.size(), 1);
   defined_.resize(used_.size(), 1);
+  beside_cut_.resize(used_.size(), 0);
 }
 
 bool Lattice::is_defined_at(LatticePlace place) const {
@@ -311,8 +313,7 @@ void Lattice::find_holes(std::span<const std::uint32_t> vertices, unsigned threa
   }
 }
 
-std::optional<Crossing> Lattice::crossing(std::uint32_t a, std::uint32_t b) const {
-  if (!has_crossings_) return std::nullopt;
+std::optional<Crossing> Lattice::find_crossing(std::uint32_t a, std::uint32_t b) const {
   const auto found = sides_.find(pair_of(a, b));
   return found ? searched_[*found].crossing : std::nullopt;
 }
@@ -320,6 +321,7 @@ std::optional<Crossing> Lattice::crossing(std::uint32_t a, std::uint32_t b) cons
 void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing) {
   if (crossing) {
     has_crossings_ = true;
+    beside_cut_[a] = beside_cut_[b] = 1;
     const dvec2 middle = 0.5 * (place_between(a) + place_between(b));
     crossed_cells_.add(middle);
     changed_cells_.add(middle, now_);

@@ -205,7 +205,9 @@ class Lattice {
   const std::map<std::uint32_t, Hole>& holes() const { return holes_; }
 
   /// Where the side between two neighbours is cut, if that has been found.
-  std::optional<Crossing> crossing(std::uint32_t a, std::uint32_t b) const;
+  std::optional<Crossing> crossing(std::uint32_t a, std::uint32_t b) const {
+    return beside_cut_[a] != 0 && beside_cut_[b] != 0 ? find_crossing(a, b) : std::nullopt;
+  }
   /// Whether it has been looked for.
   bool is_searched(std::uint32_t a, std::uint32_t b) const {
     return sides_.contains(pair_of(a, b));
@@ -295,6 +297,7 @@ class Lattice {
     return grid.first + place.v / kCellUnit * grid.pitch + place.u / kCellUnit;
   }
   std::uint32_t vertex_off_grid(LatticePlace place);
+  std::optional<Crossing> find_crossing(std::uint32_t a, std::uint32_t b) const;
   /// Appends the surface at (u[i], v[i]) to the mesh.
   void append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
   /// The same on a grid, v outer.
@@ -338,6 +341,7 @@ class Lattice {
   std::vector<std::uint8_t> defined_;
   PairTable sides_;  // that were searched: by their ends, their places in the next
   std::vector<SearchedSide> searched_;
+  std::vector<std::uint8_t> beside_cut_;  ///< of vertices: whether a side that ends there is cut
   std::unordered_map<std::uint32_t, dvec2> places_between_;
   std::map<std::uint32_t, Hole> holes_;
   PairTable pole_sides_;

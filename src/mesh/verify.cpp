@@ -69,9 +69,11 @@ std::size_t count_connected(std::span<const Triangle> triangles) {
 }
 
 /// The triangle that a place is in, and the one beyond its nearest side, if that is one of them.
+/// `known`: the triangle, or nullptr.
 PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangles,
-                            const dvec2& uv) {
-  const auto& [below, weights] = triangle_below(grid, triangles, uv);
+                            const Triangle* known, const dvec2& uv) {
+  const auto& [below, weights] =
+      triangle_below(grid, known != nullptr ? std::span(known, 1) : triangles, uv);
   const Triangle& own = *below;
   std::size_t least = 0;
   for (std::size_t k = 1; k < 3; ++k) {
@@ -144,7 +146,7 @@ void Verifier::append_sides(std::size_t number, std::span<const Triangle> triang
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       for (const double share : kBesideRim) {
-        samples.push_back({number, glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), true});
+        samples.push_back({number, glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), &t, true});
       }
     }
   }
@@ -158,22 +160,24 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
   // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
   // chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
-  const auto append_chord = [&](std::uint32_t a, std::uint32_t b) {
+  const auto append_chord = [&](const Triangle& t, std::size_t k) {
+    const std::uint32_t a = t[k];
+    const std::uint32_t b = t[(k + 1) % 3];
     const bool inside = is_inside(leaf, 0.5 * (at[a] + at[b]));
     if (!inside && !is_creased) return;
     const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
     if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
     const std::optional<Chord> crease = on_crease ? std::optional(Chord{a, b}) : std::nullopt;
     for (const double share : kOnDiagonal) {
-      samples.push_back({number, glm::mix(at[a], at[b], share), leaf.is_split, crease});
+      samples.push_back({number, glm::mix(at[a], at[b], share), &t, leaf.is_split, crease});
     }
   };
   for (const Triangle& t : triangles) {
     if (triangles.size() > 2) {
-      samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0});
+      samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
     }
     if (leaf.is_split && !is_creased) continue;
-    for (std::size_t k = 0; k < 3; ++k) append_chord(t[k], t[(k + 1) % 3]);
+    for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
   }
 }
 
@@ -258,7 +262,7 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
     std::vector<Sample>& wanted = clip_ || leaf.on_rim || of_leaf.empty() ? rest : samples;
     append_samples(k, leaf, of_leaf, wanted);
     for (std::size_t s = places.size(); s < samples.size(); ++s) {
-      places.push_back(on_triangle(grid_, of_leaf, samples[s].uv));
+      places.push_back(on_triangle(grid_, of_leaf, samples[s].triangle, samples[s].uv));
     }
   }
   const auto found = measure_places(surface_, grid_, places, threads_);
@@ -287,7 +291,7 @@ void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> w
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += points.size();
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    const auto& [k, place, beside_cut, crease] = samples[s];
+    const auto& [k, place, triangle, beside_cut, crease] = samples[s];
     const Leaf& leaf = mesh.leaves[which[k]];
     Deviation& worst = mesh.deviations[which[k]];
     if (is_unseen(triangles.of(k), place, points[s].position)) continue;

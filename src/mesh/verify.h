@@ -49,8 +49,9 @@ class Verifier {
   struct Sample {
     std::size_t number;  ///< of the leaf, among those that are measured
     dvec2 uv;
-    bool beside_cut = false;           ///< the normal may be that of the other side
-    std::optional<Chord> crease = {};  ///< whose chord it is on
+    const Triangle* triangle = nullptr;  ///< it is in; unknown
+    bool beside_cut = false;             ///< the normal may be that of the other side
+    std::optional<Chord> crease = {};    ///< whose chord it is on
   };
   /// Measures the leaves that are as most are. Returns the numbers in `which` of the others.
   std::vector<std::size_t> measure_plain(Measured& mesh, std::span<const std::size_t> which,
