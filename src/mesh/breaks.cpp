@@ -35,6 +35,9 @@ constexpr int kProofHalvings = 3;
 constexpr int kPlainHalvings = 8;
 /// Places nearer to an end than so many doubles may be that end.
 constexpr double kLeastStep = 2;
+/// A good guess is the very place of a cusp, which has no normal: then it is looked at beside it,
+/// on this side and on the other.
+constexpr int kMostMisses = 2;
 
 /// Where a surface is looked at on its way to a place, in ways.
 constexpr std::array kApproach = {0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1p-28, 0x1p-32};
@@ -60,9 +63,11 @@ struct Search {
   Found found = {};
   /// What changes its sign where the line is broken, at its ends; NaN where nobody knows.
   std::array<double, 2> heights = {kUnknown, kUnknown};
-  double share = kShare;  ///< of the line, where it is looked at
-  double width = 1;       ///< of the line, beside when heights were first known
-  int steps = 0;          ///< since then
+  double share = kShare;   ///< of the line, where it is looked at
+  double width = 1;        ///< of the line, beside when heights were first known
+  int steps = 0;           ///< since then
+  int misses = 0;          ///< times that there was no value where it was looked at
+  bool is_missed = false;  ///< the last time
 };
 
 Search begin(const Line& line, const std::array<dvec3, 2>& at_ends) {
@@ -99,6 +104,10 @@ double next_share(const Search& search) {
   const double digits = kLeastStep * std::numeric_limits<double>::epsilon();
   const double least = digits * std::max(place.x, place.y) / std::max(way.x, way.y);
   if (!(least < kShare)) return kShare;
+  if (search.is_missed) {
+    const double beside = search.share + (search.misses % 2 == 0 ? least : -least);
+    return std::clamp(beside, least, 1 - least);
+  }
   const double on_chord = first / (first - last);
   const double side = on_chord < 0.5 ? 1 : -1;
   const double off = std::fabs(0.5 - on_chord);
@@ -113,7 +122,13 @@ void advance(Search& search, const dvec2& middle, const dvec3& at_middle, double
   if (middle == search.ends[0] || middle == search.ends[1]) {
     return finish(search, at_last_digits(search, delta));
   }
-  if (!is_finite(at_middle)) return finish(search, Break::Pole);
+  if (!is_finite(at_middle)) {
+    if (search.misses == kMostMisses) return finish(search, Break::Pole);
+    ++search.misses;
+    search.is_missed = true;
+    return;
+  }
+  search.is_missed = false;
   const double first = glm::distance(search.at_ends[0], at_middle);
   const double second = glm::distance(at_middle, search.at_ends[1]);
   if (std::max(first, second) < delta) return finish(search, Break::None);

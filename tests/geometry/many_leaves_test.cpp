@@ -159,6 +159,47 @@ TEST(ManyLeaves, AreNotMeasuredWhereTheSurfaceIsUndefinedOrSingular) {
   EXPECT_FALSE(measure_many(surface, subject.grid, std::span(&leaf, 1), 1)[0]);
 }
 
+TEST(ManyLeaves, PlacesOnTheirTrianglesAreMeasuredAsOneByOne) {
+  const Surface surface = waves();
+  Subject subject(surface, options_for(1, 180), 4);
+  const std::vector<std::size_t> which = {5, 700};
+  const LeafTriangles triangles =
+      triangulate_leaves(subject.leaves, which, SingularCorners(), subject.grid, subject.lattice);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    // On the first triangle, a b c, across its side from c to a from the second.
+    const Triangle& t = triangles.of(k)[0];
+    const Triangle& other = triangles.of(k)[1];
+    const auto is_shared = [&](std::uint32_t corner) { return std::ranges::count(other, corner); };
+    const auto b = static_cast<std::size_t>(std::ranges::find_if_not(t, is_shared) - t.begin());
+    const Triangle own = {t[(b + 2) % 3], t[b], t[(b + 1) % 3]};
+    const std::uint32_t beyond = *std::ranges::find_if_not(
+        other, [&](std::uint32_t corner) { return std::ranges::count(own, corner) > 0; });
+    for (const dvec3& weights :
+         {dvec3(1.0 / 3), dvec3(0.5, 0, 0.5), dvec3(0.2, 0.7, 0.1), dvec3(0.4, -0.1, 0.7)}) {
+      dvec2 uv(0);
+      for (std::size_t c = 0; c < 3; ++c) {
+        uv += weights[static_cast<int>(c)] * subject.grid.mesh.uv[own[c]];
+      }
+      const PlaceOnTriangle place{uv, {own[2], beyond, own[0], own[1]}, weights};
+      const auto measured = measure_places(surface, subject.grid, std::span(&place, 1), 1)[0];
+      const SurfacePoint point = evaluate(surface, std::array{uv})[0];
+      const auto of = weights.y < 0 ? triangles.of(k).subspan(1) : triangles.of(k);
+      const Deviation d = deviation(subject.grid, of, uv, point, false);
+      ASSERT_TRUE(measured);
+      // Outside of its triangle a place has no height, but a distance from the other one.
+      if (weights.y < 0) {
+        EXPECT_LE(measured->distance, d.distance * (1 + 1e-9));
+        EXPECT_GT(measured->distance, 0);
+        continue;
+      }
+      EXPECT_NEAR(measured->distance, d.distance, 1e-9 * d.distance);
+      // On the side the point straight below may be on either triangle.
+      if (weights.y == 0) continue;
+      EXPECT_NEAR(measured->degrees, d.degrees, 1e-6 * d.degrees);
+    }
+  }
+}
+
 /// A bowl over a square of some size.
 double bowl(double x, double y) {
   return 0.3 * x * x + 0.2 * x * y - 0.1 * y * y * y;
