@@ -106,7 +106,7 @@ class Dicer {
       seen[k] = projection_(points[k].position);
       if (is_finite(points[k].position)) ++defined;
     }
-    if (defined < 4) return take_rim(piece, points, defined, next);
+    if (defined < 4) return take_rim(piece, defined, next);
     if (is_clipped(points) || is_off_screen(seen)) return;
     const auto length = [&](int a, int b) {
       return std::hypot(seen[a].x - seen[b].x, seen[a].y - seen[b].y);
@@ -172,8 +172,7 @@ class Dicer {
   }
 
   /// A piece with corners that are undefined: halved, then cut at the rim.
-  void take_rim(const Piece& piece, std::span<const SurfacePoint> points, int defined,
-                std::vector<Piece>& next) {
+  void take_rim(const Piece& piece, int defined, std::vector<Piece>& next) {
     const int halvings = std::min(piece.halvings_u, piece.halvings_v);
     if (halvings < kRimHalvings) return split(piece, piece.halvings_u <= piece.halvings_v, next);
     if (defined == 0) return;
