@@ -59,8 +59,8 @@ std::vector<GalleryFacts> tubes_and_shells() {
                                    return std::abs(p.z - v * std::cos(u)) +
                                           std::abs(sq(p.x) + sq(p.y) - u * u);
                                  })},
-      // The edges are segments, there and back. Two spheres that share a point, v = 0: 3; but no line
-      // of this mesh is there, and what it has between its lines is a waist, too thin to see.
+      // The edges are segments, there and back. Two spheres that share a point, v = 0, would be 3;
+      // but no line of this mesh is there: what it has instead is a waist, too thin to see.
       {.name = "bent-horns",
        .extents = {15.76, 6, 6},
        .euler_number = 2,
