@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "base/parallel.h"
 #include "base/random.h"
@@ -30,13 +31,15 @@ constexpr std::size_t kLargest = 1024;
 constexpr std::size_t kAtRandom = 8192;
 
 /// Steps of descent from a point of the mesh to the surface; and how many of the farthest points
-/// try again from the nearest of the points that are known of the surface.
+/// try again at a time.
 constexpr int kDescents = 12;
 constexpr std::size_t kSecondTries = 256;
-constexpr int kSecondRounds = 16;
+/// Halvings of a way to where the surface is not defined.
+constexpr int kHalvings = 40;
 /// Steps of their search, directions of a round, and what becomes of a step that helped or not.
 constexpr std::size_t kSearches = 60;
 constexpr std::size_t kWays = 8;
+constexpr std::size_t kSecondStarts = 4 + kWays;
 constexpr double kLonger = 1.5;
 constexpr double kShorter = 0.6;
 
@@ -133,10 +136,24 @@ dvec2 in_domain(const Domain& d, const dvec2& uv) {
   return {std::clamp(uv.x, u0, u1), std::clamp(uv.y, v0, v1)};
 }
 
+/// The size of the box around a triangle, in parameters.
+dvec2 size_of(const std::array<dvec2, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  return glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c);
+}
+
+/// Ways from a place evenly around it.
+dvec2 way_around(std::size_t way, double turn) {
+  const double angle = 2 * std::numbers::pi * (static_cast<double>(way) + turn) / kWays;
+  return {std::cos(angle), std::sin(angle)};
+}
+
 /// A point of a mesh on its way down to the surface.
 struct Descent {
   dvec3 from;
   dvec2 uv;
+  dvec2 place;                   ///< in its triangle
+  std::array<dvec2, 3> corners;  ///< of that: places on the surface
   SurfacePoint at;
   double distance = std::numeric_limits<double>::infinity();
   double damping =
@@ -184,14 +201,16 @@ void descend(const Subject& subject, std::vector<Descent>& points) {
 void search(const Subject& subject, std::vector<Descent>& points) {
   const Domain& domain = subject.bound.domain;
   const dvec2 size = glm::abs(dvec2(domain.u1 - domain.u0, domain.v1 - domain.v0));
-  std::vector<double> reach(points.size(), 1.0 / kTiles);
+  std::vector<double> reach;  // of each, as a share of the domain
+  for (const Descent& d : points) {
+    reach.push_back(glm::length(size_of(d.corners) / size));
+  }
   for (std::size_t round = 0; round < kSearches; ++round) {
     std::vector<dvec2> tries;
     for (std::size_t k = 0; k < points.size(); ++k) {
       const double turn = random_unit(kSeed + round * points.size() + k);
       for (std::size_t way = 0; way < kWays; ++way) {
-        const double angle = 2 * std::numbers::pi * (static_cast<double>(way) + turn) / kWays;
-        const dvec2 step = reach[k] * size * dvec2(std::cos(angle), std::sin(angle));
+        const dvec2 step = reach[k] * size * way_around(way, turn);
         tries.push_back(in_domain(domain, points[k].uv + step));
       }
     }
@@ -237,23 +256,66 @@ std::vector<Descent> mesh_points(const Mesh& mesh, const std::optional<Bounds>& 
     for (const dvec3& w : kWeights) {
       Descent d;
       d.from = w.x * mesh.position[t[0]] + w.y * mesh.position[t[1]] + w.z * mesh.position[t[2]];
-      d.uv = w.x * mesh.uv[t[0]] + w.y * mesh.uv[t[1]] + w.z * mesh.uv[t[2]];
+      for (std::size_t i = 0; i < 3; ++i) d.corners[i] = mesh.uv[t[i]];
+      d.uv = d.place = w.x * d.corners[0] + w.y * d.corners[1] + w.z * d.corners[2];
       if (is_inside(clip, d.from)) points.push_back(d);
     }
   }
   return points;
 }
 
-/// A descent from the nearest of the known points of the surface, if that is nearer.
-Descent from_nearest(const Descent& d, const std::vector<dvec2>& uv,
-                     const std::vector<dvec3>& points) {
-  const auto from_it = [&](const dvec3& p) { return glm::distance(p, d.from); };
-  const auto nearest = std::ranges::min_element(points, {}, from_it);
-  if (nearest == points.end() || from_it(*nearest) > d.distance) return d;
-  Descent result;
-  result.from = d.from;
-  result.uv = uv[static_cast<std::size_t>(nearest - points.begin())];
-  return result;
+/// Where the surface begins on ways to the points' places from all around, kWays of each; the
+/// place itself if it is defined, or the way is not.
+std::vector<dvec2> beside_places(const Subject& subject, const std::vector<Descent>& points) {
+  std::vector<dvec2> defined, beyond;
+  for (const Descent& d : points) {
+    for (std::size_t way = 0; way < kWays; ++way) {
+      const dvec2 end = d.place + size_of(d.corners) * way_around(way, 0);
+      defined.push_back(in_domain(subject.bound.domain, end));
+      beyond.push_back(d.place);
+    }
+  }
+  const std::vector<SurfacePoint> at_ends = evaluate(subject.surface, defined, subject.threads);
+  for (std::size_t k = 0; k < defined.size(); ++k) {
+    if (!is_finite(at_ends[k].position)) defined[k] = beyond[k];
+  }
+  std::vector<dvec2> uv = beyond;
+  for (int halving = 0; halving <= kHalvings; ++halving) {
+    const std::vector<SurfacePoint> there = evaluate(subject.surface, uv, subject.threads);
+    for (std::size_t k = 0; k < uv.size(); ++k) {
+      (is_finite(there[k].position) ? defined : beyond)[k] = uv[k];
+      uv[k] = 0.5 * (defined[k] + beyond[k]);
+    }
+  }
+  return defined;
+}
+
+/// Descents of points from elsewhere, kSecondStarts of each: from the nearest of the points that
+/// are known of the surface, from the corners of its triangle, and from beside its place, which may
+/// be beyond a rim, where tangents lead nowhere.
+std::vector<Descent> second_tries(const Subject& subject, const std::vector<Descent>& points,
+                                  const std::vector<dvec2>& uv, const std::vector<dvec3>& known) {
+  const std::vector<dvec2> beside = beside_places(subject, points);
+  std::vector<Descent> tries;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    Descent next;
+    next.from = points[k].from;
+    next.place = points[k].place;
+    next.corners = points[k].corners;
+    const auto from_it = [&](const dvec3& p) { return glm::distance(p, next.from); };
+    const auto nearest = std::ranges::min_element(known, {}, from_it);
+    const bool is_known = nearest != known.end();
+    std::vector<dvec2> starts = {is_known ? uv[static_cast<std::size_t>(nearest - known.begin())]
+                                          : next.place};
+    starts.insert(starts.end(), next.corners.begin(), next.corners.end());
+    const auto own = std::span(beside).subspan(k * kWays, kWays);
+    starts.insert(starts.end(), own.begin(), own.end());
+    for (const dvec2& start : starts) {
+      next.uv = start;
+      tries.push_back(next);
+    }
+  }
+  return tries;
 }
 
 }  // namespace
@@ -269,7 +331,7 @@ MeshDistance::MeshDistance(const Subject& subject) : subject_(subject) {
 }
 
 double MeshDistance::operator()(const Mesh& mesh) const {
-  return std::max(from_surface(mesh), from_mesh(mesh));
+  return from_mesh(mesh, from_surface(mesh));
 }
 
 double MeshDistance::from_surface(const Mesh& mesh) const {
@@ -307,25 +369,35 @@ double MeshDistance::from_surface(const Mesh& mesh) const {
   return heights.empty() ? 0 : std::ranges::max(heights);
 }
 
-double MeshDistance::from_mesh(const Mesh& mesh) const {
+/// No less than `known`: what is nearer need not be found.
+double MeshDistance::from_mesh(const Mesh& mesh, double known) const {
   std::vector<Descent> points = mesh_points(mesh, subject_.clip);
   descend(subject_, points);
+  std::erase_if(points, [known](const Descent& d) { return d.distance <= known; });
   std::vector<double> left;  // distances of points that have not been looked at twice
   for (const Descent& d : points) left.push_back(d.distance);
-  double worst = 0;
-  for (int round = 0; round < kSecondRounds; ++round) {
-    std::vector<Descent> again;
+  double worst = known;
+  while (true) {
+    std::vector<Descent> farthest;
+    std::vector<double> before;  // of those
     for (const std::size_t k : largest(left, kSecondTries)) {
       if (left[k] <= worst) break;
-      again.push_back(from_nearest(points[k], uv_, points_));
+      farthest.push_back(points[k]);
+      before.push_back(left[k]);
       left[k] = 0;
     }
-    if (again.empty()) break;
+    if (farthest.empty()) return worst;
+    std::vector<Descent> again = second_tries(subject_, farthest, uv_, points_);
     descend(subject_, again);
     search(subject_, again);
-    for (const Descent& d : again) worst = std::max(worst, d.distance);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      double distance = before[k];
+      for (std::size_t i = k * kSecondStarts; i < (k + 1) * kSecondStarts; ++i) {
+        distance = std::min(distance, again[i].distance);
+      }
+      worst = std::max(worst, distance);
+    }
   }
-  return left.empty() ? worst : std::max(worst, std::ranges::max(left));
 }
 
 }  // namespace saddle

@@ -23,7 +23,7 @@ class MeshDistance {
 
  private:
   double from_surface(const Mesh& mesh) const;
-  double from_mesh(const Mesh& mesh) const;
+  double from_mesh(const Mesh& mesh, double known) const;
 
   const Subject& subject_;
   std::vector<dvec2> uv_;  ///< where there is a surface, inside of the clip box

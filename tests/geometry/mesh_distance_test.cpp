@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/adaptive_mesh.h"
 #include "mesh/grid_mesh.h"
 #include "study_subject.h"
 
@@ -59,6 +60,23 @@ TEST(MeshDistance, FindsASpikeThatAMeshStepsOver) {
   const Subject subject(scene, scene.surfaces[0]);
   const Mesh mesh = mesh_on_grid(subject.surface, {4, 4, 0, 0, 0}).mesh;
   EXPECT_NEAR(MeshDistance(subject)(mesh), 1, kShare);
+}
+
+TEST(MeshDistance, FindsTheWayToARimWhereTheSurfaceStandsUpright) {
+  // A chord of the rim, which is curved, is beyond it in the middle: no derivative leads back.
+  const Scene scene = scene_of("u", "v", "asin(sinh(u)*sinh(v))", {"-3", "3"}, {"-3", "3"});
+  const Subject subject(scene, scene.surfaces[0]);
+  constexpr double kTolerance = 0.09;
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe&) -> Tolerance {
+    return [](const dvec3&) { return kTolerance; };
+  };
+  options.lines_u = options.lines_v = 0;
+  const auto mesh = mesh_within_tolerance(subject.surface, options);
+  ASSERT_TRUE(mesh);
+  const double distance = MeshDistance(subject)(mesh->mesh);
+  EXPECT_GT(distance, 0.2 * kTolerance);
+  EXPECT_LE(distance, kTolerance);
 }
 
 }  // namespace
