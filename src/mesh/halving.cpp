@@ -72,6 +72,7 @@ void Halving::run(std::vector<Witness> witnesses) {
   std::size_t island_boxes = budget_.boxes / kProofsPerIsland;
   for (int round = 0; round < kRounds; ++round) {
     Failed failed{take_failed(), {}};
+    if (failed.leaves.empty() && remeasure()) failed.leaves = take_failed();
     if (failed.leaves.empty() && options_.certify) failed = take_islands(island_boxes);
     if (failed.leaves.empty() && measure_singular()) failed.leaves = take_failed();
     if (failed.leaves.empty() && options_.certify) failed = take_suspects();
@@ -297,6 +298,26 @@ void Halving::add(const Failed& failed) {
   const std::vector<std::size_t> fresh = numbers(mesh_.deviations.size(), leaves.size());
   changed.insert(changed.end(), fresh.begin(), fresh.end());
   measure(changed, SingularCorners());
+}
+
+/// Measures the distances of leaves anew that have other triangles than when they were measured,
+/// with vertices of neighbours on their sides. Their normals are known: those do not turn. False if
+/// there are none.
+bool Halving::remeasure() {
+  std::vector<std::size_t> changed;
+  std::vector<double> degrees;
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    const Leaf& leaf = mesh_.leaves[k];
+    if (count_outline(leaf, lattice_) == leaf.outline) continue;
+    changed.push_back(k);
+    degrees.push_back(mesh_.deviations[k].degrees);
+  }
+  if (changed.empty()) return false;
+  measure(changed, SingularCorners());
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    mesh_.deviations[changed[i]].degrees = degrees[i];
+  }
+  return true;
 }
 
 void Halving::measure(std::span<const std::size_t> which, const SingularCorners& singular) {

@@ -75,6 +75,7 @@ class Halving {
   bool is_full();
   std::array<dvec3, 4> positions(const Leaf& leaf) const;
   void add(const Failed& failed);
+  bool remeasure();
   void measure(std::span<const std::size_t> which, const SingularCorners& singular);
   bool measure_singular();
   bool splits_u(std::size_t number);

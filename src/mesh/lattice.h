@@ -38,6 +38,7 @@ struct Leaf {
   bool is_left_out = false;         ///< with a point in it that is a pole or has no limit
   bool given_up = false;            ///< halving does not help, or is not allowed
   std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
+  std::uint32_t outline = 0;   ///< vertices around it when it was measured
   std::uint8_t sought = 0;     ///< halvings of its root cell until it was defined somewhere
   float known_error = 0;       ///< what its tests found, in tolerances
   /// How much worse fresh samples found ancestors than their tests had: distances and normals.

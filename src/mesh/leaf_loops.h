@@ -57,6 +57,7 @@ struct LeafPlaces {
 };
 struct LeafDeviations {
   LeafNumbers distance;  ///< the largest, in local units
+  LeafNumbers foreseen;  ///< the largest beside the points, as mesh/rise.h foresees it
   LeafNumbers chord;     ///< between unit normals, exact and interpolated: its largest square
   LeafNumbers is_known;  ///< 1; 0: somebody has to look closer
 };

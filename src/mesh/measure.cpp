@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "mesh/rise.h"
 #include "mesh/triangulate.h"
 #include "surface/normal.h"
 
@@ -116,6 +117,10 @@ double height_above(const Grid& grid, const Below& below, const dvec3& p, const 
   const double aside = glm::dot(off, off) - height * height;
   if (!(height <= kFlat * longest)) return 0;
   return aside <= kBeside * kBeside * longest * longest ? height : 0;
+}
+
+LoopVector loop_vector(const dvec3& v) {
+  return {v.x, v.y, v.z};
 }
 
 class Measurer {
@@ -275,6 +280,39 @@ Deviation deviation(const Grid& grid, std::span<const Triangle> triangles, const
   double away = is_near ? on_own.distance : distance(grid, triangles, p, on_own);
   if (normal) away = std::max(away, height_above(grid, below, p, *normal));
   return {away / grid.local_scale, normal ? degrees_between(*normal, interpolated) : 0};
+}
+
+Foreseen foresee(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                 const SurfacePoint& point, bool flip) {
+  if (triangles.empty() || !is_finite(point.position)) return {0, uv};
+  const auto normal = unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), flip);
+  if (!normal) return {0, uv};
+  const dvec3 p = grid.local_scale * point.position;
+  const Triangle* nearest = triangle_below(grid, triangles, uv).triangle;
+  Nearest on_own = nearest_on(grid, *nearest, p);
+  for (const Triangle& t : triangles) {
+    if (on_own.inside) break;
+    const Nearest on_it = nearest_on(grid, t, p);
+    if (!on_it.inside && !(on_it.distance < on_own.distance)) continue;
+    nearest = &t;
+    on_own = on_it;
+  }
+  const Triangle& own = *nearest;
+  const dvec3 corner = grid.local(own[0]);
+  const dvec3 to_second = grid.local(own[1]) - corner;
+  const dvec3 to_third = grid.local(own[2]) - corner;
+  const auto& n = grid.mesh.normal;
+  const RiseShape shape =
+      rise_shape(loop_vector(to_second), loop_vector(to_third), loop_vector(n[own[1]] - n[own[0]]),
+                 loop_vector(n[own[2]] - n[own[0]]), loop_vector(*normal));
+  const double facing = glm::dot(*normal, glm::cross(to_second, to_third));
+  const double above = glm::dot(p - corner, glm::cross(to_second, to_third));
+  const Rise rise = rise_from(shape, above * facing < 0 ? -on_own.distance : on_own.distance,
+                              on_own.weights.y, on_own.weights.z);
+  const auto& at = grid.mesh.uv;
+  // The surface goes on from the place itself as the triangle does from the point below it.
+  return {rise.height / grid.local_scale,
+          uv + rise.to_b * (at[own[1]] - at[own[0]]) + rise.to_c * (at[own[2]] - at[own[0]])};
 }
 
 double degrees_of_chord(double chord) {

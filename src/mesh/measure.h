@@ -36,6 +36,15 @@ struct Below {
 /// The triangle that (u, v) is in, or is least outside of: then a weight is negative. There is one
 /// triangle at least.
 Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);
+/// A place in a triangle above which the surface may be farther away than it is at another.
+struct Foreseen {
+  double distance = 0;  ///< as mesh/rise.h foresees it
+  dvec2 uv{0};
+};
+/// From the point at (u, v), above the triangle that it is straight above, or else the nearest one.
+/// Nothing if it has no regular normal.
+Foreseen foresee(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
+                 const SurfacePoint& point, bool flip);
 
 /// The point of the triangles at (u, v); of the one that it is least outside of, if of none.
 dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);

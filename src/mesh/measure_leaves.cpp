@@ -6,6 +6,7 @@
 
 #include "mesh/leaf_loops.h"
 #include "mesh/loop_vectors.h"
+#include "mesh/rise.h"
 
 namespace saddle {
 namespace {
@@ -43,6 +44,7 @@ static inline LoopVector mix(const Corners& t, LoopVector weights) {
 /// The foot of a point on a triangle's plane.
 struct Foot {
   double square;  ///< of the distance
+  double height;  ///< on the side from which the corners are counter-clockwise
   LoopVector weights;
   double inside;  ///< the least weight
 };
@@ -54,7 +56,8 @@ static inline Foot foot_on(const Corners& t, LoopVector p) {
   const double b = dot(cross(from_c, from_a), normal) / square;
   const LoopVector weights = {a, b, 1 - a - b};
   const double height = dot(from_a, normal);
-  return {height * height / square, weights, smaller_of(smaller_of(a, b), weights.z)};
+  return {height * height / square, -height / sqrt(square), weights,
+          smaller_of(smaller_of(a, b), weights.z)};
 }
 
 static inline double square_of_longest(const Corners& t) {
@@ -101,7 +104,8 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     const Corners second = {p2, p3, p0};
     const Corners own = choose(lower, first, second);
     const Foot on_own = foot_on(own, point);
-    const Foot on_other = foot_on(choose(lower, second, first), point);
+    const Corners other = choose(lower, second, first);
+    const Foot on_other = foot_on(other, point);
     const LoopVector in_first = {1 - p, p - q, q};
     const LoopVector in_second = {p, q - p, 1 - q};
     const double height = height_above(own, choose(lower, in_first, in_second), point, exact);
@@ -109,12 +113,21 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     const double is_on_own = on_own.inside >= 0 ? 1.0 : 0.0;
     const double on_first = lower > 0 ? is_on_own : 1 - is_on_own;
     const LoopVector weights = choose(is_on_own, on_own.weights, on_other.weights);
-    const LoopVector interpolated =
-        mix(choose(on_first, Corners{n0, n1, n2}, Corners{n2, n3, n0}), weights);
+    const Corners normals = choose(on_first, Corners{n0, n1, n2}, Corners{n2, n3, n0});
+    const LoopVector interpolated = mix(normals, weights);
     const double square_normal = dot(interpolated, interpolated);
     const LoopVector chord = minus(times(1 / sqrt(square_normal), interpolated), exact);
     const double distance = sqrt(choose(is_on_own, on_own.square, on_other.square));
     deviations.distance[i] = larger_of(deviations.distance[i], larger_of(distance, height));
+    // On from there, above the triangle that the point is above.
+    const Corners above = choose(is_on_own, own, other);
+    const LoopVector ab = minus(above.b, above.a), ac = minus(above.c, above.a);
+    const double up = choose(is_on_own, on_own.height, on_other.height);
+    const RiseShape shape =
+        rise_shape(ab, ac, minus(normals.b, normals.a), minus(normals.c, normals.a), exact);
+    const Rise rise =
+        rise_from(shape, dot(exact, cross(ab, ac)) > 0 ? up : -up, weights.y, weights.z);
+    deviations.foreseen[i] = larger_of(deviations.foreseen[i], rise.height);
     deviations.chord[i] = larger_of(deviations.chord[i], dot(chord, chord));
 
     const double regular = smaller_of(

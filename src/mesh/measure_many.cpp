@@ -86,10 +86,11 @@ class Block {
 
   /// Measures leaves whose first has the number `begin` in the columns.
   void measure(const Columns& columns, std::size_t begin, std::size_t places,
-               std::span<std::optional<Deviation>> result) const {
+               std::span<std::optional<LeafDeviation>> result) const {
     const std::size_t count = result.size();
     LeafDeviations worst;
     std::fill_n(worst.distance.begin(), count, 0.0);
+    std::fill_n(worst.foreseen.begin(), count, 0.0);
     std::fill_n(worst.chord.begin(), count, 0.0);
     std::fill_n(worst.is_known.begin(), count, 1.0);
     const MeasureLeaves loop = measure_loop(cpu_level());
@@ -98,8 +99,9 @@ class Block {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (!(worst.is_known[i] > 0)) continue;
-      result[i] = {worst.distance[i] / grid_.local_scale,
-                   degrees_of_chord(std::sqrt(worst.chord[i]))};
+      result[i] = {
+          {worst.distance[i] / grid_.local_scale, degrees_of_chord(std::sqrt(worst.chord[i]))},
+          worst.foreseen[i] / grid_.local_scale};
     }
   }
 
@@ -126,10 +128,10 @@ void for_parts(std::size_t count, std::size_t length, Function f) {
 
 }  // namespace
 
-std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const Grid& grid,
-                                                   std::span<const TwoTriangles> leaves,
-                                                   unsigned threads) {
-  std::vector<std::optional<Deviation>> result(leaves.size());
+std::vector<std::optional<LeafDeviation>> measure_many(const Surface& surface, const Grid& grid,
+                                                       std::span<const TwoTriangles> leaves,
+                                                       unsigned threads) {
+  std::vector<std::optional<LeafDeviation>> result(leaves.size());
   Block block(surface, grid);
   for_parts(leaves.size(), kBatch, [&](std::size_t first, std::size_t last) {
     const auto batch = leaves.subspan(first, last - first);
@@ -153,10 +155,10 @@ std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const
   return result;
 }
 
-std::vector<std::optional<Deviation>> measure_places(const Surface& surface, const Grid& grid,
-                                                     std::span<const PlaceOnTriangle> places,
-                                                     unsigned threads) {
-  std::vector<std::optional<Deviation>> result(places.size());
+std::vector<std::optional<LeafDeviation>> measure_places(const Surface& surface, const Grid& grid,
+                                                         std::span<const PlaceOnTriangle> places,
+                                                         unsigned threads) {
+  std::vector<std::optional<LeafDeviation>> result(places.size());
   Block block(surface, grid);
   for_parts(places.size(), kBatch, [&](std::size_t first, std::size_t last) {
     const auto batch = places.subspan(first, last - first);

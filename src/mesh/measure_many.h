@@ -21,11 +21,16 @@ struct TwoTriangles {
   PlacesInLeaf places;  ///< where it is measured
 };
 
-/// The largest deviations of leaves at their places; nothing for those that have to be measured
+struct LeafDeviation {
+  Deviation worst;  ///< at its places
+  double foreseen;  ///< distance that may be found beside them: mesh/rise.h
+};
+
+/// How far off leaves are; nothing for those that have to be measured
 /// place by place, with deviation().
-std::vector<std::optional<Deviation>> measure_many(const Surface& surface, const Grid& grid,
-                                                   std::span<const TwoTriangles> leaves,
-                                                   unsigned threads);
+std::vector<std::optional<LeafDeviation>> measure_many(const Surface& surface, const Grid& grid,
+                                                       std::span<const TwoTriangles> leaves,
+                                                       unsigned threads);
 
 /// A place on one of several triangles of a leaf.
 struct PlaceOnTriangle {
@@ -35,8 +40,8 @@ struct PlaceOnTriangle {
 };
 
 /// Deviations at places; nothing for those that are to be measured with deviation().
-std::vector<std::optional<Deviation>> measure_places(const Surface& surface, const Grid& grid,
-                                                     std::span<const PlaceOnTriangle> places,
-                                                     unsigned threads);
+std::vector<std::optional<LeafDeviation>> measure_places(const Surface& surface, const Grid& grid,
+                                                         std::span<const PlaceOnTriangle> places,
+                                                         unsigned threads);
 
 }  // namespace saddle

@@ -180,6 +180,12 @@ std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
   return Cutter(whole, lattice).take(leaf.is_split, lattice.is_defined_at(leaf.middle()));
 }
 
+std::uint32_t count_outline(const Leaf& leaf, const Lattice& lattice) {
+  std::uint32_t count = 0;
+  for_sides(leaf, lattice, [&](std::uint32_t, std::uint32_t) { ++count; });
+  return count;
+}
+
 std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
   std::vector<Side> sides;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {

@@ -33,6 +33,9 @@ void for_sides(const Leaf& leaf, const Lattice& lattice, F f) {
   f(before, first);
 }
 
+/// How many vertices in use are around a leaf.
+std::uint32_t count_outline(const Leaf& leaf, const Lattice& lattice);
+
 /// The sides of a leaf as pairs.
 std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice);
 

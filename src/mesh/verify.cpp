@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "mesh/clip.h"
+#include "mesh/crease_distance.h"
 #include "mesh/measure_many.h"
 #include "mesh/rim_distance.h"
 
@@ -22,6 +23,9 @@ constexpr double kJitter = 0.1;
 
 /// Samples on a diagonal: an arc with a turning point is not highest above its middle.
 constexpr std::array kOnDiagonal = {0.36, 0.5, 0.64};
+
+/// How far from its chord a crease is looked for, in chords.
+constexpr double kBesideCrease = 0.3;
 
 /// Samples on the sides of triangles at a rim: an arc with a vertical tangent at its end, as sqrt
 /// has, is highest above the first quarter of its chord.
@@ -93,23 +97,6 @@ PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangle
 
 }  // namespace
 
-void Measured::remove(std::span<const std::size_t> which) {
-  if (which.empty()) return;
-  std::size_t to = which.front();
-  for (std::size_t from = to; from < leaves.size(); ++from) {
-    if (!which.empty() && which.front() == from) {
-      which = which.subspan(1);
-      continue;
-    }
-    leaves[to] = leaves[from];
-    deviations[to] = deviations[from];
-    allowed[to++] = allowed[from];
-  }
-  leaves.resize(to);
-  deviations.resize(to);
-  allowed.resize(to);
-}
-
 /// Where a leaf is cut, its pieces meet along a chord of the true line: what lies between the two
 /// is no farther from the surface than the other piece, and faces as that one does.
 Deviation Verifier::deviation_of(const Leaf& leaf, std::span<const Triangle> triangles,
@@ -160,6 +147,7 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
   // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
   // chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
+  const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];
@@ -167,9 +155,12 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
     if (!inside && !is_creased) return;
     const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
     if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
-    const std::optional<Chord> crease = on_crease ? std::optional(Chord{a, b}) : std::nullopt;
     for (const double share : kOnDiagonal) {
-      samples.push_back({number, glm::mix(at[a], at[b], share), &t, leaf.is_split, crease});
+      samples.push_back({number, glm::mix(at[a], at[b], share), &t, leaf.is_split});
+      if (!on_crease) continue;
+      const dvec2 along = (at[b] - at[a]) / size;
+      samples.back().crease = Chord{a, b};
+      samples.back().across = kBesideCrease * size * dvec2(-along.y, along.x);
     }
   };
   for (const Triangle& t : triangles) {
@@ -178,6 +169,21 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
     }
     if (leaf.is_split && !is_creased) continue;
     for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
+  }
+}
+
+/// Samples on chords of cusps go to where the cusp is: it runs beside its chord, and how far the
+/// surface is from the cusp makes up for that in part.
+void Verifier::move_onto_cusps(std::vector<Sample>& samples) const {
+  std::vector<Line> lines;
+  for (const Sample& sample : samples) {
+    if (sample.crease) lines.push_back({sample.uv - sample.across, sample.uv + sample.across});
+  }
+  if (lines.empty()) return;
+  const std::vector<dvec2> places = cusp_places(surface_, lines, threads_);
+  std::size_t next = 0;
+  for (Sample& sample : samples) {
+    if (sample.crease) sample.uv = places[next++];
   }
 }
 
@@ -215,7 +221,7 @@ double Verifier::distance_from_chord(const Chord& chord, const SurfacePoint& poi
 }
 
 std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const std::size_t> which,
-                                                 const LeafTriangles& triangles) {
+                                                 const LeafTriangles& triangles, Peaks& peaks) {
   std::vector<TwoTriangles> plain;
   std::vector<std::size_t> numbers;  // of those, in `which`
   std::vector<std::size_t> others;
@@ -237,12 +243,17 @@ std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const
   const auto deviations = measure_many(surface_, grid_, plain, threads_);
   evaluations_ += kPlacesInLeaf * plain.size();
   for (std::size_t i = 0; i < plain.size(); ++i) {
+    const std::size_t number = numbers[i];
+    const std::size_t leaf = which[number];
     // Of what is off there may be nothing in the box.
-    const std::size_t leaf = which[numbers[i]];
-    if (deviations[i] && !(clip_ && deviations[i]->distance > mesh.allowed[leaf])) {
-      mesh.deviations[leaf] = *deviations[i];
-    } else {
-      others.push_back(numbers[i]);
+    if (!deviations[i] || (clip_ && deviations[i]->worst.distance > mesh.allowed[leaf])) {
+      others.push_back(number);
+      continue;
+    }
+    mesh.deviations[leaf] = deviations[i]->worst;
+    if (!is_worth_a_look(mesh, leaf, deviations[i]->foreseen)) continue;
+    for (const dvec2& part : plain[i].places) {
+      peaks.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
     }
   }
   return others;
@@ -251,7 +262,8 @@ std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const
 std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
                                                         std::span<const std::size_t> which,
                                                         std::span<const std::size_t> others,
-                                                        const LeafTriangles& triangles) {
+                                                        const LeafTriangles& triangles,
+                                                        Peaks& peaks) {
   std::vector<Sample> rest;
   std::vector<Sample> samples;
   std::vector<PlaceOnTriangle> places;
@@ -271,15 +283,19 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
     const Sample& sample = samples[s];
     const std::size_t leaf = which[sample.number];
     // Of a leaf that is cut another piece may be nearer.
-    const bool is_known = found[s] && !sample.crease &&
-                          (!mesh.leaves[leaf].is_split || is_good(*found[s], mesh.allowed[leaf]));
+    const bool is_known =
+        found[s] && !sample.crease &&
+        (!mesh.leaves[leaf].is_split || is_good(found[s]->worst, mesh.allowed[leaf]));
     if (!is_known) {
       rest.push_back(sample);
       continue;
     }
     Deviation& worst = mesh.deviations[leaf];
-    worst.distance = std::max(worst.distance, found[s]->distance);
-    if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->degrees);
+    worst.distance = std::max(worst.distance, found[s]->worst.distance);
+    if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->worst.degrees);
+    if (!mesh.leaves[leaf].is_split && is_worth_a_look(mesh, leaf, found[s]->foreseen)) {
+      peaks.add(leaf, triangles.of(sample.number), sample.uv);
+    }
   }
   return rest;
 }
@@ -291,7 +307,7 @@ void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> w
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += points.size();
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    const auto& [k, place, triangle, beside_cut, crease] = samples[s];
+    const auto& [k, place, triangle, beside_cut, crease, across] = samples[s];
     const Leaf& leaf = mesh.leaves[which[k]];
     Deviation& worst = mesh.deviations[which[k]];
     if (is_unseen(triangles.of(k), place, points[s].position)) continue;
@@ -303,19 +319,76 @@ void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> w
   }
 }
 
+/// How far triangles beside creases are off the surface, from the middles of diagonals: beside a
+/// cusp the surface turns too much for heights along its normals.
+void Verifier::measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
+                                      const LeafTriangles& triangles,
+                                      std::span<const std::size_t> others) {
+  std::vector<MeshPoint> points;
+  std::vector<std::size_t> leaves;  // of each
+  const Mesh& of = grid_.mesh;
+  for (const std::size_t k : others) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (!leaf.is_split || !count_cuts(leaf, lattice_).only_creases) continue;
+    if (crosses_box(triangles.of(k))) continue;
+    const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
+    for (const Triangle& t : triangles.of(k)) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = t[i];
+        const std::uint32_t b = t[(i + 1) % 3];
+        if (a > b || !apex_beyond(triangles.of(k), b, a)) continue;
+        points.push_back(
+            {0.5 * (of.position[a] + of.position[b]), 0.5 * (of.uv[a] + of.uv[b]), glm::abs(size)});
+        leaves.push_back(which[k]);
+      }
+    }
+  }
+  const std::vector<double> distances = distances_from_surface(surface_, points, threads_);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    mesh.add(leaves[k], distances[k]);
+  }
+}
+
+/// Corners of triangles without area, which are left out: what they stood for has an end that may
+/// stick out of the others.
+void Verifier::add_left_out(Measured& mesh, std::size_t number,
+                            std::span<const Triangle> triangles) const {
+  const Leaf& leaf = mesh.leaves[number];
+  if (leaf.on_rim || leaf.is_split || triangles.empty()) return;
+  if (triangles.size() + 2 >= leaf.outline) return;
+  const auto& point = grid_.mesh.point;
+  for_sides(leaf, lattice_, [&](std::uint32_t vertex, std::uint32_t) {
+    const auto has_it = [&](const Triangle& t) {
+      return std::ranges::any_of(t, [&](auto corner) { return point[corner] == point[vertex]; });
+    };
+    const dvec3& position = grid_.mesh.position[vertex];
+    if (std::ranges::any_of(triangles, has_it)) return;
+    if (clip_ && !clip_->contains(position)) return;
+    mesh.add(number, distance_from(grid_, triangles, grid_.mesh.uv[vertex], position));
+  });
+}
+
 void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
                        const LeafTriangles& triangles) {
   mesh.deviations.resize(mesh.leaves.size());
-  const std::vector<std::size_t> others = measure_plain(mesh, which, triangles);
-  measure_one_by_one(mesh, which, triangles, measure_several(mesh, which, others, triangles));
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    Leaf& leaf = mesh.leaves[which[k]];
+    leaf.outline = triangles.is_plain[k] != 0 ? 4 : count_outline(leaf, lattice_);
+  }
+  Peaks peaks(surface_, grid_, clip_, threads_);
+  const std::vector<std::size_t> others = measure_plain(mesh, which, triangles, peaks);
+  std::vector<Sample> rest = measure_several(mesh, which, others, triangles, peaks);
+  move_onto_cusps(rest);
+  measure_one_by_one(mesh, which, triangles, rest);
+  peaks.climb(mesh);
+  evaluations_ += peaks.evaluations();
+  measure_beside_creases(mesh, which, triangles, others);
+  for (const std::size_t k : others) add_left_out(mesh, which[k], triangles.of(k));
   RimDistance rims(surface_, grid_, lattice_, threads_);
   for (const std::size_t k : others) {
     if (!crosses_box(triangles.of(k))) rims.add(mesh.leaves[which[k]], which[k], triangles.of(k));
   }
-  for (const auto& [leaf, distance] : rims.measure()) {
-    double& worst = mesh.deviations[leaf].distance;
-    worst = std::max(worst, distance);
-  }
+  for (const auto& [leaf, distance] : rims.measure()) mesh.add(leaf, distance);
   evaluations_ += rims.evaluations();
 }
 

@@ -7,23 +7,11 @@
 #include <vector>
 
 #include "mesh/leaf_mesh.h"
-#include "mesh/measure.h"
+#include "mesh/measured.h"
+#include "mesh/peaks.h"
 #include "mesh/refine.h"
 
 namespace saddle {
-
-/// The leaves of a mesh, what is allowed of them and what they were last found to deviate by.
-struct Measured {
-  std::vector<Leaf> leaves;
-  /// As many as leaves, or fewer: the rest is not measured yet.
-  std::vector<Deviation> deviations;
-  std::vector<double> allowed;
-
-  /// How far off a leaf is, in what is allowed.
-  double off(std::size_t leaf) const { return deviations[leaf].distance / allowed[leaf]; }
-  /// Takes leaves out; `which` ascending. The others stay in their order.
-  void remove(std::span<const std::size_t> which);
-};
 
 class Verifier {
  public:
@@ -52,15 +40,16 @@ class Verifier {
     const Triangle* triangle = nullptr;  ///< it is in; unknown
     bool beside_cut = false;             ///< the normal may be that of the other side
     std::optional<Chord> crease = {};    ///< whose chord it is on
+    dvec2 across{0};                     ///< from there across the chord, where a cusp may be
   };
   /// Measures the leaves that are as most are. Returns the numbers in `which` of the others.
   std::vector<std::size_t> measure_plain(Measured& mesh, std::span<const std::size_t> which,
-                                         const LeafTriangles& triangles);
+                                         const LeafTriangles& triangles, Peaks& peaks);
   /// The same with leaves of any triangles, of `others`. Returns those of their samples that are
   /// still to be measured.
   std::vector<Sample> measure_several(Measured& mesh, std::span<const std::size_t> which,
                                       std::span<const std::size_t> others,
-                                      const LeafTriangles& triangles);
+                                      const LeafTriangles& triangles, Peaks& peaks);
   bool is_good(const Deviation& deviation, double allowed) const {
     return deviation.distance <= allowed && deviation.degrees <= normal_tolerance_;
   }
@@ -72,6 +61,10 @@ class Verifier {
                     std::vector<Sample>& samples) const;
   void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      std::vector<Sample>& samples) const;
+  void move_onto_cusps(std::vector<Sample>& samples) const;
+  void measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
+                              const LeafTriangles& triangles, std::span<const std::size_t> others);
+  void add_left_out(Measured& mesh, std::size_t number, std::span<const Triangle> triangles) const;
   bool is_inside(const Leaf& leaf, const dvec2& uv) const;
   bool is_unseen(std::span<const Triangle> triangles, const dvec2& uv, const dvec3& p) const;
   bool crosses_box(std::span<const Triangle> triangles) const;

@@ -143,8 +143,8 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
         worst.degrees = std::max(worst.degrees, d.degrees);
       }
       ASSERT_TRUE(measured[k]) << k;
-      ASSERT_NEAR(measured[k]->distance, worst.distance, 1e-9 * worst.distance) << k;
-      ASSERT_NEAR(measured[k]->degrees, worst.degrees, 1e-6 * worst.degrees) << k;
+      ASSERT_NEAR(measured[k]->worst.distance, worst.distance, 1e-9 * worst.distance) << k;
+      ASSERT_NEAR(measured[k]->worst.degrees, worst.degrees, 1e-6 * worst.degrees) << k;
     }
   }
 }
@@ -188,14 +188,14 @@ TEST(ManyLeaves, PlacesOnTheirTrianglesAreMeasuredAsOneByOne) {
       ASSERT_TRUE(measured);
       // Outside of its triangle a place has no height, but a distance from the other one.
       if (weights.y < 0) {
-        EXPECT_LE(measured->distance, d.distance * (1 + 1e-9));
-        EXPECT_GT(measured->distance, 0);
+        EXPECT_LE(measured->worst.distance, d.distance * (1 + 1e-9));
+        EXPECT_GT(measured->worst.distance, 0);
         continue;
       }
-      EXPECT_NEAR(measured->distance, d.distance, 1e-9 * d.distance);
+      EXPECT_NEAR(measured->worst.distance, d.distance, 1e-9 * d.distance);
       // On the side the point straight below may be on either triangle.
       if (weights.y == 0) continue;
-      EXPECT_NEAR(measured->degrees, d.degrees, 1e-6 * d.degrees);
+      EXPECT_NEAR(measured->worst.degrees, d.degrees, 1e-6 * d.degrees);
     }
   }
 }
@@ -271,6 +271,7 @@ TEST(ManyLeaves, AreMeasuredAlikeOnEveryCpuLevel) {
   const auto measure = [&](CpuLevel level) {
     auto result = std::make_unique<LeafDeviations>();
     result->distance.fill(0);
+    result->foreseen.fill(0);
     result->chord.fill(0);
     result->is_known.fill(1);
     measure_loop(level)(*leaves, places, kLeafBlock, *result);
@@ -281,6 +282,7 @@ TEST(ManyLeaves, AreMeasuredAlikeOnEveryCpuLevel) {
   for (std::size_t level = 1; level < supported_level_count(); ++level) {
     const auto result = measure(static_cast<CpuLevel>(level));
     EXPECT_EQ(result->distance, lowest->distance);
+    EXPECT_EQ(result->foreseen, lowest->foreseen);
     EXPECT_EQ(result->chord, lowest->chord);
     EXPECT_EQ(result->is_known, lowest->is_known);
   }

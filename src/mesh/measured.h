@@ -1,0 +1,31 @@
+// The leaves of a mesh and how far off they are.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mesh/lattice.h"
+#include "mesh/measure.h"
+
+namespace saddle {
+
+/// The leaves of a mesh, what is allowed of them and what they were last found to deviate by.
+struct Measured {
+  std::vector<Leaf> leaves;
+  /// As many as leaves, or fewer: the rest is not measured yet.
+  std::vector<Deviation> deviations;
+  std::vector<double> allowed;
+
+  /// How far off a leaf is, in what is allowed.
+  double off(std::size_t leaf) const { return deviations[leaf].distance / allowed[leaf]; }
+  /// A distance that was found at a leaf.
+  void add(std::size_t leaf, double distance) {
+    double& worst = deviations[leaf].distance;
+    worst = distance > worst ? distance : worst;
+  }
+  /// Takes leaves out; `which` ascending. The others stay in their order.
+  void remove(std::span<const std::size_t> which);
+};
+
+}  // namespace saddle

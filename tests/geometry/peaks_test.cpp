@@ -1,0 +1,117 @@
+// Leaves are as near to the surface as the mesh says, also between the places where they were
+// measured: what is foreseen, creases, needles, sides that got vertices later. Distances are those
+// of study/mesh_distance, which shares nothing with the mesher.
+#include "mesh/peaks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "mesh/adaptive_mesh.h"
+#include "mesh/crease_distance.h"
+#include "mesh/rise.h"
+#include "scene/assignments.h"
+#include "scene/gallery.h"
+#include "scene/resolve.h"
+#include "study/mesh_distance.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+/// z = height - a x^2 - b x y - c y^2 over the triangle (0, 0), (1, 0), (0, 1) less its values at
+/// the corners, which is 0 there: what is foreseen from (x, y).
+Rise rise_on(double a, double b, double c, double x, double y) {
+  const double slope_x = a * (1 - 2 * x) - b * y;
+  const double slope_y = c * (1 - 2 * y) - b * x;
+  const double height = a * x * (1 - x) - b * x * y + c * y * (1 - y);
+  return rise_from({slope_x, slope_y, -2 * a, -b, -2 * c}, height, x, y);
+}
+
+TEST(Rise, OfABowlIsItsTop) {
+  // Highest at (0.3, 0.45): 0.3 = a (1 - 2 x) - b y = 0 and the same in y.
+  const double a = 1;
+  const double b = 0.8888888888888888;
+  const double c = 2.6666666666666665;
+  const double top = a * 0.3 * 0.7 - b * 0.3 * 0.45 + c * 0.45 * 0.55;
+  const Rise rise = rise_on(a, b, c, 0.25, 0.4);
+  EXPECT_GT(rise.height, 0.98 * top);
+  EXPECT_LE(rise.height, top * (1 + 1e-12));
+  EXPECT_NEAR(0.25 + rise.to_b, 0.3, 0.02);
+  EXPECT_NEAR(0.4 + rise.to_c, 0.45, 0.02);
+  const Rise below = rise_from({-0.1, 0, 2, 0, 2}, -1, 0.3, 0.3);
+  EXPECT_GT(below.height, 1);
+}
+
+TEST(Rise, LeadsUphillAlongACylinderAndStaysInTheTriangle) {
+  const Rise rise = rise_on(1, 0, 0, 0.3, 0.2);
+  EXPECT_NEAR(rise.height, 0.25, 0.01);
+  EXPECT_NEAR(0.3 + rise.to_b, 0.5, 0.07);
+  const Rise at_side = rise_from({5, 0, -0.1, 0, -0.1}, 0.1, 0.5, 0.4);
+  EXPECT_LE(0.5 + at_side.to_b + 0.4 + at_side.to_c, 1 + 1e-12);
+  EXPECT_GT(at_side.height, 0.1);
+}
+
+TEST(Rise, IsNoneInAHollow) {
+  EXPECT_EQ(rise_from({0, 0, -1, 0, -1}, 0.2, 0.3, 0.3).height, 0.2);
+  EXPECT_EQ(rise_from({0.1, 0, 1, 0, 1}, 0.2, 0.3, 0.3).height, 0.2);
+}
+
+TEST(CreaseDistance, FindsACuspAndTheNearestPoint) {
+  const Surface surface = surface_from_text("u", "v^2", "v^3", {-1, 1, -1, 1}, {}, Order::Second);
+  const Line across = {dvec2(0.3, -0.1), dvec2(0.3, 0.25)};
+  EXPECT_NEAR(cusp_places(surface, std::span(&across, 1), 1)[0].y, 0, 1e-3);
+  const Line beside = {dvec2(0.3, 0.2), dvec2(0.3, 0.22)};
+  EXPECT_NEAR(cusp_places(surface, std::span(&beside, 1), 1)[0].y, 0.21, 1e-12);
+  // 0.1 from the surface at v = 0.5 along its normal, with parameters that are somewhat off.
+  const dvec3 normal = glm::normalize(dvec3(0, -0.75, 1));
+  const MeshPoint point{dvec3(0.2, 0.25, 0.125) + 0.1 * normal, {0.25, 0.4}, {0.5, 0.5}};
+  EXPECT_NEAR(distances_from_surface(surface, std::span(&point, 1), 1)[0], 0.1, 1e-6);
+}
+
+struct Case {
+  const char* name;
+  double share;  ///< tolerance, of the diagonal
+};
+
+class WithinTolerance : public testing::TestWithParam<Case> {};
+
+TEST_P(WithinTolerance, BothWaysBetweenSamples) {
+  const auto& [name, share] = GetParam();
+  Scene given;
+  if (std::string(name) == "peak") {
+    assign(given, "z=exp(-40*((u-0.3)^2+(v+0.2)^2))");
+  } else {
+    given = gallery_scene(*find_gallery_entry(name));
+  }
+  const Scene scene = resolve(given);
+  const Subject subject(scene, scene.surfaces.at(0));
+  double length = 0;
+  AdaptiveOptions options;
+  options.tolerance = [&](const Probe& probe) -> Tolerance {
+    length = share * probe.bounds().diagonal();
+    return [&length](const dvec3&) { return length; };
+  };
+  options.lines_u = options.lines_v = 0;
+  const auto mesh = mesh_within_tolerance(subject.surface, options);
+  ASSERT_TRUE(mesh);
+  EXPECT_LE(mesh->report.max_error, length);
+  const double distance = MeshDistance(subject)(mesh->mesh);
+  EXPECT_GT(distance, 0.3 * length);
+  EXPECT_LE(distance, length);
+}
+
+/// Each was above its tolerance, by up to 3.7 times.
+INSTANTIATE_TEST_SUITE_P(Gallery, WithinTolerance,
+                         testing::Values(Case{"peak", 1e-4}, Case{"klein-bottle", 1e-3},
+                                         Case{"kuen", 1e-4}, Case{"swallowtail", 1e-2},
+                                         Case{"guimard", 1e-2}),
+                         [](const auto& info) {
+                           std::string name = info.param.name;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace saddle
