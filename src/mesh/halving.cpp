@@ -46,6 +46,20 @@ constexpr double kSamePlace = 1e-9;
 /// 1.41 times as far away as its sides.
 constexpr double kNearHole = 0.7;
 
+/// Whether chords between corners keep to the places to which ways to a point lead: they may be a
+/// curve, which chords cut short.
+bool is_along(const Hole& hole, const std::array<dvec3, 4>& corners, double allowed) {
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = a + 1; b < 4; ++b) {
+      for (const double share : {0.25, 0.5, 0.75}) {
+        const dvec3 place = glm::mix(corners[a], corners[b], share);
+        if (is_finite(place) && !(hole.distance_to(place) <= allowed)) return false;
+      }
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPlan& plan)
@@ -207,7 +221,15 @@ void Halving::accept_around(const Hole& hole) {
     const double near = kNearHole * mesh_.allowed[k];
     const Bounds around{hole.near.low - near, hole.near.high + near};
     const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
-    if (!std::ranges::all_of(positions(leaf), is_near)) continue;
+    const std::array<dvec3, 4> corners = positions(leaf);
+    if (!std::ranges::all_of(corners, is_near)) continue;
+    if (!hole.around.empty()) {
+      const auto is_off = [&](const dvec3& p) {
+        return is_finite(p) && !(hole.distance_to(p) <= mesh_.allowed[k]);
+      };
+      if (std::ranges::any_of(corners, is_off)) continue;
+      if (!is_along(hole, corners, mesh_.allowed[k])) leaf.is_left_out = true;
+    }
     mesh_.deviations[k] = {};
     leaf.known_error = 0;
   }

@@ -23,6 +23,9 @@ constexpr double kAslant = 0.07;  // of a turn between two ways
 /// surface is looked at: 1e-6 and 1e-12 of the ranges away.
 constexpr double kReach = 0x1p-8;
 constexpr std::array kLooks = {0x1p-12, 0x1p-32};
+/// Ways that are taken around a point without a limit: a circle of limits is 2e-5 of its radius
+/// from chords between them.
+constexpr std::size_t kManyWays = 512;
 /// Places that agree to this part of the diagonal are one; what differs by no more than this part
 /// of what it did farther away is on its way to agree.
 constexpr double kAgree = 1e-4;
@@ -88,6 +91,25 @@ Hole::Kind kind_of_point(const Surface& surface, const Ways& ways, double agree,
   return near > agree && near > kShrinks * before ? Hole::Kind::NoLimit : Hole::Kind::Limit;
 }
 
+/// Where the surface is all around a place, as near to it as digits allow; nothing where it is not
+/// defined all around.
+std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsigned threads) {
+  const Domain& d = surface.domain;
+  const dvec2 reach = kReach * kLooks.back() * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
+  std::vector<dvec2> uv;
+  for (std::size_t k = 0; k < kManyWays; ++k) {
+    const double turn = (static_cast<double>(k) + kAslant) / kManyWays;
+    const double angle = 2 * std::numbers::pi * turn;
+    uv.push_back(place + reach * dvec2(std::cos(angle), std::sin(angle)));
+  }
+  std::vector<dvec3> around;
+  for (const SurfacePoint& point : evaluate(surface, uv, threads)) {
+    if (!is_finite(point.position)) return {};
+    around.push_back(point.position);
+  }
+  return around;
+}
+
 /// A box is halved so many times each way, and so many of its parts are followed: four meet at a
 /// point on their corners.
 constexpr int kHalvings = 40;
@@ -140,6 +162,19 @@ class Narrowing {
 
 }  // namespace
 
+double Hole::distance_to(const dvec3& place) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    const dvec3& from = around[k];
+    const dvec3 way = around[(k + 1) % around.size()] - from;
+    const double square = glm::dot(way, way);
+    const double share =
+        square > 0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, glm::distance(place, from + share * way));
+  }
+  return nearest;
+}
+
 std::vector<std::optional<dvec2>> find_holes(const Surface& surface,
                                              std::span<const ParameterBox> where) {
   Narrowing narrow(surface);
@@ -158,6 +193,9 @@ std::vector<Hole> look_at_holes(const Surface& surface, std::span<const dvec2> p
     Hole hole;
     if (ways.is_open && !ways.lines.empty()) {
       hole = {kind_of_point(surface, ways, kAgree * diagonal, threads), ways.at_looks[1]};
+      if (hole.kind == Hole::Kind::NoLimit && ways.lines.size() == kWays) {
+        hole.around = look_around(surface, ways.lines[0][0], threads);
+      }
     } else if (ways.is_open_aslant) {
       hole.kind = Hole::Kind::Line;
     }

@@ -22,6 +22,12 @@ struct Hole {
   };
   Kind kind = Kind::Part;
   Bounds near;  ///< where the surface is around one point, as near to it as digits allow
+  /// The same, in the order of the ways there, of a point without a limit that is within the
+  /// domain.
+  std::vector<dvec3> around = {};
+
+  /// How far a place is from what is around the point.
+  double distance_to(const dvec3& place) const;
 };
 
 /// Where bounds leave room for a break in a box of parameters, if that is one point: as near as

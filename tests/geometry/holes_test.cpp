@@ -101,5 +101,24 @@ TEST(Holes, ThatArePolesAreNamedAndWithinTolerance) {
   }
 }
 
+TEST(Holes, OfACircleOfLimitsAreNotCutAcross) {
+  // A cylinder: ways to (0, 0) lead to all of its lower edge.
+  const Surface surface = surface_from_text("u/hypot(u,v)", "v/hypot(u,v)", "hypot(u,v)",
+                                            {-1, 1, -1, 1}, {}, Order::Second);
+  constexpr double kTolerance = 3e-3;
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe&) -> Tolerance {
+    return [](const dvec3&) { return kTolerance; };
+  };
+  const auto mesh = mesh_within_tolerance(surface, options);
+  ASSERT_TRUE(mesh);
+  EXPECT_LE(mesh->report.max_error, kTolerance);
+  const auto& p = mesh->mesh.position;
+  for (const Triangle& t : mesh->mesh.triangles) {
+    const dvec3 middle = (p[t[0]] + p[t[1]] + p[t[2]]) / 3.0;
+    ASSERT_GT(glm::length(dvec2(middle)), 1 - 2 * kTolerance);
+  }
+}
+
 }  // namespace
 }  // namespace saddle
