@@ -35,6 +35,13 @@ constexpr int kHalvingsInVain = 2;
 /// At most this many cells each way: two million triangles.
 constexpr int kMaxDefaultCells = 1000;
 
+/// Triangles at most; and where no tolerance is asked for, unless the picture has more pixels. Each
+/// takes about 7 microseconds and 800 bytes.
+constexpr std::size_t kMostTriangles = 4'000'000;
+constexpr std::size_t kEnoughTriangles = 1'000'000;
+/// Boxes that a surface with poles is clipped to before its poles show all the faces that it needs.
+constexpr int kMostBoxes = 3;
+
 /// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
 /// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
 /// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks.
@@ -89,6 +96,17 @@ Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
   return box;
 }
 
+/// Triangles at most. Whoever asks for a tolerance, or for cells, gets what that takes; else there
+/// are about as many as a picture of the surface has pixels, which is more than can be told apart
+/// in it.
+std::size_t most_triangles(const Scene& scene) {
+  if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
+  if (scene.mesh.tolerance || scene.mesh.samples) return kMostTriangles;
+  const auto pixels = static_cast<std::size_t>(scene.picture.width) *
+                      static_cast<std::size_t>(scene.picture.height);
+  return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
+}
+
 /// A picture's mesh is the one that costs least; a file's has the fewest triangles, and what is
 /// told of a surface is told of that.
 std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, const Surface& surface,
@@ -101,6 +119,31 @@ std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, con
   if (!purpose.mesh && !purpose.facts) return mesh_at_least_cost(surface, options, times);
   auto mesh = mesh_within_tolerance(surface, options);
   if (mesh) mesh->report.choice = MeshChoice();
+  return mesh;
+}
+
+/// The mesh of a surface that goes to infinity, clipped, if there is any. `known`: what is known of
+/// its poles; `options.clip`: the box that everything else is in.
+std::optional<GridMesh> mesh_clipped(const MeshReport& known, const Scene& scene,
+                                     const Purpose& purpose, const Surface& surface,
+                                     AdaptiveOptions options) {
+  // Only where its poles are tells that it needs the box, and in which coordinates.
+  const Bounds box = *options.clip;
+  Bounds beside_poles = known.beside_poles;
+  std::optional<GridMesh> mesh;
+  for (int k = 0; k < kMostBoxes; ++k) {
+    options.clip = open_where_it_stays(box, beside_poles);
+    mesh = mesh_for(scene, purpose, surface, options);
+    if (!mesh) return std::nullopt;
+    mesh->report.clip = options.clip;
+    beside_poles.add(mesh->report.beside_poles);
+    if (open_where_it_stays(box, beside_poles) == *options.clip) break;
+  }
+  // Cells outside of the box are not looked at any more.
+  if (known.pole_count > mesh->report.pole_count) {
+    mesh->report.poles = known.poles;
+    mesh->report.pole_count = known.pole_count;
+  }
   return mesh;
 }
 
@@ -119,19 +162,19 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     return tolerance_of(scene, spec, purpose, probe, options.clip);
   };
   options.normal_tolerance = scene.mesh.normal_tolerance;
-  options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);
+  options.max_triangles = most_triangles(scene);
   options.lines_u = spec.grid_u;
   options.lines_v = spec.grid_v;
   options.threads = threads;
+  options.until_poles = scene.clip.automatic && !scene.mesh.samples;
   auto mesh = mesh_for(scene, purpose, surface, options);
+  options.until_poles = false;
   if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
-    // Only a mesh tells that it needs the box, and in which coordinates.
-    options.clip = open_where_it_stays(clip_box(around, positions), mesh->report.beside_poles);
-    const MeshReport whole = std::move(mesh->report);
-    if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
-    mesh->report.poles = whole.poles;  // cells outside of the box are not looked at any more
-    mesh->report.pole_count = whole.pole_count;
-    mesh->report.clip = options.clip;
+    const MeshReport known = std::move(mesh->report);
+    options.clip = clip_box(around, positions);
+    mesh = mesh_clipped(known, scene, purpose, surface, options);
+    options.clip = std::nullopt;
+    if (!mesh) mesh = mesh_for(scene, purpose, surface, options);
   } else if (scene.clip.automatic && (options.clip = readable_box(positions))) {
     if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
     if (mesh) mesh->report.clip = options.clip;
@@ -163,7 +206,7 @@ ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Su
   if (spec.color == "gauss") options.rounding = kFlat / (diagonal * diagonal);
   options.range = spec.color_range;
   options.clip = scene.clip.box ? scene.clip.box : mesh.report.clip;
-  options.max_triangles = static_cast<std::size_t>(scene.mesh.max_triangles);
+  options.max_triangles = most_triangles(scene);
   options.threads = threads;
   const ColorReport report = color_mesh(surface, options, mesh.mesh);
   mesh.report.evaluations += report.evaluations;
@@ -189,7 +232,9 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
       place.high = glm::max(place.high, corner);
     }
   }
-  if (report.coarse_normals) take_user_parameters(surface, std::span(&*report.coarse_normals, 1));
+  for (auto* const place : {&report.coarse_normals, &report.worst_place, &report.oscillates}) {
+    if (*place) take_user_parameters(surface, std::span(&**place, 1));
+  }
   for (SingularPoint& point : report.singular_points) {
     take_user_parameters(surface, std::span(&point.uv, 1));
   }

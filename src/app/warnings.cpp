@@ -121,11 +121,19 @@ class MeshWarnings {
   }
 
   void take_errors() {
+    const bool is_off = report_.tolerance && report_.max_error > *report_.tolerance;
+    const std::string off = off_by(report_) +
+                            (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_)
+                                                 : std::string());
     if (report_.reached_limit) {
-      say("the limit of triangles stopped refinement, the mesh is" + off_by(report_) +
+      say("the limit of triangles stopped refinement, the mesh is" + off +
           "; --max-triangles allows more");
-    } else if (report_.tolerance && report_.max_error > *report_.tolerance) {
-      say("the mesh is" + off_by(report_) +
+    } else if (is_off && report_.oscillates) {
+      say("the surface oscillates faster than a picture shows, as at " +
+          place(*report_.oscillates, domain_) + "; the mesh is" + off_by(report_) +
+          " there; smaller ranges show more");
+    } else if (is_off) {
+      say("the mesh is" + off +
           ": a pole, a jump or detail that its cells miss; --samples takes more");
     }
     if (report_.coarse_normals) {

@@ -23,6 +23,8 @@ constexpr double kAim = 0.98;
 constexpr double kAllCovered = 1e-12;
 /// Cells of the root grid each way around an island that no sample has met.
 constexpr std::size_t kIslandCells = 16;
+/// Poles that are this near to each other, in ranges, are one.
+constexpr double kSamePole = 1e-9;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
 /// More lines than this each way cannot be numbered by a lattice.
@@ -98,7 +100,31 @@ class Finisher {
         lattice_(halving.lattice()),
         grid_(halving.grid()) {}
 
-  /// Lists where the sides of leaves are cut by jumps and poles, and by cusps, which are singular.
+  /// Lists where the surface goes to infinity, and where it is before it does.
+  void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
+    std::set<std::array<double, 2>> seen;
+    const auto list = [&](const dvec2& uv) {
+      const dvec2 place = glm::round(uv / grid_.range / kSamePole);
+      if (!seen.insert({place.x, place.y}).second) return false;
+      ++report.pole_count;
+      if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
+      return true;
+    };
+    std::vector<dvec2> ends;
+    for (const std::array<dvec2, 2>& pole : lattice_.poles()) {
+      if (list(pole[0])) ends.insert(ends.end(), pole.begin(), pole.end());
+    }
+    for (const auto& [vertex, hole] : lattice_.holes()) {
+      if (hole.kind != Hole::Kind::Pole) continue;
+      list(grid_.mesh.uv[vertex]);
+      report.beside_poles.add(hole.near);
+    }
+    for (const SurfacePoint& point : evaluate(surface, ends, threads)) {
+      if (is_finite(point.position)) report.beside_poles.add(point.position);
+    }
+  }
+
+  /// Lists where the sides of leaves are cut by jumps, and by cusps, which are singular.
   void list_cuts(MeshReport& report) const {
     if (!lattice_.has_crossings()) return;
     std::set<Side> seen;
@@ -111,13 +137,11 @@ class Finisher {
     }
   }
 
-  /// Lists the single points that have no limit, and where the surface is around those where it
+  /// Lists the single points that have no limit, and those in the midst of leaves where the surface
   /// goes to infinity.
   void list_holes(MeshReport& report) const {
     for (const auto& [vertex, hole] : lattice_.holes()) {
-      if (hole.kind == Hole::Kind::Pole) report.beside_poles.add(hole.near);
-      if (hole.kind != Hole::Kind::NoLimit) continue;
-      add_torn(grid_.mesh.uv[vertex], report);
+      if (hole.kind == Hole::Kind::NoLimit) add_torn(grid_.mesh.uv[vertex], report);
     }
     for (const auto& [uv, hole] : halving_.holes()) {
       if (hole.kind == Hole::Kind::NoLimit) {
@@ -156,8 +180,11 @@ class Finisher {
       const double known = halving_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
       const double off = std::max(mesh_.deviations[k].distance, known);
       // Where the tolerance depends on the place: as if it were the strictest everywhere.
-      report.max_error =
-          std::max(report.max_error, eps > *report.tolerance ? off / eps * *report.tolerance : off);
+      const double error = eps > *report.tolerance ? off / eps * *report.tolerance : off;
+      if (error > std::max(report.max_error, *report.tolerance)) {
+        report.worst_place = lattice_.parameters(leaf.middle());
+      }
+      report.max_error = std::max(report.max_error, error);
       if (halving_.width(leaf) <= kSeenTurn * eps) continue;
       report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
     }
@@ -197,17 +224,11 @@ class Finisher {
     switch (crossing.kind) {
       case Cut::Rim:
       case Cut::Torn:
+      case Cut::Pole:
         return;
       case Cut::Jump:
         ++report.jump_count;
         if (report.jumps.size() < kMaxListed) report.jumps.push_back(uv);
-        return;
-      case Cut::Pole:
-        ++report.pole_count;
-        for (const std::uint32_t vertex : {crossing.beside_first, crossing.beside_second}) {
-          if (lattice_.is_defined(vertex)) report.beside_poles.add(grid_.mesh.position[vertex]);
-        }
-        if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
         return;
       case Cut::Crease:
         if (glm::dot(n[crossing.beside_first], n[crossing.beside_second]) < kOpposite)
@@ -242,6 +263,8 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
                                Halving& halving, GridMesh result) {
   MeshReport& report = result.report;
   const Finisher finisher(halving);
+  finisher.list_poles(surface, options.threads, report);
+  if (halving.stops_at_poles()) return result;
   finisher.list_cuts(report);
   finisher.list_holes(report);
   LeafTriangles triangles = halving.triangulate(report);

@@ -70,6 +70,10 @@ struct Search {
   bool is_missed = false;  ///< the last time
 };
 
+dvec2 between(const Line& ends) {
+  return ends[0] + kShare * (ends[1] - ends[0]);
+}
+
 Search begin(const Line& line, const std::array<dvec3, 2>& at_ends) {
   Search search{line, at_ends};
   search.first_gap = glm::distance(at_ends[0], at_ends[1]);
@@ -239,14 +243,15 @@ std::vector<Found> follow_positions(const Surface& surface, std::span<const Line
   return follow(surface, std::move(searches), delta, threads, position, unknown);
 }
 
-/// Where bounds leave room for breaks beside those that were found.
+/// Where bounds leave room for breaks beside those that were found. A line with a pole is cut away
+/// whole, however many there are.
 std::vector<LinePart> suspects(const Surface& surface, std::span<const Line> lines,
                                std::span<const Found> found, double delta) {
   std::vector<LinePart> parts;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (found[k].kind == Break::None) {
       parts.push_back({k, lines[k]});
-    } else {
+    } else if (found[k].kind == Break::Jump) {
       parts.push_back({k, {lines[k][0], found[k].ends[0]}, 1});
       parts.push_back({k, {found[k].ends[1], lines[k][1]}, 0});
     }
@@ -277,6 +282,29 @@ std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
   return found;
 }
 
+/// A gap also grows if the ends of its line happen to be alike, a whole step of a saw's teeth from
+/// each other: a pole is where the surface goes to infinity.
+void verify_poles(const Surface& surface, std::span<const Line> lines, double delta,
+                  unsigned threads, std::span<Found> found) {
+  std::vector<std::size_t> poles;
+  std::vector<Line> ways;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (found[k].kind != Break::Pole) continue;
+    poles.push_back(k);
+    for (std::size_t end = 0; end < 2; ++end) ways.push_back({found[k].ends[end], lines[k][end]});
+  }
+  const std::vector<bool> far = diverge(surface, ways, delta, threads);
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    if (far[2 * i] || far[2 * i + 1]) continue;
+    const Line& ends = found[poles[i]].ends;
+    const dvec2 middle = between(ends);
+    const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
+    const bool is_gap = (middle == ends[0] || middle == ends[1]) &&
+                        length(ends) <= kSamePlace * length(lines[poles[i]]);
+    found[poles[i]].kind = is_gap ? Break::Jump : Break::None;
+  }
+}
+
 }  // namespace
 
 namespace {
@@ -285,6 +313,7 @@ namespace {
 std::vector<Found> find_breaks_in(const Surface& surface, std::span<const Line> lines, double delta,
                                   unsigned threads) {
   std::vector<Found> found = follow_positions(surface, lines, delta, threads);
+  verify_poles(surface, lines, delta, threads, found);
   const std::vector<LinePart> where = suspects(surface, lines, found, delta);
   const std::vector<Found> more = look_at(surface, lines, where, delta, threads);
   for (std::size_t i = 0; i < where.size(); ++i) {

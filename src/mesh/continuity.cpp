@@ -14,7 +14,8 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a line until as many parts as these are too many to be narrowed down.
+/// Halvings of a line until as many parts as these are too many to be narrowed down: so many of
+/// them stand for all.
 constexpr int kLeastHalvings = 6;
 constexpr std::size_t kMostParts = 8;
 /// Beside a break that is known to be there, the part of a line that is left without a proof is so
@@ -82,7 +83,8 @@ class Prover {
       }
       level = std::move(next);
     }
-    result.insert(result.end(), level.begin(), level.end());
+    const std::size_t step = (level.size() + kMostParts - 1) / kMostParts;
+    for (std::size_t k = 0; k < level.size(); k += step) result.push_back(level[k]);
   }
 
   bool is_proved(const Line& box) {

@@ -20,6 +20,20 @@ class Finder {
  public:
   Finder(const CrossingOptions& options, Lattice& lattice) : options_(options), lattice_(lattice) {}
 
+  /// Cuts sides that are known to lead to poles. The last vertices on either side tell where the
+  /// surface goes; they are no part of the mesh.
+  void cut_poles(std::span<const Side> sides) {
+    std::vector<Between> places;
+    for (const auto& [a, b] : sides) {
+      for (const dvec2& end : lattice_.pole_between(a, b)) places.push_back({a, b, end});
+    }
+    std::uint32_t next = lattice_.add_between(places, options_.threads);
+    for (const auto& [a, b] : sides) {
+      lattice_.set_crossing(a, b, Crossing{Cut::Pole, a, next, next + 1});
+      next += 2;
+    }
+  }
+
   void look_at(std::span<const Side> sides) {
     std::vector<Side> rims;
     std::vector<Side> inner;
@@ -92,6 +106,7 @@ class Finder {
     std::vector<Side> continuous;
     std::vector<Side> jumping;
     std::vector<Found> jumps;
+    std::vector<Side> poles;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       if (found[k].has_more) lattice_.set_has_more(sides[k][0], sides[k][1]);
       switch (found[k].kind) {
@@ -103,13 +118,11 @@ class Finder {
           jumps.push_back(found[k]);
           break;
         case Break::Pole:
-          if (options_.poles) {
-            add_pole(sides[k], found[k]);
-          } else {
-            lattice_.set_leads_to_pole(sides[k][0], sides[k][1]);
-          }
+          lattice_.set_leads_to_pole(sides[k][0], sides[k][1], found[k].ends);
+          poles.push_back(sides[k]);
       }
     }
+    if (options_.poles) cut_poles(poles);
     add_pairs(Cut::Jump, jumping, jumps);
     return continuous;
   }
@@ -137,14 +150,6 @@ class Finder {
       creases.push_back(found[k]);
     }
     add_pairs(Cut::Crease, creased, creases);
-  }
-
-  /// The last vertices on either side tell where the surface goes; they are no part of the mesh.
-  void add_pole(const Side& side, const Found& found) {
-    const std::array places = {Between{side[0], side[1], found.ends[0]},
-                               Between{side[0], side[1], found.ends[1]}};
-    const std::uint32_t first = lattice_.add_between(places, options_.threads);
-    lattice_.set_crossing(side[0], side[1], Crossing{Cut::Pole, side[0], first, first + 1});
   }
 
   /// Beside a cusp the normal's digits are rounding: it takes the one-sided limit along the side.
@@ -186,7 +191,8 @@ class Finder {
       }
       const std::uint32_t kept = place_to_keep(sides[k], beside);
       for (const std::uint32_t vertex : beside) {
-        if (vertex == kept) continue;
+        // An end of the side stays where it is, even if the cut is as wide as the side.
+        if (vertex == kept || vertex == sides[k][0] || vertex == sides[k][1]) continue;
         if (kind == Cut::Crease) lattice_.join(kept, vertex);
         lattice_.share_place(kept, vertex);
       }
@@ -222,6 +228,10 @@ bool is_crossed(const Leaf& leaf, const Lattice& lattice) {
 
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
   Finder(options, lattice).look_at(sides);
+}
+
+void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
+  Finder(options, lattice).cut_poles(sides);
 }
 
 std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice) {

@@ -18,6 +18,9 @@ namespace {
 
 /// Times that leaves which fail on fresh samples are halved again.
 constexpr int kRounds = 12;
+/// The part of the triangles that are allowed that tests may take at first. The rest is for waves
+/// that fit into a cell so well that only fresh samples see them.
+constexpr double kFirst = 0.875;
 /// What a sample finds at a kink says nothing about how fine the mesh must be.
 constexpr double kMostStrict = 4;
 /// The search for islands may try one box for so many of proofs.
@@ -71,6 +74,7 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
                 options.clip,
                 seen_lines(plan.lines.u, plan.fixed.u),
                 seen_lines(plan.lines.v, plan.fixed.v),
+                options.until_poles,
                 options.threads},
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads,
                         options.clip)),
@@ -82,9 +86,12 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
 
 void Halving::run(std::vector<Witness> witnesses) {
   lattice_.add_middles(options_.threads);
+  refining_.max_triangles =
+      static_cast<std::size_t>(kFirst * static_cast<double>(options_.max_triangles));
   add({root_leaves(grid_), std::move(witnesses)});
+  refining_.max_triangles = options_.max_triangles;
   std::size_t island_boxes = budget_.boxes / kProofsPerIsland;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRounds && !stops_at_poles(); ++round) {
     Failed failed{take_failed(), {}};
     if (failed.leaves.empty() && remeasure()) failed.leaves = take_failed();
     if (failed.leaves.empty() && options_.certify) failed = take_islands(island_boxes);
@@ -93,6 +100,7 @@ void Halving::run(std::vector<Witness> witnesses) {
     if (failed.leaves.empty()) break;
     add(failed);
   }
+  if (stops_at_poles()) return;
   leave_out_holes();
   cut_poles();
 }
@@ -112,6 +120,7 @@ void Halving::complete(MeshReport& report) {
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
   report.coarse_normals = coarse_normals_;
+  report.oscillates = oscillates_;
   if (stopped) doubt_all(Doubt::Triangles);
   if (!doubts_) doubt_all(Doubt::NotTried);
   report.certified = doubts_->empty();
@@ -235,21 +244,29 @@ void Halving::accept_around(const Hole& hole) {
   }
 }
 
-/// Looks for poles on the sides of leaves that halving did not help: they would be walls.
+/// Looks for poles on the sides of leaves that halving did not help: they would be walls. Where the
+/// limit is reached those are cut that are known.
 void Halving::cut_poles() {
-  if (reached_limit_ && !is_unrefined()) return;
+  std::set<Side> poles;
   std::set<Side> suspects;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
     const bool is_off = mesh_.off(k) > 1 || (leaf.given_up && leaf.known_error > 1);
     if (leaf.on_rim || leaf.is_left_out || !is_off || is_clipped(leaf)) continue;
     for (const Side& side : sides_of(leaf, lattice_)) {
-      if (!lattice_.crossing(side[0], side[1])) suspects.insert(side);
+      if (lattice_.crossing(side[0], side[1])) continue;
+      if (lattice_.leads_to_pole(side[0], side[1])) {
+        poles.insert(side);
+      } else if (!lattice_.is_searched(side[0], side[1])) {
+        suspects.insert(side);
+      }
     }
   }
-  if (suspects.empty()) return;
-  const std::vector<Side> sides(suspects.begin(), suspects.end());
-  find_crossings(sides, crossing_options(true), lattice_);
+  const auto sides = [](const std::set<Side>& set) { return std::vector(set.begin(), set.end()); };
+  if (!poles.empty()) saddle::cut_poles(sides(poles), crossing_options(true), lattice_);
+  const bool stopped = reached_limit_ && !is_unrefined();
+  if (stopped || (poles.empty() && suspects.empty())) return;
+  find_crossings(sides(suspects), crossing_options(true), lattice_);
   follow_crossings(crossing_options(true), mesh_.leaves, lattice_);
 }
 
@@ -296,7 +313,9 @@ double Halving::width(const Leaf& leaf) const {
 /// Refines leaves, adds what comes out and measures it.
 void Halving::add(const Failed& failed) {
   const Refinement refinement = refine(failed.leaves, failed.witnesses, refining_, grid_, lattice_);
+  if (stops_at_poles()) return;
   reached_limit_ = reached_limit_ || refinement.reached_limit;
+  if (!oscillates_) oscillates_ = refinement.oscillates;
   auto& leaves = mesh_.leaves;
   leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
   empty_.insert(empty_.end(), refinement.empty.begin(), refinement.empty.end());
@@ -392,7 +411,7 @@ double Halving::turn(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const double share = turn_of_line(mesh_.deviations[number].degrees) / options_.normal_tolerance;
   if (!(share > 1) || width(leaf) <= kSeenTurn * mesh_.allowed[number]) return 0;
-  if (!lattice_.is_full(allowed_for_normals(options_.max_triangles))) return share * share;
+  if (!lattice_.has_many(allowed_for_normals(options_.max_triangles))) return share * share;
   if (!coarse_normals_) coarse_normals_ = lattice_.parameters(leaf.middle());
   return 0;
 }
@@ -401,14 +420,19 @@ double Halving::turn(std::size_t number) {
 Oscillation Halving::oscillation() const {
   Oscillation oscillation(grid_);
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
+    if (!mesh_.leaves[k].leads_to_pole) {
+      oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
+    }
   }
   return oscillation;
 }
 
 /// Whether a leaf that deviates too much is not to be halved any more.
 bool Halving::stays(const Leaf& leaf, const Oscillation& oscillation) {
-  return oscillation.contains(leaf, lattice_) || leaf.given_up || is_clipped(leaf) || is_full();
+  if (leaf.given_up || is_clipped(leaf) || is_full()) return true;
+  const bool oscillates = oscillation.contains(leaf, lattice_);
+  if (oscillates && !oscillates_) oscillates_ = lattice_.parameters(leaf.middle());
+  return oscillates;
 }
 
 /// Halves of the leaves that deviate too much.

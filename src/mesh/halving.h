@@ -33,6 +33,9 @@ class Halving {
   /// Halves until nothing is found any more, and cuts poles out.
   void run(std::vector<Witness> witnesses);
 
+  /// Whether there are poles, and no more was asked for than to find them: there are no leaves.
+  bool stops_at_poles() const { return options_.until_poles && lattice_.has_poles(); }
+
   /// The leaves, and how far off they are.
   const Measured& measured() const { return mesh_; }
   const Lattice& lattice() const { return lattice_; }
@@ -101,6 +104,7 @@ class Halving {
   ProofBudget budget_;
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;
+  std::optional<dvec2> oscillates_;
   std::optional<std::vector<DoubtfulPlace>> doubts_;  // nothing: no proof was tried
   bool meets_itself_ = false;                         // poles at one place are one point
 };

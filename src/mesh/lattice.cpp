@@ -310,6 +310,7 @@ void Lattice::find_holes(std::span<const std::uint32_t> vertices, unsigned threa
       look_at_holes(surface_, places, grid_.mesh.bounds.diagonal(), threads);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (holes[k].kind != Hole::Kind::Part) holes_[vertices[k]] = holes[k];
+    has_poles_ = has_poles_ || holes[k].kind == Hole::Kind::Pole;
   }
 }
 
@@ -322,6 +323,8 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
   if (crossing) {
     has_crossings_ = true;
     beside_cut_[a] = beside_cut_[b] = 1;
+    ++crossings_;
+    has_poles_ = has_poles_ || crossing->kind == Cut::Pole;
     const dvec2 middle = 0.5 * (place_between(a) + place_between(b));
     crossed_cells_.add(middle);
     changed_cells_.add(middle, now_);
@@ -330,6 +333,16 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
       sides_.insert(pair_of(a, b), static_cast<std::uint32_t>(searched_.size()));
   if (is_new) searched_.push_back({{std::min(a, b), std::max(a, b)}, {}});
   searched_[at].crossing = crossing;
+}
+
+std::vector<std::array<dvec2, 2>> Lattice::poles() const {
+  std::vector<std::array<dvec2, 2>> poles = pole_ends_;
+  for (const auto& [side, crossing] : searched_) {
+    if (!crossing || crossing->kind != Cut::Pole) continue;
+    poles.push_back(
+        {grid_.mesh.uv[crossing->beside_first], grid_.mesh.uv[crossing->beside_second]});
+  }
+  return poles;
 }
 
 std::vector<std::array<std::uint32_t, 2>> Lattice::crossed_sides() const {

@@ -20,6 +20,9 @@ namespace saddle {
 /// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
 inline constexpr std::uint32_t kCellUnit = 1U << 16;
 
+/// What a mesh may have is counted in triangles; finding what cuts a side takes as long as so many.
+inline constexpr std::size_t kTrianglesPerBreak = 6;
+
 /// (u, v) in units: line k of the root grid is at k * kCellUnit.
 struct LatticePlace {
   std::uint32_t u = 0;
@@ -192,7 +195,12 @@ class Lattice {
   void use(std::uint32_t vertex);
   /// Whether one more halving, which takes up to two vertices into use, could make more triangles
   /// than are allowed: a mesh has fewer than twice as many as vertices (Euler).
-  bool is_full(std::size_t max_triangles) const { return 2 * (used_count_ + 2) > max_triangles; }
+  bool has_many(std::size_t triangles) const { return 2 * (used_count_ + 2) > triangles; }
+  /// The same, or that finding what cuts sides took as long as making so many.
+  bool is_full(std::size_t max_triangles) const {
+    return has_many(max_triangles) ||
+           kTrianglesPerBreak * (crossings_ + pole_ends_.size()) > max_triangles;
+  }
 
   /// Whether the position is finite.
   bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }
@@ -219,12 +227,27 @@ class Lattice {
   bool leads_to_pole(std::uint32_t a, std::uint32_t b) const {
     return pole_sides_.contains(pair_of(a, b));
   }
-  void set_leads_to_pole(std::uint32_t a, std::uint32_t b) { pole_sides_.insert(pair_of(a, b)); }
+  /// `ends`: the neighbours of the pole in double precision, the first the one nearer to the side's
+  /// end with the smaller number.
+  void set_leads_to_pole(std::uint32_t a, std::uint32_t b, const std::array<dvec2, 2>& ends) {
+    const auto [at, is_new] =
+        pole_sides_.insert(pair_of(a, b), static_cast<std::uint32_t>(pole_ends_.size()));
+    if (is_new) pole_ends_.push_back(ends);
+  }
+  /// Those ends; for a side that leads to a pole.
+  const std::array<dvec2, 2>& pole_between(std::uint32_t a, std::uint32_t b) const {
+    return pole_ends_[*pole_sides_.find(pair_of(a, b))];
+  }
   /// A side that is cut in more places than its crossing tells.
   bool has_more(std::uint32_t a, std::uint32_t b) const {
     return crowded_sides_.contains(pair_of(a, b));
   }
   void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(pair_of(a, b)); }
+  /// Whether the surface is known to go to infinity somewhere.
+  bool has_poles() const { return has_poles_ || !pole_ends_.empty(); }
+  /// The ends, in parameters, of what is known to lead to poles or was cut there, in an order that
+  /// is always the same.
+  std::vector<std::array<dvec2, 2>> poles() const;
   bool has_crossings() const { return has_crossings_; }
   /// The sides that are cut, by their ends, in the order in which they were searched.
   std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
@@ -345,9 +368,12 @@ class Lattice {
   std::vector<std::uint8_t> beside_cut_;  ///< of vertices: whether a side that ends there is cut
   std::unordered_map<std::uint32_t, dvec2> places_between_;
   std::map<std::uint32_t, Hole> holes_;
-  PairTable pole_sides_;
+  PairTable pole_sides_;  // their places in the next
+  std::vector<std::array<dvec2, 2>> pole_ends_;
   PairTable crowded_sides_;
   bool has_crossings_ = false;
+  std::size_t crossings_ = 0;  // that were filed
+  bool has_poles_ = false;     // among crossings and holes
   CellMarks crossed_cells_;
   CellMarks changed_cells_;  // when
   std::uint32_t now_ = 0;

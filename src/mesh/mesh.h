@@ -21,6 +21,7 @@ struct Bounds {
   dvec3 low{std::numeric_limits<double>::infinity()};
   dvec3 high{-std::numeric_limits<double>::infinity()};
 
+  bool operator==(const Bounds&) const = default;
   bool empty() const { return low.x > high.x; }
   void add(const dvec3& p) {
     low = glm::min(low, p);
@@ -138,6 +139,9 @@ struct MeshReport {
                                       ///< cells larger than the tolerance
   /// A place at which normals are off by more than allowed: no more triangles were worth it.
   std::optional<dvec2> coarse_normals;
+  /// Where max_error is, if it exceeds the tolerance; a place from which on the surface oscillates
+  /// faster than any picture shows, and the mesh does not follow it.
+  std::optional<dvec2> worst_place, oscillates;
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000
   std::size_t singular_point_count = 0;
   std::vector<dvec2> poles;  ///< where the surface goes to infinity and was cut, at most 1000

@@ -107,10 +107,17 @@ class Refiner {
       }
       const Judged judged = judge(candidates[k], samples[k]);
       const Leaf& leaf = judged.candidate.leaf;
-      oscillation_.add(leaf, judged.verdict.distance.worst(), lattice_);
+      if (!leaf.leads_to_pole) {
+        oscillation_.add(leaf, judged.verdict.distance.worst(), lattice_);
+      }
       const bool is_open = judged.verdict.is_folded || judged.verdict.may_jump || is_doubtful(leaf);
       (is_open ? doubtful : others).push_back(judged);
     }
+    std::erase_if(doubtful, [&](const Judged& judged) {
+      const bool is_hopeless = oscillation_.is_crowded(judged.candidate.leaf, lattice_);
+      if (is_hopeless) others.push_back(judged);
+      return is_hopeless;
+    });
     for (const Judged& judged : others) settle(judged);
     judge_rims(rims);
     look_for_cuts(doubtful);
@@ -266,7 +273,7 @@ class Refiner {
     Leaf leaf = judged.candidate.leaf;
     const Verdict& verdict = judged.verdict;
     const double distance = verdict.distance.worst() * leaf.strictness;
-    const bool turn_counts = !lattice_.is_full(allowed_for_normals(options_.max_triangles));
+    const bool turn_counts = !lattice_.has_many(allowed_for_normals(options_.max_triangles));
     const double turn = turn_counts ? verdict.turn.worst() * leaf.turn_strictness : 0;
     // Toward a pole errors grow as leaves shrink: there is always more to do.
     const bool is_cut_off = leaf.leads_to_pole && (halvings(leaf) >= kMostCutHalvings ||
@@ -285,6 +292,9 @@ class Refiner {
       const bool across_u = missed != nullptr ? judge_.splits_u(leaf, judged.samples, *missed)
                                               : judge_.splits_u(scores, judged.samples);
       const bool oscillates = oscillation_.contains(leaf, lattice_);
+      if (oscillates && !result_.oscillates) {
+        result_.oscillates = lattice_.parameters(leaf.middle());
+      }
       if (!full && !oscillates) halves = halve(leaf, across_u, lattice_);
     }
     if (!halves) {
@@ -380,7 +390,11 @@ Refinement refine(std::span<const Leaf> active, std::span<const Witness> witness
   for (std::uint32_t k = 0; k < witnesses.size(); ++k) {
     candidates[witnesses[k].cell].witnesses.push_back(k);
   }
-  while (!candidates.empty()) refiner.advance(candidates);
+  // A generation past the one that finds poles, which may be on a few cells' sides only.
+  for (bool has_poles = false; !candidates.empty(); has_poles = lattice.has_poles()) {
+    refiner.advance(candidates);
+    if (options.until_poles && has_poles) break;
+  }
   return refiner.take();
 }
 

@@ -34,7 +34,8 @@ struct RefineOptions {
   std::size_t max_triangles = 4'000'000;
   std::optional<Bounds> clip = {};  ///< what is outside of it does not matter
   std::vector<std::uint8_t> seen_u,
-      seen_v;  ///< the grid's lines that are drawn or the domain's ends
+      seen_v;                ///< the grid's lines that are drawn or the domain's ends
+  bool until_poles = false;  ///< nothing more is wanted once poles are found: Lattice::has_poles()
   unsigned threads = 0;
 };
 
@@ -47,9 +48,10 @@ inline std::size_t allowed_for_normals(std::size_t max_triangles) {
 }
 
 struct Refinement {
-  std::vector<Leaf> leaves;    ///< in no order but always the same
-  std::vector<Leaf> empty;     ///< the surface is defined at none of their samples
-  bool reached_limit = false;  ///< max_triangles stopped it
+  std::vector<Leaf> leaves;         ///< in no order but always the same
+  std::vector<Leaf> empty;          ///< the surface is defined at none of their samples
+  bool reached_limit = false;       ///< max_triangles stopped it
+  std::optional<dvec2> oscillates;  ///< a place at which an Oscillation stopped it
 };
 
 /// Halves leaves, one direction at a time, generation by generation, until each one passes the

@@ -150,8 +150,8 @@ void add_settings(Command& command, const Scene& scene) {
   if (mesh.normal_tolerance != MeshSettings{}.normal_tolerance) {
     command.option("normal-tolerance", format_number(mesh.normal_tolerance));
   }
-  if (mesh.max_triangles != MeshSettings{}.max_triangles) {
-    command.option("max-triangles", std::to_string(mesh.max_triangles));
+  if (mesh.max_triangles) {
+    command.option("max-triangles", std::to_string(*mesh.max_triangles));
   }
   if (mesh.samples) command.option("samples", pair(mesh.samples->u, mesh.samples->v));
   if (scene.clip.box) {

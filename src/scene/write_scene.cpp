@@ -309,8 +309,8 @@ std::string settings(const MeshSettings& mesh, const PictureSettings& picture) {
   if (mesh.normal_tolerance != standard.normal_tolerance) {
     text += "normal-tolerance = " + number(mesh.normal_tolerance) + "\n";
   }
-  if (mesh.max_triangles != standard.max_triangles) {
-    text += "max-triangles = " + std::to_string(mesh.max_triangles) + "\n";
+  if (mesh.max_triangles) {
+    text += "max-triangles = " + std::to_string(*mesh.max_triangles) + "\n";
   }
   if (mesh.samples) text += "samples = " + pair(*mesh.samples) + "\n";
   return text;

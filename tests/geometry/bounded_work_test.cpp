@@ -1,0 +1,82 @@
+// Where halving finds no end of its own: work is bounded, and the report says where.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "mesh/adaptive_mesh.h"
+#include "mesh_checks.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+AdaptiveOptions thousandth() {
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe& probe) -> Tolerance {
+    return 1e-3 * probe.bounds().diagonal();
+  };
+  options.normal_tolerance = 3;
+  return options;
+}
+
+Surface height(const char* z, const Domain& domain = {-1, 1, -1, 1}) {
+  return surface_from_text("u", "v", z, domain, {}, Order::Second);
+}
+
+TEST(BoundedWork, EndsWhereWavesAreNarrowerThanPixelsWhateverTheirShape) {
+  // Rings; a line of waves that is less than a pixel wide.
+  for (const char* z : {"sin(1e-3/(u^2+v^2))", "sin(1e-3/u)"}) {
+    const GridMesh result = mesh_within_tolerance(height(z), thousandth()).value();
+    EXPECT_FALSE(result.report.reached_limit) << z;
+    EXPECT_LT(result.report.evaluations, 500'000U) << z;
+    EXPECT_GT(result.report.max_error, *result.report.tolerance) << z;
+    ASSERT_TRUE(result.report.oscillates) << z;
+    // No farther from where the waves are than some widths of the last ones that show.
+    EXPECT_LT(
+        std::min(std::fabs(result.report.oscillates->x), std::fabs(result.report.oscillates->y)),
+        0.05)
+        << z;
+  }
+}
+
+TEST(BoundedWork, DoesNotTakeFrontsAndPeaksForWaves) {
+  for (const char* z : {"tanh(1e3*(u+0.3*v))", "exp(-1e7*((u-0.123)^2+(v+0.321)^2))",
+                        "tanh(1e4*u)*tanh(1e4*v)", "floor(3*u)+floor(3*v)"}) {
+    const GridMesh result = mesh_within_tolerance(height(z), thousandth()).value();
+    EXPECT_FALSE(result.report.oscillates) << z;
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+  }
+}
+
+TEST(BoundedWork, CountsTheSearchForCutsAsTriangles) {
+  const Surface poles =
+      surface_from_text("tan(u)", "tan(v)", "tan(u*v)", {-10, 10, -10, 10}, {}, Order::Second);
+  AdaptiveOptions options = thousandth();
+  options.max_triangles = 40'000;
+  options.clip = Bounds{dvec3(-30), dvec3(30)};
+  const GridMesh result = mesh_within_tolerance(poles, options).value();
+  EXPECT_TRUE(result.report.reached_limit);
+  EXPECT_LT(result.mesh.triangles.size(), 40'000U);
+  EXPECT_LT(result.report.evaluations, 300'000U);
+  EXPECT_TRUE(result.report.worst_place);
+}
+
+TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
+  const Surface poles = height("ln(abs(u^2+v^2-0.5))");
+  AdaptiveOptions options = thousandth();
+  const GridMesh whole = mesh_within_tolerance(poles, options).value();
+  options.until_poles = true;
+  const GridMesh known = mesh_within_tolerance(poles, options).value();
+  EXPECT_TRUE(known.mesh.triangles.empty());
+  ASSERT_GT(known.report.pole_count, 0U);
+  EXPECT_LT(10 * known.report.evaluations, whole.report.evaluations);
+  for (const dvec2& pole : known.report.poles) EXPECT_NEAR(glm::dot(pole, pole), 0.5, 1e-12);
+  EXPECT_LT(known.report.beside_poles.low.z, -30);  // ln(1e-16) = -37
+  // The surface goes nowhere else.
+  const GridMesh smooth = mesh_within_tolerance(height("u*v"), options).value();
+  EXPECT_FALSE(smooth.mesh.triangles.empty());
+}
+
+}  // namespace
+}  // namespace saddle
