@@ -148,8 +148,7 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
     const bool is_small = is_small_arc(a, b, sample);
     const double gap = is_small ? distance : distance_of_middle(a, b, sample) / eps;
     verdict.gap.*part = std::max(verdict.gap.*part, gap);
-    verdict.may_jump =
-        verdict.may_jump || (is_visible && !is_small && is_on_one_side(a, b, sample));
+    verdict.may_jump = verdict.may_jump || (is_visible && !is_small);
     const bool turn_counts = part == &Scores::centre
                                  ? narrow_side(mesh_, corner) > seen_turn
                                  : glm::distance(mesh_.position[a], mesh_.position[b]) > seen_turn;
@@ -282,15 +281,6 @@ bool Judge::has_opposed(const Samples& samples) const {
     if (is_opposed(corner[k], side[k], corner[(k + 1) % 4])) return true;
   }
   return is_opposed(side[0], centre, side[2]) || is_opposed(side[1], centre, side[3]);
-}
-
-/// Whether most of the way from a to b is on one side of the sample between them, as at a jump; a
-/// wave that is not resolved yet has about as much on both.
-bool Judge::is_on_one_side(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
-  constexpr double kMost = 3;  // times as much
-  const double first = glm::distance(seen_position(a), seen_position(sample));
-  const double second = glm::distance(seen_position(sample), seen_position(b));
-  return std::max(first, second) > kMost * std::min(first, second);
 }
 
 /// How far beyond the box a surface goes does not matter.

@@ -25,7 +25,7 @@ struct Verdict {
   Scores distance;
   Scores gap;  ///< distances from the middles of chords: of a wall, its height
   Scores turn;
-  bool is_folded = false;  ///< the normals at two corners face opposite ways
+  bool is_folded = false;  ///< the normals at two neighbouring samples face opposite ways
   bool may_jump = false;   ///< a sample is far from the middle of its chord
 };
 
@@ -98,7 +98,6 @@ class Judge {
   double diameter(const Corners& corner) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
   bool has_opposed(const Samples& samples) const;
-  bool is_on_one_side(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   bool is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
