@@ -94,8 +94,8 @@ void add_picture(const CommandLine& line, Subject& subject) {
   subject.width = scene.picture.width;
   subject.height = scene.picture.height;
   subject.antialias = scene.picture.antialias;
-  subject.max_triangles = std::min<std::size_t>(
-      scene.mesh.max_triangles.value_or(kMostTriangles), kMostTriangles);
+  subject.max_triangles =
+      std::min<std::size_t>(scene.mesh.max_triangles.value_or(kMostTriangles), kMostTriangles);
   subject.normal_tolerance = scene.mesh.normal_tolerance;
   subject.pixel = report.tolerance.value_or(mesh.mesh.bounds.diagonal() / subject.width);
   subject.clip = report.clip ? report.clip : scene.clip.box;

@@ -122,9 +122,9 @@ class MeshWarnings {
 
   void take_errors() {
     const bool is_off = report_.tolerance && report_.max_error > *report_.tolerance;
-    const std::string off = off_by(report_) +
-                            (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_)
-                                                 : std::string());
+    const std::string off =
+        off_by(report_) +
+        (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_) : std::string());
     if (report_.reached_limit) {
       say("the limit of triangles stopped refinement, the mesh is" + off +
           "; --max-triangles allows more");
