@@ -118,6 +118,22 @@ bool DoubtfulPlace::contains(const dvec2& uv) const {
          glm::all(glm::lessThanEqual(uv, glm::max(low, high)));
 }
 
+void DoubtNames::give_to(std::span<DoubtfulPlace> places) {
+  const auto u_of = [](const Named& named) { return named.uv.x; };
+  std::ranges::sort(named_, {}, u_of);
+  for (DoubtfulPlace& place : places) {
+    if (place.why < Doubt::Undefined || place.why > Doubt::Work) continue;
+    const auto [low, high] = std::minmax(place.low.x, place.high.x);
+    std::size_t first = named_.size();
+    auto at = std::ranges::lower_bound(named_, low, {}, u_of);
+    for (; at != named_.end() && at->uv.x <= high; ++at) {
+      if (at->order >= first || !place.contains(at->uv)) continue;
+      first = at->order;
+      place.why = at->why;
+    }
+  }
+}
+
 std::vector<DoubtfulPlace> merged(std::span<const DoubtfulPlace> places, const Domain& domain) {
   std::vector<DoubtfulPlace> result;
   for (std::size_t k = 0; k < kTexts.size(); ++k) {

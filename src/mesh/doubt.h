@@ -40,6 +40,23 @@ struct DoubtfulPlace {
   bool contains(const dvec2& uv) const;
 };
 
+/// Places at which something was found that stands against a proof.
+class DoubtNames {
+ public:
+  /// Of those in one box the reason that was added first counts.
+  void add(Doubt why, const dvec2& uv) { named_.push_back({why, uv, named_.size()}); }
+  /// Gives boxes without a reason better than what bounds say that of a place in them.
+  void give_to(std::span<DoubtfulPlace> places);
+
+ private:
+  struct Named {
+    Doubt why;
+    dvec2 uv;
+    std::size_t order;
+  };
+  std::vector<Named> named_;
+};
+
 /// The same with boxes that touch or nearly do made one, if their reason is the same: at most
 /// kMaxListed, in the order of reasons.
 std::vector<DoubtfulPlace> merged(std::span<const DoubtfulPlace> places, const Domain& domain);

@@ -39,30 +39,6 @@ std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
   return result;
 }
 
-/// Leaves in which points that are no part of the surface are looked for, at most: most take one
-/// proof. And how near to each other, in ranges, points are one.
-constexpr std::size_t kMostHoles = 4096;
-/// The area of a leaf, in units, after 14 halvings of its root cell.
-constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
-constexpr double kSamePlace = 1e-9;
-/// How near each coordinate of a corner must be for it, in what is allowed: a square's corners are
-/// 1.41 times as far away as its sides.
-constexpr double kNearHole = 0.7;
-
-/// Whether chords between corners keep to the places to which ways to a point lead: they may be a
-/// curve, which chords cut short.
-bool is_along(const Hole& hole, const std::array<dvec3, 4>& corners, double allowed) {
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = a + 1; b < 4; ++b) {
-      for (const double share : {0.25, 0.5, 0.75}) {
-        const dvec3 place = glm::mix(corners[a], corners[b], share);
-        if (is_finite(place) && !(hole.distance_to(place) <= allowed)) return false;
-      }
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPlan& plan)
@@ -101,8 +77,9 @@ void Halving::run(std::vector<Witness> witnesses) {
     add(failed);
   }
   if (stops_at_poles()) return;
-  leave_out_holes();
-  cut_poles();
+  const bool is_finished = !reached_limit_ || is_unrefined();
+  if (is_finished) holes_ = leave_out_holes(surface_, refining_, lattice_, mesh_);
+  cut_walls(refining_, is_finished, lattice_, mesh_);
 }
 
 LeafTriangles Halving::triangulate(MeshReport& report) {
@@ -143,16 +120,12 @@ void Halving::doubt_all(Doubt why) {
 
 /// Where bounds say no more than that there is no proof, what was found in the meantime tells why.
 void Halving::name_doubts(MeshReport& report) {
-  const auto name = [&](Doubt why, const dvec2& uv) {
-    for (DoubtfulPlace& place : *doubts_) {
-      const bool is_vague = place.why >= Doubt::Undefined && place.why <= Doubt::Work;
-      if (is_vague && place.contains(uv)) place.why = why;
-    }
-  };
-  for (const dvec2& uv : report.torn) name(Doubt::NoLimit, uv);
-  for (const dvec2& uv : report.poles) name(Doubt::Pole, uv);
-  for (const dvec2& uv : report.jumps) name(Doubt::Jump, uv);
-  for (const SingularPoint& point : report.singular_points) name(Doubt::Singular, point.uv);
+  DoubtNames names;
+  for (const dvec2& uv : report.torn) names.add(Doubt::NoLimit, uv);
+  for (const dvec2& uv : report.poles) names.add(Doubt::Pole, uv);
+  for (const dvec2& uv : report.jumps) names.add(Doubt::Jump, uv);
+  for (const SingularPoint& point : report.singular_points) names.add(Doubt::Singular, point.uv);
+  names.give_to(*doubts_);
   report.doubts = merged(*doubts_, surface_.domain);
 }
 
@@ -170,106 +143,6 @@ CrossingOptions Halving::crossing_options(bool poles) const {
   return {refining_.tolerance, poles, options_.threads};
 }
 
-/// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
-/// is no larger than the tolerance is right, whatever is in it.
-std::vector<std::size_t> Halving::leaves_with_holes() const {
-  std::vector<std::size_t> suspects;
-  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    const Leaf& leaf = mesh_.leaves[k];
-    const bool is_off = mesh_.off(k) > 1 || (leaf.given_up && leaf.known_error > 1);
-    const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
-    if (!leaf.on_rim && (is_off || is_deep) && !is_clipped(leaf)) suspects.push_back(k);
-  }
-  const auto area = [this](std::size_t k) {
-    const Leaf& leaf = mesh_.leaves[k];
-    return std::uint64_t{leaf.size_u()} * leaf.size_v();
-  };
-  std::ranges::stable_sort(suspects, {}, area);
-  if (suspects.size() > kMostHoles) suspects.resize(kMostHoles);
-  return suspects;
-}
-
-/// Leaves out those in which the surface goes to infinity at a point, or has no limit there.
-void Halving::leave_out_holes() {
-  if (reached_limit_ && !is_unrefined()) return;
-  const std::vector<std::size_t> suspects = leaves_with_holes();
-  std::vector<ParameterBox> boxes;
-  for (const std::size_t k : suspects) {
-    const Leaf& leaf = mesh_.leaves[k];
-    boxes.push_back({lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)});
-  }
-  const auto found = find_holes(surface_, boxes);
-  std::vector<dvec2> places;
-  std::vector<std::size_t> around;  // each place, a leaf
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    if (!found[i]) continue;
-    places.push_back(*found[i]);
-    around.push_back(suspects[i]);
-  }
-  const std::vector<Hole> holes =
-      look_at_holes(surface_, places, grid_.mesh.bounds.diagonal(), options_.threads);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (holes[i].kind != Hole::Kind::Pole && holes[i].kind != Hole::Kind::NoLimit) continue;
-    mesh_.leaves[around[i]].is_left_out = true;
-    const auto is_same = [&](const PlacedHole& other) {
-      const dvec2 off = glm::abs(other.uv - places[i]) / grid_.range;
-      return std::max(off.x, off.y) < kSamePlace;
-    };
-    if (std::ranges::none_of(holes_, is_same)) holes_.push_back({places[i], holes[i]});
-  }
-  for (const PlacedHole& placed : holes_) accept_around(placed.hole);
-  for (const auto& [vertex, hole] : lattice_.holes()) accept_around(hole);
-}
-
-/// Ways to a point that is a pole or has no limit lead to all places around which it is: what is
-/// nearer to them than is allowed is near enough to the surface, whichever part of it is measured.
-void Halving::accept_around(const Hole& hole) {
-  if (hole.kind != Hole::Kind::NoLimit && hole.kind != Hole::Kind::Pole) return;
-  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    Leaf& leaf = mesh_.leaves[k];
-    const double near = kNearHole * mesh_.allowed[k];
-    const Bounds around{hole.near.low - near, hole.near.high + near};
-    const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
-    const std::array<dvec3, 4> corners = positions(leaf);
-    if (!std::ranges::all_of(corners, is_near)) continue;
-    if (!hole.around.empty()) {
-      const auto is_off = [&](const dvec3& p) {
-        return is_finite(p) && !(hole.distance_to(p) <= mesh_.allowed[k]);
-      };
-      if (std::ranges::any_of(corners, is_off)) continue;
-      if (!is_along(hole, corners, mesh_.allowed[k])) leaf.is_left_out = true;
-    }
-    mesh_.deviations[k] = {};
-    leaf.known_error = 0;
-  }
-}
-
-/// Looks for poles on the sides of leaves that halving did not help: they would be walls. Where the
-/// limit is reached those are cut that are known.
-void Halving::cut_poles() {
-  std::set<Side> poles;
-  std::set<Side> suspects;
-  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    const Leaf& leaf = mesh_.leaves[k];
-    const bool is_off = mesh_.off(k) > 1 || (leaf.given_up && leaf.known_error > 1);
-    if (leaf.on_rim || leaf.is_left_out || !is_off || is_clipped(leaf)) continue;
-    for (const Side& side : sides_of(leaf, lattice_)) {
-      if (lattice_.crossing(side[0], side[1])) continue;
-      if (lattice_.leads_to_pole(side[0], side[1])) {
-        poles.insert(side);
-      } else if (!lattice_.is_searched(side[0], side[1])) {
-        suspects.insert(side);
-      }
-    }
-  }
-  const auto sides = [](const std::set<Side>& set) { return std::vector(set.begin(), set.end()); };
-  if (!poles.empty()) saddle::cut_poles(sides(poles), crossing_options(true), lattice_);
-  const bool stopped = reached_limit_ && !is_unrefined();
-  if (stopped || (poles.empty() && suspects.empty())) return;
-  find_crossings(sides(suspects), crossing_options(true), lattice_);
-  follow_crossings(crossing_options(true), mesh_.leaves, lattice_);
-}
-
 /// Whether one more halving could exceed the limit of triangles.
 bool Halving::is_full() {
   const bool full = lattice_.is_full(options_.max_triangles);
@@ -277,23 +150,14 @@ bool Halving::is_full() {
   return full;
 }
 
-std::array<dvec3, 4> Halving::positions(const Leaf& leaf) const {
-  std::array<dvec3, 4> p;
-  const auto corners = leaf.corners();
-  for (std::size_t k = 0; k < 4; ++k) {
-    p[k] = grid_.mesh.position[lattice_.vertex_at_corner(corners[k])];
-  }
-  return p;
-}
-
 bool Halving::is_clipped(const Leaf& leaf) const {
-  return options_.clip && is_beyond(*options_.clip, positions(leaf));
+  return options_.clip && is_beyond(*options_.clip, corner_positions(leaf, lattice_));
 }
 
 bool Halving::crosses_box(const Leaf& leaf) const {
-  return options_.clip && std::ranges::any_of(positions(leaf), [&](const dvec3& p) {
-           return !options_.clip->contains(p);
-         });
+  return options_.clip &&
+         std::ranges::any_of(corner_positions(leaf, lattice_),
+                             [&](const dvec3& p) { return !options_.clip->contains(p); });
 }
 
 double Halving::width(const Leaf& leaf) const {

@@ -8,7 +8,7 @@
 
 #include "mesh/adaptive_mesh.h"
 #include "mesh/certify.h"
-#include "mesh/crossings.h"
+#include "mesh/cut_out.h"
 #include "mesh/joins.h"
 #include "mesh/judge.h"
 #include "mesh/oscillation.h"
@@ -18,12 +18,6 @@ namespace saddle {
 
 /// A limit of triangles that has no cell of the root grid halved.
 inline constexpr std::size_t kUnrefined = 0;
-
-/// A point at which the surface is not defined, or jumps.
-struct PlacedHole {
-  dvec2 uv;
-  Hole hole;
-};
 
 class Halving {
  public:
@@ -71,12 +65,7 @@ class Halving {
   void name_doubts(MeshReport& report);
   Seams weld_if_two_dimensional(const Probe& probe);
   CrossingOptions crossing_options(bool poles) const;
-  std::vector<std::size_t> leaves_with_holes() const;
-  void leave_out_holes();
-  void accept_around(const Hole& hole);
-  void cut_poles();
   bool is_full();
-  std::array<dvec3, 4> positions(const Leaf& leaf) const;
   void add(const Failed& failed);
   bool remeasure();
   void measure(std::span<const std::size_t> which, const SingularCorners& singular);

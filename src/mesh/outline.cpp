@@ -186,6 +186,15 @@ std::uint32_t count_outline(const Leaf& leaf, const Lattice& lattice) {
   return count;
 }
 
+std::array<dvec3, 4> corner_positions(const Leaf& leaf, const Lattice& lattice) {
+  std::array<dvec3, 4> positions;
+  const auto places = leaf.corners();
+  for (std::size_t k = 0; k < 4; ++k) {
+    positions[k] = lattice.mesh().position[lattice.vertex_at_corner(places[k])];
+  }
+  return positions;
+}
+
 std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
   std::vector<Side> sides;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {

@@ -36,6 +36,9 @@ void for_sides(const Leaf& leaf, const Lattice& lattice, F f) {
 /// How many vertices in use are around a leaf.
 std::uint32_t count_outline(const Leaf& leaf, const Lattice& lattice);
 
+/// The positions of a leaf's corners, counter-clockwise in (u, v).
+std::array<dvec3, 4> corner_positions(const Leaf& leaf, const Lattice& lattice);
+
 /// The sides of a leaf as pairs.
 std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice);
 

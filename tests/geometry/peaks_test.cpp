@@ -107,8 +107,8 @@ INSTANTIATE_TEST_SUITE_P(Gallery, WithinTolerance,
                          testing::Values(Case{"peak", 1e-4}, Case{"klein-bottle", 1e-3},
                                          Case{"kuen", 1e-4}, Case{"swallowtail", 1e-2},
                                          Case{"guimard", 1e-2}),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
+                         [](const auto& test) {
+                           std::string name = test.param.name;
                            std::erase(name, '-');
                            return name;
                          });

@@ -1,0 +1,153 @@
+#include "mesh/cut_out.h"
+
+#include <algorithm>
+#include <set>
+
+#include <glm/common.hpp>
+
+#include "mesh/clip.h"
+
+namespace saddle {
+
+namespace {
+
+/// Leaves in which points that are no part of the surface are looked for, at most: most take one
+/// proof.
+constexpr std::size_t kMostHoles = 4096;
+/// The area of a leaf, in units, after 14 halvings of its root cell.
+constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
+/// How near to each other, in ranges, points are one.
+constexpr double kSamePlace = 1e-9;
+/// How near each coordinate of a corner must be for it, in what is allowed: a square's corners are
+/// 1.41 times as far away as its sides.
+constexpr double kNearHole = 0.7;
+
+/// Whether chords between corners keep to the places to which ways to a point lead: they may be a
+/// curve, which chords cut short.
+bool is_along(const Hole& hole, const std::array<dvec3, 4>& corners, double allowed) {
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = a + 1; b < 4; ++b) {
+      for (const double share : {0.25, 0.5, 0.75}) {
+        const dvec3 place = glm::mix(corners[a], corners[b], share);
+        if (is_finite(place) && !(hole.distance_to(place) <= allowed)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether halving did not help a leaf.
+bool is_off(const Measured& mesh, std::size_t number) {
+  const Leaf& leaf = mesh.leaves[number];
+  return mesh.off(number) > 1 || (leaf.given_up && leaf.known_error > 1);
+}
+
+bool is_clipped(const Leaf& leaf, const RefineOptions& options, const Lattice& lattice) {
+  return options.clip && is_beyond(*options.clip, corner_positions(leaf, lattice));
+}
+
+/// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
+/// is no larger than the tolerance is right, whatever is in it.
+std::vector<std::size_t> leaves_with_holes(const RefineOptions& options, const Lattice& lattice,
+                                           const Measured& mesh) {
+  std::vector<std::size_t> suspects;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
+    if (!leaf.on_rim && (is_off(mesh, k) || is_deep) && !is_clipped(leaf, options, lattice))
+      suspects.push_back(k);
+  }
+  const auto area = [&](std::size_t k) {
+    const Leaf& leaf = mesh.leaves[k];
+    return std::uint64_t{leaf.size_u()} * leaf.size_v();
+  };
+  std::ranges::stable_sort(suspects, {}, area);
+  if (suspects.size() > kMostHoles) suspects.resize(kMostHoles);
+  return suspects;
+}
+
+/// Ways to a point that is a pole or has no limit lead to all places around which it is: what is
+/// nearer to them than is allowed is near enough to the surface, whichever part of it is measured.
+void accept_around(const Hole& hole, const Lattice& lattice, Measured& mesh) {
+  if (hole.kind != Hole::Kind::NoLimit && hole.kind != Hole::Kind::Pole) return;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    Leaf& leaf = mesh.leaves[k];
+    const double near = kNearHole * mesh.allowed[k];
+    const Bounds around{hole.near.low - near, hole.near.high + near};
+    const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
+    const std::array<dvec3, 4> corners = corner_positions(leaf, lattice);
+    if (!std::ranges::all_of(corners, is_near)) continue;
+    if (!hole.around.empty()) {
+      const auto is_off = [&](const dvec3& p) {
+        return is_finite(p) && !(hole.distance_to(p) <= mesh.allowed[k]);
+      };
+      if (std::ranges::any_of(corners, is_off)) continue;
+      if (!is_along(hole, corners, mesh.allowed[k])) leaf.is_left_out = true;
+    }
+    mesh.deviations[k] = {};
+    leaf.known_error = 0;
+  }
+}
+
+}  // namespace
+
+std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOptions& options,
+                                        const Lattice& lattice, Measured& mesh) {
+  const std::vector<std::size_t> suspects = leaves_with_holes(options, lattice, mesh);
+  std::vector<ParameterBox> boxes;
+  for (const std::size_t k : suspects) {
+    const Leaf& leaf = mesh.leaves[k];
+    boxes.push_back({lattice.parameters(leaf.low), lattice.parameters(leaf.high)});
+  }
+  const auto found = find_holes(surface, boxes);
+  std::vector<dvec2> places;
+  std::vector<std::size_t> around;  // each place, a leaf
+  for (std::size_t i = 0; i < suspects.size(); ++i) {
+    if (!found[i]) continue;
+    places.push_back(*found[i]);
+    around.push_back(suspects[i]);
+  }
+  const std::vector<Hole> holes =
+      look_at_holes(surface, places, lattice.mesh().bounds.diagonal(), options.threads);
+  const Domain& d = surface.domain;
+  const dvec2 range = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
+  std::vector<PlacedHole> result;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (holes[i].kind != Hole::Kind::Pole && holes[i].kind != Hole::Kind::NoLimit) continue;
+    mesh.leaves[around[i]].is_left_out = true;
+    const auto is_same = [&](const PlacedHole& other) {
+      const dvec2 off = glm::abs(other.uv - places[i]) / range;
+      return std::max(off.x, off.y) < kSamePlace;
+    };
+    if (std::ranges::none_of(result, is_same)) result.push_back({places[i], holes[i]});
+  }
+  for (const PlacedHole& placed : result) accept_around(placed.hole, lattice, mesh);
+  for (const auto& [vertex, hole] : lattice.holes()) accept_around(hole, lattice, mesh);
+  return result;
+}
+
+void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Measured& mesh) {
+  std::set<Side> poles;
+  std::set<Side> suspects;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    const bool is_fine = leaf.on_rim || leaf.is_left_out || !is_off(mesh, k);
+    if (is_fine || is_clipped(leaf, options, lattice)) continue;
+    for (const Side& side : sides_of(leaf, lattice)) {
+      if (lattice.crossing(side[0], side[1])) continue;
+      if (lattice.leads_to_pole(side[0], side[1])) {
+        poles.insert(side);
+      } else if (!lattice.is_searched(side[0], side[1])) {
+        suspects.insert(side);
+      }
+    }
+  }
+  const CrossingOptions with_poles{options.tolerance, true, options.threads};
+  const auto sides = [](const std::set<Side>& set) { return std::vector(set.begin(), set.end()); };
+  if (!poles.empty()) cut_poles(sides(poles), with_poles, lattice);
+  if (!search || (poles.empty() && suspects.empty())) return;
+  find_crossings(sides(suspects), with_poles, lattice);
+  follow_crossings(with_poles, mesh.leaves, lattice);
+}
+
+}  // namespace saddle
