@@ -138,6 +138,7 @@ std::vector<DoubtfulPlace> merged(std::span<const DoubtfulPlace> places, const D
   std::vector<DoubtfulPlace> result;
   for (std::size_t k = 0; k < kTexts.size(); ++k) {
     const auto why = static_cast<Doubt>(k);
+    if (std::ranges::find(places, why, &DoubtfulPlace::why) == places.end()) continue;
     Merger merger(domain);
     for (const DoubtfulPlace& place : places) {
       if (place.why == why) merger.add(place);

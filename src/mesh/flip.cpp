@@ -1,8 +1,9 @@
 #include "mesh/flip.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <vector>
 
+#include "mesh/pair_table.h"
 #include "mesh/triangulate.h"
 
 namespace saddle {
@@ -15,13 +16,16 @@ class SideCounts {
   explicit SideCounts(const Mesh& mesh) : mesh_(mesh) {}
 
   std::size_t& of(std::uint32_t corner_a, std::uint32_t corner_b) {
-    const auto [a, b] = std::minmax(mesh_.point[corner_a], mesh_.point[corner_b]);
-    return counts_[(std::uint64_t{a} << 32U) | b];
+    const Pair sides = pair_of(mesh_.point[corner_a], mesh_.point[corner_b]);
+    const auto [at, is_new] = places_.insert(sides, static_cast<std::uint32_t>(counts_.size()));
+    if (is_new) counts_.push_back(0);
+    return counts_[at];
   }
 
  private:
   const Mesh& mesh_;
-  std::unordered_map<std::uint64_t, std::size_t> counts_;
+  PairTable places_;  // in counts_
+  std::vector<std::size_t> counts_;
 };
 
 /// Twice the area in parameters.
@@ -32,18 +36,18 @@ double doubled_area(const Mesh& mesh, const Triangle& t) {
 }
 
 /// Two triangles with a common side, the other way around: the same two corners of both.
-struct Pair {
+struct Chord {
   std::uint32_t a, b;  ///< the chord; from a to b in the first
   std::uint32_t c, d;  ///< the tips
 };
 
-std::optional<Pair> common_side(const Triangle& first, const Triangle& second) {
+std::optional<Chord> common_side(const Triangle& first, const Triangle& second) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const std::uint32_t a = first[i];
       const std::uint32_t b = first[(i + 1) % 3];
       if (second[j] == b && second[(j + 1) % 3] == a) {
-        return Pair{a, b, first[(i + 2) % 3], second[(j + 2) % 3]};
+        return Chord{a, b, first[(i + 2) % 3], second[(j + 2) % 3]};
       }
     }
   }
@@ -51,7 +55,7 @@ std::optional<Pair> common_side(const Triangle& first, const Triangle& second) {
 }
 
 bool flip(const Grid& grid, SideCounts& sides, Triangle& first, Triangle& second) {
-  const std::optional<Pair> pair = common_side(first, second);
+  const std::optional<Chord> pair = common_side(first, second);
   if (!pair || sides.of(pair->a, pair->b) <= 2 || sides.of(pair->c, pair->d) > 0) return false;
   const Triangle one = {pair->c, pair->a, pair->d};
   const Triangle other = {pair->d, pair->b, pair->c};
