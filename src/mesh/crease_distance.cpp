@@ -98,6 +98,7 @@ std::vector<double> distances_from_surface(const Surface& surface,
     }
   }
   std::vector<double> distances;
+  distances.reserve(descents.size());
   for (const Descent& d : descents) distances.push_back(std::isfinite(d.distance) ? d.distance : 0);
   return distances;
 }

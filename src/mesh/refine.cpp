@@ -280,22 +280,15 @@ class Refiner {
                                                    judge_.is_outside(judged.samples));
     const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain && !is_cut_off;
     const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain && !is_cut_off;
-    std::optional<std::array<Leaf, 2>> halves;
+    const Scores scores = !is_turned ? verdict.distance
+                          : !is_far  ? verdict.turn
+                                     : worse(verdict.distance, verdict.turn);
     const bool passes = !is_far && !is_turned;
     const Witness* const missed = passes ? missed_witness(judged) : nullptr;
+    std::optional<std::array<Leaf, 2>> halves;
     if (!passes || missed != nullptr) {
-      const bool full = lattice_.is_full(options_.max_triangles);
-      result_.reached_limit = result_.reached_limit || full;
-      const Scores scores = !is_turned ? verdict.distance
-                            : !is_far  ? verdict.turn
-                                       : worse(verdict.distance, verdict.turn);
-      const bool across_u = missed != nullptr ? judge_.splits_u(leaf, judged.samples, *missed)
-                                              : judge_.splits_u(scores, judged.samples);
-      const bool oscillates = oscillation_.contains(leaf, lattice_);
-      if (oscillates && !result_.oscillates) {
-        result_.oscillates = lattice_.parameters(leaf.middle());
-      }
-      if (!full && !oscillates) halves = halve(leaf, across_u, lattice_);
+      halves = halves_of(leaf, missed != nullptr ? judge_.splits_u(leaf, judged.samples, *missed)
+                                                 : judge_.splits_u(scores, judged.samples));
     }
     if (!halves) {
       leaf.given_up = distance > 1 || turn > 1;
@@ -304,6 +297,17 @@ class Refiner {
       return;
     }
     for (const Leaf& half : *halves) push(half, judged.candidate, distance, turn);
+  }
+
+  /// Nothing where the limit is reached, or the surface oscillates.
+  std::optional<std::array<Leaf, 2>> halves_of(const Leaf& leaf, bool across_u) {
+    const bool full = lattice_.is_full(options_.max_triangles);
+    result_.reached_limit = result_.reached_limit || full;
+    const bool oscillates = oscillation_.contains(leaf, lattice_);
+    if (oscillates && !result_.oscillates) {
+      result_.oscillates = lattice_.parameters(leaf.middle());
+    }
+    return full || oscillates ? std::nullopt : halve(leaf, across_u, lattice_);
   }
 
   /// Leaves a candidate's half with the witnesses that are in it.

@@ -70,8 +70,10 @@ void append_bends(const Subject& subject, std::vector<dvec2>& uv) {
   }
   const std::vector<SurfacePoint> points = evaluate(subject.surface, scan, subject.threads);
   const auto bend = [&](int i, int j, int di, int dj) {
-    const auto p = [&](int k) {
-      return points[static_cast<std::size_t>(j + k * dj) * kSide + i + k * di].position;
+    const auto p = [&](std::ptrdiff_t k) {
+      const std::ptrdiff_t row = j + k * dj;
+      const std::ptrdiff_t column = i + k * di;
+      return points[static_cast<std::size_t>(row * kSide + column)].position;
     };
     const double height = glm::length(p(-1) - 2.0 * p(0) + p(1));
     return std::isfinite(height) ? height : 0.0;
@@ -202,6 +204,7 @@ void search(const Subject& subject, std::vector<Descent>& points) {
   const Domain& domain = subject.bound.domain;
   const dvec2 size = glm::abs(dvec2(domain.u1 - domain.u0, domain.v1 - domain.v0));
   std::vector<double> reach;  // of each, as a share of the domain
+  reach.reserve(points.size());
   for (const Descent& d : points) {
     reach.push_back(glm::length(size_of(d.corners) / size));
   }
@@ -375,6 +378,7 @@ double MeshDistance::from_mesh(const Mesh& mesh, double known) const {
   descend(subject_, points);
   std::erase_if(points, [known](const Descent& d) { return d.distance <= known; });
   std::vector<double> left;  // distances of points that have not been looked at twice
+  left.reserve(points.size());
   for (const Descent& d : points) left.push_back(d.distance);
   double worst = known;
   while (true) {
