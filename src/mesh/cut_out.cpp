@@ -29,7 +29,7 @@ bool is_along(const Hole& hole, const std::array<dvec3, 4>& corners, double allo
     for (std::size_t b = a + 1; b < 4; ++b) {
       for (const double share : {0.25, 0.5, 0.75}) {
         const dvec3 place = glm::mix(corners[a], corners[b], share);
-        if (is_finite(place) && !(hole.distance_to(place) <= allowed)) return false;
+        if (is_finite(place) && !hole.around.is_within(place, allowed)) return false;
       }
     }
   }
@@ -79,7 +79,7 @@ void accept_around(const Hole& hole, const Lattice& lattice, Measured& mesh) {
     if (!std::ranges::all_of(corners, is_near)) continue;
     if (!hole.around.empty()) {
       const auto is_off = [&](const dvec3& p) {
-        return is_finite(p) && !(hole.distance_to(p) <= mesh.allowed[k]);
+        return is_finite(p) && !hole.around.is_within(p, mesh.allowed[k]);
       };
       if (std::ranges::any_of(corners, is_off)) continue;
       if (!is_along(hole, corners, mesh.allowed[k])) leaf.is_left_out = true;

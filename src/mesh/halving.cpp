@@ -213,7 +213,7 @@ bool Halving::remeasure() {
   std::vector<double> degrees;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
-    if (count_outline(leaf, lattice_) == leaf.outline) continue;
+    if (!lattice_.was_changed(leaf) || count_outline(leaf, lattice_) == leaf.outline) continue;
     changed.push_back(k);
     degrees.push_back(mesh_.deviations[k].degrees);
   }

@@ -23,6 +23,9 @@ constexpr double kAslant = 0.07;  // of a turn between two ways
 /// surface is looked at: 1e-6 and 1e-12 of the ranges away.
 constexpr double kReach = 0x1p-8;
 constexpr std::array kLooks = {0x1p-12, 0x1p-32};
+/// Chords of a curve that are looked at together, if a place is near to the box around them.
+constexpr std::size_t kChordsPerBox = 16;
+
 /// Ways that are taken around a point without a limit: a circle of limits is 2e-5 of its radius
 /// from chords between them.
 constexpr std::size_t kManyWays = 512;
@@ -162,17 +165,33 @@ class Narrowing {
 
 }  // namespace
 
-double Hole::distance_to(const dvec3& place) const {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < around.size(); ++k) {
-    const dvec3& from = around[k];
-    const dvec3 way = around[(k + 1) % around.size()] - from;
-    const double square = glm::dot(way, way);
-    const double share =
-        square > 0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, glm::distance(place, from + share * way));
+ClosedCurve::ClosedCurve(std::vector<dvec3> places) : places_(std::move(places)) {
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (k % kChordsPerBox == 0) boxes_.emplace_back();
+    boxes_.back().add(places_[k]);
+    boxes_.back().add(places_[(k + 1) % places_.size()]);
   }
-  return nearest;
+}
+
+bool ClosedCurve::is_within(const dvec3& place, double reach) const {
+  for (std::size_t box = 0; box < boxes_.size(); ++box) {
+    const Bounds around{boxes_[box].low - reach, boxes_[box].high + reach};
+    if (!around.contains(place)) continue;
+    const std::size_t end = std::min((box + 1) * kChordsPerBox, places_.size());
+    for (std::size_t k = box * kChordsPerBox; k < end; ++k) {
+      if (is_near_chord(k, place, reach)) return true;
+    }
+  }
+  return false;
+}
+
+bool ClosedCurve::is_near_chord(std::size_t number, const dvec3& place, double reach) const {
+  const dvec3& from = places_[number];
+  const dvec3 way = places_[(number + 1) % places_.size()] - from;
+  const double square = glm::dot(way, way);
+  const double share =
+      square > 0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(place, from + share * way) <= reach;
 }
 
 std::vector<std::optional<dvec2>> find_holes(const Surface& surface,
@@ -194,7 +213,7 @@ std::vector<Hole> look_at_holes(const Surface& surface, std::span<const dvec2> p
     if (ways.is_open && !ways.lines.empty()) {
       hole = {kind_of_point(surface, ways, kAgree * diagonal, threads), ways.at_looks[1]};
       if (hole.kind == Hole::Kind::NoLimit && ways.lines.size() == kWays) {
-        hole.around = look_around(surface, ways.lines[0][0], threads);
+        hole.around = ClosedCurve(look_around(surface, ways.lines[0][0], threads));
       }
     } else if (ways.is_open_aslant) {
       hole.kind = Hole::Kind::Line;

@@ -12,6 +12,23 @@
 
 namespace saddle {
 
+/// A curve through places, back to the first of them.
+class ClosedCurve {
+ public:
+  ClosedCurve() = default;
+  explicit ClosedCurve(std::vector<dvec3> places);
+
+  bool empty() const { return places_.empty(); }
+  /// Whether a place is no farther away than `reach`.
+  bool is_within(const dvec3& place, double reach) const;
+
+ private:
+  bool is_near_chord(std::size_t number, const dvec3& place, double reach) const;
+
+  std::vector<dvec3> places_;
+  std::vector<Bounds> boxes_;  // around chords, some of them at a time
+};
+
 struct Hole {
   enum class Kind : std::uint8_t {
     Part,     ///< a part of the domain where it is not defined either, or the place is on its rim
@@ -24,10 +41,7 @@ struct Hole {
   Bounds near;  ///< where the surface is around one point, as near to it as digits allow
   /// The same, in the order of the ways there, of a point without a limit that is within the
   /// domain.
-  std::vector<dvec3> around = {};
-
-  /// How far a place is from what is around the point.
-  double distance_to(const dvec3& place) const;
+  ClosedCurve around = {};
 };
 
 /// Where bounds leave room for a break in a box of parameters, if that is one point: as near as

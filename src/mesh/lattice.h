@@ -283,6 +283,8 @@ class Lattice {
   /// Whether vertices around a leaf may have gone into use, or its sides been cut, since crossings
   /// were followed into it.
   bool has_changed(const Leaf& leaf) const { return changed_cells_.of(leaf) >= leaf.followed; }
+  /// Whether any vertices around a leaf may ever have gone into use between others.
+  bool was_changed(const Leaf& leaf) const { return changed_cells_.contains(leaf); }
   /// Counts on: changes from here on are later than those before.
   std::uint32_t next_moment() { return ++now_; }
 
@@ -376,7 +378,7 @@ class Lattice {
   bool has_poles_ = false;     // among crossings and holes
   CellMarks crossed_cells_;
   CellMarks changed_cells_;  // when
-  std::uint32_t now_ = 0;
+  std::uint32_t now_ = 1;
   std::size_t used_count_;
   std::size_t evaluated_;  // vertices that have been computed
   std::size_t evaluations_ = 0;

@@ -32,8 +32,9 @@ Oscillation::Oscillation(const Grid& grid)
     : grid_(grid), size_u_(block_size(grid.cells_u)), size_v_(block_size(grid.cells_v)) {}
 
 void Oscillation::add(const Leaf& leaf, double distance, const Lattice& lattice) {
+  if (!(distance > 1)) return;
   const double width = width_of(leaf, lattice);
-  if (!(width <= kNarrow) || !(distance > std::max(1.0, kHopeless * width / kNarrow))) return;
+  if (!(width <= kNarrow) || !(distance > kHopeless * width / kNarrow)) return;
   const double along_u = static_cast<double>(leaf.size_u()) / size_u_;
   const double along_v = static_cast<double>(leaf.size_v()) / size_v_;
   lengths_[block_of(leaf)] += std::min(1.0, std::max(along_u, along_v));
