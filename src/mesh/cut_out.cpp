@@ -42,10 +42,6 @@ bool is_off(const Measured& mesh, std::size_t number) {
   return mesh.off(number) > 1 || (leaf.given_up && leaf.known_error > 1);
 }
 
-bool is_clipped(const Leaf& leaf, const RefineOptions& options, const Lattice& lattice) {
-  return options.clip && is_beyond(*options.clip, corner_positions(leaf, lattice));
-}
-
 /// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
 /// is no larger than the tolerance is right, whatever is in it.
 std::vector<std::size_t> leaves_with_holes(const RefineOptions& options, const Lattice& lattice,
@@ -54,7 +50,7 @@ std::vector<std::size_t> leaves_with_holes(const RefineOptions& options, const L
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
     const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
-    if (!leaf.on_rim && (is_off(mesh, k) || is_deep) && !is_clipped(leaf, options, lattice))
+    if (!leaf.on_rim && (is_off(mesh, k) || is_deep) && !is_clipped(leaf, options.clip, lattice))
       suspects.push_back(k);
   }
   const auto area = [&](std::size_t k) {
@@ -90,6 +86,10 @@ void accept_around(const Hole& hole, const Lattice& lattice, Measured& mesh) {
 }
 
 }  // namespace
+
+bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const Lattice& lattice) {
+  return clip && is_beyond(*clip, corner_positions(leaf, lattice));
+}
 
 std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOptions& options,
                                         const Lattice& lattice, Measured& mesh) {
@@ -132,7 +132,7 @@ void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Meas
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
     const bool is_fine = leaf.on_rim || leaf.is_left_out || !is_off(mesh, k);
-    if (is_fine || is_clipped(leaf, options, lattice)) continue;
+    if (is_fine || is_clipped(leaf, options.clip, lattice)) continue;
     for (const Side& side : sides_of(leaf, lattice)) {
       if (lattice.crossing(side[0], side[1])) continue;
       if (lattice.leads_to_pole(side[0], side[1])) {

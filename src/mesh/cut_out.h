@@ -2,6 +2,7 @@
 // infinity, and points at which it has no limit.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/crossings.h"
@@ -15,6 +16,9 @@ struct PlacedHole {
   dvec2 uv;
   Hole hole;
 };
+
+/// Whether nothing of a leaf is within a box, if there is one.
+bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const Lattice& lattice);
 
 /// Leaves out those leaves in which the surface goes to infinity at a point, or has no limit there.
 /// Returns these points, each of them once.

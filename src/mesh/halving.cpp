@@ -5,7 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include "mesh/clip.h"
 #include "mesh/degenerate.h"
 #include "mesh/flip.h"
 #include "mesh/islands.h"
@@ -151,7 +150,7 @@ bool Halving::is_full() {
 }
 
 bool Halving::is_clipped(const Leaf& leaf) const {
-  return options_.clip && is_beyond(*options_.clip, corner_positions(leaf, lattice_));
+  return saddle::is_clipped(leaf, options_.clip, lattice_);
 }
 
 bool Halving::crosses_box(const Leaf& leaf) const {

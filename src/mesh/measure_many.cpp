@@ -126,52 +126,65 @@ void for_parts(std::size_t count, std::size_t length, Function f) {
   }
 }
 
+/// Measures all of some leaves: batch by batch, whose columns are computed together, and in those
+/// block by block. `uv`: the parameters of place s of a leaf; `corners`: those of a leaf; `place`:
+/// files where its places are in the columns, under its number there.
+struct Loops {
+  const Surface& surface;
+  const Grid& grid;
+  unsigned threads;
+
+  template <class Item, class Uv, class Corners, class Place>
+  std::vector<std::optional<LeafDeviation>> measure(std::span<const Item> leaves,
+                                                    std::size_t places, Uv uv, Corners corners,
+                                                    Place place) const {
+    std::vector<std::optional<LeafDeviation>> result(leaves.size());
+    Block block(surface, grid);
+    for_parts(leaves.size(), kBatch, [&](std::size_t first, std::size_t last) {
+      const auto batch = leaves.subspan(first, last - first);
+      Columns columns(surface, batch.size(), places, threads,
+                      [&](std::size_t s, std::size_t i) { return uv(s, batch[i]); });
+      for_parts(batch.size(), kLeafBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          block.put_corners(i - begin, corners(batch[i]));
+          place(batch[i], i, columns);
+        }
+        block.measure(columns, begin, places,
+                      std::span(result).subspan(first + begin, end - begin));
+      });
+    });
+    return result;
+  }
+};
+
 }  // namespace
 
 std::vector<std::optional<LeafDeviation>> measure_many(const Surface& surface, const Grid& grid,
                                                        std::span<const TwoTriangles> leaves,
                                                        unsigned threads) {
-  std::vector<std::optional<LeafDeviation>> result(leaves.size());
-  Block block(surface, grid);
-  for_parts(leaves.size(), kBatch, [&](std::size_t first, std::size_t last) {
-    const auto batch = leaves.subspan(first, last - first);
-    Columns columns(surface, batch.size(), kPlacesInLeaf, threads, [&](auto s, auto i) {
-      const dvec2& part = batch[i].places[s];
-      return batch[i].low * (1.0 - part) + batch[i].high * part;
-    });
-    for_parts(batch.size(), kLeafBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto corners = corners_of(batch[i], grid.mirrored);
-        block.put_corners(i - begin, corners);
-        const bool turned = grid.mesh.uv[corners[0]] != batch[i].low;
-        for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
-          columns.set_place(s, i, batch[i].places[s], turned);
-        }
-      }
-      block.measure(columns, begin, kPlacesInLeaf,
-                    std::span(result).subspan(first + begin, end - begin));
-    });
-  });
-  return result;
+  const auto uv = [](std::size_t s, const TwoTriangles& leaf) {
+    const dvec2& part = leaf.places[s];
+    return leaf.low * (1.0 - part) + leaf.high * part;
+  };
+  const auto corners = [&](const TwoTriangles& leaf) { return corners_of(leaf, grid.mirrored); };
+  const auto place = [&](const TwoTriangles& leaf, std::size_t i, Columns& columns) {
+    const bool turned = grid.mesh.uv[corners(leaf)[0]] != leaf.low;
+    for (std::size_t s = 0; s < kPlacesInLeaf; ++s) {
+      columns.set_place(s, i, leaf.places[s], turned);
+    }
+  };
+  return Loops{surface, grid, threads}.measure(leaves, kPlacesInLeaf, uv, corners, place);
 }
 
 std::vector<std::optional<LeafDeviation>> measure_places(const Surface& surface, const Grid& grid,
                                                          std::span<const PlaceOnTriangle> places,
                                                          unsigned threads) {
-  std::vector<std::optional<LeafDeviation>> result(places.size());
-  Block block(surface, grid);
-  for_parts(places.size(), kBatch, [&](std::size_t first, std::size_t last) {
-    const auto batch = places.subspan(first, last - first);
-    Columns columns(surface, batch.size(), 1, threads, [&](auto, auto i) { return batch[i].uv; });
-    for_parts(batch.size(), kLeafBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        block.put_corners(i - begin, batch[i].corners);
-        columns.set_place(0, i, place_of(batch[i].weights), false);
-      }
-      block.measure(columns, begin, 1, std::span(result).subspan(first + begin, end - begin));
-    });
-  });
-  return result;
+  const auto uv = [](std::size_t, const PlaceOnTriangle& place) { return place.uv; };
+  const auto corners = [](const PlaceOnTriangle& place) { return place.corners; };
+  const auto place = [](const PlaceOnTriangle& at, std::size_t i, Columns& columns) {
+    columns.set_place(0, i, place_of(at.weights), false);
+  };
+  return Loops{surface, grid, threads}.measure(places, 1, uv, corners, place);
 }
 
 }  // namespace saddle
