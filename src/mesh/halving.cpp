@@ -170,7 +170,7 @@ double Halving::width(const Leaf& leaf) const {
   const auto places = leaf.corners();
   std::array<std::uint32_t, 4> corners{};
   for (std::size_t k = 0; k < 4; ++k) corners[k] = lattice_.vertex_at_corner(places[k]);
-  return narrow_side(grid_.mesh, corners);
+  return thickness(grid_.mesh, corners);
 }
 
 /// Refines leaves, adds what comes out and measures it.

@@ -77,6 +77,14 @@ class Ball {
   double reach_ = 0;
 };
 
+/// The longer one of the shorter two opposite sides.
+double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
+  const auto length = [&](std::size_t a, std::size_t b) {
+    return glm::distance(mesh.position[corner[a]], mesh.position[corner[b]]);
+  };
+  return std::min(std::max(length(0, 1), length(2, 3)), std::max(length(1, 2), length(3, 0)));
+}
+
 }  // namespace
 
 Samples request_samples(const Leaf& leaf, Lattice& lattice) {
@@ -100,11 +108,15 @@ double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice&
   return ball.allowed_by(tolerance);
 }
 
-double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
-  const auto length = [&](std::size_t a, std::size_t b) {
-    return glm::distance(mesh.position[corner[a]], mesh.position[corner[b]]);
-  };
-  return std::min(std::max(length(0, 1), length(2, 3)), std::max(length(1, 2), length(3, 0)));
+double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
+  const auto& p = mesh.position;
+  const dvec3 first = p[corner[2]] - p[corner[0]];
+  const dvec3 second = p[corner[3]] - p[corner[1]];
+  double longest = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    longest = std::max(longest, glm::distance(p[corner[k]], p[corner[(k + 1) % 4]]));
+  }
+  return longest > 0 ? glm::length(glm::cross(first, second)) / 2 / longest : 0;
 }
 
 int count_defined(const Lattice& lattice, const Samples& samples) {
@@ -139,6 +151,10 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const auto& [corner, side, centre] = samples;
   const double eps = allowed(samples);
   const double seen_turn = kSeenTurn * eps;
+  const bool is_wide = narrow_side(mesh_, corner) > seen_turn;
+  const bool is_opposed = has_opposed(samples);
+  // Between opposed normals a tip may be hidden that sticks out of a sliver.
+  const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
   const bool is_visible = diameter(corner) > kVisible * eps;
   Verdict verdict;
   const auto judge = [&, &corner = corner](std::uint32_t a, std::uint32_t b, std::uint32_t sample,
@@ -149,9 +165,8 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
     const double gap = is_small ? distance : distance_of_middle(a, b, sample) / eps;
     verdict.gap.*part = std::max(verdict.gap.*part, gap);
     verdict.may_jump = verdict.may_jump || (is_visible && !is_small);
-    const bool turn_counts = part == &Scores::centre
-                                 ? narrow_side(mesh_, corner) > seen_turn
-                                 : glm::distance(mesh_.position[a], mesh_.position[b]) > seen_turn;
+    const bool is_long = glm::distance(mesh_.position[a], mesh_.position[b]) > seen_turn;
+    const bool turn_counts = (part == &Scores::centre ? is_wide : is_long) && !is_sliver;
     if (!turn_counts) return;
     verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
   };
@@ -164,7 +179,7 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
   verdict.distance.centre =
       std::max(verdict.distance.centre, bulge_of_triangles(samples, first) / eps);
-  verdict.is_folded = is_visible && has_opposed(samples);
+  verdict.is_folded = is_visible && is_opposed;
   return verdict;
 }
 

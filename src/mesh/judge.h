@@ -47,9 +47,9 @@ Samples request_samples(const Leaf& leaf, Lattice& lattice);
 /// What is allowed of a leaf whose corners are in use.
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice);
 
-/// How wide a leaf with these corners is in the direction in which it is narrow. Infinite where a
-/// corner is.
-double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner);
+/// How wide a leaf with these corners is in the direction in which it is narrow: of a parallelogram
+/// its smaller height. Not finite where a corner is not.
+double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner);
 
 /// How many of the nine samples are defined.
 int count_defined(const Lattice& lattice, const Samples& samples);

@@ -46,6 +46,14 @@ static inline double height_at(double s, double a, double b, double c) {
   return magnitude(s * (1 - s) * (a + s * (b + s * c)));
 }
 
+/// At least 0: the middle of two normals is within the allowed angle of the one between them.
+static inline double turn_left(LoopVector a, LoopVector b, LoopVector between,
+                               double largest_sine) {
+  const LoopVector sum = plus(a, b);
+  const LoopVector turned = cross(sum, between);
+  return largest_sine * dot(sum, sum) - dot(turned, turned);
+}
+
 static inline Said test(const Chord& chord, double seen, double largest_sine, double turn_counts) {
   const LoopVector along = minus(chord.b, chord.a);
   const LoopVector off = minus(chord.sample, times(0.5, plus(chord.a, chord.b)));
@@ -69,10 +77,9 @@ static inline Said test(const Chord& chord, double seen, double largest_sine, do
   const double facing = smaller_of(smaller_of(first, last) - kSteep, kAside - magnitude(part));
   const double along_normal = larger_of(magnitude(height), choose(facing, bulge, 0.0));
   const double beside = sqrt(larger_of(square_off - part * part * square, 0.0));
-  const LoopVector sum = plus(chord.n_a, chord.n_b);
-  const LoopVector turned = cross(sum, chord.n);
-  const double turn = largest_sine * dot(sum, sum) - dot(turned, turned);
-  const double agree = smaller_of(dot(sum, chord.n), choose(turn_counts, turn, 0.0));
+  const double turn = turn_left(chord.n_a, chord.n_b, chord.n, largest_sine);
+  const double facing_sample = dot(plus(chord.n_a, chord.n_b), chord.n);
+  const double agree = smaller_of(facing_sample, choose(turn_counts, turn, 0.0));
   const double is_small = kSmallArc * kSmallArc * square - square_off;
   return {choose(seen, beside, along_normal), smaller_of(is_small, agree)};
 }
@@ -93,8 +100,8 @@ static inline double square_of_side(const LeafSamples& leaves, size_t k, size_t 
 static void judge_side(const LeafSamples& leaves, size_t k, size_t count, LeafVerdicts& verdicts) {
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
-    const double turn_counts =
-        square_of_side(leaves, k, i) - leaves.seen_turn[i] * leaves.seen_turn[i];
+    const double is_long = square_of_side(leaves, k, i) - leaves.seen_turn[i] * leaves.seen_turn[i];
+    const double turn_counts = smaller_of(is_long, verdicts.sides_turn[i]);
     const Said said =
         test(side(leaves, k, i), leaves.seen[k][i], leaves.largest_sine[i], turn_counts);
     const double counts = leaves.counts[k][i];
@@ -134,11 +141,7 @@ static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& 
     const double second = other < first * kNearlyOne ? 1.0 : 0.0;
     const Chord diagonal = {choose(second, p1, p0), choose(second, p3, p2), c,
                             choose(second, n1, n0), choose(second, n3, n2), n};
-    const double narrow =
-        smaller_of(larger_of(square_of_side(leaves, 0, i), square_of_side(leaves, 2, i)),
-                   larger_of(square_of_side(leaves, 1, i), square_of_side(leaves, 3, i)));
-    const double turn_counts = narrow - leaves.seen_turn[i] * leaves.seen_turn[i];
-    const Said said = test(diagonal, 0, leaves.largest_sine[i], turn_counts);
+    const Said said = test(diagonal, 0, leaves.largest_sine[i], verdicts.centre_turns[i]);
     const double h0 = dot(minus(position(side[0], i), times(0.5, plus(p0, p1))), n);
     const double h1 = dot(minus(position(side[1], i), times(0.5, plus(p1, p2))), n);
     const double h2 = dot(minus(position(side[2], i), times(0.5, plus(p2, p3))), n);
@@ -173,10 +176,28 @@ static void begin(const LeafSamples& leaves, size_t count, LeafVerdicts& verdict
   }
 }
 
+/// Whether normals' turn counts: across a thin leaf it is not seen. The sides of one that is narrow
+/// run along it, those of a sliver across.
+static void look_at_turns(const LeafSamples& leaves, size_t count, LeafVerdicts& verdicts) {
+  const LeafVertices* const corner = leaves.corner.data();
+#pragma GCC ivdep  // the verdicts overlap no samples
+  for (size_t i = 0; i < count; ++i) {
+    const LoopVector area = cross(minus(position(corner[2], i), position(corner[0], i)),
+                                  minus(position(corner[3], i), position(corner[1], i)));
+    const double one = larger_of(square_of_side(leaves, 0, i), square_of_side(leaves, 2, i));
+    const double other = larger_of(square_of_side(leaves, 1, i), square_of_side(leaves, 3, i));
+    const double seen = leaves.seen_turn[i] * leaves.seen_turn[i];
+    const double thick = dot(area, area) - 4 * seen * larger_of(one, other);
+    verdicts.centre_turns[i] = thick;
+    verdicts.sides_turn[i] = larger_of(thick, seen - smaller_of(one, other));
+  }
+}
+
 }  // namespace
 
 void SADDLE_LEVEL(const LeafSamples& leaves, size_t count, LeafVerdicts& verdicts) {
   begin(leaves, count, verdicts);
+  look_at_turns(leaves, count, verdicts);
   for (size_t k = 0; k < 4; ++k) judge_side(leaves, k, count, verdicts);
   judge_middle(leaves, count, verdicts);
   for (size_t i = 0; i < count; ++i) {

@@ -34,8 +34,9 @@ struct LeafSamples {
 };
 
 struct LeafVerdicts {
-  LeafNumbers distance;  ///< the largest
-  LeafNumbers passes;    ///< 1: surely; else a closer look may still find so
+  LeafNumbers distance;                  ///< the largest
+  LeafNumbers passes;                    ///< 1: surely; else a closer look may still find so
+  LeafNumbers sides_turn, centre_turns;  ///< more than 0: how normals turn there counts
 };
 
 /// Judges leaves [0, count).

@@ -23,6 +23,12 @@ Surface folded() {
   return surface_from_text("abs(u-0.1)", "v", "u^2+v^2", {-1, 1, -1, 1}, {}, Order::Second);
 }
 
+/// Narrow ridges along a ribbon. Lines of the parameters run nearly along them, and cells are thin.
+Surface ridges() {
+  return surface_from_text("u+v", "0.03*(u-v)", "0.002*sin(15*(u-v))", {-2, 3, -2, 2}, {},
+                           Order::Second);
+}
+
 /// A lattice on 20 x 17 cells, or a multiple of that each way, with all samples of its root leaves.
 struct Subject {
   explicit Subject(const Surface& s, const RefineOptions& refine_options, std::size_t multiple = 1)
@@ -78,6 +84,27 @@ TEST(ManyLeaves, PassIfTheyPassOneByOne) {
     }
     EXPECT_GT(good, known.size() / 10);
     EXPECT_LT(good, known.size() * 9 / 10);
+  }
+}
+
+TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
+  const Surface surface = ridges();
+  constexpr double kThickness = 0.014;  // of all cells
+  for (const double tolerance : {0.9 * kThickness, 1.2 * kThickness}) {
+    const Subject subject(surface, options_for(tolerance, 3));
+    const std::vector<float> known = judge_many(subject.leaves, subject.samples, subject.options,
+                                                subject.judge, subject.lattice);
+    for (std::size_t k = 0; k < known.size(); ++k) {
+      const Verdict verdict = subject.judge.score(subject.leaves[k], subject.samples[k]);
+      ASSERT_LT(verdict.distance.worst(), 0.5);
+      if (tolerance < kThickness) {
+        ASSERT_GT(verdict.turn.worst(), 1);
+        ASSERT_EQ(known[k], kUnknown);
+      } else {
+        ASSERT_EQ(verdict.turn.worst(), 0);
+        ASSERT_NE(known[k], kUnknown);
+      }
+    }
   }
 }
 
