@@ -185,8 +185,9 @@ class Finisher {
         report.worst_place = lattice_.parameters(leaf.middle());
       }
       report.max_error = std::max(report.max_error, error);
-      if (halving_.width(leaf) <= kSeenTurn * eps) continue;
-      report.max_normal_error = std::max(report.max_normal_error, mesh_.deviations[k].degrees);
+      const double degrees = mesh_.deviations[k].degrees;
+      if (degrees <= report.max_normal_error || halving_.width(leaf) <= kSeenTurn * eps) continue;
+      report.max_normal_error = degrees;
     }
   }
 

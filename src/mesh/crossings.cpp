@@ -248,7 +248,7 @@ std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::s
     const std::uint32_t now = lattice.next_moment();
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       Leaf& leaf = leaves[k];
-      if (!lattice.has_changed(leaf)) continue;
+      if (!lattice.has_changed(leaf, leaf.followed)) continue;
       leaf.followed = now;
       if (!leaf.is_split && lattice.may_be_crossed(leaf) && is_crossed(leaf, lattice)) {
         leaf.is_split = true;

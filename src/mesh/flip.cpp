@@ -54,6 +54,43 @@ std::optional<Chord> common_side(const Triangle& first, const Triangle& second) 
   return std::nullopt;
 }
 
+/// Leaves that may have a chord in common with others: those of several triangles around a point
+/// that is more than one corner.
+class SharedPoints {
+ public:
+  SharedPoints(const Mesh& mesh, const LeafTriangles& triangles)
+      : mesh_(mesh), is_near_(mesh.position.size(), 0) {
+    std::vector<std::uint8_t> is_shared(mesh.position.size(), 0);
+    for (const Triangle& t : triangles.all) {
+      for (const std::uint32_t corner : t) {
+        if (mesh.point[corner] != corner) is_shared[mesh.point[corner]] = 1;
+      }
+    }
+    for (std::size_t leaf = 0; leaf + 1 < triangles.first.size(); ++leaf) {
+      const std::span<const Triangle> of_leaf = triangles.of(leaf);
+      const bool meets_others = of_leaf.size() > 1 && std::ranges::any_of(of_leaf, [&](auto& t) {
+                                  return std::ranges::any_of(t, [&](auto corner) {
+                                    return is_shared[mesh.point[corner]];
+                                  });
+                                });
+      if (!meets_others) continue;
+      leaves_.push_back(leaf);
+      for (const Triangle& t : of_leaf) {
+        for (const std::uint32_t corner : t) is_near_[mesh.point[corner]] = 1;
+      }
+    }
+  }
+
+  const std::vector<std::size_t>& leaves() const { return leaves_; }
+  /// Whether a corner's point is one of those leaves'.
+  bool is_near(std::uint32_t corner) const { return is_near_[mesh_.point[corner]] != 0; }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<std::uint8_t> is_near_;  // of points
+  std::vector<std::size_t> leaves_;
+};
+
 bool flip(const Grid& grid, SideCounts& sides, Triangle& first, Triangle& second) {
   const std::optional<Chord> pair = common_side(first, second);
   if (!pair || sides.of(pair->a, pair->b) <= 2 || sides.of(pair->c, pair->d) > 0) return false;
@@ -73,11 +110,16 @@ bool flip(const Grid& grid, SideCounts& sides, Triangle& first, Triangle& second
 }  // namespace
 
 void flip_shared_chords(const Grid& grid, LeafTriangles& triangles) {
+  const SharedPoints shared(grid.mesh, triangles);
+  if (shared.leaves().empty()) return;
   SideCounts sides(grid.mesh);
   for (const Triangle& t : triangles.all) {
-    for (std::size_t k = 0; k < 3; ++k) ++sides.of(t[k], t[(k + 1) % 3]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t next = t[(k + 1) % 3];
+      if (shared.is_near(t[k]) && shared.is_near(next)) ++sides.of(t[k], next);
+    }
   }
-  for (std::size_t leaf = 0; leaf + 1 < triangles.first.size(); ++leaf) {
+  for (const std::size_t leaf : shared.leaves()) {
     for (std::size_t i = triangles.first[leaf]; i < triangles.first[leaf + 1]; ++i) {
       for (std::size_t j = i + 1; j < triangles.first[leaf + 1]; ++j) {
         flip(grid, sides, triangles.all[i], triangles.all[j]);

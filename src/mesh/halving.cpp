@@ -210,9 +210,12 @@ void Halving::add(const Failed& failed) {
 bool Halving::remeasure() {
   std::vector<std::size_t> changed;
   std::vector<double> degrees;
+  const std::uint32_t now = lattice_.next_moment();
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    const Leaf& leaf = mesh_.leaves[k];
-    if (!lattice_.was_changed(leaf) || count_outline(leaf, lattice_) == leaf.outline) continue;
+    Leaf& leaf = mesh_.leaves[k];
+    if (!lattice_.has_changed(leaf, leaf.measured)) continue;
+    leaf.measured = now;
+    if (count_outline(leaf, lattice_) == leaf.outline) continue;
     changed.push_back(k);
     degrees.push_back(mesh_.deviations[k].degrees);
   }
@@ -224,9 +227,17 @@ bool Halving::remeasure() {
   return true;
 }
 
+/// Normals of what is so thin that it is not seen how they turn do not count.
 void Halving::measure(std::span<const std::size_t> which, const SingularCorners& singular) {
+  const std::uint32_t now = lattice_.next_moment();
+  for (const std::size_t k : which) mesh_.leaves[k].measured = now;
   verifier_.measure(mesh_, which,
                     triangulate_leaves(mesh_.leaves, which, singular, grid_, lattice_));
+  for (const std::size_t k : which) {
+    double& degrees = mesh_.deviations[k].degrees;
+    const bool is_turned = turn_of_line(degrees) > options_.normal_tolerance;
+    if (is_turned && width(mesh_.leaves[k]) <= kSeenTurn * mesh_.allowed[k]) degrees = 0;
+  }
 }
 
 /// Measures the leaves with singular corners with the limits of their normals, which are not kept
@@ -273,7 +284,7 @@ bool Halving::is_cut_unclearly(const Leaf& leaf) const {
 double Halving::turn(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const double share = turn_of_line(mesh_.deviations[number].degrees) / options_.normal_tolerance;
-  if (!(share > 1) || width(leaf) <= kSeenTurn * mesh_.allowed[number]) return 0;
+  if (!(share > 1)) return 0;
   if (!lattice_.has_many(allowed_for_normals(options_.max_triangles))) return share * share;
   if (!coarse_normals_) coarse_normals_ = lattice_.parameters(leaf.middle());
   return 0;

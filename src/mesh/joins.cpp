@@ -136,21 +136,6 @@ class Poles {
   bool meet_ = false;
 };
 
-/// Makes poles at the same place one point, as where all of the lines on which a radius is 0 come
-/// together. Whether there are any.
-bool join_equal_poles(std::span<const Leaf> leaves, const Grid& grid, const Lattice& lattice,
-                      Points& points) {
-  if (!lattice.has_singular()) return false;
-  Poles poles(grid, lattice);
-  const auto add = [&poles](std::uint32_t a, std::uint32_t b) { poles.add(a, b); };
-  for (const Leaf& leaf : leaves) {
-    for_sides(leaf, lattice, add);
-    if (leaf.is_split) for_sides_of_pieces(leaf, lattice, add);
-  }
-  poles.join(points);
-  return poles.meet();
-}
-
 }  // namespace
 
 void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, Lattice& lattice,
@@ -194,22 +179,24 @@ void join_crossings(const Seams& seams, const Grid& grid, const Lattice& lattice
   }
 }
 
+// Poles at the same place become one point, as where all of the lines on which a radius is 0 come
+// together.
 bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid, Lattice& lattice,
                 Points& points) {
-  const auto at_one_place = [&](std::uint32_t a, std::uint32_t b) {
-    return lattice.is_defined(a) && lattice.is_defined(b) &&
-           grid.mesh.point[a] != grid.mesh.point[b] && is_one_point(grid, a, b);
-  };
+  std::vector<Neighbours> joined;
   std::vector<Neighbours> sides;
   std::vector<Neighbours> cuts;
+  const auto file = [&](std::uint32_t a, std::uint32_t b, std::vector<Neighbours>& as) {
+    if (grid.mesh.point[a] == grid.mesh.point[b]) {
+      joined.push_back({a, b});
+    } else if (lattice.is_defined(a) && lattice.is_defined(b) && is_one_point(grid, a, b)) {
+      as.push_back({a, b});
+    }
+  };
   for (const Leaf& leaf : leaves) {
-    for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
-      if (at_one_place(a, b)) sides.push_back({a, b});
-    });
+    for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) { file(a, b, sides); });
     if (!leaf.is_split) continue;
-    for_sides_of_pieces(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
-      if (at_one_place(a, b)) cuts.push_back({a, b});
-    });
+    for_sides_of_pieces(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) { file(a, b, cuts); });
   }
   for (const auto& [a, b] : collapsed(lattice.surface(), grid, sides, threads)) {
     points.unite(a, b);
@@ -218,7 +205,13 @@ bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid
   }
   for (const auto& [a, b] : cuts) points.unite(a, b);
   points.settle();
-  return join_equal_poles(leaves, grid, lattice, points);
+  if (!lattice.has_singular()) return false;
+  Poles poles(grid, lattice);
+  for (const auto& which : {joined, sides, cuts}) {
+    for (const auto& [a, b] : which) poles.add(a, b);
+  }
+  poles.join(points);
+  return poles.meet();
 }
 
 }  // namespace saddle

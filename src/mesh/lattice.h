@@ -41,6 +41,7 @@ struct Leaf {
   bool is_left_out = false;         ///< with a point in it that is a pole or has no limit
   bool given_up = false;            ///< halving does not help, or is not allowed
   std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
+  std::uint32_t measured = 0;  ///< when it was, or found to have the outline that it had then
   std::uint32_t outline = 0;   ///< vertices around it when it was measured
   std::uint8_t sought = 0;     ///< halvings of its root cell until it was defined somewhere
   float known_error = 0;       ///< what its tests found, in tolerances
@@ -280,11 +281,10 @@ class Lattice {
   const Surface& surface() const { return surface_; }
   const Mesh& mesh() const { return grid_.mesh; }
 
-  /// Whether vertices around a leaf may have gone into use, or its sides been cut, since crossings
-  /// were followed into it.
-  bool has_changed(const Leaf& leaf) const { return changed_cells_.of(leaf) >= leaf.followed; }
-  /// Whether any vertices around a leaf may ever have gone into use between others.
-  bool was_changed(const Leaf& leaf) const { return changed_cells_.contains(leaf); }
+  /// Whether vertices around a leaf may have gone into use, or its sides been cut, since a moment.
+  bool has_changed(const Leaf& leaf, std::uint32_t since) const {
+    return changed_cells_.of(leaf) >= since;
+  }
   /// Counts on: changes from here on are later than those before.
   std::uint32_t next_moment() { return ++now_; }
 

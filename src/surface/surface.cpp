@@ -23,7 +23,8 @@ constexpr std::size_t kPackChunk = 4096;
 /// A tape's outputs for one block, a column each.
 class Columns {
  public:
-  Columns(const Tape& tape, std::size_t capacity) : values_(tape.outputs.size() * capacity) {
+  Columns(const Tape& tape, std::size_t capacity) {
+    values_.resize(tape.outputs.size() * capacity);
     for (std::size_t k = 0; k < tape.outputs.size(); ++k) {
       starts_.push_back(values_.data() + k * capacity);
     }
@@ -45,7 +46,7 @@ class Columns {
   }
 
  private:
-  std::vector<double> values_;
+  Array<double> values_;
   std::vector<double*> starts_;
 };
 
@@ -55,8 +56,10 @@ std::vector<Record> evaluate_records(const Tape& tape, std::span<const dvec2> uv
   std::vector<Record> records(uv.size());
   const std::size_t block = std::min(kBlock, uv.size());
   const Columns columns(tape, block);
-  std::vector<double> u(block);
-  std::vector<double> v(block);
+  Array<double> u;
+  Array<double> v;
+  u.resize(block);
+  v.resize(block);
   for (std::size_t begin = 0; begin < uv.size(); begin += block) {
     const std::size_t count = std::min(block, uv.size() - begin);
     for (std::size_t i = 0; i < count; ++i) {
