@@ -87,16 +87,36 @@ double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner)
 
 }  // namespace
 
-Samples request_samples(const Leaf& leaf, Lattice& lattice) {
+Samples Samples::of_half(bool across_u, bool is_lower) const {
+  Samples half;
+  if (across_u) {
+    half.corner = is_lower ? std::array{corner[0], side[0], side[2], corner[3]}
+                           : std::array{side[0], corner[1], corner[2], side[2]};
+    half.side[1] = is_lower ? centre : side[1];
+    half.side[3] = is_lower ? side[3] : centre;
+  } else {
+    half.corner = is_lower ? std::array{corner[0], corner[1], side[1], side[3]}
+                           : std::array{side[3], side[1], corner[2], corner[3]};
+    half.side[0] = is_lower ? side[0] : centre;
+    half.side[2] = is_lower ? centre : side[2];
+  }
+  return half;
+}
+
+Samples request_samples(const Leaf& leaf, Lattice& lattice, Samples known) {
+  const auto ask = [&](std::uint32_t& vertex, LatticePlace place) {
+    if (vertex == Samples::kUnasked) vertex = lattice.vertex(place);
+  };
   const LatticePlace m = leaf.middle();
   const auto& [low, high] = std::pair(leaf.low, leaf.high);
-  Samples samples;
   const auto corners = leaf.corners();
-  for (std::size_t k = 0; k < 4; ++k) samples.corner[k] = lattice.vertex(corners[k]);
-  samples.side = {lattice.vertex({m.u, low.v}), lattice.vertex({high.u, m.v}),
-                  lattice.vertex({m.u, high.v}), lattice.vertex({low.u, m.v})};
-  samples.centre = lattice.vertex(m);
-  return samples;
+  for (std::size_t k = 0; k < 4; ++k) ask(known.corner[k], corners[k]);
+  ask(known.side[0], {m.u, low.v});
+  ask(known.side[1], {high.u, m.v});
+  ask(known.side[2], {m.u, high.v});
+  ask(known.side[3], {low.u, m.v});
+  ask(known.centre, m);
+  return known;
 }
 
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice) {

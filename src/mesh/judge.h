@@ -34,15 +34,21 @@ inline Scores worse(const Scores& a, const Scores& b) {
           std::max(a.centre, b.centre)};
 }
 
-/// A leaf and the vertices that it is judged by.
+/// The vertices that a leaf is judged by.
 struct Samples {
-  std::array<std::uint32_t, 4> corner;
-  std::array<std::uint32_t, 4> side;
-  std::uint32_t centre;
+  /// Not known: the lattice is to be asked.
+  static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
+
+  std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
+  std::array<std::uint32_t, 4> side = {kUnasked, kUnasked, kUnasked, kUnasked};
+  std::uint32_t centre = kUnasked;
+
+  /// Those of a half that are the whole's as well.
+  Samples of_half(bool across_u, bool is_lower) const;
 };
 
-/// Asks the lattice for them.
-Samples request_samples(const Leaf& leaf, Lattice& lattice);
+/// Asks the lattice for those that are not known.
+Samples request_samples(const Leaf& leaf, Lattice& lattice, Samples known = {});
 
 /// What is allowed of a leaf whose corners are in use.
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice);

@@ -293,11 +293,11 @@ class Lattice {
     return has_crossings_ && crossed_cells_.contains(leaf);
   }
 
-  /// Calls f(vertex) for the vertices in use on the straight way from `from` (included) to `to`
-  /// (not included), which is a side of a leaf or of a cell of the root grid.
+  /// Calls f(vertex, place) for the vertices in use on the straight way from `from` (included) to
+  /// `to` (not included), which is a side of a leaf or of a cell of the root grid.
   template <class F>
   void walk(LatticePlace from, LatticePlace to, F f) const {
-    f(vertex_at_corner(from));
+    f(vertex_at_corner(from), from);
     walk_between(from, to, f);
   }
 
@@ -311,7 +311,7 @@ class Lattice {
     const auto vertex = used_vertex(middle);
     if (!vertex) return;
     walk_between(from, middle, f);
-    f(*vertex);
+    f(*vertex, middle);
     walk_between(middle, to, f);
   }
 

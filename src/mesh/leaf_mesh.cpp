@@ -331,7 +331,7 @@ std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Latti
                                                    int lines_u, int lines_v) {
   Chains chains(grid, lattice);
   const auto follow = [&](std::size_t cells, auto place_of) {
-    const auto go_to = [&](std::uint32_t vertex) { chains.go_to(vertex); };
+    const auto go_to = [&](std::uint32_t vertex, LatticePlace) { chains.go_to(vertex); };
     for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), go_to);
     chains.go_to(lattice.used_vertex(place_of(cells)).value());
     chains.end_line();

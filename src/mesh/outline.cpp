@@ -13,8 +13,8 @@ Polygon outline(const Leaf& leaf, const Lattice& lattice) {
   polygon.reserve(8);
   const auto corners = leaf.corners();
   for (std::size_t k = 0; k < 4; ++k) {
-    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
-      polygon.push_back({vertex, lattice.place_between(vertex)});
+    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex, LatticePlace place) {
+      polygon.push_back({vertex, {place.u, place.v}});
     });
   }
   return polygon;
@@ -175,8 +175,12 @@ class Cutter {
 
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
   if (leaf.is_left_out) return {};
-  const Polygon whole = outline(leaf, lattice);
-  if (!lattice.may_be_crossed(leaf) && !leaf.on_rim && !leaf.is_split) return {whole};
+  Polygon whole = outline(leaf, lattice);
+  if (!lattice.may_be_crossed(leaf) && !leaf.on_rim && !leaf.is_split) {
+    std::vector<Polygon> result;
+    result.push_back(std::move(whole));
+    return result;
+  }
   return Cutter(whole, lattice).take(leaf.is_split, lattice.is_defined_at(leaf.middle()));
 }
 

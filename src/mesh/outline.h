@@ -24,7 +24,7 @@ void for_sides(const Leaf& leaf, const Lattice& lattice, F f) {
   const std::uint32_t first = lattice.vertex_at_corner(corners[0]);
   std::uint32_t before = first;
   for (std::size_t k = 0; k < 4; ++k) {
-    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex) {
+    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex, LatticePlace) {
       if (vertex == first) return;
       f(before, vertex);
       before = vertex;

@@ -127,9 +127,9 @@ void append(const Grid& grid, const PolygonCorner& a, const PolygonCorner& b,
 
 void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
                          Array<Triangle>& triangles) {
-  const std::vector<PointPair> taken =
-      polygon.size() > 3 ? sides_that_meet(grid.mesh, polygon) : std::vector<PointPair>();
   const bool is_at_pole = polygon.size() > 3 && has_pole(grid.mesh, polygon);
+  const std::vector<PointPair> taken =
+      is_at_pole ? sides_that_meet(grid.mesh, polygon) : std::vector<PointPair>();
   while (polygon.size() > 3) {
     const std::size_t k = best_ear(grid, polygon, is_at_pole, taken);
     const std::size_t before = (k + polygon.size() - 1) % polygon.size();

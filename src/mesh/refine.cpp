@@ -50,6 +50,7 @@ struct Candidate {
   std::vector<std::uint32_t> witnesses;  ///< against it
   double parent_distance;
   double parent_turn;
+  Samples known = {};  ///< what it has in common with that one
 };
 
 std::uint8_t count_in_vain(std::uint8_t before, double score, double parent_score) {
@@ -82,7 +83,7 @@ class Refiner {
     samples.reserve(candidates.size());
     for (const Candidate& c : candidates) {
       leaves.push_back(c.leaf);
-      samples.push_back(request_samples(c.leaf, lattice_));
+      samples.push_back(request_samples(c.leaf, lattice_, c.known));
     }
     lattice_.evaluate(options_.threads);
     const std::vector<float> known = judge_many(leaves, samples, options_, judge_, lattice_);
@@ -98,7 +99,7 @@ class Refiner {
       }
       const int defined = count_defined(lattice_, samples[k]);
       if (defined == 0) {
-        seek(candidates[k]);
+        seek(candidates[k], samples[k]);
         continue;
       }
       if (defined < 9) {
@@ -148,13 +149,14 @@ class Refiner {
     }
     for (Leaf half : *halves) {
       half.on_rim = false;
-      push(half, judged.candidate, judged.candidate.parent_distance, judged.candidate.parent_turn);
+      push(half, judged.candidate, judged.samples, judged.candidate.parent_distance,
+           judged.candidate.parent_turn);
     }
   }
 
   /// Halves a leaf that is defined at none of its samples until it is, if it is known to be
   /// defined somewhere.
-  void seek(const Candidate& candidate) {
+  void seek(const Candidate& candidate, const Samples& samples) {
     const Leaf& leaf = candidate.leaf;
     const bool is_known = !candidate.witnesses.empty() || has_defined_corner(leaf, lattice_);
     const auto halves = is_known && halvings_of_root(leaf) < kMostSeekHalvings &&
@@ -167,7 +169,7 @@ class Refiner {
     }
     for (Leaf half : *halves) {
       half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
-      push(half, candidate, candidate.parent_distance, candidate.parent_turn);
+      push(half, candidate, samples, candidate.parent_distance, candidate.parent_turn);
     }
   }
 
@@ -296,7 +298,7 @@ class Refiner {
       result_.leaves.push_back(leaf);
       return;
     }
-    for (const Leaf& half : *halves) push(half, judged.candidate, distance, turn);
+    for (const Leaf& half : *halves) push(half, judged.candidate, judged.samples, distance, turn);
   }
 
   /// Nothing where the limit is reached, or the surface oscillates.
@@ -311,8 +313,11 @@ class Refiner {
   }
 
   /// Leaves a candidate's half with the witnesses that are in it.
-  void push(const Leaf& half, const Candidate& whole, double distance, double turn) {
-    Candidate candidate{half, {}, distance, turn};
+  void push(const Leaf& half, const Candidate& whole, const Samples& samples, double distance,
+            double turn) {
+    const bool across_u = half.size_u() < whole.leaf.size_u();
+    Candidate candidate{
+        half, {}, distance, turn, samples.of_half(across_u, half.low == whole.leaf.low)};
     if (!whole.witnesses.empty()) {
       const dvec2 low = lattice_.parameters(half.low);
       const dvec2 size = lattice_.parameters(half.high) - low;
