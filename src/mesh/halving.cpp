@@ -234,9 +234,9 @@ void Halving::measure(std::span<const std::size_t> which, const SingularCorners&
   verifier_.measure(mesh_, which,
                     triangulate_leaves(mesh_.leaves, which, singular, grid_, lattice_));
   for (const std::size_t k : which) {
-    double& degrees = mesh_.deviations[k].degrees;
-    const bool is_turned = turn_of_line(degrees) > options_.normal_tolerance;
-    if (is_turned && width(mesh_.leaves[k]) <= kSeenTurn * mesh_.allowed[k]) degrees = 0;
+    if (is_turned(k) && width(mesh_.leaves[k]) <= kSeenTurn * mesh_.allowed[k]) {
+      mesh_.deviations[k].degrees = 0;
+    }
   }
 }
 
@@ -279,12 +279,17 @@ bool Halving::is_cut_unclearly(const Leaf& leaf) const {
   return !cuts.only_creases && !cuts.is_through();
 }
 
+/// Whether the normals of a leaf turn by more than is allowed.
+bool Halving::is_turned(std::size_t number) const {
+  return turn_of_line(mesh_.deviations[number].degrees) > options_.normal_tolerance;
+}
+
 /// How many times worse than allowed the normals of a leaf are, as a score; 0 where no more
 /// triangles are worth it.
 double Halving::turn(std::size_t number) {
+  if (!is_turned(number)) return 0;
   const Leaf& leaf = mesh_.leaves[number];
   const double share = turn_of_line(mesh_.deviations[number].degrees) / options_.normal_tolerance;
-  if (!(share > 1)) return 0;
   if (!lattice_.has_many(allowed_for_normals(options_.max_triangles))) return share * share;
   if (!coarse_normals_) coarse_normals_ = lattice_.parameters(leaf.middle());
   return 0;
@@ -294,9 +299,8 @@ double Halving::turn(std::size_t number) {
 Oscillation Halving::oscillation() const {
   Oscillation oscillation(grid_);
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    if (!mesh_.leaves[k].leads_to_pole) {
-      oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
-    }
+    if (mesh_.is_near(k) || mesh_.leaves[k].leads_to_pole) continue;
+    oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
   }
   return oscillation;
 }
@@ -315,6 +319,7 @@ std::vector<Leaf> Halving::take_failed() {
   std::vector<std::size_t> failed;
   std::vector<Leaf> halves;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    if (mesh_.is_near(k) && !mesh_.leaves[k].is_split && !is_turned(k)) continue;
     const double off = is_cut_unclearly(mesh_.leaves[k]) ? kMostStrict : mesh_.off(k);
     const double turned = turn(k);
     if (!(off > 1) && !(turned > 1)) continue;

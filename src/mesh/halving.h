@@ -72,6 +72,7 @@ class Halving {
   bool measure_singular();
   bool splits_u(std::size_t number);
   bool is_cut_unclearly(const Leaf& leaf) const;
+  bool is_turned(std::size_t number) const;
   double turn(std::size_t number);
   Oscillation oscillation() const;
   bool stays(const Leaf& leaf, const Oscillation& oscillation);

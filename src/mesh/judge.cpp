@@ -87,6 +87,21 @@ double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner)
 
 }  // namespace
 
+/// A chord and the sample above it.
+struct ChordSample {
+  dvec3 chord;
+  dvec3 off;  ///< from the chord's middle to the sample
+  double square = glm::dot(chord, chord);
+  double distance_of_middle = glm::length(off);
+  bool is_small_arc = distance_of_middle <= kSmallArc * std::sqrt(square);
+
+  /// Where along the chord the sample is, from -0.5 to 0.5 above it.
+  double share() const { return square > 0 ? glm::dot(off, chord) / square : 0; }
+  /// In any direction.
+  double distance_of_line() const { return glm::length(off - share() * chord); }
+  double distance() const { return glm::length(off - std::clamp(share(), -0.5, 0.5) * chord); }
+};
+
 Samples Samples::of_half(bool across_u, bool is_lower) const {
   Samples half;
   if (across_u) {
@@ -177,18 +192,20 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
   const bool is_visible = diameter(corner) > kVisible * eps;
   Verdict verdict;
-  const auto judge = [&, &corner = corner](std::uint32_t a, std::uint32_t b, std::uint32_t sample,
-                                           bool border, double Scores::*part) {
-    const double distance = distance_of_sample(a, b, sample, border) / eps;
+  const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
+                         double Scores::*part) {
+    const dvec3 first = seen_position(a);
+    const dvec3 last = seen_position(b);
+    const ChordSample arc{last - first, seen_position(sample) - 0.5 * (first + last)};
+    const double distance = distance_of_sample(arc, {a, b, sample}, border) / eps;
     verdict.distance.*part = std::max(verdict.distance.*part, distance);
-    const bool is_small = is_small_arc(a, b, sample);
-    const double gap = is_small ? distance : distance_of_middle(a, b, sample) / eps;
+    const double gap = arc.is_small_arc ? distance : arc.distance_of_middle / eps;
     verdict.gap.*part = std::max(verdict.gap.*part, gap);
-    verdict.may_jump = verdict.may_jump || (is_visible && !is_small);
-    const bool is_long = glm::distance(mesh_.position[a], mesh_.position[b]) > seen_turn;
-    const bool turn_counts = (part == &Scores::centre ? is_wide : is_long) && !is_sliver;
-    if (!turn_counts) return;
-    verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
+    verdict.may_jump = verdict.may_jump || (is_visible && !arc.is_small_arc);
+    const bool is_seen = part == &Scores::centre ? is_wide : arc.square > seen_turn * seen_turn;
+    if (is_seen && !is_sliver) {
+      verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
+    }
   };
   for (std::size_t k = 0; k < 4; ++k) {
     if (lattice_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
@@ -324,38 +341,19 @@ dvec3 Judge::seen_position(std::uint32_t vertex) const {
   return far_ ? glm::clamp(p, far_->low, far_->high) : p;
 }
 
-double Judge::distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
-  const dvec3 middle = 0.5 * (seen_position(a) + seen_position(b));
-  return glm::distance(seen_position(sample), middle);
-}
-
-bool Judge::is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
-  const double chord = glm::distance(seen_position(a), seen_position(b));
-  return distance_of_middle(a, b, sample) <= kSmallArc * chord;
-}
-
 /// The distance of a sample from the chord of a and b, which would be an edge of the mesh: along
 /// the normal, since the triangles go on beside the edge; at the domain's border in any direction.
-double Judge::distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
-                                 bool border) const {
-  const dvec3 chord = seen_position(b) - seen_position(a);
-  const dvec3 off = seen_position(sample) - 0.5 * (seen_position(a) + seen_position(b));
-  const bool is_far =
-      far_ && !(far_->contains(mesh_.position[a]) && far_->contains(mesh_.position[b]) &&
-                far_->contains(mesh_.position[sample]));
-  const double length = glm::length(chord);
-  if (!is_small_arc(a, b, sample)) {
-    // A steep front within a cell is near the chord, though far from its middle.
-    const double share = length > 0 ? glm::dot(off, chord) / (length * length) : 0;
-    return glm::length(off - std::clamp(share, -0.5, 0.5) * chord);
-  }
-  if (!border && !is_far && is_regular(sample)) {
-    const Arc arc{chord, mesh_.normal[a], mesh_.normal[b], mesh_.normal[sample]};
-    return arc.largest_height(0.5 + glm::dot(off, chord) / (length * length),
-                              glm::dot(off, mesh_.normal[sample]));
-  }
-  const dvec3 along = length > 0 ? chord / length : dvec3(0);
-  return glm::length(off - glm::dot(off, along) * along);
+/// A steep front within a cell is near the chord, though far from its middle.
+double Judge::distance_of_sample(const ChordSample& arc,
+                                 const std::array<std::uint32_t, 3>& vertices, bool border) const {
+  if (!arc.is_small_arc) return arc.distance();
+  const auto& [a, b, sample] = vertices;
+  const auto is_near = [this](std::uint32_t v) { return far_->contains(mesh_.position[v]); };
+  const bool is_far = far_ && !std::ranges::all_of(vertices, is_near);
+  if (border || is_far || !is_regular(sample)) return arc.distance_of_line();
+  const dvec3& normal = mesh_.normal[sample];
+  return Arc{arc.chord, mesh_.normal[a], mesh_.normal[b], normal}.largest_height(
+      0.5 + arc.share(), glm::dot(arc.off, normal));
 }
 
 /// The corner that the diagonal starts from along which the cell would be cut: 0 or 1.

@@ -60,6 +60,8 @@ double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner);
 /// How many of the nine samples are defined.
 int count_defined(const Lattice& lattice, const Samples& samples);
 
+struct ChordSample;
+
 class Judge {
  public:
   Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
@@ -104,9 +106,8 @@ class Judge {
   double diameter(const Corners& corner) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
   bool has_opposed(const Samples& samples) const;
-  double distance_of_middle(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
-  bool is_small_arc(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
-  double distance_of_sample(std::uint32_t a, std::uint32_t b, std::uint32_t sample,
+  /// `vertices`: the chord's ends and the sample.
+  double distance_of_sample(const ChordSample& arc, const std::array<std::uint32_t, 3>& vertices,
                             bool border) const;
   std::size_t cut_from(const Corners& corner) const;
   double bulge_of_triangles(const Samples& samples, std::size_t first) const;

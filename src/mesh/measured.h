@@ -19,6 +19,8 @@ struct Measured {
 
   /// How far off a leaf is, in what is allowed.
   double off(std::size_t leaf) const { return deviations[leaf].distance / allowed[leaf]; }
+  /// Whether no more is known than is allowed.
+  bool is_near(std::size_t leaf) const { return deviations[leaf].distance <= allowed[leaf]; }
   /// A distance that was found at a leaf.
   void add(std::size_t leaf, double distance) {
     double& worst = deviations[leaf].distance;
