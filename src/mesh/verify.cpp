@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
 #include <glm/common.hpp>
 
@@ -21,8 +22,10 @@ namespace {
 /// show.
 constexpr double kJitter = 0.1;
 
-/// Samples on a diagonal: an arc with a turning point is not highest above its middle.
-constexpr std::array kOnDiagonal = {0.36, 0.5, 0.64};
+/// Samples on a chord. An arc with a turning point is not highest above its middle; but mesh/peaks
+/// goes from there to where more is foreseen, in leaves that nothing cuts.
+constexpr std::array kOnChord = {0.36, 0.5, 0.64};
+constexpr std::span<const double> kInMiddle = std::span(kOnChord).subspan(1, 1);
 
 /// How far from its chord a crease is looked for, in chords.
 constexpr double kBesideCrease = 0.3;
@@ -155,7 +158,7 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
     if (!inside && !is_creased) return;
     const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
     if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
-    for (const double share : kOnDiagonal) {
+    for (const double share : leaf.is_split ? kOnChord : kInMiddle) {
       samples.push_back({number, glm::mix(at[a], at[b], share), &t, leaf.is_split});
       if (!on_crease) continue;
       const dvec2 along = (at[b] - at[a]) / size;

@@ -141,7 +141,7 @@ std::size_t known_opposed(const std::string& name) {
                                                            {"roman", 4},
                                                            {"guimard", 12},
                                                            {"bent-horns", 12},
-                                                           {"bourke-harmonic", 374}};
+                                                           {"bourke-harmonic", 380}};
   const auto found = known.find(name);
   return found == known.end() ? 0 : found->second;
 }
