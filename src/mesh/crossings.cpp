@@ -34,21 +34,33 @@ class Finder {
     }
   }
 
-  void look_at(std::span<const Side> sides) {
+  /// Finds all but creases. Returns the sides along which the surface is continuous.
+  std::vector<Side> find_jumps(std::span<const Side> sides) {
     std::vector<Side> rims;
     std::vector<Side> inner;
+    std::vector<Side> continuous;
     for (const Side& side : sides) {
       const bool first = lattice_.is_defined(side[0]);
       const bool second = lattice_.is_defined(side[1]);
       if (first != second) {
         rims.push_back(side);
-      } else if (first) {
+      } else if (!first) {
+        lattice_.set_crossing(side[0], side[1], std::nullopt);
+      } else if (!options_.poles && lattice_.is_continuous(side[0], side[1])) {
+        continuous.push_back(side);
+      } else {
         inner.push_back(side);
       }
-      lattice_.set_crossing(side[0], side[1], std::nullopt);
     }
     if (!rims.empty()) fit_rims(rims);
-    if (!inner.empty()) find_creases_in(find_jumps_in(inner));
+    if (!inner.empty()) find_jumps_in(inner, continuous);
+    return continuous;
+  }
+
+  void look_at(std::span<const Side> sides) {
+    const std::vector<Side> continuous = find_jumps(sides);
+    for (const auto& [a, b] : continuous) lattice_.set_crossing(a, b, std::nullopt);
+    find_creases_in(continuous);
   }
 
  private:
@@ -94,8 +106,8 @@ class Finder {
     return diverge(lattice_.surface(), ways, delta, options_.threads);
   }
 
-  /// Returns the sides along which the surface is continuous.
-  std::vector<Side> find_jumps_in(std::span<const Side> sides) {
+  /// Adds the sides along which the surface is continuous.
+  void find_jumps_in(std::span<const Side> sides, std::vector<Side>& continuous) {
     double delta = std::numeric_limits<double>::infinity();
     std::vector<Line> lines;
     for (const Side& side : sides) {
@@ -103,7 +115,6 @@ class Finder {
       delta = std::min(delta, options_.tolerance(lattice_.mesh().position[side[0]]));
     }
     const auto found = find_breaks(lattice_.surface(), lines, delta, options_.threads);
-    std::vector<Side> continuous;
     std::vector<Side> jumping;
     std::vector<Found> jumps;
     std::vector<Side> poles;
@@ -112,19 +123,20 @@ class Finder {
       switch (found[k].kind) {
         case Break::None:
           continuous.push_back(sides[k]);
+          lattice_.set_continuous(sides[k][0], sides[k][1]);
           break;
         case Break::Jump:
           jumping.push_back(sides[k]);
           jumps.push_back(found[k]);
           break;
         case Break::Pole:
+          lattice_.set_crossing(sides[k][0], sides[k][1], std::nullopt);
           lattice_.set_leads_to_pole(sides[k][0], sides[k][1], found[k].ends);
           poles.push_back(sides[k]);
       }
     }
     if (options_.poles) cut_poles(poles);
     add_pairs(Cut::Jump, jumping, jumps);
-    return continuous;
   }
 
   void find_creases_in(std::vector<Side> sides) {
@@ -228,6 +240,10 @@ bool is_crossed(const Leaf& leaf, const Lattice& lattice) {
 
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
   Finder(options, lattice).look_at(sides);
+}
+
+void find_jumps(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
+  Finder(options, lattice).find_jumps(sides);
 }
 
 void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {

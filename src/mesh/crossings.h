@@ -18,6 +18,9 @@ struct CrossingOptions {
 /// Looks at sides and files in the lattice what is found.
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);
 
+/// The same but for creases. Sides that are continuous count as not looked at.
+void find_jumps(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);
+
 /// Cuts sides that are known to lead to poles: Lattice::leads_to_pole().
 void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);
 

@@ -222,6 +222,11 @@ class Lattice {
   bool is_searched(std::uint32_t a, std::uint32_t b) const {
     return sides_.contains(pair_of(a, b));
   }
+  /// Whether positions are known to be continuous on it. Its normals need not be.
+  bool is_continuous(std::uint32_t a, std::uint32_t b) const {
+    return continuous_sides_.contains(pair_of(a, b));
+  }
+  void set_continuous(std::uint32_t a, std::uint32_t b) { continuous_sides_.insert(pair_of(a, b)); }
   /// Files what was found, or that nothing was.
   void set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Crossing> crossing);
   /// A side across which the surface goes to infinity, and that is not cut yet.
@@ -373,6 +378,7 @@ class Lattice {
   PairTable pole_sides_;  // their places in the next
   std::vector<std::array<dvec2, 2>> pole_ends_;
   PairTable crowded_sides_;
+  PairTable continuous_sides_;
   bool has_crossings_ = false;
   std::size_t crossings_ = 0;  // that were filed
   bool has_poles_ = false;     // among crossings and holes

@@ -219,22 +219,35 @@ class Refiner {
 
   /// Looks at the sides of leaves for what cuts them.
   void look_at(std::span<const Leaf> leaves) {
+    const std::vector<Side> sides = unsearched(leaves);
+    if (!sides.empty()) find_crossings(sides, crossing_options(), lattice_);
+  }
+
+  std::vector<Side> unsearched(std::span<const Leaf> leaves) const {
     std::vector<Side> sides;
     for (const Leaf& leaf : leaves) {
       const std::vector<Side> more = unsearched_sides(leaf, lattice_);
       sides.insert(sides.end(), more.begin(), more.end());
     }
-    if (sides.empty()) return;
     std::ranges::sort(sides);
     sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-    find_crossings(sides, {options_.tolerance, false, options_.threads}, lattice_);
+    return sides;
   }
 
+  CrossingOptions crossing_options() const { return {options_.tolerance, false, options_.threads}; }
+
+  /// An arc that is no small one may jump; only normals that are opposed, or never agree, tell of a
+  /// crease.
   void look_for_cuts(std::span<Judged> doubtful) {
-    std::vector<Leaf> leaves;
-    leaves.reserve(doubtful.size());
-    for (const Judged& judged : doubtful) leaves.push_back(judged.candidate.leaf);
-    look_at(leaves);
+    std::vector<Leaf> bent;
+    std::vector<Leaf> others;
+    for (const Judged& judged : doubtful) {
+      const Leaf& leaf = judged.candidate.leaf;
+      const bool may_crease = judged.verdict.is_folded || is_doubtful(leaf);
+      (may_crease ? others : bent).push_back(leaf);
+    }
+    look_at(others);
+    find_jumps(unsearched(bent), crossing_options(), lattice_);
     // Before halves put new vertices on the sides.
     std::vector<CutCount> cuts_of(doubtful.size());
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
