@@ -158,12 +158,15 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
     if (!inside && !is_creased) return;
     const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
     if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
-    for (const double share : leaf.is_split ? kOnChord : kInMiddle) {
-      samples.push_back({number, glm::mix(at[a], at[b], share), &t, leaf.is_split});
-      if (!on_crease) continue;
+    Sample sample{number, {}, &t, leaf.is_split};
+    if (on_crease) {
       const dvec2 along = (at[b] - at[a]) / size;
-      samples.back().crease = Chord{a, b};
-      samples.back().across = kBesideCrease * size * dvec2(-along.y, along.x);
+      sample.crease = Chord{a, b};
+      sample.across = kBesideCrease * size * dvec2(-along.y, along.x);
+    }
+    for (const double share : leaf.is_split ? kOnChord : kInMiddle) {
+      sample.uv = glm::mix(at[a], at[b], share);
+      samples.push_back(sample);
     }
   };
   for (const Triangle& t : triangles) {
