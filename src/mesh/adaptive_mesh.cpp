@@ -30,7 +30,7 @@ constexpr double kOpposite = -0.9999;
 /// More lines than this each way cannot be numbered by a lattice.
 constexpr std::size_t kMaxLines = 60000;
 
-FixedLines fixed_lines(const Domain& domain, const AdaptiveOptions& options) {
+FixedLines drawn_lines(const Domain& domain, const AdaptiveOptions& options) {
   const auto lines = [](double first, double last, int count) {
     return even_lines(first, last, static_cast<std::size_t>(std::max(count, 2) - 1));
   };
@@ -82,6 +82,19 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
     plan.lines.u = merged(std::move(plan.lines.u), even_lines(low.x, high.x, kIslandCells));
     plan.lines.v = merged(std::move(plan.lines.v), even_lines(low.y, high.y, kIslandCells));
   }
+}
+
+/// What descents from the probe's samples find.
+SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
+                         const MeshPlan& plan) {
+  const Domain& d = surface.domain;
+  const auto even = [](std::vector<double> lines, double first, double last) {
+    lines.push_back(0);
+    lines.push_back(0.5 * first + 0.5 * last);
+    return lines;
+  };
+  return find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
+                       even(plan.drawn.v, d.v0, d.v1), options.threads);
 }
 
 bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
@@ -261,7 +274,7 @@ void keep_singular_points_within(const Bounds& box, const Surface& surface, unsi
 
 /// The mesh; nothing if none of its triangles has any area.
 std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& options,
-                               Halving& halving, GridMesh result) {
+                               const SingularSet& singular, Halving& halving, GridMesh result) {
   MeshReport& report = result.report;
   const Finisher finisher(halving);
   finisher.list_poles(surface, options.threads, report);
@@ -282,6 +295,7 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   Grid& grid = halving.grid();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines = leaf_lines(grid, halving.lattice(), options.lines_u, options.lines_v);
+  name_unmet(singular, surface.domain, report);
   if (options.clip) {
     clip_mesh(*options.clip, grid.mesh);
     keep_singular_points_within(*options.clip, surface, options.threads, report);
@@ -298,8 +312,15 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions&
   if (options.clip) probe.keep_within(*options.clip);
   const Tolerance tolerance = options.tolerance(probe);
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
-  MeshPlan plan{
-      std::move(probe), tolerance, tolerance.times(kAim), fixed_lines(surface.domain, options), {}};
+  MeshPlan plan{std::move(probe),
+                tolerance,
+                tolerance.times(kAim),
+                drawn_lines(surface.domain, options),
+                {},
+                {},
+                {}};
+  plan.singular = singular_set(surface, options, plan);
+  plan.fixed = plan.probe.fixed_lines(plan.drawn, plan.singular);
   place_root_lines(options, plan);
   if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
   return plan;
@@ -328,7 +349,7 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
   std::vector<Witness> witnesses = plan.probe.witnesses(plan.lines, inside(options.clip, plan.aim));
   Halving halving(surface, options, plan);
   halving.run(std::move(witnesses));
-  return finish(surface, options, halving, std::move(result));
+  return finish(surface, options, plan.singular, halving, std::move(result));
 }
 
 }  // namespace saddle

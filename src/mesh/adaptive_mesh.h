@@ -7,6 +7,7 @@
 
 #include "mesh/density.h"
 #include "mesh/grid_mesh.h"
+#include "mesh/singular.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -33,7 +34,9 @@ struct MeshPlan {
   Probe probe;
   Tolerance tolerance;
   Tolerance aim;            ///< a little less: samples miss some of the largest distance
-  FixedLines fixed;         ///< lines that are drawn, and the ends of the ranges
+  FixedLines drawn;         ///< lines that are drawn, and the ends of the ranges
+  SingularSet singular;     ///< what descents from the probe's samples found
+  FixedLines fixed;         ///< lines that the root grid must have: Probe::fixed_lines()
   FixedLines lines;         ///< of the root grid
   double ratio = 1;         ///< that they were placed for: Probe::best_ratio()
   bool is_limited = false;  ///< they are farther apart than the tolerance asks for: max_triangles

@@ -74,10 +74,10 @@ class Chooser {
   }
 
   bool may_be_grid() {
-    choice_.why = options_.clip || plan_.is_limited       ? Why::Limited
-                  : !plan_.tolerance.is_same_everywhere() ? Why::VariesTolerance
-                  : !outlook_.is_regular                  ? Why::NotSmooth
-                                                          : Why::GridIsCheaper;
+    choice_.why = options_.clip || plan_.is_limited                        ? Why::Limited
+                  : !plan_.tolerance.is_same_everywhere()                  ? Why::VariesTolerance
+                  : !outlook_.is_regular || !plan_.singular.points.empty() ? Why::NotSmooth
+                                                                           : Why::GridIsCheaper;
     return choice_.why == Why::GridIsCheaper;
   }
 

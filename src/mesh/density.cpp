@@ -36,6 +36,15 @@ constexpr int kPasses = 3;
 /// A cell that is off by so many tolerances at a sample is no cell that most of a line is good for:
 /// its own tests might not see why.
 constexpr double kFarTooLarge = 4;
+/// A dip of |r_u x r_v| is to less than this part of the largest so many samples away: beside a
+/// zero that is between samples to less than half.
+constexpr double kDip = 0.7;
+constexpr std::size_t kDipReach = 2;
+/// Lines through singular points that a grid takes each way, for them to be vertices.
+constexpr std::size_t kMostLines = 32;
+/// |r_u x r_v| is 0 along an edge if it is less than this part of what it is beside it.
+constexpr double kNoArea = 1e-6;
+
 /// The middles of even stretches of [first, last], each shifted.
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
   std::vector<double> values;
@@ -156,7 +165,11 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
     sample.M = glm::dot(second.vector(3, i), normal);
     sample.N = glm::dot(second.vector(6, i), normal);
     const double gauss = second.number(9, i);
-    sample.sqrt_k = std::sqrt(std::fabs(gauss)) * first[kAreaColumn][i];
+    const double area = first[kAreaColumn][i];
+    sample.area = std::isfinite(area) && is_finite(sample.position)
+                      ? area
+                      : std::numeric_limits<double>::infinity();
+    sample.sqrt_k = std::sqrt(std::fabs(gauss)) * area;
     sample.saddle = gauss < 0;
     sample.regular = is_finite(sample.position) && is_finite({sample.L, sample.M, sample.N}) &&
                      std::isfinite(sample.sqrt_k);
@@ -170,15 +183,26 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
     const GridColumns first(surface.tangents, u, v, threads);
     const GridColumns second(surface.curvatures, u, v, threads);
     evaluations_ += u.size() * v.size();
+    std::array<double, 2> largest = {};  // |r_u x r_v| of both edges
     for (std::size_t i = 0; i < u.size() * v.size(); ++i) {
       const dvec3 position = first.vector(0, i);
       if (is_finite(position)) bounds_.add(position);
+      const double area = glm::length(glm::cross(first.vector(3, i), first.vector(6, i)));
+      double& most = largest[along_u ? i / u.size() : i % u.size()];
+      if (!(area <= most)) most = area;  // NaN, too
       const dvec3 tangent = glm::normalize(first.vector(along_u ? 3 : 6, i));
       const dvec3 bend = second.vector(along_u ? 0 : 6, i);
       const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
       if (!is_finite(position) || !std::isfinite(across)) continue;
       auto& edges = along_u ? edges_u_ : edges_v_;
       edges.push_back({along_u ? i % u.size() : i / u.size(), position, across});
+    }
+    for (std::size_t end = 0; end < 2; ++end) {
+      double beside = 0;
+      for (std::size_t k = 0; k < kProbes; ++k) {
+        beside = std::max(beside, area(along_u, k, end == 0 ? 0 : kProbes - 1));
+      }
+      (along_u ? singular_v_ : singular_u_)[end] = largest[end] <= kNoArea * beside;
     }
   };
   sample(u_, std::array{domain_.v0, domain_.v1}, true);
@@ -294,20 +318,30 @@ void Probe::complete(const Densities& along_edges, Densities& densities) const {
   limit_fall_off(densities.of_v);
 }
 
-FixedLines Probe::shared(const FixedLines& fixed) const {
-  return {shared_lines(seams_.v, fixed.u), shared_lines(seams_.u, fixed.v)};
+FixedLines Probe::fixed_lines(const FixedLines& drawn, const SingularSet& singular) const {
+  const auto through = [&](int axis, std::vector<double> lines) {
+    for (const dvec2& uv : singular.points) lines.push_back(uv[axis]);
+    return lines;
+  };
+  const auto with = [](const std::vector<double>& lines, const std::vector<double>& more,
+                       const Seam& seam, const std::array<bool, 2>& folded) {
+    const std::vector<double> shared = shared_lines(seam, lines);
+    std::vector<double> all = with_lines(shared, more, seam, folded);
+    return all.size() <= shared.size() + kMostLines ? all : shared;
+  };
+  return {with(drawn.u, through(0, singular.lines_u), seams_.v, seams_.folded_v),
+          with(drawn.v, through(1, singular.lines_v), seams_.u, seams_.folded_u)};
 }
 
 double Probe::best_ratio(const FixedLines& fixed, const Tolerance& tolerance) const {
   const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
-  const FixedLines lines = shared(fixed);
   SampledBends bent = sampled_bends(tolerance, kEveryForRatio);
   const Densities edges = along_edges(tolerance);
   const auto cells = [&](int power) {
     Densities d = bent.densities(std::ldexp(own_ratio, power), nullptr);
     complete(edges, d);
-    return total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u) *
-           total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v);
+    return total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), fixed.u) *
+           total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), fixed.v);
   };
   // Sums of powers of the ratio have one valley.
   int best = 0;
@@ -333,7 +367,6 @@ FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& toleranc
 
 FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance,
                               double ratio) const {
-  const FixedLines lines = shared(fixed);
   SampledBends bent = sampled_bends(tolerance, 1);
   const Densities edges = along_edges(tolerance);
   Densities d;
@@ -341,8 +374,8 @@ FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& toleranc
     d = bent.densities(ratio, k > 0 ? &d : nullptr);
     complete(edges, d);
   }
-  return {place_between(Cumulative(d.of_u, domain_.u0, domain_.u1), lines.u),
-          place_between(Cumulative(d.of_v, domain_.v0, domain_.v1), lines.v)};
+  return {place_between(Cumulative(d.of_u, domain_.u0, domain_.u1), fixed.u),
+          place_between(Cumulative(d.of_v, domain_.v0, domain_.v1), fixed.v)};
 }
 
 template <class F>
@@ -382,6 +415,37 @@ std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& 
                       cell.j * (lines.u.size() - 1) + cell.i});
   });
   return result;
+}
+
+bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
+  const std::array<bool, 2>& singular_ends = along_v ? singular_v_ : singular_u_;
+  if ((k < kDipReach && singular_ends[0]) || (k + kDipReach >= kProbes && singular_ends[1])) {
+    return false;
+  }
+  const double own = area(along_v, line, k);
+  double largest = 0;
+  for (std::size_t at = k - std::min(k, kDipReach); at <= std::min(k + kDipReach, kProbes - 1);
+       ++at) {
+    const double other = area(along_v, line, at);
+    if (other < own && at + 1 >= k && at <= k + 1) return false;
+    if (std::isfinite(other)) largest = std::max(largest, other);
+  }
+  return own < kDip * largest;
+}
+
+Dips Probe::dips() const {
+  Dips dips;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (singular_u_[end]) dips.singular_u.push_back(static_cast<double>(end));
+    if (singular_v_[end]) dips.singular_v.push_back(static_cast<double>(end));
+  }
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    const std::size_t i = s % u_.size();
+    const std::size_t j = s / u_.size();
+    if (is_dip(true, i, j)) dips.along_v.emplace_back(u_[i], v_[j]);
+    if (is_dip(false, j, i)) dips.along_u.emplace_back(u_[i], v_[j]);
+  }
+  return dips;
 }
 
 /// Cells that are too large by a factor become as many: errors grow with areas.

@@ -14,6 +14,7 @@
 #include "mesh/islands.h"
 #include "mesh/mesh.h"
 #include "mesh/seam.h"
+#include "mesh/singular.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -96,6 +97,10 @@ class Probe {
   double radius(const dvec3& centre) const;
   std::size_t evaluations() const { return evaluations_; }
 
+  /// The lines that a tensor grid must have: those that are drawn, those at which the surface is
+  /// singular, if they are few, and those that these meet across a seam.
+  FixedLines fixed_lines(const FixedLines& drawn, const SingularSet& singular) const;
+
   /// Where the lines of a tensor grid go, so that most of its cells are within the tolerance: local
   /// peaks are left to local refinement.
   FixedLines place_lines(const FixedLines& fixed, const Tolerance& tolerance) const;
@@ -106,6 +111,9 @@ class Probe {
 
   /// The samples beside which a cell of these lines is far too large; `cell` counts with u inner.
   std::vector<Witness> witnesses(const FixedLines& lines, const Tolerance& tolerance) const;
+
+  /// Samples beside which |r_u x r_v| may be 0, but for those beside edges at which it is.
+  Dips dips() const;
 
   /// What to expect of a mesh that starts from these lines.
   Outlook outlook(const FixedLines& lines, const Tolerance& tolerance) const;
@@ -125,6 +133,7 @@ class Probe {
   struct Sample {
     dvec3 position;
     double L, M, N;  // second derivatives along the unit normal
+    double area;     // |r_u x r_v|; infinite where it is not known
     double sqrt_k;   // sqrt|K| |r_u x r_v|
     bool saddle;     // K < 0
     bool regular;    // all of it is finite
@@ -135,10 +144,13 @@ class Probe {
     dvec3 position;
     double across;
   };
-  /// The lines, and those that they meet across a seam.
-  FixedLines shared(const FixedLines& fixed) const;
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
+  /// |r_u x r_v| of the k-th sample from an edge on, along a column (of constant u) or a row.
+  double area(bool along_v, std::size_t line, std::size_t k) const {
+    return samples_[along_v ? k * u_.size() + line : line * u_.size() + k].area;
+  }
+  bool is_dip(bool along_v, std::size_t line, std::size_t k) const;
   Seam find_seam(const Surface& surface, bool along_v) const;
   bool is_folded(const Surface& surface, bool along_v, double end) const;
   dvec2 place(const dvec2& part) const;
@@ -166,6 +178,8 @@ class Probe {
   std::vector<Sample> samples_;      // v outer
   std::vector<EdgeSample> edges_u_;  // of constant v
   std::vector<EdgeSample> edges_v_;
+  std::array<bool, 2> singular_u_ = {};  // whether |r_u x r_v| is 0 all along the edges
+  std::array<bool, 2> singular_v_ = {};
   Seams seams_;
   Bounds bounds_;
   std::optional<Island> island_;

@@ -10,11 +10,11 @@
 namespace saddle {
 namespace {
 
-/// Which of the grid's lines are among the fixed ones.
-std::vector<std::size_t> indices_of(std::span<const double> fixed, std::span<const double> lines) {
+/// Which of the grid's lines are among those that are drawn.
+std::vector<std::size_t> indices_of(std::span<const double> drawn, std::span<const double> lines) {
   std::vector<std::size_t> indices;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (std::ranges::find(fixed, lines[k]) != fixed.end()) indices.push_back(k);
+    if (std::ranges::find(drawn, lines[k]) != drawn.end()) indices.push_back(k);
   }
   return indices;
 }
@@ -81,8 +81,8 @@ GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const
   GridTrial trial;
   GridMesh result{{}, report_of(plan)};
   MeshReport& report = result.report;
-  const std::vector<std::size_t> columns = indices_of(plan.fixed.u, lines.u);
-  const std::vector<std::size_t> rows = indices_of(plan.fixed.v, lines.v);
+  const std::vector<std::size_t> columns = indices_of(plan.drawn.u, lines.u);
+  const std::vector<std::size_t> rows = indices_of(plan.drawn.v, lines.v);
   Grid grid = sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads);
   trial.work.grid_samples = grid.vertex_count();
   if (grid.left_out_count > 0) return trial;
@@ -104,6 +104,7 @@ GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const
   const bool off = options.certify && is_off(surface, plan.aim, options.threads, grid, report);
   trial.work.boxes = report.work.boxes;
   if (off) return trial;
+  name_unmet(plan.singular, surface.domain, report);
   report.cells = grid.cell_count();
   report.work = trial.work;
   report.evaluations += trial.work.grid_samples;

@@ -25,10 +25,10 @@ constexpr double kMostStrict = 4;
 /// The search for islands may try one box for so many of proofs.
 constexpr std::size_t kProofsPerIsland = 12;
 
-/// Which of the grid's lines are among the fixed ones: their chords are seen.
-std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<const double> fixed) {
+/// Which of the grid's lines are among those that are drawn: their chords are seen.
+std::vector<std::uint8_t> seen_lines(std::span<const double> lines, std::span<const double> drawn) {
   std::vector<std::uint8_t> seen;
-  for (const double line : lines) seen.push_back(std::ranges::count(fixed, line) > 0 ? 1 : 0);
+  for (const double line : lines) seen.push_back(std::ranges::count(drawn, line) > 0 ? 1 : 0);
   return seen;
 }
 
@@ -47,8 +47,8 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
                 options.normal_tolerance,
                 options.max_triangles,
                 options.clip,
-                seen_lines(plan.lines.u, plan.fixed.u),
-                seen_lines(plan.lines.v, plan.fixed.v),
+                seen_lines(plan.lines.u, plan.drawn.u),
+                seen_lines(plan.lines.v, plan.drawn.v),
                 options.until_poles,
                 options.threads},
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads,

@@ -242,11 +242,19 @@ bool has_pole(const Leaf& leaf, const Lattice& lattice) {
   return has_pole;
 }
 
+bool is_cusp(std::uint32_t a, std::uint32_t b, const Lattice& lattice) {
+  const auto& point = lattice.mesh().point;
+  return lattice.is_defined(a) && lattice.is_defined(b) && !lattice.is_regular(a) &&
+         !lattice.is_regular(b) && point[a] != point[b];
+}
+
 bool is_cut_along_u(const Leaf& leaf, const Lattice& lattice) {
   Bounds cuts;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
     const std::optional<Crossing> crossing = lattice.crossing(a, b);
     if (crossing) cuts.add(dvec3(lattice.place_between(crossing->beside_first), 0));
+    if (!is_cusp(a, b, lattice)) return;
+    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(lattice.place_between(end), 0));
   });
   const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
   const double along_u = size.x / leaf.size_u();

@@ -73,8 +73,10 @@ struct CutCount {
     return crossings == 2 || (only_creases && crossings < 2 && crossings + singular_points == 2);
   }
 };
-/// Whether what cuts a leaf goes along u rather than along v, in sides of the leaf, or the leaf
-/// itself does.
+/// Whether all of a side between neighbours may be singular without being one point.
+bool is_cusp(std::uint32_t a, std::uint32_t b, const Lattice& lattice);
+/// Whether what cuts a leaf, or goes along its sides, goes along u rather than along v, in sides of
+/// the leaf, or the leaf itself does.
 bool is_cut_along_u(const Leaf& leaf, const Lattice& lattice);
 
 CutCount count_cuts(const Leaf& leaf, const Lattice& lattice);

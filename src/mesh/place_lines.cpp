@@ -12,6 +12,8 @@ namespace {
 constexpr double kRoundingOfSums = 1e-9;
 /// No interval between fixed lines is cut into more cells to begin with.
 constexpr double kMaxPerInterval = 1000;
+/// Lines that are this near to each other, as a part of the range, are one.
+constexpr double kSameLine = 1e-6;
 
 /// Cells between two fixed lines.
 double cells_between(const Cumulative& cumulative, double a, double b) {
@@ -74,6 +76,26 @@ std::vector<double> place_between(const Cumulative& cumulative, std::span<const 
 std::vector<double> shared_lines(const Seam& seam, const std::vector<double>& fixed) {
   if (!seam.shifted || fixed.size() % 2 != 0) return fixed;  // an even number of cells
   return even_lines(fixed.front(), fixed.back(), 2 * (fixed.size() - 1));
+}
+
+std::vector<double> with_lines(std::vector<double> fixed, const std::vector<double>& more,
+                               const Seam& seam, const std::array<bool, 2>& folded) {
+  const double first = fixed.front();
+  const double range = fixed.back() - first;
+  const auto add = [&](double line) {
+    const auto is_same = [&](double other) {
+      return std::fabs(other - line) <= kSameLine * std::fabs(range);
+    };
+    if (std::ranges::none_of(fixed, is_same)) fixed.push_back(line);
+  };
+  for (const double line : more) {
+    const double part = (line - first) / range;
+    add(line);
+    if (seam.reversed || seam.shifted) add(first + range * seam.partner(part, 1.0));
+    if (folded[0] || folded[1]) add(first + range * kFold.partner(part, 1.0));
+  }
+  std::ranges::sort(fixed, {}, [&](double line) { return (line - first) / range; });
+  return fixed;
 }
 
 }  // namespace saddle

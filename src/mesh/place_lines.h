@@ -35,4 +35,9 @@ std::vector<double> place_between(const Cumulative& cumulative, std::span<const 
 /// image.
 std::vector<double> shared_lines(const Seam& seam, const std::vector<double>& fixed);
 
+/// Fixed lines, and more lines with those that they meet across a seam or a fold, but none that is
+/// within rounding of another.
+std::vector<double> with_lines(std::vector<double> fixed, const std::vector<double>& more,
+                               const Seam& seam, const std::array<bool, 2>& folded);
+
 }  // namespace saddle

@@ -52,8 +52,10 @@ std::optional<GridMesh> mesh_of_samples(const Surface& surface, const AdaptiveOp
   std::optional<MeshPlan> plan = plan_mesh(surface, options);
   if (!plan || std::max(cells_u, cells_v) > kMostCells) return std::nullopt;
   if (!options.clip && is_smooth(surface)) {
-    return mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
-                                  options.lines_u, options.lines_v, options.threads});
+    GridMesh mesh = mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
+                                           options.lines_u, options.lines_v, options.threads});
+    name_unmet(plan->singular, surface.domain, mesh.report);
+    return mesh;
   }
   const Domain& d = surface.domain;
   plan->lines = {even_lines(d.u0, d.u1, cells_u), even_lines(d.v0, d.v1, cells_v)};

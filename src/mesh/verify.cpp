@@ -178,6 +178,25 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
   }
 }
 
+/// On sides between singular vertices: a cusp that is a line of constant u or v has no normals from
+/// which an arc above its chord would follow.
+void Verifier::append_singular_sides(const Measured& mesh, std::span<const std::size_t> which,
+                                     std::vector<Sample>& samples) const {
+  if (!lattice_.has_singular()) return;
+  const CellMarks cells = lattice_.singular_cells();
+  const auto& at = grid_.mesh.uv;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (leaf.is_split || leaf.on_rim || !cells.contains(leaf)) continue;
+    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t b) {
+      if (!is_cusp(a, b, lattice_)) return;
+      for (const double share : kOnDiagonal) {
+        samples.push_back({k, glm::mix(at[a], at[b], share), nullptr, true, Chord{a, b}, {}});
+      }
+    });
+  }
+}
+
 /// Samples on chords of cusps go to where the cusp is: it runs beside its chord, and how far the
 /// surface is from the cusp makes up for that in part.
 void Verifier::move_onto_cusps(std::vector<Sample>& samples) const {
@@ -385,6 +404,7 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
   const std::vector<std::size_t> others = measure_plain(mesh, which, triangles, peaks);
   std::vector<Sample> rest = measure_several(mesh, which, others, triangles, peaks);
   move_onto_cusps(rest);
+  append_singular_sides(mesh, which, rest);
   measure_one_by_one(mesh, which, triangles, rest);
   peaks.climb(mesh);
   evaluations_ += peaks.evaluations();

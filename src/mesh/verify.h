@@ -61,6 +61,8 @@ class Verifier {
                     std::vector<Sample>& samples) const;
   void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      std::vector<Sample>& samples) const;
+  void append_singular_sides(const Measured& mesh, std::span<const std::size_t> which,
+                             std::vector<Sample>& samples) const;
   void move_onto_cusps(std::vector<Sample>& samples) const;
   void measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
                               const LeafTriangles& triangles, std::span<const std::size_t> others);

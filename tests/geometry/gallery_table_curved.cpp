@@ -48,7 +48,7 @@ std::vector<GalleryFacts> quadrics_and_revolutions() {
        .closed_u = "join",
        .closed_v = "join",
        .proof = Proof::May,
-       .singular = {by_chance(v_is(kPi))},
+       .singular = {v_is(kPi)},
        .equation = torus(1, 1, 24)},
       // Two spheres that share two points.
       {.name = "spindle-torus",
@@ -89,7 +89,7 @@ std::vector<GalleryFacts> quadrics_and_revolutions() {
        .components = 2,
        .closed_u = "join",
        .proof = Proof::Fails,
-       .singular = {by_chance(v_is(0))},
+       .singular = {v_is(0)},
        .jumps = {v_is(0)},
        .equation =
            polynomial(4, 2, [](const dvec3& p) { return sq(p.z) - sq(p.x) - sq(p.y) - 1; })},
@@ -237,7 +237,7 @@ std::vector<GalleryFacts> minimal_surfaces() {
        .extents = {14.56, 4.705, 6.579},
        .euler_number = 1,
        .boundary_loops = 1,
-       .singular = {by_chance({[](double u, double v) { return std::hypot(std::sin(u / 2), v); }})},
+       .singular = {{[](double u, double v) { return std::hypot(std::sin(u / 2), v); }}},
        .minimal = true},
       {.name = "bour",
        .extents = {2.25, 2.597, 2.667},

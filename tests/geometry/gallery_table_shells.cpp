@@ -59,14 +59,23 @@ std::vector<GalleryFacts> tubes_and_shells() {
                                    return std::abs(p.z - v * std::cos(u)) +
                                           std::abs(sq(p.x) + sq(p.y) - u * u);
                                  })},
-      // The edges are segments, there and back. Two spheres that share a point, v = 0, would be 3;
-      // but no line of this mesh is there: what it has instead is a waist, too thin to see.
+      // The edges are segments, there and back: two spheres that share a point, v = 0. In all of x,
+      // y
+      // and z there is a factor of u alone and one of v alone; both pairs of slopes are parallel at
+      // cos(u) = 1/4, where those of y and z have the same share in u.
       {.name = "bent-horns",
        .extents = {15.76, 6, 6},
-       .euler_number = 2,
+       .euler_number = 3,
        .closed_u = "join",
        .proof = Proof::May,
-       .singular = {v_is(-2 * kPi), v_is(2 * kPi), by_chance(v_is(0))},
+       .singular = {v_is(-2 * kPi), v_is(2 * kPi), v_is(0), {[](double u, double v) {
+                      const double share_x = -std::sin(u) / (2 + std::cos(u));
+                      const double share_y =
+                          -std::sin(u - 2 * kPi / 3) / (2 + std::cos(u - 2 * kPi / 3));
+                      const double part_x = (v / 3 - std::sin(v)) * -std::sin(v);
+                      const double part_y = (std::cos(v) - 1) * (1.0 / 3 - std::cos(v));
+                      return std::hypot(std::cos(u) - 0.25, share_x * part_x - share_y * part_y);
+                    }}},
        .equation = at_parameters(20, 1,
                                  [](const dvec3& p, double u, double) {
                                    return p.y * (2 + std::cos(u + 2 * kPi / 3)) -
@@ -126,7 +135,7 @@ std::vector<GalleryFacts> tubes_and_shells() {
       // Two edges that are segments, 24 times there and back, and two closed lines at r = 0 that
       // are
       // one point: a disc, a sphere two points of which are that one, and a disc. The second line
-      // crosses itself at 24 points, beside each of which is a sphere more, 0.008 high. Euler
+      // crosses itself at 24 points, beside each of which is a sphere more, 0.008 high: Euler
       // number
       // 3 + 24, of which a mesh shows what it resolves.
       {.name = "bourke-harmonic",
@@ -139,9 +148,7 @@ std::vector<GalleryFacts> tubes_and_shells() {
                       return cube(std::sin(4 * v)) + cube(std::cos(2 * v)) + sq(std::sin(6 * u)) +
                              sq(sq(std::cos(6 * u)));
                     }},
-                    by_chance({[](double u, double v) {
-                      return std::hypot(std::sin(24 * u), std::sin(v));
-                    }})},
+                    {[](double u, double v) { return std::hypot(std::sin(24 * u), std::sin(v)); }}},
        .equation = at_parameters(4, 1,
                                  [](const dvec3& p, double u, double v) {
                                    const double out = p.x * std::cos(u) + p.z * std::sin(u);

@@ -65,9 +65,9 @@ std::vector<GalleryFacts> one_sided_surfaces() {
        .closed_u = "reversed",
        .closed_v = "join",
        .proof = Proof::May,
-       .singular = {v_is(0), v_is(kPi), by_chance({[](double u, double v) {
+       .singular = {v_is(0), v_is(kPi), {[](double u, double v) {
                       return std::hypot(std::cos(u) * std::sin(u), std::cos(v));
-                    }})},
+                    }}},
        .equation = polynomial(40, 4,
                               [](const dvec3& p) {
                                 const double r = sq(p.x) + sq(p.y);
@@ -81,9 +81,9 @@ std::vector<GalleryFacts> one_sided_surfaces() {
        .closed_u = "reversed",
        .closed_v = "join",
        .proof = Proof::May,
-       .singular = {v_is(kPi / 2), by_chance({[](double u, double v) {
+       .singular = {v_is(kPi / 2), {[](double u, double v) {
                       return std::hypot(std::sin(4 * u), std::sin(4 * v));
-                    }})},
+                    }}},
        .equation = polynomial(4, 4,
                               [](const dvec3& p) {
                                 return sq(p.x * p.y) + sq(p.y * p.z) + sq(p.z * p.x) -
@@ -107,7 +107,7 @@ std::vector<GalleryFacts> singular_surfaces() {
        .extents = {2, 2, 1},
        .euler_number = 1,
        .boundary_loops = 1,
-       .singular = {by_chance({[](double u, double v) { return std::hypot(u, v); }})},
+       .singular = {{[](double u, double v) { return std::hypot(u, v); }}},
        .equation = polynomial(2, 3, [](const dvec3& p) { return sq(p.x) - sq(p.y) * p.z; })},
       {.name = "cuspidal-edge",
        .extents = {2, 1, 2},
@@ -143,7 +143,7 @@ std::vector<GalleryFacts> singular_surfaces() {
        .extents = {2, 2, 2},
        .boundary_loops = 2,
        .closed_u = "join",
-       .singular = {by_chance({[](double u, double v) { return std::hypot(std::cos(2 * u), v); }})},
+       .singular = {{[](double u, double v) { return std::hypot(std::cos(2 * u), v); }}},
        .equation = plucker()},
       // A disc without its middle.
       {.name = "plucker-conoid-cartesian",
@@ -160,8 +160,7 @@ std::vector<GalleryFacts> singular_surfaces() {
        .boundary_loops = 1,
        .closed_u = "join",
        .proof = Proof::May,
-       .singular = {sin_u(),
-                    by_chance({[](double u, double v) { return std::hypot(std::cos(u), v); }})},
+       .singular = {sin_u(), {[](double u, double v) { return std::hypot(std::cos(u), v); }}},
        .equation = polynomial(
            2, 4, [](const dvec3& p) { return sq(p.z) * (sq(p.x) + sq(p.y)) - sq(p.y) / 4; })},
       {.name = "riemann-sqrt",
@@ -198,7 +197,7 @@ std::vector<GalleryFacts> singular_surfaces() {
        .extents = {4.705, 4.259, 6.283},
        .euler_number = 1,
        .boundary_loops = 1,
-       .singular = {by_chance({[](double u, double v) { return std::hypot(std::cos(u), v); }})},
+       .singular = {{[](double u, double v) { return std::hypot(std::cos(u), v); }}},
        .equation = polynomial(10, 2,
                               [](const dvec3& p) {
                                 const double s = sq(std::sin(p.z));

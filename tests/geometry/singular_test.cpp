@@ -1,0 +1,140 @@
+// Zeros of r_u x r_v between samples: where they are, what they are, and that meshes have them.
+#include "mesh/singular.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/gallery_samples.h"
+#include "mesh/sampled_mesh.h"
+#include "mesh/topology.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+SingularSet singular_set(const Surface& surface) {
+  return find_singular(surface, Probe(surface, 1).dips(), {}, {}, 1);
+}
+
+SingularSet singular_set(const std::string& x, const std::string& y, const std::string& z) {
+  return singular_set(surface_from_text(x, y, z, {-1, 1, -1, 1}, {}, Order::Second));
+}
+
+/// Digits of a double that a place may lose.
+constexpr double kDigits = 1e-14;
+
+TEST(Singular, AreFoundToDoublePrecision) {
+  // A cross cap, and a branch point: there, all of r_u and r_v is 0.
+  const SingularSet cap = singular_set("(u-0.1234)*(v+0.4321)", "u", "(v+0.4321)^2");
+  ASSERT_EQ(cap.points.size(), 1U);
+  EXPECT_NEAR(cap.points[0].x, 0.1234, kDigits);
+  EXPECT_NEAR(cap.points[0].y, -0.4321, kDigits);
+  const SingularSet branch =
+      singular_set("(u-0.3)^2-(v+0.2)^2", "2*(u-0.3)*(v+0.2)", "(u-0.3)^3-3*(u-0.3)*(v+0.2)^2");
+  ASSERT_EQ(branch.points.size(), 1U);
+  EXPECT_NEAR(branch.points[0].x, 0.3, kDigits);
+  EXPECT_NEAR(branch.points[0].y, -0.2, kDigits);
+  for (const SingularSet& set : {cap, branch}) {
+    EXPECT_TRUE(set.on_curves.empty() && set.lines_u.empty() && set.lines_v.empty());
+  }
+}
+
+TEST(Singular, TellsLinesAndCurvesFromPoints) {
+  const SingularSet line = singular_set("u", "(v-0.137)^2", "(v-0.137)^3");
+  EXPECT_TRUE(line.points.empty() && line.on_curves.empty() && line.lines_u.empty());
+  ASSERT_EQ(line.lines_v.size(), 1U);
+  EXPECT_NEAR(line.lines_v[0], 0.137, kDigits);
+
+  const SingularSet curve = singular_set("u*v^2+3*v^4", "-2*u*v-4*v^3", "u");  // swallowtail
+  EXPECT_TRUE(curve.points.empty() && curve.lines_u.empty() && curve.lines_v.empty());
+  EXPECT_GT(curve.on_curves.size(), 16U);
+  for (const dvec2& uv : curve.on_curves) EXPECT_NEAR(uv.x + 6 * uv.y * uv.y, 0, kDigits);
+}
+
+TEST(Singular, AreNoneOfRegularSurfaces) {
+  for (const char* const z : {"u^2-v^2", "1e9*u*v", "tanh(40*u)", "sin(9*u)*sin(7*v)",
+                              "u^3-3*u*v^2", "exp(-200*(u^2+v^2))", "1e-9*u*v"}) {
+    EXPECT_TRUE(singular_set("u", "v", z).empty()) << z;
+  }
+  for (const char* const name : {"klein-figure8", "trefoil-tube", "henneberg", "enneper"}) {
+    const Scene scene = scene_of(name);
+    const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
+    EXPECT_TRUE(singular_set(surface).empty()) << name;
+  }
+}
+
+/// Each of the points of a gallery surface, that many.
+struct Points {
+  const char* name;
+  std::size_t count;
+};
+
+TEST(Singular, AreCountedAsMathematicsDoes) {
+  // Copies on closing edges count.
+  for (const Points& points :
+       {Points{"whitney-umbrella", 1}, Points{"bohemian-dome", 6}, Points{"catalan", 3},
+        Points{"riemann-asin", 2}, Points{"bent-horns", 8}, Points{"guimard", 3},
+        Points{"plucker-conoid", 4}, Points{"pillow", 6}, Points{"cross-cap", 3}}) {
+    const Scene scene = scene_of(points.name);
+    const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
+    EXPECT_EQ(singular_set(surface).points.size(), points.count) << points.name;
+  }
+}
+
+/// With so many lines each way.
+GridMesh mesh_with(const Surface& surface, double share, int lines) {
+  AdaptiveOptions options;
+  options.tolerance = [share](const Probe& probe) -> Tolerance {
+    return share * probe.bounds().diagonal();
+  };
+  options.lines_u = options.lines_v = lines;
+  return mesh_within_tolerance(surface, options).value();
+}
+
+std::size_t count_at(const MeshReport& report, const dvec2& uv) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      report.singular_points,
+      [&](const SingularPoint& point) { return glm::distance(point.uv, uv) < kDigits; }));
+}
+
+TEST(Singular, AreVerticesWhateverLinesAreDrawn) {
+  const Surface surface = surface_from_text("(u-0.1234)*(v+0.4321)", "u", "(v+0.4321)^2",
+                                            {-1, 1, -1, 1}, {}, Order::Second);
+  for (const int lines : {0, 2, 9, 16}) {
+    const GridMesh mesh = mesh_with(surface, 1e-3, lines);
+    EXPECT_EQ(count_at(mesh.report, {0.1234, -0.4321}), 1U) << lines;
+    EXPECT_EQ(mesh.report.singular_point_count, 1U) << lines;
+    EXPECT_TRUE(std::ranges::any_of(mesh.mesh.uv, [](const dvec2& uv) {
+      return glm::distance(uv, {0.1234, -0.4321}) < kDigits;
+    })) << lines;
+    EXPECT_LE(mesh.report.max_error, *mesh.report.tolerance);
+  }
+}
+
+TEST(Singular, PinchesAreOnePointWhateverLinesAreDrawn) {
+  for (const auto& [name, euler] : {std::pair("horn-torus", 1L), std::pair("bent-horns", 3L)}) {
+    const Scene scene = scene_of(name);
+    const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
+    for (const int lines : {0, 9, 16}) {
+      for (const double share : {1e-2, 1e-3}) {
+        EXPECT_EQ(topology(mesh_with(surface, share, lines).mesh).euler_number, euler)
+            << name << ' ' << lines << ' ' << share;
+      }
+    }
+  }
+}
+
+TEST(Singular, AreNamedWhereNoVertexMeetsThem) {
+  const Surface surface =
+      surface_from_text("u*(v-0.1)", "u", "(v-0.1)^2", {-1, 1, -1, 1}, {}, Order::Second);
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe&) -> Tolerance { return 1e-3; };
+  const GridMesh mesh = mesh_of_samples(surface, options, 21, 17).value();
+  EXPECT_EQ(count_at(mesh.report, {0, 0.1}), 1U);
+  EXPECT_EQ(mesh.report.singular_point_count, 1U);
+}
+
+}  // namespace
+}  // namespace saddle
