@@ -43,15 +43,6 @@ std::vector<SurfacePoint> probe(const Surface& surface, const Grid& grid, unsign
   return evaluate(surface, uv, threads);
 }
 
-/// Factors that give each coordinate an extent of 1, or leave it alone where it has none.
-dvec3 axis_scale(const Bounds& bounds) {
-  dvec3 scale(1);
-  for (int k = 0; k < 3; ++k) {
-    if (std::isnormal(1 / bounds.size()[k])) scale[k] = 1 / bounds.size()[k];
-  }
-  return scale;
-}
-
 /// Whether the tangents are finite and parallel at all points. That does not depend on the scale of
 /// the axes, but roundoff does: 1e9*u*v is no curve although its sheets are nearly upright.
 bool all_degenerate(std::span<const SurfacePoint> points, const dvec3& scale) {
@@ -104,6 +95,14 @@ std::string explain(std::span<const SurfacePoint> points) {
 }
 
 }  // namespace
+
+dvec3 axis_scale(const Bounds& bounds) {
+  dvec3 scale(1);
+  for (int k = 0; k < 3; ++k) {
+    if (std::isnormal(1 / bounds.size()[k])) scale[k] = 1 / bounds.size()[k];
+  }
+  return scale;
+}
 
 void require_two_dimensional(const Surface& surface, const Grid& grid, unsigned threads) {
   if (any_vertex_is_regular(grid)) return;

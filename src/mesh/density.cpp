@@ -434,7 +434,7 @@ bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
 }
 
 Dips Probe::dips() const {
-  Dips dips;
+  Dips dips{{}, {}, bounds_, {}, {}};
   for (std::size_t end = 0; end < 2; ++end) {
     if (singular_u_[end]) dips.singular_u.push_back(static_cast<double>(end));
     if (singular_v_[end]) dips.singular_v.push_back(static_cast<double>(end));

@@ -260,12 +260,13 @@ bool Halving::measure_singular() {
 /// what the tests along its sides did not see, they see at half.
 bool Halving::splits_u(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
-  if (mesh_.deviations[number].on_crease) return is_cut_along_u(leaf, lattice_);
+  const bool is_far = mesh_.off(number) > 1;
+  if (is_far && mesh_.deviations[number].on_crease) return is_cut_along_u(leaf, lattice_);
   const Samples samples = request_samples(leaf, lattice_);
   if (leaf.on_rim) return judge_.splits_rim_u(leaf, samples);
   if (is_cut_unclearly(leaf)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
   const Verdict verdict = judge_.score(leaf, samples);
-  const Scores scores = mesh_.off(number) > 1 ? verdict.distance : verdict.turn;
+  const Scores scores = is_far ? verdict.distance : verdict.turn;
   constexpr double kTells = 0.5;  // of the tolerance
   const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
   const bool is_narrow = Oscillation(grid_).is_narrow(leaf, lattice_);

@@ -13,6 +13,7 @@
 
 #include "base/random.h"
 #include "mesh/corners.h"
+#include "mesh/degenerate.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -34,8 +35,7 @@ constexpr double kArrived = 1e-15;
 constexpr double kRankOne = 1e-10;
 
 /// |r_u x r_v| is compared with what it is so far away, in ranges; it is 0 if it is less than this
-/// part of it. Double zeros, known to 1e-8 only, are 1e-8 of it, and z = 1e9 u v, upright all
-/// around its saddle, 1e-5.
+/// part of it. Double zeros, known to 1e-8 only, are 1e-8 of it.
 constexpr double kAround = 1e-4;
 constexpr double kZero = 1e-6;
 /// Places all around are as many.
@@ -75,9 +75,9 @@ struct Area {
 
 class Finder {
  public:
-  Finder(const Surface& surface, unsigned threads, std::span<const double> even_u,
-         std::span<const double> even_v)
-      : surface_(surface), threads_(threads) {
+  Finder(const Surface& surface, const Bounds& bounds, unsigned threads,
+         std::span<const double> even_u, std::span<const double> even_v)
+      : surface_(surface), threads_(threads), scale_(axis_scale(bounds)) {
     const Domain& d = surface.domain;
     low_ = {d.u0, d.v0};
     range_ = {d.u1 - d.u0, d.v1 - d.v0};
@@ -130,7 +130,7 @@ class Finder {
     std::vector<double> sizes;
     sizes.reserve(places.size());
     for (const SurfacePoint& p : evaluate(surface_, uv, threads_)) {
-      const double size = glm::length(glm::cross(p.r_u, p.r_v));
+      const double size = glm::length(glm::cross(scale_ * p.r_u, scale_ * p.r_v));
       const bool is_known = is_finite(p.position) && std::isfinite(size);
       sizes.push_back(is_known ? size : std::numeric_limits<double>::infinity());
     }
@@ -214,11 +214,13 @@ class Finder {
     std::vector<Area> areas;
     areas.reserve(places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const SurfacePoint& p = first[k];
-      const Curvature& c = second[k];
-      areas.push_back({glm::cross(p.r_u, p.r_v),
-                       range_.x * (glm::cross(c.r_uu, p.r_v) + glm::cross(p.r_u, c.r_uv)),
-                       range_.y * (glm::cross(c.r_uv, p.r_v) + glm::cross(p.r_u, c.r_vv))});
+      const dvec3 r_u = scale_ * first[k].r_u;
+      const dvec3 r_v = scale_ * first[k].r_v;
+      const dvec3 r_uv = scale_ * second[k].r_uv;
+      areas.push_back(
+          {glm::cross(r_u, r_v),
+           range_.x * (glm::cross(scale_ * second[k].r_uu, r_v) + glm::cross(r_u, r_uv)),
+           range_.y * (glm::cross(r_uv, r_v) + glm::cross(r_u, scale_ * second[k].r_vv))});
     }
     return areas;
   }
@@ -254,6 +256,7 @@ class Finder {
 
   const Surface& surface_;
   unsigned threads_;
+  dvec3 scale_;  // of the axes: what is singular is so in any units
   dvec2 low_, range_;
   std::array<std::vector<double>, 2> even_;  // parts of each range
 };
@@ -339,7 +342,7 @@ Places take_isolated(const Finder& finder, Places& places) {
 SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<const double> even_u,
                           std::span<const double> even_v, unsigned threads) {
   if (dips.along_u.empty() && dips.along_v.empty()) return {};
-  const Finder finder(surface, threads, even_u, even_v);
+  const Finder finder(surface, dips.bounds, threads, even_u, even_v);
   const auto parts = [&](std::span<const dvec2> uv) {
     Places result;
     for (const dvec2& place : uv) result.push_back(finder.part(place));

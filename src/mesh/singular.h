@@ -25,6 +25,7 @@ struct SingularSet {
 /// Places where |r_u x r_v| is less than before and behind, on lines along u or along v.
 struct Dips {
   std::vector<dvec2> along_u, along_v;
+  Bounds bounds;                               ///< of the surface
   std::vector<double> singular_u, singular_v;  ///< 0 or 1: first or last ends at which it is 0
 };
 

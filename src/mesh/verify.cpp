@@ -190,7 +190,7 @@ void Verifier::append_singular_sides(const Measured& mesh, std::span<const std::
     if (leaf.is_split || leaf.on_rim || !cells.contains(leaf)) continue;
     for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t b) {
       if (!is_cusp(a, b, lattice_)) return;
-      for (const double share : kOnDiagonal) {
+      for (const double share : kOnChord) {
         samples.push_back({k, glm::mix(at[a], at[b], share), nullptr, true, Chord{a, b}, {}});
       }
     });
