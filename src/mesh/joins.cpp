@@ -72,6 +72,21 @@ std::vector<SeamSide> crossed_seam_sides(const Seams& seams, const Grid& grid,
   return result;
 }
 
+/// Calls f(a, b) for the neighbours a and b on the sides of a leaf. Those on a side that is halved
+/// are corners of a leaf beyond it, and left to that, but at the domain's border.
+template <class F>
+void for_own_sides(const Leaf& leaf, const Grid& grid, const Lattice& lattice, F f) {
+  const LatticePlace end = {static_cast<std::uint32_t>(grid.cells_u) * kCellUnit,
+                            static_cast<std::uint32_t>(grid.cells_v) * kCellUnit};
+  const bool is_at_border =
+      leaf.low.u == 0 || leaf.low.v == 0 || leaf.high.u == end.u || leaf.high.v == end.v;
+  if (is_at_border) return for_sides(leaf, lattice, f);
+  const auto corners = leaf.corners();
+  for (std::size_t k = 0; k < 4; ++k) {
+    f(lattice.vertex_at_corner(corners[k]), lattice.vertex_at_corner(corners[(k + 1) % 4]));
+  }
+}
+
 /// Calls f(a, b) for the neighbours a and b around the pieces of a leaf.
 template <class F>
 void for_sides_of_pieces(const Leaf& leaf, const Lattice& lattice, F f) {
@@ -194,7 +209,7 @@ bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid
     }
   };
   for (const Leaf& leaf : leaves) {
-    for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) { file(a, b, sides); });
+    for_own_sides(leaf, grid, lattice, [&](auto a, auto b) { file(a, b, sides); });
     if (!leaf.is_split) continue;
     for_sides_of_pieces(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) { file(a, b, cuts); });
   }

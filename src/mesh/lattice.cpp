@@ -128,17 +128,14 @@ void Lattice::add_middles(unsigned threads) {
     }
     return line;
   };
-  std::vector<LatticePlace> places;
   for (std::size_t kind = 1; kind < sub_grids_.size(); ++kind) {
     const Line u = take(grid_.u, kind % 2 != 0);
     const Line v = take(grid_.v, kind / 2 != 0);
     sub_grids_[kind] = {static_cast<std::uint32_t>(used_.size()),
                         static_cast<std::uint32_t>(u.places.size())};
-    places.clear();
     for (const std::uint32_t at_v : v.places) {
-      for (const std::uint32_t at_u : u.places) places.push_back({at_u, at_v});
+      for (const std::uint32_t at_u : u.places) number({at_u, at_v});
     }
-    number(places);
     append_grid(u.parameters, v.parameters, threads);
   }
   grid_mask_ = kCellUnit / 2 - 1;
@@ -159,16 +156,16 @@ std::uint32_t Lattice::vertex_off_grid(LatticePlace place) {
   if (const std::uint32_t* known = numbers_.find(place)) return *known;
   const auto vertex = static_cast<std::uint32_t>(used_.size());
   numbers_.insert(place, vertex);
-  number(std::span(&place, 1));
+  number(place);
   return vertex;
 }
 
-void Lattice::number(std::span<const LatticePlace> places) {
-  places_.insert(places_.end(), places.begin(), places.end());
-  used_.resize(used_.size() + places.size(), 0);
-  regular_.resize(used_.size(), 1);
-  defined_.resize(used_.size(), 1);
-  beside_cut_.resize(used_.size(), 0);
+void Lattice::number(LatticePlace place) {
+  places_.push_back(place);
+  used_.push_back(0);
+  regular_.push_back(1);
+  defined_.push_back(1);
+  beside_cut_.push_back(0);
 }
 
 bool Lattice::is_defined_at(LatticePlace place) const {
@@ -365,7 +362,7 @@ std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned thr
     if (share < kBeside || share > 1 - kBeside) share = std::round(share);
     places_between_[static_cast<std::uint32_t>(used_.size())] =
         glm::mix(place_between(between.a), place_between(between.b), share);
-    number(std::array{kBetween});
+    number(kBetween);
     u.push_back(between.uv.x);
     v.push_back(between.uv.y);
   }

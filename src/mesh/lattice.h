@@ -336,8 +336,8 @@ class Lattice {
   /// Appends what was computed at uv(i), whose vertices have their numbers.
   template <class Function>
   void append(const NormalColumns& columns, std::size_t count, Function uv);
-  /// Numbers new vertices that are no corners of leaves yet.
-  void number(std::span<const LatticePlace> places);
+  /// Numbers a new vertex that is no corner of leaves yet.
+  void number(LatticePlace place);
   /// Joins the vertices that are computed last to poles, and gives them limits.
   void finish_new(unsigned threads);
   void fill_removable(std::vector<std::uint32_t> vertices, unsigned threads);
