@@ -4,190 +4,27 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <vector>
 
-#include <glm/vector_relational.hpp>
-
 #include "app/warnings.h"
+#include "app/words.h"
 
 namespace saddle {
 
 namespace {
 
-/// Six digits: what an area keeps at the least.
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value + 0.0);  // + 0: no "-0"
-  return text.data();
-}
+using words::number;
+using words::plural;
+using words::range;
 
 std::string percent(double share) {
   return number(100 * share) + " %";
-}
-
-std::string plural(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string range(const std::string& name, double low, double high) {
-  if (low == high) return name + " = " + number(low);
-  return name + " = " + number(low) + ":" + number(high);
 }
 
 /// Without what is 0 next to `size` but for rounding.
 double clean(double x, double size) {
   return std::fabs(x) < 1e-12 * size ? 0 : x;
 }
-
-std::string vector(const dvec3& v, double size) {
-  return "(" + number(clean(v.x, size)) + ", " + number(clean(v.y, size)) + ", " +
-         number(clean(v.z, size)) + ")";
-}
-
-// --- places
-// ---------------------------------------------------------------------------------------
-
-/// Parameters this close, as a part of the range, are on one line.
-constexpr double kSameLine = 1e-6;
-/// And this close, of their size, they are the same but for rounding.
-constexpr double kSameParameters = 1e-12;
-/// Cuts this close, as a part of the range, are one place.
-constexpr double kSamePlace = 1e-9;
-/// So many places on a line of constant u or v are told as one.
-constexpr std::size_t kLine = 12;
-/// Places and lines that are told one by one.
-constexpr std::size_t kTold = 6;
-
-/// Places on a line of constant u or v, or a single one.
-struct Group {
-  Extremes u, v;
-  std::vector<std::size_t> members;
-
-  void add(std::size_t index, const dvec2& uv) {
-    u.add(uv.x);
-    v.add(uv.y);
-    members.push_back(index);
-  }
-  std::string text() const { return range("u", u.low, u.high) + ", " + range("v", v.low, v.high); }
-};
-
-/// The most members whose parameter `axis` is within kSameLine of each other.
-Group longest_line(const std::vector<dvec2>& places, const std::vector<std::size_t>& left, int axis,
-                   double extent) {
-  std::vector<std::size_t> sorted = left;
-  std::ranges::sort(sorted, {}, [&](std::size_t k) { return places[k][axis]; });
-  std::size_t best = 0;
-  std::size_t best_begin = 0;
-  for (std::size_t begin = 0, end = 0; begin < sorted.size(); ++begin) {
-    while (end < sorted.size() &&
-           places[sorted[end]][axis] - places[sorted[begin]][axis] <= kSameLine * extent) {
-      ++end;
-    }
-    if (end - begin > best) {
-      best = end - begin;
-      best_begin = begin;
-    }
-  }
-  Group group;
-  double sum = 0;
-  for (std::size_t k = best_begin; k < best_begin + best; ++k) {
-    group.add(sorted[k], places[sorted[k]]);
-    sum += places[sorted[k]][axis];
-  }
-  double middle = sum / static_cast<double>(std::max<std::size_t>(best, 1));
-  if (std::fabs(middle) < kSameLine * extent) middle = 0;
-  Extremes& line = axis == 0 ? group.u : group.v;
-  line = {middle, middle};
-  return group;
-}
-
-/// Lines first, the longest before the others; then single places, or all of these as one if they
-/// are many.
-std::vector<Group> grouped(const std::vector<dvec2>& places, const Domain& d) {
-  std::vector<std::size_t> left(places.size());
-  for (std::size_t k = 0; k < places.size(); ++k) left[k] = k;
-  std::vector<Group> groups;
-  while (left.size() >= kLine) {
-    const Group along_v = longest_line(places, left, 0, std::fabs(d.u1 - d.u0));
-    const Group along_u = longest_line(places, left, 1, std::fabs(d.v1 - d.v0));
-    const Group& longer = along_v.members.size() > along_u.members.size() ? along_v : along_u;
-    if (longer.members.size() < kLine) break;
-    std::erase_if(left, [&](std::size_t k) {
-      return std::ranges::find(longer.members, k) != longer.members.end();
-    });
-    groups.push_back(longer);
-  }
-  if (left.size() > kTold) groups.emplace_back();
-  for (const std::size_t k : left) {
-    if (left.size() <= kTold) groups.emplace_back();
-    groups.back().add(k, places[k]);
-  }
-  return groups;
-}
-
-/// "none", or what there is: first the count, then each line and place with what `more` adds.
-std::string places(const std::vector<dvec2>& listed, std::size_t count, const Domain& domain,
-                   const std::function<std::string(const Group&)>& more) {
-  if (count == 0) return "none";
-  std::string text = plural(count, "place");
-  const std::vector<Group> groups = grouped(listed, domain);
-  for (std::size_t k = 0; k < std::min(groups.size(), kTold); ++k) {
-    text += (k == 0 ? ": " : "; ") + groups[k].text() + more(groups[k]);
-  }
-  if (groups.size() > kTold) text += "; and others";
-  return text;
-}
-
-/// Places that bisections from many sides ended at, each once, and those beside 0 at 0.
-std::vector<dvec2> distinct(const std::vector<dvec2>& places, const Domain& d) {
-  const dvec2 near = kSamePlace * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
-  std::vector<dvec2> result;
-  for (dvec2 place : places) {
-    for (int k = 0; k < 2; ++k) {
-      if (std::fabs(place[k]) < near[k]) place[k] = 0;
-    }
-    const auto is_same = [&](const dvec2& other) {
-      return glm::all(glm::lessThanEqual(glm::abs(place - other), near));
-    };
-    if (std::ranges::none_of(result, is_same)) result.push_back(place);
-  }
-  return result;
-}
-
-std::string cuts(const std::vector<dvec2>& listed, std::size_t count, const Domain& domain) {
-  const std::vector<dvec2> told = distinct(listed, domain);
-  const bool are_all_listed = count == listed.size();
-  return places(told, are_all_listed ? told.size() : count, domain,
-                [](const Group&) { return std::string(); });
-}
-
-/// Where the group is on the surface, if that is one point, and the normal there.
-std::string point_and_normal(const std::vector<SingularPlace>& all, const Group& group,
-                             double diagonal) {
-  constexpr double kSamePoint = 1e-9;
-  constexpr double kSameDegrees = 1e-3;
-  const SingularPlace& first = all[group.members.front()];
-  bool one_point = true;
-  bool one_normal = true;
-  std::size_t without = 0;
-  for (const std::size_t k : group.members) {
-    one_point &= glm::distance(all[k].position, first.position) <= kSamePoint * diagonal;
-    one_normal &= all[k].normals.size() == 1 && first.normals.size() == 1 &&
-                  degrees_between(all[k].normals[0], first.normals[0]) <= kSameDegrees;
-    without += all[k].normals.empty() ? 1 : 0;
-  }
-  std::string text;
-  if (one_point) text += " is the point " + vector(first.position, diagonal);
-  const std::string verb = one_point ? " with" : " has";
-  if (one_normal) return text + verb + " the normal " + vector(first.normals[0], 1);
-  if (without == group.members.size()) return text + verb + " no normal";
-  if (without > 0) return text + verb + " limits of the normal but for " + plural(without, "place");
-  return text + verb + " a normal on each side";
-}
-
-// --- lines of the text
-// ----------------------------------------------------------------------------
 
 std::string domain(const Facts& facts) {
   const Domain& d = facts.domain;
@@ -326,25 +163,11 @@ std::string describe(const SurfaceReport& s, const Mesh& triangles) {
   const auto line = [&text](const std::string& what, const std::string& said) {
     text += "  " + what + std::string(12 - what.size(), ' ') + said + "\n";
   };
-  // Where v depends on u and its ends meet, many places of the surface have the same u and v.
-  std::vector<dvec2> singular;
-  std::vector<SingularPlace> distinct;
-  for (const SingularPlace& place : facts.singular) {
-    const auto is_same = [&](const dvec2& uv) {
-      return glm::distance(uv, place.uv) <= kSameParameters * glm::length(place.uv);
-    };
-    if (std::ranges::any_of(singular, is_same)) continue;
-    singular.push_back(place.uv);
-    distinct.push_back(place);
-  }
   line("domain", domain(facts));
   line("defined", defined(s, triangles));
-  line("poles", cuts(s.mesh.poles, s.mesh.pole_count, facts.domain));
-  line("jumps", cuts(s.mesh.jumps, s.mesh.jump_count, facts.domain));
-  line("singular", places(singular, std::min(s.mesh.singular_point_count, singular.size()),
-                          facts.domain, [&](const Group& group) {
-                            return point_and_normal(distinct, group, s.bounds.diagonal());
-                          }));
+  line("poles", words::cuts(s.mesh.poles, s.mesh.pole_count, facts.domain));
+  line("jumps", words::cuts(s.mesh.jumps, s.mesh.jump_count, facts.domain));
+  line("singular", words::singular(facts, s.bounds.diagonal()));
   line("seams", seams(s));
   line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
   line("shape", shape(facts.topology));

@@ -57,7 +57,8 @@ Json extremes(const Extremes& e) {
   return e.empty() ? Json(nullptr) : ends(e.low, e.high);
 }
 
-/// `normal` is the one limit of the normal, `normals` are the limits from all sides.
+/// `normal` is the one limit of the normal, `normals` are the limits from all sides; `isolated`: on
+/// no curve of such points.
 Json singular_places(const std::vector<SingularPlace>& places) {
   Json list = Json::array();
   for (const SingularPlace& place : places) {
@@ -65,6 +66,7 @@ Json singular_places(const std::vector<SingularPlace>& places) {
     for (const dvec3& normal : place.normals) normals.push_back(vector(normal));
     list.push_back({{"u", number(place.uv.x)},
                     {"v", number(place.uv.y)},
+                    {"isolated", place.is_alone},
                     {"position", vector(place.position)},
                     {"normal", normals.size() == 1 ? normals[0] : Json(nullptr)},
                     {"normals", normals}});

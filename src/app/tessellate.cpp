@@ -243,6 +243,7 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
   const Domain domain{surface.domain.u0, surface.domain.u1, v.low, v.high};
   if (facts) {
     facts->domain = domain;
+    facts->singular_v.clear();  // no lines of constant v any more
     for (SingularPlace& place : facts->singular) {
       take_user_parameters(surface, std::span(&place.uv, 1));
     }

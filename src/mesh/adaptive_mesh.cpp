@@ -295,7 +295,7 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   Grid& grid = halving.grid();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines = leaf_lines(grid, halving.lattice(), options.lines_u, options.lines_v);
-  name_unmet(singular, surface.domain, report);
+  name_singular(singular, surface.domain, report);
   if (options.clip) {
     clip_mesh(*options.clip, grid.mesh);
     keep_singular_points_within(*options.clip, surface, options.threads, report);

@@ -183,13 +183,14 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
     const GridColumns first(surface.tangents, u, v, threads);
     const GridColumns second(surface.curvatures, u, v, threads);
     evaluations_ += u.size() * v.size();
+    constexpr double kNoEdge = std::numeric_limits<double>::infinity();
     std::array<double, 2> largest = {};  // |r_u x r_v| of both edges
     for (std::size_t i = 0; i < u.size() * v.size(); ++i) {
       const dvec3 position = first.vector(0, i);
       if (is_finite(position)) bounds_.add(position);
       const double area = glm::length(glm::cross(first.vector(3, i), first.vector(6, i)));
       double& most = largest[along_u ? i / u.size() : i % u.size()];
-      if (!(area <= most)) most = area;  // NaN, too
+      if (area > most || !std::isfinite(area)) most = std::isfinite(area) ? area : kNoEdge;
       const dvec3 tangent = glm::normalize(first.vector(along_u ? 3 : 6, i));
       const dvec3 bend = second.vector(along_u ? 0 : 6, i);
       const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
@@ -200,7 +201,8 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
     for (std::size_t end = 0; end < 2; ++end) {
       double beside = 0;
       for (std::size_t k = 0; k < kProbes; ++k) {
-        beside = std::max(beside, area(along_u, k, end == 0 ? 0 : kProbes - 1));
+        const double inside = area(along_u, k, end == 0 ? 0 : kProbes - 1);
+        if (std::isfinite(inside)) beside = std::max(beside, inside);
       }
       (along_u ? singular_v_ : singular_u_)[end] = largest[end] <= kNoArea * beside;
     }
@@ -436,8 +438,9 @@ bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
 Dips Probe::dips() const {
   Dips dips{{}, {}, bounds_, {}, {}};
   for (std::size_t end = 0; end < 2; ++end) {
-    if (singular_u_[end]) dips.singular_u.push_back(static_cast<double>(end));
-    if (singular_v_[end]) dips.singular_v.push_back(static_cast<double>(end));
+    const dvec2 corner = place(dvec2(static_cast<double>(end)));
+    if (singular_u_[end]) dips.edges_u.push_back(corner.x);
+    if (singular_v_[end]) dips.edges_v.push_back(corner.y);
   }
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     const std::size_t i = s % u_.size();

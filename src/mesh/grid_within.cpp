@@ -104,7 +104,7 @@ GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const
   const bool off = options.certify && is_off(surface, plan.aim, options.threads, grid, report);
   trial.work.boxes = report.work.boxes;
   if (off) return trial;
-  name_unmet(plan.singular, surface.domain, report);
+  name_singular(plan.singular, surface.domain, report);
   report.cells = grid.cell_count();
   report.work = trial.work;
   report.evaluations += trial.work.grid_samples;

@@ -86,6 +86,7 @@ inline std::optional<ColorRange> color_range_of(const Mesh& mesh) {
 struct SingularPoint {
   dvec2 uv;
   bool has_limit = true;  ///< false: the normal there has no limit; the face's is used
+  bool is_alone = false;  ///< it is known to be on no curve of such points
 };
 
 /// Places of a kind that a report names; it counts the others.
@@ -144,6 +145,8 @@ struct MeshReport {
   std::optional<dvec2> worst_place, oscillates;
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000
   std::size_t singular_point_count = 0;
+  /// Lines of constant u and of constant v that are known to be singular from end to end.
+  std::vector<double> singular_u, singular_v;
   std::vector<dvec2> poles;  ///< where the surface goes to infinity and was cut, at most 1000
   std::size_t pole_count = 0;
   Bounds beside_poles;       ///< a box around the last points before them, as far as doubles go

@@ -54,7 +54,7 @@ std::optional<GridMesh> mesh_of_samples(const Surface& surface, const AdaptiveOp
   if (!options.clip && is_smooth(surface)) {
     GridMesh mesh = mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
                                            options.lines_u, options.lines_v, options.threads});
-    name_unmet(plan->singular, surface.domain, mesh.report);
+    name_singular(plan->singular, surface.domain, mesh.report);
     return mesh;
   }
   const Domain& d = surface.domain;

@@ -87,6 +87,11 @@ class Finder {
 
   dvec2 part(const dvec2& uv) const { return (uv - low_) / range_; }
   dvec2 parameters(const dvec2& part) const { return low_ + part * range_; }
+  Places parts(std::span<const dvec2> uv) const {
+    Places parts;
+    for (const dvec2& place : uv) parts.push_back(part(place));
+    return parts;
+  }
 
   /// Where descents from some places end, at 0 or not.
   Places descend(Places places, Along along) const {
@@ -341,35 +346,32 @@ Places take_isolated(const Finder& finder, Places& places) {
 
 SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<const double> even_u,
                           std::span<const double> even_v, unsigned threads) {
-  if (dips.along_u.empty() && dips.along_v.empty()) return {};
+  SingularSet result{{}, {}, dips.edges_u, dips.edges_v};
+  if (dips.along_u.empty() && dips.along_v.empty()) return result;
   const Finder finder(surface, dips.bounds, threads, even_u, even_v);
-  const auto parts = [&](std::span<const dvec2> uv) {
-    Places result;
-    for (const dvec2& place : uv) result.push_back(finder.part(place));
-    return result;
-  };
   // Across lines of zeros first: free descents are drawn along them to where they meet.
-  Places places = finder.descend(parts(dips.along_u), Along::U);
-  const std::vector<double> lines_u = find_lines(finder, 0, finder.zeros(places));
-  const Places across_v = finder.descend(parts(dips.along_v), Along::V);
-  const std::vector<double> lines_v = find_lines(finder, 1, finder.zeros(across_v));
+  Places places = finder.descend(finder.parts(dips.along_u), Along::U);
+  for (const double line : find_lines(finder, 0, finder.zeros(places))) {
+    result.lines_u.push_back(finder.parameters({line, 0}).x);
+  }
+  const Places across_v = finder.descend(finder.parts(dips.along_v), Along::V);
+  for (const double line : find_lines(finder, 1, finder.zeros(across_v))) {
+    result.lines_v.push_back(finder.parameters({0, line}).y);
+  }
   places.insert(places.end(), across_v.begin(), across_v.end());
   const auto is_on_line = [&](const dvec2& place) {
-    const auto is_near = [](double a) {
-      return [a](double b) { return std::fabs(a - b) <= kSame; };
+    const auto is_near_u = [&](double u) {
+      return std::fabs(finder.part({u, 0}).x - place.x) <= kSame;
     };
-    return std::ranges::any_of(lines_u, is_near(place.x)) ||
-           std::ranges::any_of(lines_v, is_near(place.y)) ||
-           std::ranges::any_of(dips.singular_u, is_near(place.x)) ||
-           std::ranges::any_of(dips.singular_v, is_near(place.y));
+    const auto is_near_v = [&](double v) {
+      return std::fabs(finder.part({0, v}).y - place.y) <= kSame;
+    };
+    return std::ranges::any_of(result.lines_u, is_near_u) ||
+           std::ranges::any_of(result.lines_v, is_near_v);
   };
   std::erase_if(places, is_on_line);
   places = distinct(finder, finder.zeros(finder.descend(std::move(places), Along::Both)));
   std::erase_if(places, is_on_line);
-
-  SingularSet result;
-  for (const double line : lines_u) result.lines_u.push_back(finder.parameters({line, 0}).x);
-  for (const double line : lines_v) result.lines_v.push_back(finder.parameters({0, line}).y);
   for (const dvec2& place : take_isolated(finder, places)) {
     result.points.push_back(finder.parameters(place));
   }
@@ -377,23 +379,40 @@ SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<co
   return result;
 }
 
-void name_unmet(const SingularSet& singular, const Domain& domain, MeshReport& report) {
+void name_singular(const SingularSet& singular, const Domain& domain, MeshReport& report) {
   const dvec2 range = glm::abs(dvec2(domain.u1 - domain.u0, domain.v1 - domain.v0));
-  const auto name = [&](const dvec2& uv, double reach) {
-    const auto is_same = [&](const SingularPoint& other) {
+  auto& listed = report.singular_points;
+  const auto find = [&](const dvec2& uv, double reach) {
+    return std::ranges::find_if(listed, [&](const SingularPoint& other) {
       return are_near(uv / range, other.uv / range, reach);
-    };
-    if (std::ranges::none_of(report.singular_points, is_same)) add_singular_point(uv, report);
+    });
   };
-  for (const dvec2& uv : singular.points) name(uv, kSame);
-  for (const dvec2& uv : singular.on_curves) name(uv, kAlongCurves);
+  for (const dvec2& uv : singular.points) {
+    const auto known = find(uv, kSame);
+    const bool is_new = known == listed.end();
+    SingularPoint point = is_new ? SingularPoint{uv} : *known;
+    point.is_alone = true;
+    if (is_new) {
+      ++report.singular_point_count;
+    } else {
+      listed.erase(known);
+    }
+    listed.insert(listed.begin(), point);
+  }
+  if (listed.size() > kMaxListed) listed.resize(kMaxListed);
+  const auto name = [&](const dvec2& uv) {
+    if (find(uv, kAlongCurves) == listed.end()) add_singular_point(uv, report);
+  };
+  for (const dvec2& uv : singular.on_curves) name(uv);
   for (double k = 0.5; k * kAlongCurves < 1; ++k) {
     const dvec2 part(k * kAlongCurves);
     const dvec2 uv =
         dvec2(domain.u0, domain.v0) * (1.0 - part) + dvec2(domain.u1, domain.v1) * part;
-    for (const double u : singular.lines_u) name({u, uv.y}, kAlongCurves);
-    for (const double v : singular.lines_v) name({uv.x, v}, kAlongCurves);
+    for (const double u : singular.lines_u) name({u, uv.y});
+    for (const double v : singular.lines_v) name({uv.x, v});
   }
+  report.singular_u = singular.lines_u;
+  report.singular_v = singular.lines_v;
 }
 
 }  // namespace saddle

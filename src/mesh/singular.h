@@ -9,8 +9,7 @@
 
 namespace saddle {
 
-/// Zeros of r_u x r_v, in parameters of the domain, but for those at its edges that are singular
-/// from one end to the other.
+/// Zeros of r_u x r_v, in parameters of the domain.
 struct SingularSet {
   std::vector<dvec2> points;     ///< those that are by themselves
   std::vector<dvec2> on_curves;  ///< some of each curve that is no line of these:
@@ -25,8 +24,8 @@ struct SingularSet {
 /// Places where |r_u x r_v| is less than before and behind, on lines along u or along v.
 struct Dips {
   std::vector<dvec2> along_u, along_v;
-  Bounds bounds;                               ///< of the surface
-  std::vector<double> singular_u, singular_v;  ///< 0 or 1: first or last ends at which it is 0
+  Bounds bounds;                         ///< of the surface
+  std::vector<double> edges_u, edges_v;  ///< those ends of the ranges at which it is 0 throughout
 };
 
 /// The zeros that descents from dips end at, for a surface of second order: to
@@ -39,8 +38,8 @@ struct Dips {
 SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<const double> even_u,
                           std::span<const double> even_v, unsigned threads);
 
-/// Lists those zeros that no singular vertex of a mesh tells of: single ones, and some of each line
-/// or curve beside which there is no other.
-void name_unmet(const SingularSet& singular, const Domain& domain, MeshReport& report);
+/// Lists those zeros that no singular vertex of a mesh tells of, and tells those that are alone,
+/// which are the first of the list then, from the others: some of each line or curve.
+void name_singular(const SingularSet& singular, const Domain& domain, MeshReport& report);
 
 }  // namespace saddle

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "surface/normal.h"
 
@@ -14,6 +15,8 @@ namespace {
 constexpr std::size_t kBoxes = 20'000;
 /// How far from a singular point its sides are looked at, as a part of the ranges.
 constexpr double kBeside = 1.0 / 128;
+/// On so many ways, aslant to the axes: two of them are within the corner of a domain.
+constexpr std::size_t kWays = 8;
 /// Limits that differ by no more are one, degrees: those of regular surfaces agree to 1e-7.
 constexpr double kSameDegrees = 1e-3;
 
@@ -22,12 +25,13 @@ bool is_inside(const Domain& d, const dvec2& uv) {
          uv.y >= std::min(d.v0, d.v1) && uv.y <= std::max(d.v0, d.v1);
 }
 
-/// Ways from within the domain to a point of it, one through each quarter.
+/// Ways from within the domain to a point of it, as many through each quarter.
 std::vector<Approach> ways_to(const Domain& d, const dvec2& uv) {
   const dvec2 step = kBeside * dvec2(d.u1 - d.u0, d.v1 - d.v0);
   std::vector<Approach> ways;
-  for (const dvec2 side : {dvec2(1, 1), dvec2(-1, 1), dvec2(-1, -1), dvec2(1, -1)}) {
-    const dvec2 inside = uv + side * step;
+  for (std::size_t k = 0; k < kWays; ++k) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.3) / kWays;
+    const dvec2 inside = uv + dvec2(std::cos(angle), std::sin(angle)) * step;
     if (is_inside(d, inside)) ways.push_back({uv, inside});
   }
   return ways;
@@ -51,7 +55,8 @@ std::vector<SingularPlace> singular_places(const Surface& surface, const MeshRep
   const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
   std::vector<SingularPlace> places;
   for (std::size_t k = 0; k < uv.size(); ++k) {
-    places.push_back({uv[k], points[k].position, distinct_limits(surface, uv[k])});
+    places.push_back({uv[k], points[k].position, distinct_limits(surface, uv[k]),
+                      report.singular_points[k].is_alone});
   }
   return places;
 }
@@ -67,6 +72,8 @@ Facts gather_facts(const Surface& surface, const Mesh& mesh, const MeshReport& r
   const bool is_whole = report.undefined_fraction == 0 && !is_clipped && report.pole_count == 0;
   facts.measures = measure_surface(surface, mesh, is_whole, threads);
   facts.singular = singular_places(surface, report);
+  facts.singular_u = report.singular_u;
+  facts.singular_v = report.singular_v;
   return facts;
 }
 

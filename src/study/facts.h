@@ -18,6 +18,7 @@ struct SingularPlace {
   dvec2 uv;
   dvec3 position;
   std::vector<dvec3> normals;
+  bool is_alone = false;  ///< as in the mesh's report
 };
 
 struct Facts {
@@ -27,6 +28,7 @@ struct Facts {
   Topology topology;
   Measures measures;
   std::vector<SingularPlace> singular;  ///< those of the mesh's report
+  std::vector<double> singular_u, singular_v;
 };
 
 /// For a surface of second order and its mesh, all of it or what is left in a box.

@@ -65,6 +65,31 @@ TEST_F(CheckCommand, ClosesASurfaceWhoseEdgesAreFolded) {
   EXPECT_TRUE(facts({"torus"})["folded"].empty());
 }
 
+TEST_F(CheckCommand, TellsSingularPointsFromLinesAndCurves) {
+  const auto says = [&](const std::string& name, const std::string& part) {
+    const std::string text = words({name});
+    EXPECT_TRUE(contains(text, part)) << part << "\n" << text;
+  };
+  says("torus", "singular    none\n");
+  says(
+      "whitney-umbrella",
+      "singular    1 point: u = 0, v = 0 is the point (0, 0, 0) with a normal on each way there\n");
+  says("catalan", "u = 0, v = 0 is the point (0, 0, 0) with the normal (1, 0, 0)");
+  says("pseudosphere", "singular    1 line: u = 0:6.28319, v = 0 has a normal on each side\n");
+  says("swallowtail", "singular    curves: u = -2:0, v = -0.57735:0.57735 has");
+  says("bourke-harmonic", "singular    curves: u = 0:6.28319, v = 1.04");
+  says("bent-horns",
+       "v = 0 is the point (0, 0, 0) with a normal on each side. 8 points: u = -1.31");
+  // At a corner of the domain, too, it depends on the way.
+  says("pillow", "singular    6 points: ");
+  for (const Json& place : facts({"pillow"})["singular_points"]) {
+    EXPECT_TRUE(place["isolated"]);
+    EXPECT_TRUE(place["normal"].is_null());
+    EXPECT_GE(place["normals"].size(), 2U);
+  }
+  for (const Json& place : facts({"sphere"})["singular_points"]) EXPECT_FALSE(place["isolated"]);
+}
+
 TEST_F(CheckCommand, TellsAPoleOnceFromHoweverManySidesItWasCut) {
   EXPECT_TRUE(contains(words({"z=1/(u^2+v^2)"}), "poles       1 place: u = 0, v = 0\n"));
 }

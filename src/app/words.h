@@ -1,0 +1,30 @@
+// Numbers and places in sentences.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "study/facts.h"
+
+namespace saddle::words {
+
+/// Six digits: what an area keeps at the least.
+std::string number(double value);
+/// "1 place", "2 places".
+std::string plural(std::size_t count, const std::string& noun);
+/// "u = 1", "u = 1:2".
+std::string range(const std::string& name, double low, double high);
+/// Without what is no more than `rounding`.
+std::string vector(const dvec3& v, double rounding);
+
+/// Where cuts are: "none", or how many places, and each of them or the line that they are on.
+/// `count`: with those that are not listed.
+std::string cuts(const std::vector<dvec2>& listed, std::size_t count, const Domain& domain);
+
+/// Where a surface of a diagonal is singular, and its normals there: "none", or lines, curves and
+/// single points.
+std::string singular(const Facts& facts, double diagonal);
+
+}  // namespace saddle::words
