@@ -11,6 +11,7 @@
 #include "mesh/corners.h"
 #include "mesh/halving.h"
 #include "mesh/leaf_mesh.h"
+#include "mesh/rough.h"
 #include "mesh/tidy.h"
 
 namespace saddle {
@@ -84,7 +85,7 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
   }
 }
 
-/// What descents from the probe's samples find.
+/// What descents from the probe's samples find, and bounds.
 SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
                          const MeshPlan& plan) {
   const Domain& d = surface.domain;
@@ -93,8 +94,11 @@ SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
     lines.push_back(0.5 * first + 0.5 * last);
     return lines;
   };
-  return find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
-                       even(plan.drawn.v, d.v0, d.v1), options.threads);
+  SingularSet set = find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
+                                  even(plan.drawn.v, d.v0, d.v1), options.threads);
+  const std::vector<dvec2> rough = find_rough_points(surface, options.threads);
+  set.points.insert(set.points.end(), rough.begin(), rough.end());
+  return set;
 }
 
 bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {

@@ -35,7 +35,7 @@ struct MeshPlan {
   Tolerance tolerance;
   Tolerance aim;            ///< a little less: samples miss some of the largest distance
   FixedLines drawn;         ///< lines that are drawn, and the ends of the ranges
-  SingularSet singular;     ///< what descents from the probe's samples found
+  SingularSet singular;     ///< where a root line goes, if they are few
   FixedLines fixed;         ///< lines that the root grid must have: Probe::fixed_lines()
   FixedLines lines;         ///< of the root grid
   double ratio = 1;         ///< that they were placed for: Probe::best_ratio()

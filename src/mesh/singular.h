@@ -9,7 +9,7 @@
 
 namespace saddle {
 
-/// Zeros of r_u x r_v, in parameters of the domain.
+/// Zeros of r_u x r_v, or where it is not known, in parameters of the domain.
 struct SingularSet {
   std::vector<dvec2> points;     ///< those that are by themselves
   std::vector<dvec2> on_curves;  ///< some of each curve that is no line of these:

@@ -1,0 +1,53 @@
+// Points without tangents: the apexes of cones.
+#include "mesh/rough.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/adaptive_mesh.h"
+#include "surface/normal.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+Surface height_field(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
+  return surface_from_text("u", "v", z, domain, {}, Order::Second);
+}
+
+TEST(RoughPoints, AreTheApexesOfCones) {
+  for (const auto& [z, u, v] :
+       {std::tuple("hypot(u,v)", 0.0, 0.0), std::tuple("sqrt(u^2+v^2)", 0.0, 0.0),
+        std::tuple("1e-6*hypot(u-0.1,v+0.3)", 0.1, -0.3), std::tuple("hypot(u,v-1)", 0.0, 1.0)}) {
+    EXPECT_EQ(find_rough_points(height_field(z), 1), std::vector{dvec2(u, v)}) << z;
+  }
+  // No end of a halved range is 0.
+  EXPECT_EQ(find_rough_points(height_field("hypot(u,v)", {-1, 2, -0.3, 1}), 1),
+            std::vector{dvec2(0)});
+  EXPECT_EQ(find_rough_points(height_field("hypot(u,v)*hypot(u-0.5,v)"), 1).size(), 2U);
+}
+
+TEST(RoughPoints, AreNoneOnLinesAndInHoles) {
+  for (const char* const z : {"u*v", "abs(u)", "floor(3*u)", "1/(u^2+v^2)", "atan2(v,u)",
+                              "u*v/(u^2+v^2)", "sqrt(0.5-u^2-v^2)", "tan(3*u)"}) {
+    EXPECT_TRUE(find_rough_points(height_field(z), 1).empty()) << z;
+  }
+}
+
+/// Normals of a cone of 45 degrees are as exact beside its apex as elsewhere.
+TEST(RoughPoints, AreVerticesWithTheNormalOfEachSide) {
+  const Surface surface = height_field("hypot(u-0.1,v+0.3)");
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe&) -> Tolerance { return 1e-2; };
+  const GridMesh mesh = mesh_within_tolerance(surface, options).value();
+  EXPECT_EQ(mesh.report.singular_point_count, 1U);
+  std::size_t corners = 0;
+  for (std::size_t k = 0; k < mesh.mesh.uv.size(); ++k) {
+    if (mesh.mesh.uv[k] != dvec2(0.1, -0.3)) continue;
+    ++corners;
+    EXPECT_NEAR(mesh.mesh.normal[k].z, std::sqrt(0.5), 1e-9);
+  }
+  EXPECT_GE(corners, 4U);
+}
+
+}  // namespace
+}  // namespace saddle
