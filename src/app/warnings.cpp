@@ -129,7 +129,7 @@ class MeshWarnings {
       say("the limit of triangles stopped refinement, the mesh is" + off +
           "; --max-triangles allows more");
     } else if (is_off && report_.oscillates) {
-      say("the surface oscillates faster than a picture shows, as at " +
+      say("the surface oscillates faster than its tolerance shows, as at " +
           place(*report_.oscillates, domain_) + "; the mesh is" + off_by(report_) +
           " there; smaller ranges show more");
     } else if (is_off) {

@@ -28,6 +28,12 @@ constexpr std::size_t kIslandCells = 16;
 constexpr double kSamePole = 1e-9;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
+/// A root grid has no more lines each way than this over the tolerance as a share of the diagonal:
+/// its cells are as narrow as leaves of an Oscillation, or a little narrower.
+constexpr double kMostRootLines = 0.28;
+/// Lines become fewer by steps for tolerances that are larger by this factor, up to so much.
+constexpr double kCoarser = 1.25;
+constexpr double kCoarsest = 1e6;
 /// More lines than this each way cannot be numbered by a lattice.
 constexpr std::size_t kMaxLines = 60000;
 
@@ -71,10 +77,20 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
   const Tolerance aim = inside(options.clip, plan.aim);
   plan.ratio = plan.probe.best_ratio(plan.fixed, aim);
   plan.lines = plan.probe.place_lines(plan.fixed, aim, plan.ratio);
+  const double most = std::max(kMostRootLines / share_of_diagonal(plan),
+                               static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
+  const auto lines = [&] {
+    return static_cast<double>(std::max(plan.lines.u.size(), plan.lines.v.size()));
+  };
+  double factor = 1;
+  while (lines() > most && factor < kCoarsest) {
+    factor *= kCoarser;
+    plan.lines = plan.probe.place_lines(plan.fixed, aim.times(factor));
+  }
   const auto is_too_fine = [&] {
     return 2 * cells(plan.lines) > options.max_triangles && cells(plan.lines) > cells(plan.fixed);
   };
-  for (double factor = 2; is_too_fine(); factor *= 2) {
+  for (factor *= 2; is_too_fine(); factor *= 2) {
     plan.is_limited = true;
     plan.lines = plan.probe.place_lines(plan.fixed, aim.times(factor));
   }
@@ -328,6 +344,12 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions&
   place_root_lines(options, plan);
   if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
   return plan;
+}
+
+double share_of_diagonal(const MeshPlan& plan) {
+  const Bounds& bounds = plan.probe.bounds();
+  const double diagonal = bounds.diagonal();
+  return plan.tolerance(bounds.centre(), diagonal) / diagonal;
 }
 
 MeshReport report_of(const MeshPlan& plan) {

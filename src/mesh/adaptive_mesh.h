@@ -55,6 +55,9 @@ std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
 std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
                                               const AdaptiveOptions& options, MeshPlan plan);
 
+/// The tolerance as a share of the surface's diagonal.
+double share_of_diagonal(const MeshPlan& plan);
+
 /// What a report says of a mesh before it is made.
 MeshReport report_of(const MeshPlan& plan);
 

@@ -401,17 +401,20 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
                                 std::span<const std::array<dvec3, 2>> normals, unsigned threads) {
   const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
+  const std::vector<std::size_t> open = unproved_normals(surface, lines);
   std::vector<Search> searches;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    searches.push_back(begin(lines[k], normals[k]));
-  }
+  for (const std::size_t k : open) searches.push_back(begin(lines[k], normals[k]));
   const auto normal = [](const SurfacePoint& point) {
     return normal_direction(point).value_or(dvec3(kUnknown));
   };
   const auto height = [&](const Search& search, const SurfacePoint& point) {
     return glm::dot(glm::cross(point.r_u, point.r_v), search.at_ends[0] - search.at_ends[1]);
   };
-  return follow(surface, std::move(searches), chord, threads, normal, height);
+  const std::vector<Found> found =
+      follow(surface, std::move(searches), chord, threads, normal, height);
+  std::vector<Found> result(lines.size());
+  for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
+  return result;
 }
 
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,

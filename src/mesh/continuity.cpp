@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "eval/enclose.h"
+#include "surface/normal.h"
 
 namespace saddle {
 
@@ -22,41 +23,52 @@ constexpr std::size_t kMostParts = 8;
 /// much of it at each step: over the rest bounds of a pole are within a factor of 16 or so.
 constexpr double kBesideBreak = 1.0 / 16;
 
+/// A box, by two opposite corners.
+using Box = Line;
+
+/// Whether tall boxes around lines are to be cut along u rather than along v: beside the lines
+/// themselves, whose units differ.
+bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
+  dvec2 sum(0);
+  for (const LinePart& line : lines) sum += glm::abs(line.part[1] - line.part[0]);
+  return size.x * sum.y >= size.y * sum.x;
+}
+
+/// Proves many lines at a time where boxes around them do: is_proved(box). Calls leave(lines) with
+/// as many of the others as `few`, or fewer. Changes the lines' order.
+template <class IsProved, class Leave>
+void prove_together(std::span<LinePart> lines, std::size_t few, IsProved is_proved, Leave leave) {
+  if (lines.size() <= few) return leave(lines);
+  dvec2 low = lines[0].part[0];
+  dvec2 high = low;
+  for (const LinePart& line : lines) {
+    low = glm::min(low, glm::min(line.part[0], line.part[1]));
+    high = glm::max(high, glm::max(line.part[0], line.part[1]));
+  }
+  if (is_proved(Box{low, high})) return;
+  const int axis = is_wider_along_u(lines, high - low) ? 0 : 1;
+  const auto place = [&](const LinePart& line) { return line.part[0][axis] + line.part[1][axis]; };
+  const std::size_t half = lines.size() / 2;
+  std::ranges::nth_element(lines, lines.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
+  prove_together(lines.first(half), few, is_proved, leave);
+  prove_together(lines.subspan(half), few, is_proved, leave);
+}
+
 class Prover {
  public:
   Prover(const Surface& surface, double delta, int halvings)
       : enclosure_(surface.bounds, 3), delta_(delta), halvings_(halvings) {}
 
-  /// Proves many lines at a time where boxes around them do; puts the parts of others into
-  /// `result`. Changes the lines' order.
+  /// Puts the parts of lines that are not proved into `result`. Changes the lines' order.
   void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
-    if (lines.empty()) return;
-    if (lines.size() == 1) return add_unproved(lines[0], result);
-    dvec2 low = lines[0].part[0];
-    dvec2 high = low;
-    for (const LinePart& line : lines) {
-      low = glm::min(low, glm::min(line.part[0], line.part[1]));
-      high = glm::max(high, glm::max(line.part[0], line.part[1]));
-    }
-    if (is_proved({low, high})) return;
-    const int axis = is_wider_along_u(lines, high - low) ? 0 : 1;
-    const auto place = [&](const LinePart& line) {
-      return line.part[0][axis] + line.part[1][axis];
-    };
-    const std::size_t half = lines.size() / 2;
-    std::ranges::nth_element(lines, lines.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
-    prove(lines.first(half), result);
-    prove(lines.subspan(half), result);
+    prove_together(
+        lines, 1, [this](const Box& box) { return is_proved(box); },
+        [&](std::span<const LinePart> one) {
+          for (const LinePart& line : one) add_unproved(line, result);
+        });
   }
 
  private:
-  /// Beside the lines themselves, whose units differ.
-  static bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
-    dvec2 sum(0);
-    for (const LinePart& line : lines) sum += glm::abs(line.part[1] - line.part[0]);
-    return size.x * sum.y >= size.y * sum.x;
-  }
-
   /// Cuts a part in two; nothing if it is as short as doubles go.
   static std::optional<std::array<LinePart, 2>> cut(const LinePart& whole) {
     const auto& [line, part, broken] = whole;
@@ -87,7 +99,7 @@ class Prover {
     for (std::size_t k = 0; k < level.size(); k += step) result.push_back(level[k]);
   }
 
-  bool is_proved(const Line& box) {
+  bool is_proved(const Box& box) {
     std::array<Interval, 3> position;
     enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), position);
     bool is_continuous = true;
@@ -106,6 +118,44 @@ class Prover {
   int halvings_;
 };
 
+/// Proves that a surface has a normal all over a box, and no jump of it. A normal that is there by
+/// rounding alone, as on u = 2 pi where u = 0 has none, does not count.
+class NormalProver {
+ public:
+  explicit NormalProver(const Surface& surface) : enclosure_(surface.bounds, kOutputs) {}
+
+  bool is_proved(const Box& box) {
+    enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), outputs_);
+    for (const Interval& a : outputs_) {
+      if (a.defined != Defined::Yes || !a.continuous) return false;
+    }
+    const Interval* const r_u = &outputs_[3];
+    const Interval* const r_v = &outputs_[6];
+    const double least = kDegenerateCross * longest(r_u) * longest(r_v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3;
+      const std::size_t j = (k + 2) % 3;
+      const Interval area = r_u[i] * r_v[j] - r_u[j] * r_v[i];
+      if (area.low > least || area.high < -least) return true;  // not so for NaN
+    }
+    return false;
+  }
+
+ private:
+  /// The most that a vector's length may be.
+  static double longest(const Interval* vector) {
+    dvec3 most;
+    for (int k = 0; k < 3; ++k) {
+      most[k] = std::max(std::fabs(vector[k].low), std::fabs(vector[k].high));
+    }
+    return glm::length(most);
+  }
+
+  static constexpr std::size_t kOutputs = 9;  // r, r_u, r_v
+  Enclosure enclosure_;
+  std::array<Interval, kOutputs> outputs_;
+};
+
 }  // namespace
 
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
@@ -113,6 +163,22 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
   std::vector<LinePart> result;
   Prover(surface, delta, halvings).prove(lines, result);
   std::ranges::stable_sort(result, {}, &LinePart::line);
+  return result;
+}
+
+std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines) {
+  /// So few lines are looked at in less time than proofs of each would take.
+  constexpr std::size_t kFew = 4;
+  std::vector<LinePart> all;
+  for (std::size_t k = 0; k < lines.size(); ++k) all.push_back({k, lines[k]});
+  std::vector<std::size_t> result;
+  NormalProver prover(surface);
+  prove_together(
+      std::span(all), kFew, [&](const Box& box) { return prover.is_proved(box); },
+      [&](std::span<const LinePart> few) {
+        for (const LinePart& line : few) result.push_back(line.line);
+      });
+  std::ranges::sort(result);
   return result;
 }
 

@@ -1,4 +1,5 @@
-// Proves by interval arithmetic that a surface is continuous along lines of parameters.
+// Proves by interval arithmetic that a surface, or its normal, is continuous along lines of
+// parameters.
 // Source: J. Tupper, "Reliable two-dimensional graphing methods for mathematical formulae with two
 // free variables", 2001.
 #pragma once
@@ -6,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "surface/surface.h"
@@ -33,5 +35,9 @@ inline constexpr int kAllHalvings = 100;
 /// the order of lines.
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
                                int halvings = kAllHalvings);
+
+/// The numbers of the lines, in order, along which it is not proved that the tangents are
+/// continuous and r_u x r_v is not 0: elsewhere there are no creases, nor cusps.
+std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines);
 
 }  // namespace saddle

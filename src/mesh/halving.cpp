@@ -50,7 +50,8 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
                 seen_lines(plan.lines.u, plan.drawn.u),
                 seen_lines(plan.lines.v, plan.drawn.v),
                 options.until_poles,
-                options.threads},
+                options.threads,
+                share_of_diagonal(plan)},
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads,
                         options.clip)),
       seams_(weld_if_two_dimensional(plan.probe)),
@@ -175,7 +176,8 @@ double Halving::width(const Leaf& leaf) const {
 
 /// Refines leaves, adds what comes out and measures it.
 void Halving::add(const Failed& failed) {
-  const Refinement refinement = refine(failed.leaves, failed.witnesses, refining_, grid_, lattice_);
+  const Refinement refinement =
+      refine(failed.leaves, failed.witnesses, oscillation(), refining_, grid_, lattice_);
   if (stops_at_poles()) return;
   reached_limit_ = reached_limit_ || refinement.reached_limit;
   if (!oscillates_) oscillates_ = refinement.oscillates;
@@ -269,7 +271,7 @@ bool Halving::splits_u(std::size_t number) {
   const Scores scores = is_far ? verdict.distance : verdict.turn;
   constexpr double kTells = 0.5;  // of the tolerance
   const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
-  const bool is_narrow = Oscillation(grid_).is_narrow(leaf, lattice_);
+  const bool is_narrow = Oscillation(grid_, refining_.share).is_sliver(leaf, lattice_);
   return tells && !is_narrow ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
 }
 
@@ -298,20 +300,24 @@ double Halving::turn(std::size_t number) {
 
 /// Where leaves are hopeless.
 Oscillation Halving::oscillation() const {
-  Oscillation oscillation(grid_);
+  Oscillation oscillation(grid_, refining_.share);
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    if (mesh_.is_near(k) || mesh_.leaves[k].leads_to_pole) continue;
-    oscillation.add(mesh_.leaves[k], mesh_.off(k), lattice_);
+    const Leaf& leaf = mesh_.leaves[k];
+    if (leaf.oscillates) {
+      oscillation.add(leaf);
+    } else if (!leaf.leads_to_pole && !mesh_.is_near(k)) {
+      oscillation.add(leaf, {.centre = mesh_.off(k)}, lattice_);
+    }
   }
   return oscillation;
 }
 
 /// Whether a leaf that deviates too much is not to be halved any more.
-bool Halving::stays(const Leaf& leaf, const Oscillation& oscillation) {
-  if (leaf.given_up || is_clipped(leaf) || is_full()) return true;
-  const bool oscillates = oscillation.contains(leaf, lattice_);
-  if (oscillates && !oscillates_) oscillates_ = lattice_.parameters(leaf.middle());
-  return oscillates;
+bool Halving::stays(Leaf& leaf, const Oscillation& oscillation) {
+  if (leaf.given_up || leaf.oscillates || is_clipped(leaf) || is_full()) return true;
+  leaf.oscillates = oscillation.contains(leaf, lattice_);
+  if (leaf.oscillates && !oscillates_) oscillates_ = lattice_.parameters(leaf.middle());
+  return leaf.oscillates;
 }
 
 /// Halves of the leaves that deviate too much.
@@ -324,7 +330,7 @@ std::vector<Leaf> Halving::take_failed() {
     const double off = is_cut_unclearly(mesh_.leaves[k]) ? kMostStrict : mesh_.off(k);
     const double turned = turn(k);
     if (!(off > 1) && !(turned > 1)) continue;
-    const Leaf& leaf = mesh_.leaves[k];
+    Leaf& leaf = mesh_.leaves[k];
     if (stays(leaf, hopeless)) continue;
     const auto both = halve(leaf, splits_u(k), lattice_);
     if (!both) continue;

@@ -75,7 +75,7 @@ class Halving {
   bool is_turned(std::size_t number) const;
   double turn(std::size_t number);
   Oscillation oscillation() const;
-  bool stays(const Leaf& leaf, const Oscillation& oscillation);
+  bool stays(Leaf& leaf, const Oscillation& oscillation);
   std::vector<Leaf> take_failed();
   Failed take_islands(std::size_t& boxes);
   Failed take_suspects();

@@ -40,6 +40,7 @@ struct Leaf {
   bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
   bool is_left_out = false;         ///< with a point in it that is a pole or has no limit
   bool given_up = false;            ///< halving does not help, or is not allowed
+  bool oscillates = false;          ///< an Oscillation that it is part of stopped its halving
   std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
   std::uint32_t measured = 0;  ///< when it was, or found to have the outline that it had then
   std::uint32_t outline = 0;   ///< vertices around it when it was measured

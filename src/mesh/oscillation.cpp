@@ -8,67 +8,80 @@ namespace saddle {
 
 namespace {
 
-/// A leaf that is off by so many tolerances although it is no wider than this share of a range,
-/// half a pixel of a large picture, is hopeless; a narrower one is by as much less.
-constexpr double kHopeless = 16;
-constexpr double kNarrow = 1.0 / 2048;
-/// Hopeless leaves are an oscillation if they cover this share of a root cell; in large cells, if
-/// laid end to end they cross a block, which is about so many times as wide, so many times. Along a
-/// line to which the surface is ever steeper, as sqrt and ln are, some ten leaves side by side are
-/// still to be halved at any size, and a slanting line meets them twice.
-constexpr double kOscillatingShare = 0.25;
+/// A leaf is narrow that is so many tolerances wide, or two pixels: no wave within it shows. Ranges
+/// are taken for as long as the surface's diagonal.
+constexpr double kNarrow = 4;
+/// In ranges: about half a pixel.
+constexpr double kSliver = 1.0 / 2048;
+/// It is hopeless if errors that fall with the square of its width would have it narrower by this
+/// factor, which is a quarter of a tolerance, to be within tolerance.
+constexpr double kMostNarrowing = 16;
+constexpr double kHopeless = kMostNarrowing * kMostNarrowing;
+/// Hopeless leaves are an oscillation if they cover this share of a block, which is about so many
+/// times as wide as a narrow leaf, or if laid end to end they cross it so many times. Along a line
+/// to which the surface is ever steeper, as sqrt and ln are, some ten leaves side by side are still
+/// to be halved at any size, and a slanting line meets them twice.
+constexpr double kOscillatingShare = 0.4;
 constexpr double kBlock = 16;
 constexpr double kMostLines = 16;
 
 /// The side of a block in units: root cells, of which a range has so many, halved or doubled.
-std::uint32_t block_size(std::size_t cells) {
-  const double size = kBlock * kNarrow * static_cast<double>(cells);  // in root cells
-  return std::bit_floor(static_cast<std::uint32_t>(std::max(size * kCellUnit, 1.0)));
+std::uint32_t block_size(std::size_t cells, double narrow) {
+  const double size = kBlock * narrow * static_cast<double>(cells);  // in root cells
+  return std::bit_floor(static_cast<std::uint32_t>(std::clamp(size * kCellUnit, 1.0, 0x1p31)));
 }
 
 }  // namespace
 
-Oscillation::Oscillation(const Grid& grid)
-    : grid_(grid), size_u_(block_size(grid.cells_u)), size_v_(block_size(grid.cells_v)) {}
+Oscillation::Oscillation(const Grid& grid, double tolerance)
+    : grid_(grid),
+      narrow_(kNarrow * tolerance),
+      size_u_(block_size(grid.cells_u, narrow_)),
+      size_v_(block_size(grid.cells_v, narrow_)) {}
 
-void Oscillation::add(const Leaf& leaf, double distance, const Lattice& lattice) {
-  if (!(distance > 1)) return;
-  const double width = width_of(leaf, lattice);
-  if (!(width <= kNarrow) || !(distance > kHopeless * width / kNarrow)) return;
-  const double along_u = static_cast<double>(leaf.size_u()) / size_u_;
-  const double along_v = static_cast<double>(leaf.size_v()) / size_v_;
-  lengths_[block_of(leaf)] += std::min(1.0, std::max(along_u, along_v));
-  if (!(distance > kHopeless)) return;
-  const double area = static_cast<double>(leaf.size_u()) / kCellUnit * leaf.size_v() / kCellUnit;
-  areas_[root_cell(leaf)] += area;
+void Oscillation::add(const Leaf& leaf, const Scores& distance, const Lattice& lattice) {
+  if (!(distance.worst() > 1)) return;
+  const dvec2 size = size_of(leaf, lattice);
+  // What a leaf is off by along a side that is not narrow will be less of its halves.
+  const bool is_long_in_u = size.x > 1 && distance.along_u > 1;
+  const bool is_long_in_v = size.y > 1 && distance.along_v > 1;
+  if (is_long_in_u || is_long_in_v) return;
+  const auto is_hopeless = [](double off, double width) {
+    return width <= 1 && off > kHopeless * width * width;
+  };
+  const auto [narrower, wider] = std::minmax(size.x, size.y);
+  if (is_hopeless(distance.along_u, size.x) || is_hopeless(distance.along_v, size.y) ||
+      is_hopeless(distance.centre, wider <= 1 ? wider : narrower)) {
+    add(leaf);
+  }
+}
+
+void Oscillation::add(const Leaf& leaf) {
+  const double along_u = std::min(1.0, static_cast<double>(leaf.size_u()) / size_u_);
+  const double along_v = std::min(1.0, static_cast<double>(leaf.size_v()) / size_v_);
+  Block& block = blocks_[block_of(leaf)];
+  block.length += std::max(along_u, along_v);
+  block.area += along_u * along_v;
 }
 
 bool Oscillation::contains(const Leaf& leaf, const Lattice& lattice) const {
-  if (lengths_.empty() || !is_narrow(leaf, lattice)) return false;
-  const auto area = areas_.find(root_cell(leaf));
-  if (area != areas_.end() && area->second > kOscillatingShare) return true;
-  return is_crowded(leaf, lattice);
+  const auto block = blocks_.find(block_of(leaf));
+  if (block == blocks_.end()) return false;
+  const auto& [area, length] = block->second;
+  const dvec2 size = size_of(leaf, lattice);
+  // A leaf that is narrow in one direction would be halved in the other as well, whenever its
+  // samples happen to be alike.
+  return (area > kOscillatingShare || length > kMostLines) && std::min(size.x, size.y) <= 1;
 }
 
-bool Oscillation::is_crowded(const Leaf& leaf, const Lattice& lattice) const {
-  const auto length = lengths_.find(block_of(leaf));
-  return length != lengths_.end() && length->second > kMostLines && is_narrow(leaf, lattice);
+bool Oscillation::is_sliver(const Leaf& leaf, const Lattice& lattice) const {
+  const dvec2 size = narrow_ * size_of(leaf, lattice);
+  return std::min(size.x, size.y) <= kSliver;
 }
 
-// A leaf that is narrow in one direction would be halved in the other as well, whenever its samples
-// happen to be alike.
-bool Oscillation::is_narrow(const Leaf& leaf, const Lattice& lattice) const {
-  return width_of(leaf, lattice) <= kNarrow;
-}
-
-double Oscillation::width_of(const Leaf& leaf, const Lattice& lattice) const {
+dvec2 Oscillation::size_of(const Leaf& leaf, const Lattice& lattice) const {
   const dvec2 size = lattice.parameters(leaf.high) - lattice.parameters(leaf.low);
-  const dvec2 share = glm::abs(size) / grid_.range;
-  return std::min(share.x, share.y);
-}
-
-std::size_t Oscillation::root_cell(const Leaf& leaf) const {
-  return grid_.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
+  return glm::abs(size) / grid_.range / narrow_;
 }
 
 std::uint64_t Oscillation::block_of(const Leaf& leaf) const {

@@ -3,38 +3,42 @@
 
 #include <unordered_map>
 
+#include "mesh/judge.h"
 #include "mesh/lattice.h"
 
 namespace saddle {
 
-/// Where the surface oscillates faster than any picture shows: where leaves that are narrow and
+/// Where the surface oscillates faster than its tolerance shows: where leaves that are narrow and
 /// still far off fill an area, as no jump does, which is a line. They are halved no further.
 class Oscillation {
  public:
-  explicit Oscillation(const Grid& grid);
+  /// `tolerance`: as a share of the surface's diagonal.
+  Oscillation(const Grid& grid, double tolerance);
 
-  void clear() {
-    areas_.clear();
-    lengths_.clear();
-  }
-  /// Counts a leaf that is off by so many tolerances.
-  void add(const Leaf& leaf, double distance, const Lattice& lattice);
+  void clear() { blocks_.clear(); }
+  /// Counts a leaf that is off by so many tolerances, if it is hopeless.
+  void add(const Leaf& leaf, const Scores& distance, const Lattice& lattice);
+  /// Counts a hopeless leaf.
+  void add(const Leaf& leaf);
   /// Whether a leaf, narrow as well, is part of an oscillation, as far as leaves have been counted.
+  /// There is no use in looking for what cuts it, either: jumps would be too many.
   bool contains(const Leaf& leaf, const Lattice& lattice) const;
-  /// The same, where there is also no use in looking for what cuts it: jumps would be too many.
-  bool is_crowded(const Leaf& leaf, const Lattice& lattice) const;
-  /// Whether a leaf is as narrow as half a pixel of a large picture, in one direction.
-  bool is_narrow(const Leaf& leaf, const Lattice& lattice) const;
+  /// Whether a leaf is so narrow in one direction that it had better be halved in the other.
+  bool is_sliver(const Leaf& leaf, const Lattice& lattice) const;
 
  private:
-  double width_of(const Leaf& leaf, const Lattice& lattice) const;  ///< in ranges
-  std::size_t root_cell(const Leaf& leaf) const;
+  /// What there is in a block of hopeless leaves.
+  struct Block {
+    double area = 0;    ///< in blocks
+    double length = 0;  ///< of their longer sides, in blocks' sides
+  };
+  dvec2 size_of(const Leaf& leaf, const Lattice& lattice) const;  ///< in widths of narrow ones
   std::uint64_t block_of(const Leaf& leaf) const;
 
   const Grid& grid_;
-  std::uint32_t size_u_, size_v_;                      ///< of a block, in units
-  std::unordered_map<std::size_t, double> areas_;      // of hopeless leaves, in root cells
-  std::unordered_map<std::uint64_t, double> lengths_;  // of their longer sides, in blocks' sides
+  double narrow_;                  ///< in ranges
+  std::uint32_t size_u_, size_v_;  ///< of a block, in units
+  std::unordered_map<std::uint64_t, Block> blocks_;
 };
 
 }  // namespace saddle

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mesh/crossings.h"
 #include "mesh/judge.h"
@@ -68,12 +69,13 @@ struct Judged {
 class Refiner {
  public:
   Refiner(std::span<const Witness> witnesses, const RefineOptions& options, const Grid& grid,
-          Lattice& lattice)
+          Oscillation known, Lattice& lattice)
       : witnesses_(witnesses),
         options_(options),
         lattice_(lattice),
         judge_(options, grid, lattice),
-        oscillation_(grid) {}
+        known_(std::move(known)),
+        oscillation_(grid, options.share) {}
 
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
@@ -109,13 +111,14 @@ class Refiner {
       const Judged judged = judge(candidates[k], samples[k]);
       const Leaf& leaf = judged.candidate.leaf;
       if (!leaf.leads_to_pole) {
-        oscillation_.add(leaf, judged.verdict.distance.worst(), lattice_);
+        oscillation_.add(leaf, judged.verdict.distance, lattice_);
       }
       const bool is_open = judged.verdict.is_folded || judged.verdict.may_jump || is_doubtful(leaf);
       (is_open ? doubtful : others).push_back(judged);
     }
     std::erase_if(doubtful, [&](const Judged& judged) {
-      const bool is_hopeless = oscillation_.is_crowded(judged.candidate.leaf, lattice_);
+      const Leaf& leaf = judged.candidate.leaf;
+      const bool is_hopeless = oscillates(leaf);
       if (is_hopeless) others.push_back(judged);
       return is_hopeless;
     });
@@ -314,15 +317,20 @@ class Refiner {
     for (const Leaf& half : *halves) push(half, judged.candidate, judged.samples, distance, turn);
   }
 
+  bool oscillates(const Leaf& leaf) const {
+    return oscillation_.contains(leaf, lattice_) || known_.contains(leaf, lattice_);
+  }
+
   /// Nothing where the limit is reached, or the surface oscillates.
-  std::optional<std::array<Leaf, 2>> halves_of(const Leaf& leaf, bool across_u) {
+  std::optional<std::array<Leaf, 2>> halves_of(Leaf& leaf, bool across_u) {
     const bool full = lattice_.is_full(options_.max_triangles);
     result_.reached_limit = result_.reached_limit || full;
-    const bool oscillates = oscillation_.contains(leaf, lattice_);
-    if (oscillates && !result_.oscillates) {
+    leaf.oscillates = oscillates(leaf);
+    if (leaf.oscillates) known_.add(leaf);
+    if (leaf.oscillates && !result_.oscillates) {
       result_.oscillates = lattice_.parameters(leaf.middle());
     }
-    return full || oscillates ? std::nullopt : halve(leaf, across_u, lattice_);
+    return full || leaf.oscillates ? std::nullopt : halve(leaf, across_u, lattice_);
   }
 
   /// Leaves a candidate's half with the witnesses that are in it.
@@ -357,6 +365,7 @@ class Refiner {
   Lattice& lattice_;
   Judge judge_;
   std::vector<Candidate> next_;
+  Oscillation known_;        // among leaves that are not halved any more
   Oscillation oscillation_;  // of this generation
   Refinement result_;
 };
@@ -400,8 +409,9 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattic
 }
 
 Refinement refine(std::span<const Leaf> active, std::span<const Witness> witnesses,
-                  const RefineOptions& options, const Grid& grid, Lattice& lattice) {
-  Refiner refiner(witnesses, options, grid, lattice);
+                  Oscillation known, const RefineOptions& options, const Grid& grid,
+                  Lattice& lattice) {
+  Refiner refiner(witnesses, options, grid, std::move(known), lattice);
   std::vector<Candidate> candidates;
   candidates.reserve(active.size());
   for (const Leaf& leaf : active) {

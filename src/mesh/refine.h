@@ -38,6 +38,7 @@ struct RefineOptions {
       seen_v;                ///< the grid's lines that are drawn or the domain's ends
   bool until_poles = false;  ///< nothing more is wanted once poles are found: Lattice::has_poles()
   unsigned threads = 0;
+  double share = 1e-3;  ///< the tolerance as a share of the surface's diagonal
 };
 
 /// Triangles up to which leaves are halved for their normals alone: half as many as a picture of
@@ -47,6 +48,8 @@ inline std::size_t allowed_for_normals(std::size_t max_triangles) {
   constexpr std::size_t kShare = 16;
   return std::min(max_triangles, std::max(kEnough, max_triangles / kShare));
 }
+
+class Oscillation;
 
 struct Refinement {
   std::vector<Leaf> leaves;         ///< in no order but always the same
@@ -58,9 +61,10 @@ struct Refinement {
 /// Halves leaves, one direction at a time, generation by generation, until each one passes the
 /// tests at the middles of its sides and at its centre and is near enough to the witnesses against
 /// it, whose `cell` is the index of an active leaf, or halving does not help. Against a leaf that
-/// is defined nowhere, a witness is a place where it is.
+/// is defined nowhere, a witness is a place where it is. `known`: among leaves that are not active.
 Refinement refine(std::span<const Leaf> active, std::span<const Witness> witnesses,
-                  const RefineOptions& options, const Grid& grid, Lattice& lattice);
+                  Oscillation known, const RefineOptions& options, const Grid& grid,
+                  Lattice& lattice);
 
 /// Whether a vertex in use around a leaf is defined.
 bool has_defined_corner(const Leaf& leaf, const Lattice& lattice);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,47 @@ TEST(Continuity, IsNotAskedForBelowTheJumpsThatMatter) {
   EXPECT_TRUE(unproved_of("sign(u-0.31)*abs(u-0.31)^3", 1e-3).empty());
   EXPECT_TRUE(unproved_of("floor(2*u+0.1)*1e-4", 1e-3).empty());
   EXPECT_FALSE(unproved_of("floor(2*u+0.1)*1e-2", 1e-3).empty());
+}
+
+std::vector<std::size_t> lines_without_normals(const Surface& surface) {
+  std::vector<Line> lines;
+  for (const LinePart& line : lines_along_u()) lines.push_back(line.part);
+  return unproved_normals(surface, lines);
+}
+
+TEST(Continuity, OfNormalsIsProvedButWhereTheyMayJump) {
+  const auto of_height = [](const char* z) {
+    return lines_without_normals(surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second));
+  };
+  for (const char* z : {"sin(300*u*v)", "tanh(1e5*u)", "sign(u-2)"}) {
+    EXPECT_TRUE(of_height(z).empty()) << z;
+  }
+  // Lines are a twentieth long, and most are proved.
+  constexpr std::size_t kAt = 26;
+  for (const char* z : {"abs(u-0.33)", "floor(u+0.67)", "1/(u-0.33)", "cbrt(u-0.33)"}) {
+    const std::vector<std::size_t> lines = of_height(z);
+    EXPECT_EQ(std::ranges::count(lines, kAt), 1) << z;
+    EXPECT_LE(lines.size(), kLines / 4) << z;
+    EXPECT_TRUE(std::ranges::is_sorted(lines)) << z;
+  }
+  const Surface cusp =
+      surface_from_text("(u-0.33)^2", "v", "(u-0.33)^3", {-1, 1, -1, 1}, {}, Order::Second);
+  EXPECT_EQ(std::ranges::count(lines_without_normals(cusp), kAt), 1);
+}
+
+TEST(Continuity, OfNormalsIsNotProvedByRounding) {
+  // On v = 2 pi there is no normal, but for the digits that 2 pi lacks.
+  const Surface surface = surface_from_text("u*sin(v)", "cos(v)", "u^2*sin(v)",
+                                            {-1, 1, 0, 8 * std::atan(1.0)}, {}, Order::Second);
+  const std::array<Line, 8> lines = [&] {
+    std::array<Line, 8> result;
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const double u = 0.1 * static_cast<double>(k);
+      result[k] = {dvec2(u, surface.domain.v1), dvec2(u + 0.1, surface.domain.v1)};
+    }
+    return result;
+  }();
+  EXPECT_EQ(unproved_normals(surface, lines).size(), lines.size());
 }
 
 }  // namespace
