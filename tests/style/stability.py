@@ -178,7 +178,7 @@ CASES = [
     ("a slope without end", ["z=sin(1/u)"],
      lambda: f"off by {number(chord_error(lambda u: math.sin(1 / u), U1))}, without a word",
      lambda r: "the mesh is off by up to" in r.said and len(r.triangles) <= 100000,
-     lambda r: f"{len(r.triangles)} triangles: leaves waves alone that are finer than half a pixel, "
+     lambda r: f"{len(r.triangles)} triangles: leaves waves alone that are finer than its tolerance, "
                "and says how far off that is"),
     ("poles", ["z=tan(u)", "u=-5:5"],
      lambda: str(sum(min(c) < -1 and max(c) > 1 for c in cells(
