@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "mesh/singular.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -13,10 +14,16 @@ namespace {
 /// Rows that are looked at again at a time: 64 x 256 points with their tangents take 1.2 MB.
 constexpr std::size_t kMaxRows = 64;
 
+/// |r_u x r_v| that is no more than this part of what there is around it is 0 but for rounding.
+constexpr double kRounding = 1e-12;
+
 /// Vertices that are not regular.
 struct Irregular {
   std::vector<std::size_t> undefined;
   std::vector<std::size_t> singular;
+  /// Those that may be regular, beside tangents that are much longer, and then have these normals.
+  std::vector<std::size_t> doubtful;
+  std::vector<dvec3> normals;
 };
 
 /// Vertices [column, end_column) x [row, end_row).
@@ -47,22 +54,38 @@ class Neighbourhood {
     for (const SurfacePoint& p : points_) lengths_.emplace_back(length(p.r_u), length(p.r_v));
   }
 
+  /// The largest terms of r_u x r_v among the vertex and its neighbours.
+  double terms(std::size_t i, std::size_t j) const {
+    double largest = 0;
+    for_around(i, j, [&](std::size_t k) {
+      const double terms = cross_terms(points_[k]);
+      if (std::isfinite(terms)) largest = std::max(largest, terms);
+    });
+    return largest;
+  }
+
   const SurfacePoint& point(std::size_t i, std::size_t j) const { return points_[index(i, j)]; }
 
   /// The largest |r_u| and |r_v| among the vertex and its neighbours.
   dvec2 scale(std::size_t i, std::size_t j) const {
     dvec2 result(0);
-    for (std::size_t b = std::max(j, outer_.row + 1) - 1; b < std::min(j + 2, outer_.end_row);
-         ++b) {
-      for (std::size_t a = std::max(i, outer_.column + 1) - 1;
-           a < std::min(i + 2, outer_.end_column); ++a) {
-        result = glm::max(result, lengths_[index(a, b)]);
-      }
-    }
+    for_around(i, j, [&](std::size_t k) { result = glm::max(result, lengths_[k]); });
     return result;
   }
 
  private:
+  /// Calls f(index) for the vertex and its neighbours.
+  template <class F>
+  void for_around(std::size_t i, std::size_t j, F f) const {
+    for (std::size_t b = std::max(j, outer_.row + 1) - 1; b < std::min(j + 2, outer_.end_row);
+         ++b) {
+      for (std::size_t a = std::max(i, outer_.column + 1) - 1;
+           a < std::min(i + 2, outer_.end_column); ++a) {
+        f(index(a, b));
+      }
+    }
+  }
+
   std::size_t index(std::size_t i, std::size_t j) const {
     return (j - outer_.row) * outer_.columns() + (i - outer_.column);
   }
@@ -124,12 +147,34 @@ Irregular look_at(const Surface& surface, const Window& window, Grid& grid) {
       const auto normal = unit_normal(around.point(i, j), scale.x, scale.y, surface.flip);
       if (normal) {
         grid.mesh.normal[vertex] = *normal;
+        continue;
+      }
+      const SurfacePoint& point = around.point(i, j);
+      const auto known = known_normal(point, surface.flip);
+      const double size = safe_length(glm::cross(point.r_u, point.r_v));
+      if (known && size > kRounding * around.terms(i, j)) {
+        found.doubtful.push_back(vertex);
+        found.normals.push_back(*known);
       } else {
         found.singular.push_back(vertex);
       }
     }
   }
   return found;
+}
+
+/// Decides which of the doubtful vertices are singular.
+void decide(const Surface& surface, unsigned threads, Irregular& found, Grid& grid) {
+  std::vector<dvec2> uv;
+  for (const std::size_t vertex : found.doubtful) uv.push_back(grid.uv(vertex));
+  const std::vector<bool> are = are_singular(surface, uv, threads);
+  for (std::size_t k = 0; k < uv.size(); ++k) {
+    if (are[k]) {
+      found.singular.push_back(found.doubtful[k]);
+    } else {
+      grid.mesh.normal[found.doubtful[k]] = found.normals[k];
+    }
+  }
 }
 
 /// The windows of a column of tiles that need a look: runs of rows.
@@ -162,6 +207,7 @@ void find_irregular(const Surface& surface, const GridTiling& tiling,
   parallel_chunks(all.size(), 1, threads,
                   [&](std::size_t k, std::size_t) { found[k] = look_at(surface, all[k], grid); });
 
+  for (Irregular& part : found) decide(surface, threads, part, grid);
   for (const Irregular& part : found) {
     for (const std::size_t vertex : part.undefined) {
       grid.for_cells_around(vertex, [&grid](std::size_t cell, std::size_t) {

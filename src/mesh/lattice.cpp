@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "eval/batch.h"
+#include "mesh/singular.h"
 #include "mesh/weld.h"
 #include "surface/normal.h"
 
@@ -198,6 +199,7 @@ void Lattice::append(const NormalColumns& columns, std::size_t count, Function u
   mesh.normal.resize(first + count);
   mesh.uv.resize(first + count);
   mesh.point.resize(first + count);
+  std::vector<std::size_t> steep;  // tangents are as good as parallel
   for (std::size_t i = 0; i < count; ++i) {
     const dvec3 position(columns[0][i], columns[1][i], columns[2][i]);
     const dvec3 normal = front * dvec3(columns[kNormalColumn][i], columns[kNormalColumn + 1][i],
@@ -213,8 +215,22 @@ void Lattice::append(const NormalColumns& columns, std::size_t count, Function u
     mesh.point[vertex] = static_cast<std::uint32_t>(vertex);
     regular_[vertex] = regular ? 1 : 0;
     defined_[vertex] = is_finite(position) ? 1 : 0;
+    if (!regular && is_finite(position) && is_finite(normal)) steep.push_back(vertex);
   }
   evaluations_ += count;
+  take_known_normals(steep);
+}
+
+void Lattice::take_known_normals(std::span<const std::size_t> vertices) {
+  std::vector<dvec2> uv;
+  for (const std::size_t vertex : vertices) uv.push_back(grid_.mesh.uv[vertex]);
+  const std::vector<SurfacePoint> points = saddle::evaluate(surface_, uv, 1);
+  // What tangents are made of may itself be rounding: there is more around that.
+  const std::vector<bool> are_zeros = are_singular(surface_, uv, 1);
+  for (std::size_t k = 0; k < uv.size(); ++k) {
+    const auto normal = known_normal(points[k], surface_.flip);
+    if (normal && !are_zeros[k]) set_normal(static_cast<std::uint32_t>(vertices[k]), *normal);
+  }
 }
 
 void Lattice::append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads) {

@@ -334,6 +334,8 @@ class Lattice {
   void append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
   /// The same on a grid, v outer.
   void append_grid(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
+  /// Gives vertices at which tangents are as good as parallel their normals where these are known.
+  void take_known_normals(std::span<const std::size_t> vertices);
   /// Appends what was computed at uv(i), whose vertices have their numbers.
   template <class Function>
   void append(const NormalColumns& columns, std::size_t count, Function uv);

@@ -379,6 +379,13 @@ SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<co
   return result;
 }
 
+std::vector<bool> are_singular(const Surface& surface, std::span<const dvec2> uv,
+                               unsigned threads) {
+  if (uv.empty()) return {};
+  const Finder finder(surface, {}, threads, {}, {});
+  return finder.are_zeros(finder.parts(uv));
+}
+
 void name_singular(const SingularSet& singular, const Domain& domain, MeshReport& report) {
   const dvec2 range = glm::abs(dvec2(domain.u1 - domain.u0, domain.v1 - domain.v0));
   auto& listed = report.singular_points;

@@ -38,6 +38,9 @@ struct Dips {
 SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<const double> even_u,
                           std::span<const double> even_v, unsigned threads);
 
+/// Whether r_u x r_v is 0 at places, compared with what it is around them.
+std::vector<bool> are_singular(const Surface& surface, std::span<const dvec2> uv, unsigned threads);
+
 /// Lists those zeros that no singular vertex of a mesh tells of, and tells those that are alone,
 /// which are the first of the list then, from the others: some of each line or curve.
 void name_singular(const SingularSet& singular, const Domain& domain, MeshReport& report);

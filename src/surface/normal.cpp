@@ -139,6 +139,23 @@ std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, doub
   return (flip ? -cross->vector : cross->vector) / length;
 }
 
+double cross_terms(const SurfacePoint& point) {
+  const dvec3 a = glm::abs(point.r_u);
+  const dvec3 b = glm::abs(point.r_v);
+  return safe_length({std::max(a.y * b.z, a.z * b.y), std::max(a.z * b.x, a.x * b.z),
+                      std::max(a.x * b.y, a.y * b.x)});
+}
+
+std::optional<dvec3> known_normal(const SurfacePoint& point, bool flip) {
+  const double terms = cross_terms(point);
+  const dvec3 cross = glm::cross(point.r_u, point.r_v);
+  if (!std::isfinite(terms) || !(safe_length(cross) > kDegenerateCross * terms)) {
+    return std::nullopt;
+  }
+  const std::optional<dvec3> normal = normal_direction(point);
+  return normal && flip ? -*normal : normal;
+}
+
 std::vector<NormalLimit> limit_normals(const Surface& surface, std::span<const Approach> approaches,
                                        unsigned threads) {
   std::vector<NormalLimit> limits;

@@ -19,6 +19,15 @@ inline constexpr double kDegenerateCross = 1e-7;
 std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, double scale_v,
                                  bool flip);
 
+/// The largest terms of which the components of r_u x r_v are differences, as a vector's length: to
+/// rounding of it |r_u x r_v| is known, whatever the units of the axes. 1e9 u v has long tangents
+/// that are nearly parallel, of which r_u x r_v has all digits.
+double cross_terms(const SurfacePoint& point);
+
+/// The unit vector along r_u x r_v (along r_v x r_u for a flipped surface), if it is more than
+/// kDegenerateCross of its terms.
+std::optional<dvec3> known_normal(const SurfacePoint& point, bool flip);
+
 /// The direction of r_u x r_v, however short it is; nothing where it has none.
 std::optional<dvec3> normal_direction(const SurfacePoint& point);
 

@@ -19,11 +19,9 @@ struct Equation {
   int degree;
 };
 
-/// Places in (u, v): where `off` is 0.
+/// Places in (u, v): where `off` is 0. A report names at least one of them.
 struct Places {
   std::function<double(double u, double v)> off;
-  /// A report names at least one of them; else only where a vertex happens to be on one.
-  bool always = true;
 };
 
 /// Whether a mesh within a tolerance can be proved to miss nothing.

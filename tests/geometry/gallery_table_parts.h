@@ -35,11 +35,6 @@ inline Places sin_u() {
 inline Places cos_u() {
   return {[](double u, double) { return std::cos(u); }};
 }
-inline Places by_chance(Places places) {
-  places.always = false;
-  return places;
-}
-
 inline Equation polynomial(double coefficients, int degree, double (*value)(const dvec3&)) {
   return {[value](const dvec3& p, double, double) { return value(p); }, coefficients, degree};
 }

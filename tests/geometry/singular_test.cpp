@@ -9,6 +9,7 @@
 #include "geometry/gallery_samples.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh/topology.h"
+#include "surface/normal.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -134,6 +135,25 @@ TEST(Singular, AreNamedWhereNoVertexMeetsThem) {
   const GridMesh mesh = mesh_of_samples(surface, options, 21, 17).value();
   EXPECT_EQ(count_at(mesh.report, {0, 0.1}), 1U);
   EXPECT_EQ(mesh.report.singular_point_count, 1U);
+}
+
+/// Tangents that are as good as parallel, of which r_u x r_v has all digits.
+TEST(Singular, AreNoneOfSteepSurfaces) {
+  for (const char* const z : {"1e9*u*v", "1e8*sin(3*u)*v", "1e13*u*v"}) {
+    const Surface surface = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+    const GridMesh mesh = mesh_with(surface, 1e-3, 16);
+    EXPECT_EQ(mesh.report.singular_point_count, 0U) << z;
+    EXPECT_GT(mesh.mesh.triangles.size(), 100U) << z;
+  }
+  const SurfacePoint steep{dvec3(0), dvec3(1, 0, 1e9), dvec3(0, 1, 1e9)};
+  EXPECT_LT(glm::length(glm::cross(steep.r_u, steep.r_v)), 1e-7 * 1e9 * 1e9);
+  const auto normal = known_normal(steep, false);
+  ASSERT_TRUE(normal);
+  EXPECT_NEAR(normal->x, -std::sqrt(0.5), 1e-15);
+  EXPECT_EQ(known_normal(steep, true), -*normal);
+  // The other way: x = cos(u + v) and so on is a curve, and its cross product is rounding.
+  const dvec3 tangent(-std::sin(0.7), std::cos(0.7), 1);
+  EXPECT_FALSE(known_normal({dvec3(0), tangent, tangent * (1 + 1e-15)}, false));
 }
 
 }  // namespace
