@@ -112,8 +112,9 @@ SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
   };
   SingularSet set = find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
                                   even(plan.drawn.v, d.v0, d.v1), options.threads);
-  const std::vector<dvec2> rough = find_rough_points(surface, options.threads);
-  set.points.insert(set.points.end(), rough.begin(), rough.end());
+  RoughPoints rough = find_rough_points(surface, plan.probe.bounds().diagonal(), options.threads);
+  set.points.insert(set.points.end(), rough.apexes.begin(), rough.apexes.end());
+  set.torn = std::move(rough.torn);
   return set;
 }
 

@@ -41,7 +41,7 @@ constexpr double kFarTooLarge = 4;
 constexpr double kDip = 0.7;
 constexpr std::size_t kDipReach = 2;
 /// Lines through singular points that a grid takes each way, for them to be vertices.
-constexpr std::size_t kMostLines = 32;
+constexpr std::size_t kMostLines = 16;
 /// |r_u x r_v| is 0 along an edge if it is less than this part of what it is beside it.
 constexpr double kNoArea = 1e-6;
 
@@ -323,6 +323,7 @@ void Probe::complete(const Densities& along_edges, Densities& densities) const {
 FixedLines Probe::fixed_lines(const FixedLines& drawn, const SingularSet& singular) const {
   const auto through = [&](int axis, std::vector<double> lines) {
     for (const dvec2& uv : singular.points) lines.push_back(uv[axis]);
+    for (const dvec2& uv : singular.torn) lines.push_back(uv[axis]);
     return lines;
   };
   const auto with = [](const std::vector<double>& lines, const std::vector<double>& more,

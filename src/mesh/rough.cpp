@@ -6,6 +6,7 @@
 
 #include "eval/enclose.h"
 #include "mesh/certify.h"
+#include "mesh/holes.h"
 #include "mesh/islands.h"
 
 namespace saddle {
@@ -68,7 +69,7 @@ std::vector<double> coordinates(double low, double high, double range) {
 
 }  // namespace
 
-std::vector<dvec2> find_rough_points(const Surface& surface, unsigned threads) {
+RoughPoints find_rough_points(const Surface& surface, double diagonal, unsigned threads) {
   const Domain& d = surface.domain;
   std::vector<dvec2> places;
   for (const ParameterBox& box : rough_boxes(surface)) {
@@ -79,10 +80,19 @@ std::vector<dvec2> find_rough_points(const Surface& surface, unsigned threads) {
     }
   }
   const std::vector<SurfacePoint> points = evaluate(surface, places, threads);
-  std::vector<dvec2> rough;
+  RoughPoints rough;
+  std::vector<dvec2> undefined;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const bool has_tangents = is_finite(points[k].r_u) && is_finite(points[k].r_v);
-    if (is_finite(points[k].position) && !has_tangents) rough.push_back(places[k]);
+    if (!is_finite(points[k].position)) {
+      undefined.push_back(places[k]);
+    } else if (!has_tangents) {
+      rough.apexes.push_back(places[k]);
+    }
+  }
+  const std::vector<Hole> holes = look_at_holes(surface, undefined, diagonal, threads);
+  for (std::size_t k = 0; k < undefined.size(); ++k) {
+    if (holes[k].kind == Hole::Kind::NoLimit) rough.torn.push_back(undefined[k]);
   }
   return rough;
 }

@@ -1,5 +1,4 @@
-// Single points at which a surface is defined and its tangents are not, as the apex of a cone
-// z = hypot(u, v) is.
+// Single points at which the tangents of a surface are not defined, or nothing of it is.
 #pragma once
 
 #include <vector>
@@ -8,8 +7,13 @@
 
 namespace saddle {
 
-/// Points that boxes around which bounds leave room for a jump of a tangent shrink to, for a
-/// surface of second order, if these are few. None where the surface is not defined.
-std::vector<dvec2> find_rough_points(const Surface& surface, unsigned threads);
+struct RoughPoints {
+  std::vector<dvec2> apexes;  ///< the surface is defined, as at the apex of z = hypot(u, v)
+  std::vector<dvec2> torn;    ///< it has no limit: Hole::Kind::NoLimit
+};
+
+/// Points to which boxes shrink around which bounds leave room for a jump of a tangent, for a
+/// surface of second order, if these are few. `diagonal`: of a box around the surface.
+RoughPoints find_rough_points(const Surface& surface, double diagonal, unsigned threads);
 
 }  // namespace saddle

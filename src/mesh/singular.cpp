@@ -346,7 +346,7 @@ Places take_isolated(const Finder& finder, Places& places) {
 
 SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<const double> even_u,
                           std::span<const double> even_v, unsigned threads) {
-  SingularSet result{{}, {}, dips.edges_u, dips.edges_v};
+  SingularSet result{{}, {}, dips.edges_u, dips.edges_v, {}};
   if (dips.along_u.empty() && dips.along_v.empty()) return result;
   const Finder finder(surface, dips.bounds, threads, even_u, even_v);
   // Across lines of zeros first: free descents are drawn along them to where they meet.

@@ -15,6 +15,7 @@ struct SingularSet {
   std::vector<dvec2> on_curves;  ///< some of each curve that is no line of these:
   std::vector<double> lines_u;   ///< of constant u, from one end of the range of v to the other
   std::vector<double> lines_v;   ///< of constant v
+  std::vector<dvec2> torn;       ///< single points at which the surface has no limit
 
   bool empty() const {
     return points.empty() && on_curves.empty() && lines_u.empty() && lines_v.empty();

@@ -18,19 +18,35 @@ TEST(RoughPoints, AreTheApexesOfCones) {
   for (const auto& [z, u, v] :
        {std::tuple("hypot(u,v)", 0.0, 0.0), std::tuple("sqrt(u^2+v^2)", 0.0, 0.0),
         std::tuple("1e-6*hypot(u-0.1,v+0.3)", 0.1, -0.3), std::tuple("hypot(u,v-1)", 0.0, 1.0)}) {
-    EXPECT_EQ(find_rough_points(height_field(z), 1), std::vector{dvec2(u, v)}) << z;
+    EXPECT_EQ(find_rough_points(height_field(z), 1, 1).apexes, std::vector{dvec2(u, v)}) << z;
   }
   // No end of a halved range is 0.
-  EXPECT_EQ(find_rough_points(height_field("hypot(u,v)", {-1, 2, -0.3, 1}), 1),
+  EXPECT_EQ(find_rough_points(height_field("hypot(u,v)", {-1, 2, -0.3, 1}), 1, 1).apexes,
             std::vector{dvec2(0)});
-  EXPECT_EQ(find_rough_points(height_field("hypot(u,v)*hypot(u-0.5,v)"), 1).size(), 2U);
+  EXPECT_EQ(find_rough_points(height_field("hypot(u,v)*hypot(u-0.5,v)"), 1, 1).apexes.size(), 2U);
 }
 
 TEST(RoughPoints, AreNoneOnLinesAndInHoles) {
   for (const char* const z : {"u*v", "abs(u)", "floor(3*u)", "1/(u^2+v^2)", "atan2(v,u)",
                               "u*v/(u^2+v^2)", "sqrt(0.5-u^2-v^2)", "tan(3*u)"}) {
-    EXPECT_TRUE(find_rough_points(height_field(z), 1).empty()) << z;
+    EXPECT_TRUE(find_rough_points(height_field(z), 1, 1).apexes.empty()) << z;
   }
+}
+
+TEST(RoughPoints, AreNoLimitsOfWaysThatLeadElsewhere) {
+  const Surface torn = height_field("(u-0.125)*(v+0.375)/((u-0.125)^2+(v+0.375)^2)");
+  EXPECT_EQ(find_rough_points(torn, 3, 1).torn, std::vector{dvec2(0.125, -0.375)});
+  for (const char* const z : {"1/(u^2+v^2)", "sin(hypot(u,v))/hypot(u,v)", "hypot(u,v)"}) {
+    EXPECT_TRUE(find_rough_points(height_field(z), 3, 1).torn.empty()) << z;
+  }
+  // Beside a line of the grid, too, which is 0.008 away here.
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe&) -> Tolerance { return 3e-3; };
+  const GridMesh mesh = mesh_within_tolerance(torn, options).value();
+  EXPECT_LE(mesh.report.max_error, 3e-3);
+  ASSERT_EQ(mesh.report.torn.size(), 1U);
+  EXPECT_EQ(mesh.report.torn[0], dvec2(0.125, -0.375));
+  EXPECT_EQ(mesh.report.singular_point_count, 0U);
 }
 
 /// Normals of a cone of 45 degrees are as exact beside its apex as elsewhere.
