@@ -78,6 +78,19 @@ class GridColumns {
   std::vector<Array<double>> columns_;
 };
 
+/// The largest |r_u x r_v| of each of two edges, from tangents on a grid of two columns or of two
+/// rows; infinite if one is not known.
+std::array<double, 2> largest_areas(const GridColumns& tangents, std::size_t columns,
+                                    std::size_t rows) {
+  std::array<double, 2> largest = {};
+  for (std::size_t i = 0; i < columns * rows; ++i) {
+    const double area = glm::length(glm::cross(tangents.vector(3, i), tangents.vector(6, i)));
+    double& most = largest[rows == 2 ? i / columns : i % columns];
+    most = std::isfinite(area) ? std::max(most, area) : std::numeric_limits<double>::infinity();
+  }
+  return largest;
+}
+
 void limit_fall_off(std::vector<double>& density) {
   const double least = kFloor * *std::ranges::max_element(density);
   for (double& d : density) d = std::max(d, least);
@@ -183,32 +196,34 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
     const GridColumns first(surface.tangents, u, v, threads);
     const GridColumns second(surface.curvatures, u, v, threads);
     evaluations_ += u.size() * v.size();
-    constexpr double kNoEdge = std::numeric_limits<double>::infinity();
-    std::array<double, 2> largest = {};  // |r_u x r_v| of both edges
+    const std::size_t axis = along_u ? 0 : 1;
     for (std::size_t i = 0; i < u.size() * v.size(); ++i) {
       const dvec3 position = first.vector(0, i);
       if (is_finite(position)) bounds_.add(position);
-      const double area = glm::length(glm::cross(first.vector(3, i), first.vector(6, i)));
-      double& most = largest[along_u ? i / u.size() : i % u.size()];
-      if (area > most || !std::isfinite(area)) most = std::isfinite(area) ? area : kNoEdge;
-      const dvec3 tangent = glm::normalize(first.vector(along_u ? 3 : 6, i));
-      const dvec3 bend = second.vector(along_u ? 0 : 6, i);
+      const dvec3 tangent = glm::normalize(first.vector(3 + 3 * axis, i));
+      const dvec3 bend = second.vector(6 * axis, i);
       const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
       if (!is_finite(position) || !std::isfinite(across)) continue;
       auto& edges = along_u ? edges_u_ : edges_v_;
       edges.push_back({along_u ? i % u.size() : i / u.size(), position, across});
     }
+    const std::array<double, 2> largest = largest_areas(first, u.size(), v.size());
     for (std::size_t end = 0; end < 2; ++end) {
-      double beside = 0;
-      for (std::size_t k = 0; k < kProbes; ++k) {
-        const double inside = area(along_u, k, end == 0 ? 0 : kProbes - 1);
-        if (std::isfinite(inside)) beside = std::max(beside, inside);
-      }
-      (along_u ? singular_v_ : singular_u_)[end] = largest[end] <= kNoArea * beside;
+      (along_u ? singular_v_ : singular_u_)[end] =
+          largest[end] <= kNoArea * area_beside(along_u, end);
     }
   };
   sample(u_, std::array{domain_.v0, domain_.v1}, true);
   sample(std::array{domain_.u0, domain_.u1}, v_, false);
+}
+
+double Probe::area_beside(bool along_u, std::size_t end) const {
+  double largest = 0;
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    const double inside = area(along_u, k, end == 0 ? 0 : kProbes - 1);
+    if (std::isfinite(inside)) largest = std::max(largest, inside);
+  }
+  return largest;
 }
 
 double Probe::radius(const dvec3& centre) const {

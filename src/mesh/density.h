@@ -150,6 +150,8 @@ class Probe {
   double area(bool along_v, std::size_t line, std::size_t k) const {
     return samples_[along_v ? k * u_.size() + line : line * u_.size() + k].area;
   }
+  /// The largest of them next to an edge along u or v.
+  double area_beside(bool along_u, std::size_t end) const;
   bool is_dip(bool along_v, std::size_t line, std::size_t k) const;
   Seam find_seam(const Surface& surface, bool along_v) const;
   bool is_folded(const Surface& surface, bool along_v, double end) const;
