@@ -200,7 +200,7 @@ void measure_ends(const Surface& surface, std::span<Search> searches,
 /// where that does, of a search and a point; smooth if anything is.
 template <class F, class H>
 std::vector<Found> follow(const Surface& surface, std::vector<Search> searches, double delta,
-                          unsigned threads, F value, H height) {
+                          unsigned threads, F value, H height, std::size_t& work) {
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < searches.size(); ++k) {
     if (!searches[k].done) open.push_back(k);
@@ -215,6 +215,7 @@ std::vector<Found> follow(const Surface& surface, std::vector<Search> searches, 
       uv.push_back(ends[0] + searches[k].share * (ends[1] - ends[0]));
     }
     const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+    work += uv.size();
     for (std::size_t i = 0; i < open.size(); ++i) {
       Search& search = searches[open[i]];
       advance(search, uv[i], value(points[i]), height(search, points[i]), delta);
@@ -230,7 +231,7 @@ std::vector<Found> follow(const Surface& surface, std::vector<Search> searches, 
 
 /// Follows positions, which are not known yet.
 std::vector<Found> follow_positions(const Surface& surface, std::span<const Line> lines,
-                                    double delta, unsigned threads) {
+                                    double delta, unsigned threads, std::size_t& work) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
   const std::vector<SurfacePoint> ends = evaluate(surface, uv, threads);
@@ -240,13 +241,14 @@ std::vector<Found> follow_positions(const Surface& surface, std::span<const Line
   }
   const auto position = [](const SurfacePoint& point) { return point.position; };
   const auto unknown = [](const Search&, const SurfacePoint&) { return kUnknown; };
-  return follow(surface, std::move(searches), delta, threads, position, unknown);
+  work += uv.size();
+  return follow(surface, std::move(searches), delta, threads, position, unknown, work);
 }
 
 /// Where bounds leave room for breaks beside those that were found. A line with a pole is cut away
 /// whole, however many there are.
 std::vector<LinePart> suspects(const Surface& surface, std::span<const Line> lines,
-                               std::span<const Found> found, double delta) {
+                               std::span<const Found> found, double delta, std::size_t& work) {
   std::vector<LinePart> parts;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (found[k].kind == Break::None) {
@@ -256,13 +258,14 @@ std::vector<LinePart> suspects(const Surface& surface, std::span<const Line> lin
       parts.push_back({k, {found[k].ends[1], lines[k][1]}, 0});
     }
   }
-  return unproved(surface, std::move(parts), delta);
+  return unproved(surface, std::move(parts), delta, work);
 }
 
 /// What there is at suspects. At a pole of even order, where the surface comes back from where it
 /// went to, both ends of a gap may be alike.
 std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
-                           std::span<const LinePart> suspects, double delta, unsigned threads) {
+                           std::span<const LinePart> suspects, double delta, unsigned threads,
+                           std::size_t& work) {
   std::vector<Line> parts;
   std::vector<Line> ways;
   for (const auto& [line, part, broken_end] : suspects) {
@@ -270,8 +273,9 @@ std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
     ways.push_back({part[0], lines[line][0]});
     ways.push_back({part[1], lines[line][1]});
   }
-  std::vector<Found> found = follow_positions(surface, parts, delta, threads);
+  std::vector<Found> found = follow_positions(surface, parts, delta, threads, work);
   const std::vector<bool> far = diverge(surface, ways, delta, threads);
+  work += kApproach.size() * ways.size();
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool is_pole = far[2 * i] || far[2 * i + 1];
     if (found[i].kind == Break::None) found[i].ends = parts[i];
@@ -309,44 +313,73 @@ void verify_poles(const Surface& surface, std::span<const Line> lines, double de
 
 namespace {
 
+/// Adds what was found at a suspect to what is known of its line.
+void add(const Found& more, const Line& line, Found& known) {
+  if (more.kind == Break::None) return;
+  const double apart = glm::distance(known.ends[0], more.ends[0]);
+  if (known.kind == Break::None) {
+    known = more;
+  } else if (apart > kSamePlace * glm::distance(line[0], line[1])) {
+    known.has_more = true;
+  } else if (more.kind == Break::Pole) {
+    known.kind = Break::Pole;
+  }
+}
+
+/// Takes a few suspects of each line, those beside a known break first, that does not have more
+/// breaks than one anyway. `open`: in the order of lines; those that are taken are left out.
+std::vector<LinePart> take_some(std::span<const Found> found, std::vector<LinePart>& open) {
+  constexpr std::size_t kAtATime = 2;
+  std::erase_if(open, [&](const LinePart& part) { return found[part.line].has_more; });
+  std::vector<LinePart> taken;
+  std::vector<LinePart> rest;
+  std::size_t count = 0;  // of the line
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    if (k == 0 || open[k].line != open[k - 1].line) count = 0;
+    (count++ < kAtATime ? taken : rest).push_back(open[k]);
+  }
+  open = std::move(rest);
+  return taken;
+}
+
 /// Breaks of lines that may have some.
 std::vector<Found> find_breaks_in(const Surface& surface, std::span<const Line> lines, double delta,
-                                  unsigned threads) {
-  std::vector<Found> found = follow_positions(surface, lines, delta, threads);
+                                  unsigned threads, std::size_t& work) {
+  std::vector<Found> found = follow_positions(surface, lines, delta, threads, work);
   verify_poles(surface, lines, delta, threads, found);
-  const std::vector<LinePart> where = suspects(surface, lines, found, delta);
-  const std::vector<Found> more = look_at(surface, lines, where, delta, threads);
-  for (std::size_t i = 0; i < where.size(); ++i) {
-    if (more[i].kind == Break::None) continue;
-    Found& first = found[where[i].line];
-    const Line& line = lines[where[i].line];
-    const double apart = glm::distance(first.ends[0], more[i].ends[0]);
-    if (first.kind == Break::None) {
-      first = more[i];
-    } else if (apart > kSamePlace * glm::distance(line[0], line[1])) {
-      first.has_more = true;
-    } else if (more[i].kind == Break::Pole) {
-      first.kind = Break::Pole;
+  std::vector<LinePart> open = suspects(surface, lines, found, delta, work);
+  const auto from_break = [&](const LinePart& part) {
+    const Found& known = found[part.line];
+    return known.kind == Break::None ? 0 : glm::distance(part.part[0], known.ends[0]);
+  };
+  std::ranges::stable_sort(open, [&](const LinePart& a, const LinePart& b) {
+    return a.line != b.line ? a.line < b.line : from_break(a) < from_break(b);
+  });
+  while (true) {
+    const std::vector<LinePart> some = take_some(found, open);
+    if (some.empty()) return found;
+    const std::vector<Found> more = look_at(surface, lines, some, delta, threads, work);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      add(more[i], lines[some[i].line], found[some[i].line]);
     }
   }
-  return found;
 }
 
 }  // namespace
 
 std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
-                               unsigned threads) {
+                               unsigned threads, std::size_t& work) {
   std::vector<LinePart> whole;
   for (std::size_t k = 0; k < lines.size(); ++k) whole.push_back({k, lines[k]});
   std::vector<std::size_t> open;
   std::vector<Line> open_lines;
-  for (const LinePart& part : unproved(surface, std::move(whole), delta, kProofHalvings)) {
+  for (const LinePart& part : unproved(surface, std::move(whole), delta, work, kProofHalvings)) {
     if (!open.empty() && open.back() == part.line) continue;
     open.push_back(part.line);
     open_lines.push_back(lines[part.line]);
   }
   std::vector<Found> result(lines.size());
-  const std::vector<Found> found = find_breaks_in(surface, open_lines, delta, threads);
+  const std::vector<Found> found = find_breaks_in(surface, open_lines, delta, threads, work);
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
   return result;
 }
@@ -399,7 +432,8 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
 }
 
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
-                                std::span<const std::array<dvec3, 2>> normals, unsigned threads) {
+                                std::span<const std::array<dvec3, 2>> normals, unsigned threads,
+                                std::size_t& work) {
   const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
   const std::vector<std::size_t> open = unproved_normals(surface, lines);
   std::vector<Search> searches;
@@ -411,7 +445,7 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
     return glm::dot(glm::cross(point.r_u, point.r_v), search.at_ends[0] - search.at_ends[1]);
   };
   const std::vector<Found> found =
-      follow(surface, std::move(searches), chord, threads, normal, height);
+      follow(surface, std::move(searches), chord, threads, normal, height, work);
   std::vector<Found> result(lines.size());
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
   return result;

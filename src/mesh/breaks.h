@@ -26,9 +26,9 @@ struct Found {
 /// have run out of digits: then it jumps, or goes to infinity if the gap has grown on the way.
 /// Nothing is found on a line with an end where the surface is not defined. What samples do not
 /// show because they are alike is looked for where bounds do not prove that the surface is
-/// continuous.
+/// continuous. Adds to `work` the points and boxes that were looked at.
 std::vector<Found> find_breaks(const Surface& surface, std::span<const Line> lines, double delta,
-                               unsigned threads);
+                               unsigned threads, std::size_t& work);
 
 /// Whether the surface goes to infinity on the way from the second end of each line to the first.
 /// Seen from places ever closer to it, the surface moves by less and less if it arrives somewhere,
@@ -40,7 +40,8 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
 /// As find_breaks(), of unit normals: where they jump by more than kCreaseDegrees the surface has a
 /// crease, or, if to their opposites, a cusp. `normals`: along r_u x r_v, at the ends of each line.
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
-                                std::span<const std::array<dvec3, 2>> normals, unsigned threads);
+                                std::span<const std::array<dvec3, 2>> normals, unsigned threads,
+                                std::size_t& work);
 
 /// Bisects lines from a place where the surface is defined to one where it is not: the last places
 /// known to be defined, after so many halvings.

@@ -20,8 +20,8 @@ namespace {
 constexpr int kLeastHalvings = 6;
 constexpr std::size_t kMostParts = 8;
 /// Beside a break that is known to be there, the part of a line that is left without a proof is so
-/// much of it at each step: over the rest bounds of a pole are within a factor of 16 or so.
-constexpr double kBesideBreak = 1.0 / 16;
+/// much of it at each step: what that leaves is halved on where bounds are too wide.
+constexpr double kBesideBreak = 1.0 / 1024;
 
 /// A box, by two opposite corners.
 using Box = Line;
@@ -58,6 +58,9 @@ class Prover {
  public:
   Prover(const Surface& surface, double delta, int halvings)
       : enclosure_(surface.bounds, 3), delta_(delta), halvings_(halvings) {}
+
+  /// That were tried.
+  std::size_t boxes() const { return boxes_; }
 
   /// Puts the parts of lines that are not proved into `result`. Changes the lines' order.
   void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
@@ -100,6 +103,7 @@ class Prover {
   }
 
   bool is_proved(const Box& box) {
+    ++boxes_;
     std::array<Interval, 3> position;
     enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), position);
     bool is_continuous = true;
@@ -116,6 +120,7 @@ class Prover {
   Enclosure enclosure_;
   double delta_;
   int halvings_;
+  std::size_t boxes_ = 0;
 };
 
 /// Proves that a surface has a normal all over a box, and no jump of it. A normal that is there by
@@ -159,9 +164,11 @@ class NormalProver {
 }  // namespace
 
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
-                               int halvings) {
+                               std::size_t& boxes, int halvings) {
   std::vector<LinePart> result;
-  Prover(surface, delta, halvings).prove(lines, result);
+  Prover prover(surface, delta, halvings);
+  prover.prove(lines, result);
+  boxes += prover.boxes();
   std::ranges::stable_sort(result, {}, &LinePart::line);
   return result;
 }

@@ -32,9 +32,9 @@ inline constexpr int kAllHalvings = 100;
 /// Parts of these, apart from each other, on which the surface is proved neither to be continuous
 /// nor to stay within `delta`, so that it jumps by no more: as short as doubles go, or as many as
 /// are worth a search, or what is left after some halvings. Those of a line follow each other, in
-/// the order of lines.
+/// the order of lines. Adds to `boxes` how many were tried.
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
-                               int halvings = kAllHalvings);
+                               std::size_t& boxes, int halvings = kAllHalvings);
 
 /// The numbers of the lines, in order, along which it is not proved that the tangents are
 /// continuous and r_u x r_v is not 0: elsewhere there are no creases, nor cusps.

@@ -114,7 +114,8 @@ class Finder {
       lines.push_back(line(side));
       delta = std::min(delta, options_.tolerance(lattice_.mesh().position[side[0]]));
     }
-    const auto found = find_breaks(lattice_.surface(), lines, delta, options_.threads);
+    const auto found =
+        find_breaks(lattice_.surface(), lines, delta, options_.threads, lattice_.search_work());
     std::vector<Side> jumping;
     std::vector<Found> jumps;
     std::vector<Side> poles;
@@ -153,7 +154,8 @@ class Finder {
     std::ranges::transform(sides, normals.begin(), [&](const Side& side) {
       return std::array{front * normal[side[0]], front * normal[side[1]]};
     });
-    const auto found = find_creases(lattice_.surface(), lines, normals, options_.threads);
+    const auto found =
+        find_creases(lattice_.surface(), lines, normals, options_.threads, lattice_.search_work());
     std::vector<Side> creased;
     std::vector<Found> creases;
     for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -273,7 +275,7 @@ std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::s
       if (!leaf.on_rim && !leaf.is_split) continue;
       for (const Side& side : unsearched_sides(leaf, lattice)) sides.insert(side);
     }
-    if (sides.empty()) return split;
+    if (sides.empty() || lattice.search_work() > options.most_work) return split;
     find_crossings(std::vector<Side>(sides.begin(), sides.end()), options, lattice);
   }
 }

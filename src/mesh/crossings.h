@@ -1,6 +1,7 @@
 // Finds where the sides of leaves are cut: at the rim of the surface, at jumps, poles and creases.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "mesh/density.h"
@@ -13,7 +14,15 @@ struct CrossingOptions {
   /// Whether poles are cut too. A leaf is cut away with its pole: only small ones may be.
   bool poles = false;
   unsigned threads = 0;
+  /// Lattice::search_work() from which on crossings are followed no further.
+  std::size_t most_work = SIZE_MAX;
 };
+
+/// What may be searched for a mesh of so many triangles; one that is not refined at all has as many
+/// sides as it has.
+inline std::size_t most_search(std::size_t max_triangles) {
+  return max_triangles == 0 ? SIZE_MAX : kWorkPerTriangle * max_triangles;
+}
 
 /// Looks at sides and files in the lattice what is found.
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);

@@ -96,6 +96,7 @@ void Halving::complete(MeshReport& report) {
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
+  report.searched_most = stopped && lattice_.has_searched(options_.max_triangles);
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
   if (stopped) doubt_all(Doubt::Triangles);
@@ -110,6 +111,7 @@ void Halving::complete(MeshReport& report) {
       grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
   report.evaluations += report.work.leaf_samples;
+  report.work.searches += lattice_.search_work();
 }
 
 /// Has no proof hold anywhere.
@@ -140,7 +142,7 @@ Seams Halving::weld_if_two_dimensional(const Probe& probe) {
 }
 
 CrossingOptions Halving::crossing_options(bool poles) const {
-  return {refining_.tolerance, poles, options_.threads};
+  return {refining_.tolerance, poles, options_.threads, most_search(options_.max_triangles)};
 }
 
 /// Whether one more halving could exceed the limit of triangles.

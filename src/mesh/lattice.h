@@ -20,8 +20,10 @@ namespace saddle {
 /// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
 inline constexpr std::uint32_t kCellUnit = 1U << 16;
 
-/// What a mesh may have is counted in triangles; finding what cuts a side takes as long as so many.
+/// What a mesh may have is counted in triangles; finding what cuts a side takes as long as so many
+/// to keep it, and as one for so many points and boxes that were looked at.
 inline constexpr std::size_t kTrianglesPerBreak = 6;
+inline constexpr std::size_t kWorkPerTriangle = 16;
 
 /// (u, v) in units: line k of the root grid is at k * kCellUnit.
 struct LatticePlace {
@@ -200,9 +202,16 @@ class Lattice {
   bool has_many(std::size_t triangles) const { return 2 * (used_count_ + 2) > triangles; }
   /// The same, or that finding what cuts sides took as long as making so many.
   bool is_full(std::size_t max_triangles) const {
-    return has_many(max_triangles) ||
-           kTrianglesPerBreak * (crossings_ + pole_ends_.size()) > max_triangles;
+    return has_many(max_triangles) || has_searched(max_triangles);
   }
+  /// Only the latter.
+  bool has_searched(std::size_t max_triangles) const {
+    return kTrianglesPerBreak * (crossings_ + pole_ends_.size()) > max_triangles ||
+           search_work_ / kWorkPerTriangle > max_triangles;
+  }
+  /// Points and boxes that were looked at in search of what cuts sides.
+  std::size_t& search_work() { return search_work_; }
+  std::size_t search_work() const { return search_work_; }
 
   /// Whether the position is finite.
   bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }
@@ -384,7 +393,8 @@ class Lattice {
   PairTable continuous_sides_;
   bool has_crossings_ = false;
   std::size_t crossings_ = 0;  // that were filed
-  bool has_poles_ = false;     // among crossings and holes
+  std::size_t search_work_ = 0;
+  bool has_poles_ = false;  // among crossings and holes
   CellMarks crossed_cells_;
   CellMarks changed_cells_;  // when
   std::uint32_t now_ = 1;

@@ -97,7 +97,9 @@ struct MeshWork {
   std::size_t grid_samples = 0;  ///< points in step with each other, on a tensor grid of parameters
   std::size_t leaf_samples = 0;  ///< points of a mesh whose cells are halved
   std::size_t boxes = 0;         ///< of parameters, that proofs tried
+  std::size_t searches = 0;      ///< points and boxes, in search of jumps, poles and creases
   void add(const MeshWork& other) {
+    searches += other.searches;
     grid_samples += other.grid_samples;
     leaf_samples += other.leaf_samples;
     boxes += other.boxes;
@@ -133,6 +135,7 @@ struct MeshReport {
   std::optional<double> tolerance;    ///< what max_error was to stay within
   double least_triangles = 0;         ///< that any mesh within it needs, about; 0: unknown
   bool reached_limit = false;         ///< more triangles were not allowed
+  bool searched_most = false;         ///< they were, but no more search for jumps and poles
   bool certified = false;             ///< proved that nothing hides between samples
   std::vector<DoubtfulPlace> doubts;  ///< else where that is not proved, at most 1000
   double max_error = 0;               ///< largest measured distance of mesh and surface

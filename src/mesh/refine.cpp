@@ -237,7 +237,9 @@ class Refiner {
     return sides;
   }
 
-  CrossingOptions crossing_options() const { return {options_.tolerance, false, options_.threads}; }
+  CrossingOptions crossing_options() const {
+    return {options_.tolerance, false, options_.threads, most_search(options_.max_triangles)};
+  }
 
   /// An arc that is no small one may jump; only normals that are opposed, or never agree, tell of a
   /// crease.

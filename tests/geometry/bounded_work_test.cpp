@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesh/adaptive_mesh.h"
+#include "mesh/lattice.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 
@@ -75,6 +76,27 @@ TEST(BoundedWork, CountsTheSearchForCutsAsTriangles) {
   EXPECT_LT(result.mesh.triangles.size(), 40'000U);
   EXPECT_LT(result.report.evaluations, 300'000U);
   EXPECT_TRUE(result.report.worst_place);
+}
+
+TEST(BoundedWork, EndsTheSearchForJumpsWithoutEnd) {
+  constexpr std::size_t kTriangles = 30'000;
+  for (const char* z : {"mod(sin(u*12.9898+v*78.233)*43758.5453,1)", "floor(1/u)+floor(1/v)"}) {
+    AdaptiveOptions options = thousandth();
+    options.max_triangles = kTriangles;
+    options.clip = Bounds{dvec3(-5), dvec3(5)};
+    const GridMesh result = mesh_within_tolerance(height(z), options).value();
+    EXPECT_TRUE(result.report.reached_limit) << z;
+    EXPECT_TRUE(result.report.searched_most) << z;
+    EXPECT_FALSE(result.report.certified) << z;
+    EXPECT_TRUE(result.report.worst_place) << z;
+    // What is begun of a generation is ended: some hundreds for each side.
+    EXPECT_LT(result.report.work.searches, (kWorkPerTriangle + 300) * kTriangles) << z;
+  }
+  // As many as there are, and not without end.
+  const GridMesh steps =
+      mesh_within_tolerance(height("floor(9*u)*floor(9*v)"), thousandth()).value();
+  EXPECT_FALSE(steps.report.searched_most);
+  EXPECT_LE(steps.report.max_error, *steps.report.tolerance);
 }
 
 TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {

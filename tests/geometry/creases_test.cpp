@@ -16,7 +16,8 @@ Found find_crease(const Surface& surface, const Line& line) {
   for (std::size_t end = 0; end < 2; ++end) {
     normals[end] = *normal_direction(evaluate(surface, std::array{line[end]})[0]);
   }
-  return find_creases(surface, std::span(&line, 1), std::span(&normals, 1), 1)[0];
+  std::size_t work = 0;
+  return find_creases(surface, std::span(&line, 1), std::span(&normals, 1), 1, work)[0];
 }
 
 /// How many doubles there are from a to b, a being the smaller one; 9 if there are more.
