@@ -194,8 +194,6 @@ void join_crossings(const Seams& seams, const Grid& grid, const Lattice& lattice
   }
 }
 
-// Poles at the same place become one point, as where all of the lines on which a radius is 0 come
-// together.
 bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid, Lattice& lattice,
                 Points& points) {
   std::vector<Neighbours> joined;

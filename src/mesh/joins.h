@@ -25,8 +25,9 @@ void join_crossings(const Seams& seams, const Grid& grid, const Lattice& lattice
 
 /// Makes neighbours on the sides of leaves that are at the same place one singular point, as at
 /// poles that no line of the root grid goes through, and neighbours on a cut as well, as at the
-/// apex of a double cone. Poles at the same place become one;
-/// returns whether there are any.
+/// apex of a double cone. Poles at the same place become one point, as where all of the lines on
+/// which a radius is 0 come together. Returns whether leaves may have chords in common there: some
+/// became one, or one is more than a line of constant u or v.
 bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid, Lattice& lattice,
                 Points& points);
 

@@ -88,18 +88,27 @@ double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner)
 }  // namespace
 
 /// A chord and the sample above it.
-struct ChordSample {
-  dvec3 chord;
-  dvec3 off;  ///< from the chord's middle to the sample
-  double square = glm::dot(chord, chord);
-  double distance_of_middle = glm::length(off);
-  bool is_small_arc = distance_of_middle <= kSmallArc * std::sqrt(square);
+struct Judge::ChordSample {
+  ChordSample(const dvec3& first, const dvec3& last, const dvec3& sample)
+      : chord(last - first),
+        off(sample - 0.5 * (first + last)),
+        square(glm::dot(chord, chord)),
+        distance_of_middle(glm::length(off)),
+        is_small_arc(distance_of_middle <= kSmallArc * std::sqrt(square)) {}
 
-  /// Where along the chord the sample is, from -0.5 to 0.5 above it.
-  double share() const { return square > 0 ? glm::dot(off, chord) / square : 0; }
-  /// In any direction.
-  double distance_of_line() const { return glm::length(off - share() * chord); }
-  double distance() const { return glm::length(off - std::clamp(share(), -0.5, 0.5) * chord); }
+  dvec3 chord;
+  dvec3 off;      ///< from the chord's middle to the sample
+  double square;  ///< of the chord's length
+  double distance_of_middle;
+  bool is_small_arc;
+
+  /// Where along the chord the sample is: 0 above its middle, -0.5 and 0.5 above its ends.
+  double from_middle() const { return square > 0 ? glm::dot(off, chord) / square : 0; }
+  /// Of the sample from the chord, and from the line that it is on.
+  double distance() const {
+    return glm::length(off - std::clamp(from_middle(), -0.5, 0.5) * chord);
+  }
+  double distance_of_line() const { return glm::length(off - from_middle() * chord); }
 };
 
 Samples Samples::of_half(bool across_u, bool is_lower) const {
@@ -196,7 +205,7 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
                          double Scores::*part) {
     const dvec3 first = seen_position(a);
     const dvec3 last = seen_position(b);
-    const ChordSample arc{last - first, seen_position(sample) - 0.5 * (first + last)};
+    const ChordSample arc(first, last, seen_position(sample));
     const double distance = distance_of_sample(arc, {a, b, sample}, border) / eps;
     verdict.distance.*part = std::max(verdict.distance.*part, distance);
     const double gap = arc.is_small_arc ? distance : arc.distance_of_middle / eps;
@@ -353,10 +362,12 @@ double Judge::distance_of_sample(const ChordSample& arc,
   if (border || is_far || !is_regular(sample)) return arc.distance_of_line();
   const dvec3& normal = mesh_.normal[sample];
   return Arc{arc.chord, mesh_.normal[a], mesh_.normal[b], normal}.largest_height(
-      0.5 + arc.share(), glm::dot(arc.off, normal));
+      0.5 + arc.from_middle(), glm::dot(arc.off, normal));
 }
 
-/// The corner that the diagonal starts from along which the cell would be cut: 0 or 1.
+/// The corner, 0 or 1, that the diagonal with the smaller arc starts from: along it cut_cell() of
+/// mesh/triangulate cuts most cells. What else that looks at is left to it, as the lengths of arcs
+/// that are equal.
 std::size_t Judge::cut_from(const Corners& corner) const {
   const auto arc = [&](std::size_t a, std::size_t b) {
     return sagitta(mesh_.position[corner[a]], mesh_.normal[corner[a]], mesh_.position[corner[b]],

@@ -60,8 +60,6 @@ double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner);
 /// How many of the nine samples are defined.
 int count_defined(const Lattice& lattice, const Samples& samples);
 
-struct ChordSample;
-
 class Judge {
  public:
   Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
@@ -101,6 +99,7 @@ class Judge {
  private:
   dvec3 seen_position(std::uint32_t vertex) const;
   using Corners = std::array<std::uint32_t, 4>;
+  struct ChordSample;
 
   std::vector<dvec3> defined_positions(const Samples& samples) const;
   double diameter(const Corners& corner) const;

@@ -101,7 +101,7 @@ static void judge_side(const LeafSamples& leaves, size_t k, size_t count, LeafVe
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
     const double is_long = square_of_side(leaves, k, i) - leaves.seen_turn[i] * leaves.seen_turn[i];
-    const double turn_counts = smaller_of(is_long, verdicts.sides_turn[i]);
+    const double turn_counts = smaller_of(is_long, verdicts.turn_counts_on_sides[i]);
     const Said said =
         test(side(leaves, k, i), leaves.seen[k][i], leaves.largest_sine[i], turn_counts);
     const double counts = leaves.counts[k][i];
@@ -141,7 +141,7 @@ static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& 
     const double second = other < first * kNearlyOne ? 1.0 : 0.0;
     const Chord diagonal = {choose(second, p1, p0), choose(second, p3, p2), c,
                             choose(second, n1, n0), choose(second, n3, n2), n};
-    const Said said = test(diagonal, 0, leaves.largest_sine[i], verdicts.centre_turns[i]);
+    const Said said = test(diagonal, 0, leaves.largest_sine[i], verdicts.turn_counts_at_centre[i]);
     const double h0 = dot(minus(position(side[0], i), times(0.5, plus(p0, p1))), n);
     const double h1 = dot(minus(position(side[1], i), times(0.5, plus(p1, p2))), n);
     const double h2 = dot(minus(position(side[2], i), times(0.5, plus(p2, p3))), n);
@@ -188,8 +188,8 @@ static void look_at_turns(const LeafSamples& leaves, size_t count, LeafVerdicts&
     const double other = larger_of(square_of_side(leaves, 1, i), square_of_side(leaves, 3, i));
     const double seen = leaves.seen_turn[i] * leaves.seen_turn[i];
     const double thick = dot(area, area) - 4 * seen * larger_of(one, other);
-    verdicts.centre_turns[i] = thick;
-    verdicts.sides_turn[i] = larger_of(thick, seen - smaller_of(one, other));
+    verdicts.turn_counts_at_centre[i] = thick;
+    verdicts.turn_counts_on_sides[i] = larger_of(thick, seen - smaller_of(one, other));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "mesh/lattice.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -367,6 +368,7 @@ std::vector<std::array<std::uint32_t, 2>> Lattice::crossed_sides() const {
 }
 
 std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned threads) {
+  assert(evaluated_ == used_.size());
   const auto first = static_cast<std::uint32_t>(used_.size());
   std::vector<double> u;
   std::vector<double> v;

@@ -267,7 +267,8 @@ class Lattice {
   bool has_crossings() const { return has_crossings_; }
   /// The sides that are cut, by their ends, in the order in which they were searched.
   std::vector<std::array<std::uint32_t, 2>> crossed_sides() const;
-  /// New vertices between neighbours, with consecutive numbers; the number of the first.
+  /// New vertices between neighbours, with consecutive numbers; the number of the first. All others
+  /// that are numbered have been evaluated.
   std::uint32_t add_between(std::span<const Between> places, unsigned threads);
   /// Makes the new vertex `to` one point with another, at its position.
   void join(std::uint32_t from, std::uint32_t to);

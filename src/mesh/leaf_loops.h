@@ -34,9 +34,10 @@ struct LeafSamples {
 };
 
 struct LeafVerdicts {
-  LeafNumbers distance;                  ///< the largest
-  LeafNumbers passes;                    ///< 1: surely; else a closer look may still find so
-  LeafNumbers sides_turn, centre_turns;  ///< more than 0: how normals turn there counts
+  LeafNumbers distance;  ///< the largest
+  LeafNumbers passes;    ///< 1: surely; else a closer look may still find so
+  /// More than 0: how normals turn there counts.
+  LeafNumbers turn_counts_on_sides, turn_counts_at_centre;
 };
 
 /// Judges leaves [0, count).

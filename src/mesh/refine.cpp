@@ -141,12 +141,11 @@ class Refiner {
   /// Halves a leaf that is cut until the cut is nearly straight in it; what remains to be done
   /// fresh samples tell. The halves do not know yet what cuts them.
   void judge_cut(const Judged& judged, Leaf leaf, bool across_u, int wanted_halvings) {
-    const bool full = lattice_.is_full(options_.max_triangles);
     const int done = halvings(leaf);
-    const auto halves =
-        done < wanted_halvings && !full ? halve(leaf, across_u, lattice_) : std::nullopt;
+    const auto halves = done < wanted_halvings ? halve_if_allowed(leaf, across_u) : std::nullopt;
     if (!halves) {
-      leaf.given_up = done >= (leaf.on_rim ? kMostRimHalvings : kMostCutHalvings) || full;
+      leaf.given_up = done >= (leaf.on_rim ? kMostRimHalvings : kMostCutHalvings) ||
+                      lattice_.is_full(options_.max_triangles);
       result_.leaves.push_back(leaf);
       return;
     }
@@ -162,9 +161,8 @@ class Refiner {
   void seek(const Candidate& candidate, const Samples& samples) {
     const Leaf& leaf = candidate.leaf;
     const bool is_known = !candidate.witnesses.empty() || has_defined_corner(leaf, lattice_);
-    const auto halves = is_known && halvings_of_root(leaf) < kMostSeekHalvings &&
-                                !lattice_.is_full(options_.max_triangles)
-                            ? halve(leaf, leaf.size_u() >= leaf.size_v(), lattice_)
+    const auto halves = is_known && halvings_of_root(leaf) < kMostSeekHalvings
+                            ? halve_if_allowed(leaf, leaf.size_u() >= leaf.size_v())
                             : std::nullopt;
     if (!halves) {
       result_.empty.push_back(leaf);
@@ -325,14 +323,19 @@ class Refiner {
 
   /// Nothing where the limit is reached, or the surface oscillates.
   std::optional<std::array<Leaf, 2>> halves_of(Leaf& leaf, bool across_u) {
-    const bool full = lattice_.is_full(options_.max_triangles);
-    result_.reached_limit = result_.reached_limit || full;
     leaf.oscillates = oscillates(leaf);
     if (leaf.oscillates) known_.add(leaf);
     if (leaf.oscillates && !result_.oscillates) {
       result_.oscillates = lattice_.parameters(leaf.middle());
     }
-    return full || leaf.oscillates ? std::nullopt : halve(leaf, across_u, lattice_);
+    return leaf.oscillates ? std::nullopt : halve_if_allowed(leaf, across_u);
+  }
+
+  /// Nothing where the limit is reached.
+  std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool across_u) {
+    const bool full = lattice_.is_full(options_.max_triangles);
+    result_.reached_limit = result_.reached_limit || full;
+    return full ? std::nullopt : halve(leaf, across_u, lattice_);
   }
 
   /// Leaves a candidate's half with the witnesses that are in it.
