@@ -12,21 +12,48 @@ namespace saddle {
 
 namespace {
 
+/// Vertices that are so near to a face, beside the box's largest coordinate, are on it: what would
+/// be cut off beside them has no area but for rounding.
+constexpr double kOnFace = 1e-13;
+
+double largest_coordinate(const Bounds& box) {
+  double largest = 0;
+  for (const dvec3& corner : {box.low, box.high}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::isfinite(corner[axis])) largest = std::max(largest, std::fabs(corner[axis]));
+    }
+  }
+  return largest;
+}
+
 /// One face of the box: what is inside has sign * (p[axis] - limit) <= 0.
 class Face {
  public:
-  Face(int axis, double sign, double limit, Mesh& mesh)
-      : axis_(axis), sign_(sign), limit_(limit), mesh_(mesh) {}
+  Face(int axis, double sign, double limit, double rounding, Mesh& mesh)
+      : axis_(axis), sign_(sign), limit_(limit), rounding_(rounding), mesh_(mesh) {}
 
   void clip() {
     if (!std::isfinite(limit_)) return;
+    move_onto_face();
     clip_triangles();
     clip_lines();
   }
 
  private:
-  bool is_inside(std::uint32_t corner) const {
-    return sign_ * (mesh_.position[corner][axis_] - limit_) <= 0;
+  void move_onto_face() {
+    for (dvec3& p : mesh_.position) {
+      if (std::fabs(p[axis_] - limit_) <= rounding_) p[axis_] = limit_;
+    }
+  }
+
+  /// How far beyond the face a corner is.
+  double beyond(std::uint32_t corner) const {
+    return sign_ * (mesh_.position[corner][axis_] - limit_);
+  }
+  bool is_inside(std::uint32_t corner) const { return beyond(corner) <= 0; }
+  /// Whether the face goes through an edge, and through neither of its ends.
+  bool cuts(std::uint32_t a, std::uint32_t b) const {
+    return (beyond(a) < 0 && beyond(b) > 0) || (beyond(a) > 0 && beyond(b) < 0);
   }
 
   /// The corner where the edge from a to b crosses the face; the same from both sides.
@@ -59,16 +86,16 @@ class Face {
     kept.reserve(mesh_.triangles.size());
     std::vector<std::uint32_t> polygon;
     for (const Triangle& t : mesh_.triangles) {
-      const int inside =
-          (is_inside(t[0]) ? 1 : 0) + (is_inside(t[1]) ? 1 : 0) + (is_inside(t[2]) ? 1 : 0);
-      if (inside == 3) kept.push_back(t);
-      if (inside == 3 || inside == 0) continue;
+      if (std::ranges::all_of(t, [this](std::uint32_t corner) { return is_inside(corner); })) {
+        kept.push_back(t);
+        continue;
+      }
       polygon.clear();
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = t[k];
         const std::uint32_t b = t[(k + 1) % 3];
         if (is_inside(a)) polygon.push_back(a);
-        if (is_inside(a) != is_inside(b)) polygon.push_back(crossing(a, b));
+        if (cuts(a, b)) polygon.push_back(crossing(a, b));
       }
       for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
         kept.push_back({polygon[0], polygon[k], polygon[k + 1]});
@@ -87,9 +114,9 @@ class Face {
       };
       for (std::size_t k = 0; k < line.size(); ++k) {
         if (is_inside(line[k])) chain.push_back(line[k]);
-        if (k + 1 == line.size() || is_inside(line[k]) == is_inside(line[k + 1])) continue;
-        chain.push_back(crossing(line[k], line[k + 1]));
-        if (is_inside(line[k])) end_chain();
+        if (k + 1 == line.size()) continue;
+        if (cuts(line[k], line[k + 1])) chain.push_back(crossing(line[k], line[k + 1]));
+        if (!is_inside(line[k + 1])) end_chain();
       }
       end_chain();
     }
@@ -107,6 +134,7 @@ class Face {
   int axis_;
   double sign_;
   double limit_;
+  double rounding_;  ///< within which a vertex is on the face
   Mesh& mesh_;
   std::unordered_map<std::uint64_t, std::uint32_t> corners_;
   std::unordered_map<std::uint64_t, std::uint32_t> points_;
@@ -115,9 +143,10 @@ class Face {
 }  // namespace
 
 void clip_mesh(const Bounds& box, Mesh& mesh) {
+  const double rounding = kOnFace * largest_coordinate(box);
   for (int axis = 0; axis < 3; ++axis) {
-    Face(axis, -1, box.low[axis], mesh).clip();
-    Face(axis, 1, box.high[axis], mesh).clip();
+    Face(axis, -1, box.low[axis], rounding, mesh).clip();
+    Face(axis, 1, box.high[axis], rounding, mesh).clip();
   }
   if (mesh.triangles.empty()) {
     throw Error(Status::Nothing, "nothing of the surface is in the box that it is clipped to", {},

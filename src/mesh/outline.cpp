@@ -57,14 +57,35 @@ class Cutter {
     if (has_middle && cuts_ == rims_) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
+    if (creases_.size() >= 3) add(middle(), result);
     for (Run& run : runs_) {
       if (!run.goes_far) add(std::move(run.polygon), result);
     }
-    if (creases_.size() >= 3) add(std::move(creases_), result);
     return result;
   }
 
  private:
+  /// What creases that cross more than two sides leave between them: it has what is on a side
+  /// between two of them, which is no polygon by itself.
+  Polygon middle() {
+    if (creases_.size() != runs_.size()) return std::move(creases_);
+    Polygon polygon;
+    for (std::size_t k = 0; k < creases_.size(); ++k) {
+      polygon.push_back(creases_[k]);
+      Polygon& run = runs_[(k + 1) % runs_.size()].polygon;
+      if (!is_straight(run)) continue;
+      for (std::size_t i = 1; i + 1 < run.size(); ++i) polygon.push_back(run[i]);
+      run.clear();
+    }
+    return polygon;
+  }
+
+  static bool is_straight(const Polygon& run) {
+    Bounds box;
+    for (const PolygonCorner& corner : run) box.add(dvec3(corner.place, 0));
+    return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
+  }
+
   void append(std::uint32_t vertex) {
     runs_.back().polygon.push_back({vertex, lattice_.place_between(vertex)});
   }

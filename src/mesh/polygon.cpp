@@ -10,7 +10,8 @@ namespace saddle {
 
 namespace {
 
-/// Twice the area of a triangle in (u, v); exact for whole places, which are less than 2^17 apart.
+/// Twice the area of a triangle in units of the lattice; exact for whole places, which are less
+/// than 2^17 apart.
 double doubled_area(const dvec2& a, const dvec2& b, const dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -21,6 +22,18 @@ double doubled_area(std::span<const PolygonCorner> polygon) {
     sum += doubled_area(polygon[0].place, polygon[k].place, polygon[k + 1].place);
   }
   return sum;
+}
+
+/// Twice an area that corners on one straight side may have: places of cuts are rounded.
+double rounding_of_area(std::span<const PolygonCorner> polygon) {
+  double reach = 0;
+  double rounding = 0;
+  for (const PolygonCorner& corner : polygon) {
+    const dvec2 way = glm::abs(corner.place - polygon[0].place);
+    reach = std::max({reach, way.x, way.y});
+    rounding = std::max(rounding, rounding_of_place(corner.place));
+  }
+  return 2 * rounding * reach;
 }
 
 /// How far from a chord a corner may be, in chords, that is on it but for rounding.
@@ -84,6 +97,7 @@ bool has_pole(const Mesh& mesh, std::span<const PolygonCorner> polygon) {
 std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, bool is_at_pole,
                      std::span<const PointPair> taken) {
   const double whole = doubled_area(polygon);
+  const double rounding = rounding_of_area(polygon);
   const Mesh& mesh = grid.mesh;
   std::size_t best = 0;
   double best_sagitta = std::numeric_limits<double>::infinity();
@@ -95,7 +109,7 @@ std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, b
     const PolygonCorner& after = polygon[(k + 1) % polygon.size()];
     const double ear = doubled_area(before.place, polygon[k].place, after.place);
     // What is left must have area too: corners on one straight side are no polygon.
-    if (ear <= 0 || ear >= whole) continue;
+    if (ear <= rounding || ear >= whole - rounding) continue;
     const dvec3& a = mesh.position[before.corner];
     const dvec3& b = mesh.position[after.corner];
     const double arc = sagitta(a, mesh.normal[before.corner], b, mesh.normal[after.corner]);

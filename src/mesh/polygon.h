@@ -1,7 +1,10 @@
 // A leaf of a refined grid, with all the vertices on its sides, into triangles.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +17,13 @@ struct PolygonCorner {
   std::uint32_t corner;
   dvec2 place;  ///< in units of the lattice
 };
+
+/// By how much the place of a cut may be off a straight side that it is on, in units of the
+/// lattice: it is mixed from those of the side's ends, which are exact.
+inline double rounding_of_place(const dvec2& place) {
+  return 4 * std::numeric_limits<double>::epsilon() *
+         std::max(std::fabs(place.x), std::fabs(place.y));
+}
 
 /// Triangulates a convex polygon, counter-clockwise in (u, v), whose corners may lie on straight
 /// sides: ears are cut off one by one, the one with the smallest sagitta of its chord first, each

@@ -55,6 +55,14 @@ TEST(BoundedWork, TakesNoMoreCellsForWavesThanTheirToleranceShows) {
   }
 }
 
+TEST(BoundedWork, SaysThatTheLimitWasReachedWhereOnlyCutCellsAreLeft) {
+  AdaptiveOptions options = thousandth();
+  options.max_triangles = 1000;
+  const GridMesh result = mesh_within_tolerance(height("sign(sin(9*u)+sin(7*v))"), options).value();
+  EXPECT_GT(result.report.max_error, *result.report.tolerance);
+  EXPECT_TRUE(result.report.reached_limit);
+}
+
 TEST(BoundedWork, DoesNotTakeFrontsAndPeaksForWaves) {
   for (const char* z :
        {"tanh(1e3*(u+0.3*v))", "exp(-1e7*((u-0.123)^2+(v+0.321)^2))", "tanh(1e4*u)*tanh(1e4*v)",

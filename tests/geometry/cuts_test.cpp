@@ -134,6 +134,17 @@ TEST(Creases, GoThroughVerticesOfTheMesh) {
   }
 }
 
+TEST(Creases, ThatCrossLeaveNoCracks) {
+  // At a point that is no vertex of the root grid; many at one; at a corner of a cell.
+  for (const char* z : {"max(u,v)+abs(u+v)", "abs(u+v)+abs(u-v)", "max(u,v)+abs(u-2*v)",
+                        "abs(u-0.1)+abs(v+u-0.21)+abs(u-3*v)"}) {
+    const GridMesh result = height_field(z);
+    EXPECT_EQ(euler_number(result.mesh), 1) << z;
+    EXPECT_NEAR(area_in_uv(result.mesh), 4, 1e-9) << z;
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+  }
+}
+
 TEST(Creases, MayBeCurved) {
   const GridMesh result = height_field("abs(u^2+v^2-0.5)");
   const auto exact = [](const dvec2& uv, const dvec2& inside) {
