@@ -23,6 +23,7 @@ class Finder {
   /// Cuts sides that are known to lead to poles. The last vertices on either side tell where the
   /// surface goes; they are no part of the mesh.
   void cut_poles(std::span<const Side> sides) {
+    if (sides.empty()) return;
     std::vector<Between> places;
     for (const auto& [a, b] : sides) {
       for (const dvec2& end : lattice_.pole_between(a, b)) places.push_back({a, b, end});
@@ -32,6 +33,38 @@ class Finder {
       lattice_.set_crossing(a, b, Crossing{Cut::Pole, a, next, next + 1});
       next += 2;
     }
+  }
+
+  /// Cuts sides at poles where something else cuts them, too: only one cut of a side is kept.
+  void find_poles_beside_cuts(std::span<const Side> sides) {
+    const Mesh& mesh = lattice_.mesh();
+    double delta = std::numeric_limits<double>::infinity();
+    std::vector<Line> parts;
+    std::vector<Side> whole;  // of each part, the end that it begins at first
+    for (const Side& side : sides) {
+      const std::optional<Crossing> cut = lattice_.crossing(side[0], side[1]);
+      for (std::size_t end = 0; end < 2; ++end) {
+        const std::uint32_t from = side[end];
+        const std::uint32_t to = cut->beside(from);
+        if (!lattice_.is_defined(from) || mesh.uv[from] == mesh.uv[to]) continue;
+        parts.push_back({mesh.uv[from], mesh.uv[to]});
+        whole.push_back({from, side[1 - end]});
+        delta = std::min(delta, options_.tolerance(mesh.position[from]));
+      }
+    }
+    const auto found =
+        find_breaks(lattice_.surface(), parts, delta, options_.threads, lattice_.search_work());
+    std::vector<Side> poles;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const auto& [from, to] = whole[k];
+      const Side side = {std::min(from, to), std::max(from, to)};
+      if (found[k].kind != Break::Pole || lattice_.leads_to_pole(from, to)) continue;
+      const auto& [near, far] = found[k].ends;
+      lattice_.set_leads_to_pole(from, to,
+                                 from < to ? std::array{near, far} : std::array{far, near});
+      poles.push_back(side);
+    }
+    cut_poles(poles);
   }
 
   /// Finds all but creases. Returns the sides along which the surface is continuous.
@@ -250,6 +283,11 @@ void find_jumps(std::span<const Side> sides, const CrossingOptions& options, Lat
 
 void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
   Finder(options, lattice).cut_poles(sides);
+}
+
+void find_poles_beside_cuts(std::span<const Side> sides, const CrossingOptions& options,
+                            Lattice& lattice) {
+  Finder(options, lattice).find_poles_beside_cuts(sides);
 }
 
 std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice) {

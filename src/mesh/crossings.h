@@ -33,6 +33,11 @@ void find_jumps(std::span<const Side> sides, const CrossingOptions& options, Lat
 /// Cuts sides that are known to lead to poles: Lattice::leads_to_pole().
 void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);
 
+/// Looks for poles between the ends of sides and what cuts them there, a rim, a jump or a crease,
+/// and cuts the sides at those instead.
+void find_poles_beside_cuts(std::span<const Side> sides, const CrossingOptions& options,
+                            Lattice& lattice);
+
 /// The sides of a leaf that have not been looked at.
 std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice);
 

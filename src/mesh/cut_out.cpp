@@ -1,7 +1,6 @@
 #include "mesh/cut_out.h"
 
 #include <algorithm>
-#include <set>
 
 #include <glm/common.hpp>
 
@@ -85,6 +84,41 @@ void accept_around(const Hole& hole, const Lattice& lattice, Measured& mesh) {
   }
 }
 
+/// Sides of leaves of which something is left, in the order of their numbers.
+struct Sides {
+  std::vector<Side> lead_to_poles;  ///< and are not cut
+  std::vector<Side> unsearched;     ///< that may lead there
+  std::vector<Side> cut;            ///< by what is no pole
+};
+
+/// A wall need not be far off: where nothing clips a surface that goes to infinity, tolerances are
+/// a share of its height without end, and all sides of leaves may lead to poles.
+Sides sort_sides(const RefineOptions& options, const Lattice& lattice, const Measured& mesh) {
+  Sides result;
+  const bool has_poles = lattice.has_poles();
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    const bool is_suspect = is_off(mesh, k) || (has_poles && !options.clip);
+    if (!is_suspect && !has_poles) continue;
+    if (leaf.is_left_out || is_clipped(leaf, options.clip, lattice)) continue;
+    for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+      const Side side = {std::min(a, b), std::max(a, b)};
+      if (const auto crossing = lattice.crossing(a, b)) {
+        if (!leaves_out(crossing->kind)) result.cut.push_back(side);
+      } else if (lattice.leads_to_pole(a, b)) {
+        result.lead_to_poles.push_back(side);
+      } else if (is_suspect && !lattice.is_searched(a, b)) {
+        result.unsearched.push_back(side);
+      }
+    });
+  }
+  for (std::vector<Side>* const sides : {&result.lead_to_poles, &result.unsearched, &result.cut}) {
+    std::ranges::sort(*sides);
+    sides->erase(std::unique(sides->begin(), sides->end()), sides->end());
+  }
+  return result;
+}
+
 }  // namespace
 
 bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const Lattice& lattice) {
@@ -127,27 +161,17 @@ std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOpti
 }
 
 void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Measured& mesh) {
-  std::set<Side> poles;
-  std::set<Side> suspects;
-  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    const Leaf& leaf = mesh.leaves[k];
-    const bool is_fine = leaf.on_rim || leaf.is_left_out || !is_off(mesh, k);
-    if (is_fine || is_clipped(leaf, options.clip, lattice)) continue;
-    for (const Side& side : sides_of(leaf, lattice)) {
-      if (lattice.crossing(side[0], side[1])) continue;
-      if (lattice.leads_to_pole(side[0], side[1])) {
-        poles.insert(side);
-      } else if (!lattice.is_searched(side[0], side[1])) {
-        suspects.insert(side);
-      }
-    }
-  }
   const CrossingOptions with_poles{options.tolerance, true, options.threads};
-  const auto sides = [](const std::set<Side>& set) { return std::vector(set.begin(), set.end()); };
-  if (!poles.empty()) cut_poles(sides(poles), with_poles, lattice);
-  if (!search || (poles.empty() && suspects.empty())) return;
-  find_crossings(sides(suspects), with_poles, lattice);
+  Sides sides = sort_sides(options, lattice, mesh);
+  cut_poles(sides.lead_to_poles, with_poles, lattice);
+  if (search) find_jumps(sides.unsearched, with_poles, lattice);
   follow_crossings(with_poles, mesh.leaves, lattice);
+  if (!search || !lattice.has_poles()) return;
+  for (const auto& [a, b] : sides.unsearched) {
+    const auto crossing = lattice.crossing(a, b);
+    if (crossing && !leaves_out(crossing->kind)) sides.cut.push_back({a, b});
+  }
+  find_poles_beside_cuts(sides.cut, with_poles, lattice);
 }
 
 }  // namespace saddle

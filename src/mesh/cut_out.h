@@ -25,8 +25,10 @@ bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const Latti
 std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOptions& options,
                                         const Lattice& lattice, Measured& mesh);
 
-/// Cuts the sides of leaves that halving did not help where they are known to lead to poles, which
-/// would be walls; and, if `search`, where they are found to.
+/// Cuts the sides of leaves that lead to poles, which would be walls, where that is known or is
+/// found by following the poles from leaf to leaf. If `search`, those too that do beside a rim or a
+/// jump, and all others of leaves that halving did not help or, of a surface that has poles and is
+/// not clipped, of any.
 void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Measured& mesh);
 
 }  // namespace saddle

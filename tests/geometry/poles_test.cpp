@@ -1,0 +1,135 @@
+// Where a surface goes to infinity, no triangle has corners on both sides, whichever way the line
+// of its poles runs through the cells, and however wide the tolerance is there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mesh/adaptive_mesh.h"
+#include "mesh/sampled_mesh.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+/// The denominator: at its zeros are the poles.
+using Denominator = double (*)(double u, double v);
+
+struct Case {
+  const char* z;
+  Denominator denominator;
+};
+
+const std::vector<Case> kAslant = {
+    {"1/(u-0.3*v)", [](double u, double v) { return u - 0.3 * v; }},
+    {"1/(u-v^2)", [](double u, double v) { return u - v * v; }},
+    {"1/(u^2+v^2-0.25)", [](double u, double v) { return u * u + v * v - 0.25; }},
+    {"1/(u*v-0.1)", [](double u, double v) { return u * v - 0.1; }},
+    {"1/(u+v-0.3*sin(3*u))", [](double u, double v) { return u + v - 0.3 * std::sin(3 * u); }},
+    {"1/(u-v^2)^2", [](double u, double v) { return u - v * v; }},
+    {"ln(abs(u-v^2))", [](double u, double v) { return u - v * v; }}};
+
+const std::vector<Case> kBesideRims = {
+    {"sqrt(1-u^2-v^2)/(u-0.3)", [](double u, double) { return u - 0.3; }},
+    {"sqrt(1-u^2-v^2)/(u-0.1)", [](double u, double) { return u - 0.1; }},
+    {"sqrt(1-u^2-v^2)/(u-0.3*v)", [](double u, double v) { return u - 0.3 * v; }}};
+
+Surface height_field(const char* z) {
+  return surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+}
+
+AdaptiveOptions options() {
+  AdaptiveOptions options;
+  options.tolerance = [](const Probe& probe) -> Tolerance {
+    return 1e-3 * probe.bounds().diagonal();
+  };
+  return options;
+}
+
+/// Triangles with corners on both sides of the poles.
+std::size_t walls(const Mesh& mesh, Denominator denominator) {
+  constexpr double kOnPole = 1e-13;
+  std::size_t count = 0;
+  for (const Triangle& t : mesh.triangles) {
+    double least = 0;
+    double most = 0;
+    for (const std::uint32_t corner : t) {
+      const double side = denominator(mesh.uv[corner].x, mesh.uv[corner].y);
+      least = std::min(least, side);
+      most = std::max(most, side);
+    }
+    if (least < -kOnPole && most > kOnPole) ++count;
+  }
+  return count;
+}
+
+double area_in_uv(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const dvec2 a = mesh.uv[t[1]] - mesh.uv[t[0]];
+    const dvec2 b = mesh.uv[t[2]] - mesh.uv[t[0]];
+    sum += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  return sum;
+}
+
+TEST(Poles, AslantOrCurvedAreCutWithoutABox) {
+  for (const Case& c : kAslant) {
+    const GridMesh result = mesh_within_tolerance(height_field(c.z), options()).value();
+    EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z;
+    EXPECT_GT(result.report.pole_count, 0U) << c.z;
+    EXPECT_GT(area_in_uv(result.mesh), 0.85 * 4) << c.z;
+  }
+}
+
+TEST(Poles, AslantOrCurvedAreCutOutOfSamples) {
+  struct Cells {
+    std::size_t u, v;
+  };
+  for (const Case& c : kAslant) {
+    for (const Cells cells : {Cells{20, 20}, Cells{10, 10}, Cells{7, 9}}) {
+      const GridMesh result =
+          mesh_of_samples(height_field(c.z), options(), cells.u, cells.v).value();
+      EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << cells.u;
+      // The poles are no longer than 4.5, and cross each row and column in at most two cells.
+      const double crossed = 4.0 / static_cast<double>(cells.u * cells.v);
+      const auto most = static_cast<double>(2 * (cells.u + cells.v));
+      EXPECT_GT(area_in_uv(result.mesh), 4 - most * crossed) << c.z << ' ' << cells.u;
+    }
+  }
+}
+
+TEST(Poles, AreCutWhereTheLimitOfTrianglesEndsTheMesh) {
+  for (const std::size_t most : {300U, 1000U, 3000U}) {
+    AdaptiveOptions limited = options();
+    limited.max_triangles = most;
+    for (const Case& c : kAslant) {
+      const GridMesh result = mesh_within_tolerance(height_field(c.z), limited).value();
+      EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << most;
+    }
+  }
+}
+
+TEST(Poles, ThatMeetARimAreCutThere) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  AdaptiveOptions clipped = options();
+  clipped.tolerance = [](const Probe&) -> Tolerance { return 0.0078; };
+  clipped.clip = Bounds{dvec3(-kFar, -kFar, -4), dvec3(kFar, kFar, 3)};
+  for (const Case& c : kBesideRims) {
+    const Surface surface = height_field(c.z);
+    const std::vector<GridMesh> meshes = {
+        mesh_within_tolerance(surface, options()).value(),
+        mesh_within_tolerance(surface, clipped).value(),
+        mesh_of_samples(surface, options(), 20, 20).value(),
+        mesh_of_samples(surface, clipped, 20, 20).value(),
+    };
+    for (std::size_t k = 0; k < meshes.size(); ++k) {
+      EXPECT_EQ(walls(meshes[k].mesh, c.denominator), 0U) << c.z << ' ' << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace saddle
