@@ -193,14 +193,19 @@ class SingularWords {
     return lines;
   }
 
+  double distance(std::size_t a, std::size_t b) const {
+    return glm::distance(places_[a]->position, places_[b]->position);
+  }
+
   /// Takes what is one point of space in many places.
   std::vector<Group> take_points(Indices& left) const {
     std::vector<Group> groups;
     Indices others = left;
     while (!others.empty()) {
-      const dvec3& first = places_[others.front()]->position;
+      const std::size_t first = others.front();
       const Indices here = take(others, [&](std::size_t k) {
-        return glm::distance(places_[k]->position, first) <= kSamePlace * diagonal_;
+        // Of a place that is nowhere no distance is known.
+        return k == first || distance(k, first) <= kSamePlace * diagonal_;
       });
       if (here.size() >= kLine) groups.emplace_back(at_, here);
     }

@@ -10,6 +10,10 @@ namespace saddle {
 
 namespace {
 
+/// From the corner of a cell to its middle, times this, is within the cell, and on no line between
+/// places that cells are divided at.
+constexpr dvec2 kAslant(1.4142135623730951, 0.6180339887498949);
+
 /// The kept cells around all singular vertices, in order of vertex, then of cell.
 std::vector<Approach> singular_approaches(const Grid& grid) {
   std::vector<Approach> approaches;
@@ -114,10 +118,23 @@ void mark_without_limit(MeshReport& report) {
   if (listed) report.singular_points.back().has_limit = false;
 }
 
+std::vector<NormalLimit> limits_in_cells(const Surface& surface, std::vector<Approach> approaches,
+                                         unsigned threads) {
+  std::vector<dvec2> corners;
+  corners.reserve(approaches.size());
+  for (const Approach& approach : approaches) corners.push_back(approach.corner);
+  const std::vector<SurfacePoint> points = evaluate(surface, corners, threads);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    auto& [corner, inside] = approaches[k];
+    if (!is_finite(points[k].position)) inside = corner + kAslant * (inside - corner);
+  }
+  return limit_normals(surface, approaches, threads);
+}
+
 std::vector<OpenCell> open_cells(const Surface& surface, unsigned threads, Grid& grid,
                                  MeshReport& report) {
   const std::vector<NormalLimit> limits =
-      limit_normals(surface, singular_approaches(grid), threads);
+      limits_in_cells(surface, singular_approaches(grid), threads);
   std::span<const NormalLimit> remaining = limits;
   CornerBuilder builder(grid, report);
   for (const std::size_t vertex : grid.singular) builder.add_singular(vertex, remaining);

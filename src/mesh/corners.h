@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/grid.h"
+#include "surface/normal.h"
 
 namespace saddle {
 
@@ -36,6 +37,11 @@ class VertexCorners {
 void add_singular_point(const dvec2& uv, MeshReport& report);
 /// The normal has no limit at the point that was added last.
 void mark_without_limit(MeshReport& report);
+
+/// limit_normals() within cells. To a corner at which the surface is not defined the way is aslant:
+/// 0/0 may run along the cell's diagonal, and beside it nothing but rounding is left of it.
+std::vector<NormalLimit> limits_in_cells(const Surface& surface, std::vector<Approach> approaches,
+                                         unsigned threads);
 
 /// A cell that is to be cut, with the corners of its four slots.
 struct OpenCell {

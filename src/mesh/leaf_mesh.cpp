@@ -78,6 +78,25 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
   return views;
 }
 
+/// Vertices at which the surface is not defined but has a limit: singular only if its normal has
+/// several limits or none.
+std::set<std::uint32_t> filled_vertices(const Surface& surface, std::span<const View> views,
+                                        const Grid& grid, unsigned threads) {
+  std::vector<std::uint32_t> vertices;
+  std::vector<dvec2> uv;
+  for (const View& view : views) {
+    if (!vertices.empty() && vertices.back() == view.vertex) continue;
+    vertices.push_back(view.vertex);
+    uv.push_back(grid.mesh.uv[view.vertex]);
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  std::set<std::uint32_t> filled;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!is_finite(points[k].position)) filled.insert(vertices[k]);
+  }
+  return filled;
+}
+
 constexpr std::uint32_t kNoCell = 0xffffffff;
 
 /// The cell of the root grid that a plain leaf is, if that has been cut when it was sampled.
@@ -253,20 +272,27 @@ SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> l
   for (const View& view : views) {
     approaches.push_back({grid.mesh.uv[view.vertex], view.inside});
   }
-  const std::vector<NormalLimit> limits = limit_normals(surface, approaches, threads);
+  const std::vector<NormalLimit> limits = limits_in_cells(surface, std::move(approaches), threads);
+  const std::set<std::uint32_t> filled = filled_vertices(surface, views, grid, threads);
   VertexCorners corners(grid.mesh);
-  for (std::size_t k = 0; k < views.size(); ++k) {
-    const View& view = views[k];
-    if (k == 0 || views[k - 1].vertex != view.vertex) {
-      corners.begin(view.vertex);
-      add_singular_point(grid.mesh.uv[view.vertex], report);
+  for (std::size_t k = 0, end = 0; k < views.size(); k = end) {
+    const std::uint32_t vertex = views[k].vertex;
+    corners.begin(vertex);
+    bool has_limits = true;
+    bool has_one_normal = true;
+    for (end = k; end < views.size() && views[end].vertex == vertex; ++end) {
+      const View& view = views[end];
+      const NormalLimit& limit = limits[end];
+      report.evaluations += static_cast<std::size_t>(limit.evaluations);
+      const std::size_t corner = corners.find_or_add(limit.normal.value_or(view.face));
+      corners_[key_of(view.leaf, view.piece, vertex)] = static_cast<std::uint32_t>(corner);
+      has_limits = has_limits && limit.normal;
+      has_one_normal = has_one_normal && corner == vertex;
+      leaves_.push_back(view.leaf);
     }
-    report.evaluations += static_cast<std::size_t>(limits[k].evaluations);
-    if (!limits[k].normal) mark_without_limit(report);
-    const dvec3 normal = limits[k].normal.value_or(view.face);
-    corners_[key_of(view.leaf, view.piece, view.vertex)] =
-        static_cast<std::uint32_t>(corners.find_or_add(normal));
-    leaves_.push_back(view.leaf);
+    if (has_limits && has_one_normal && filled.contains(vertex)) continue;
+    add_singular_point(grid.mesh.uv[vertex], report);
+    if (!has_limits) mark_without_limit(report);
   }
   std::ranges::sort(leaves_);
   leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());

@@ -49,13 +49,22 @@ std::vector<dvec3> distinct_limits(const Surface& surface, const dvec2& uv) {
   return normals;
 }
 
-std::vector<SingularPlace> singular_places(const Surface& surface, const MeshReport& report) {
+/// Where the surface is at a place: where it is not defined, the limit that its mesh has there.
+dvec3 position_at(const SurfacePoint& point, const dvec2& uv, const Mesh& mesh) {
+  if (is_finite(point.position)) return point.position;
+  const auto at = std::ranges::find(mesh.uv, uv);
+  return at == mesh.uv.end() ? point.position
+                             : mesh.position[static_cast<std::size_t>(at - mesh.uv.begin())];
+}
+
+std::vector<SingularPlace> singular_places(const Surface& surface, const Mesh& mesh,
+                                           const MeshReport& report) {
   std::vector<dvec2> uv;
   for (const SingularPoint& point : report.singular_points) uv.push_back(point.uv);
   const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
   std::vector<SingularPlace> places;
   for (std::size_t k = 0; k < uv.size(); ++k) {
-    places.push_back({uv[k], points[k].position, distinct_limits(surface, uv[k]),
+    places.push_back({uv[k], position_at(points[k], uv[k], mesh), distinct_limits(surface, uv[k]),
                       report.singular_points[k].is_alone});
   }
   return places;
@@ -71,7 +80,7 @@ Facts gather_facts(const Surface& surface, const Mesh& mesh, const MeshReport& r
   facts.topology = topology(mesh);
   const bool is_whole = report.undefined_fraction == 0 && !is_clipped && report.pole_count == 0;
   facts.measures = measure_surface(surface, mesh, is_whole, threads);
-  facts.singular = singular_places(surface, report);
+  facts.singular = singular_places(surface, mesh, report);
   facts.singular_u = report.singular_u;
   facts.singular_v = report.singular_v;
   return facts;

@@ -22,6 +22,9 @@ constexpr double kConverged = 1e-12;
 /// analytic in tau settle below 1e-9; powers u^p, p >= 1/4, are then off by at most three times
 /// their change; logarithms, off by a hundred times theirs, stay above 5e-4 for u*log(u).
 constexpr double kSettled = 1e-4;
+/// Once settled, a path that changes by more (radians) has lost its digits: beside 0/0, where
+/// derivatives of rounding errors become so large that their direction seems to settle again.
+constexpr double kLost = 1e-2;
 /// A normal that comes nearer to its limit does not then move away by more than twice its distance
 /// and by this much (radians); one that oscillates, as of u*sin(1/u), does.
 constexpr double kRelapse = 0.1;
@@ -84,13 +87,16 @@ std::optional<dvec3> extrapolate(std::span<const SurfacePoint> path) {
     if (!normal) break;
     normals.push_back(*normal);
     row[0] = *normal;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k <= std::min(i, kHighestPower); ++k) {
       const double power = static_cast<double>(1U << k);
       row[k] = row[k - 1] + (row[k - 1] - previous[k - 1]) / (power - 1);
       const double change =
           std::max(glm::distance(row[k], row[k - 1]), glm::distance(row[k], previous[k - 1]));
+      least = std::min(least, change);
       if (change < best.change) best = {row[k], change, i};
     }
+    if (best.change <= kSettled && least > kLost) break;
     previous = row;
   }
   if (!(best.change <= kSettled)) return std::nullopt;

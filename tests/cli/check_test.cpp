@@ -90,6 +90,12 @@ TEST_F(CheckCommand, TellsSingularPointsFromLinesAndCurves) {
   for (const Json& place : facts({"sphere"})["singular_points"]) EXPECT_FALSE(place["isolated"]);
 }
 
+TEST_F(CheckCommand, FindsNothingSingularWhereZeroByZeroHasLimits) {
+  for (const char* const z : {"z=(u^3-v^3)/(u-v)", "z=sin(u-v)/(u-v)"}) {
+    EXPECT_TRUE(contains(words({z}), "singular    none\n")) << z;
+  }
+}
+
 TEST_F(CheckCommand, TellsAPoleOnceFromHoweverManySidesItWasCut) {
   EXPECT_TRUE(contains(words({"z=1/(u^2+v^2)"}), "poles       1 place: u = 0, v = 0\n"));
 }

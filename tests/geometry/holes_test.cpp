@@ -7,6 +7,7 @@
 
 #include "mesh/adaptive_mesh.h"
 #include "mesh_checks.h"
+#include "surface/normal.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -118,6 +119,23 @@ TEST(Holes, OfACircleOfLimitsAreNotCutAcross) {
     const dvec3 middle = (p[t[0]] + p[t[1]] + p[t[2]]) / 3.0;
     ASSERT_GT(glm::length(dvec2(middle)), 1 - 2 * kTolerance);
   }
+}
+
+TEST(Holes, AlongDiagonalsOfCellsThatHaveLimitsAreRegular) {
+  const GridMesh result = mesh_of(height("(u^3-v^3)/(u-v)"), 4e-3);
+  EXPECT_EQ(result.report.singular_point_count, 0U);
+  std::size_t on_diagonal = 0;
+  for (std::size_t k = 0; k < result.mesh.uv.size(); ++k) {
+    const dvec2 uv = result.mesh.uv[k];
+    if (uv.x != uv.y) continue;
+    ++on_diagonal;
+    const dvec3 normal = glm::normalize(dvec3(-3 * uv.x, -3 * uv.x, 1));  // of u^2 + u v + v^2
+    EXPECT_LE(degrees_between(result.mesh.normal[k], normal), 1e-2) << uv.x;
+    EXPECT_NEAR(result.mesh.position[k].z, 3 * uv.x * uv.x, 1e-9) << uv.x;
+  }
+  EXPECT_GE(on_diagonal, 10U);
+  // On a crease they have several normals.
+  EXPECT_GE(mesh_of(height("(u^2-v^2)/(u-v)+2*abs(u-v)"), 4e-3).report.singular_point_count, 10U);
 }
 
 }  // namespace

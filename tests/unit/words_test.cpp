@@ -1,0 +1,21 @@
+// What `saddle check` says of places.
+#include "app/words.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace saddle {
+namespace {
+
+TEST(Words, TellOfSingularPlacesThatAreNowhere) {
+  Facts facts;
+  facts.domain = {-1, 1, -1, 1};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < 3; ++k) facts.singular.push_back({{0.1 * k, 0.3}, dvec3(nan), {}, false});
+  const std::string text = words::singular(facts, 1);
+  EXPECT_EQ(text.substr(0, 10), "3 points: ") << text;
+}
+
+}  // namespace
+}  // namespace saddle
