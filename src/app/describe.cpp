@@ -172,8 +172,8 @@ std::string describe(const SurfaceReport& s, const Mesh& triangles) {
   line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
   line("shape", shape(facts.topology));
   line("extents", extents(facts.measures.extents));
-  line("area", number(facts.measures.area));
-  if (encloses_volume(facts)) line("volume", number(facts.measures.volume));
+  line("area", words::number(facts.measures.area));
+  if (encloses_volume(facts)) line("volume", words::number(facts.measures.volume));
   line("curvature", curvatures(facts.measures));
   line("mesh", mesh(s));
   line("proof", proof(s.mesh, facts.domain));

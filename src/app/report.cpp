@@ -102,8 +102,8 @@ void add_facts(const SurfaceReport& s, Json& json) {
   json["boundary_loops"] = t.boundary_loops;
   json["extents"] =
       Json::array({vector(facts.measures.extents.low), vector(facts.measures.extents.high)});
-  json["area"] = number(facts.measures.area);
-  json["volume"] = encloses_volume(facts) ? number(facts.measures.volume) : Json(nullptr);
+  json["area"] = number(facts.measures.area.value);
+  json["volume"] = encloses_volume(facts) ? number(facts.measures.volume.value) : Json(nullptr);
   json["gauss_curvature"] = extremes(facts.measures.gauss);
   json["mean_curvature"] = extremes(facts.measures.mean);
   json["least_triangles"] = number(s.mesh.least_triangles);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numeric>
 
 #include <glm/vector_relational.hpp>
@@ -23,6 +24,8 @@ constexpr double kSameDegrees = 1e-3;
 constexpr double kLostOfNormals = 1e-9;
 /// What is less of a position, in diagonals, is rounding.
 constexpr double kRounding = 1e-12;
+/// Digits of numbers.
+constexpr int kDigits = 6;
 /// So many places on a line of constant u or v, or at one point, are told as one.
 constexpr std::size_t kLine = 12;
 /// Places and lines that are told one by one.
@@ -273,6 +276,16 @@ std::string number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", value + 0.0);  // + 0: no "-0"
   return text.data();
+}
+
+std::string number(const Estimate& estimate) {
+  const double share = estimate.error / std::fabs(estimate.value);
+  const double known = share > 0 ? std::floor(-std::log10(2 * share)) : kDigits;
+  if (known >= kDigits || !std::isfinite(known)) return number(estimate.value);
+  std::array<char, 32> rounded{};
+  const int digits = static_cast<int>(std::max(known, 1.0));
+  std::snprintf(rounded.data(), rounded.size(), "%.*g", digits, estimate.value);
+  return "about " + number(std::strtod(rounded.data(), nullptr));
 }
 
 std::string plural(std::size_t count, const std::string& noun) {

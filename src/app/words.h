@@ -12,6 +12,8 @@ namespace saddle::words {
 
 /// Six digits: what an area keeps at the least.
 std::string number(double value);
+/// As many of the six digits as are known; "about 3.1" if that is less.
+std::string number(const Estimate& estimate);
 /// "1 place", "2 places".
 std::string plural(std::size_t count, const std::string& noun);
 /// "u = 1", "u = 1:2".

@@ -78,8 +78,9 @@ Facts gather_facts(const Surface& surface, const Mesh& mesh, const MeshReport& r
   facts.domain = surface.domain;
   facts.defined = prove_defined(surface, kBoxes);
   facts.topology = topology(mesh);
-  const bool is_whole = report.undefined_fraction == 0 && !is_clipped && report.pole_count == 0;
-  facts.measures = measure_surface(surface, mesh, is_whole, threads);
+  Covered covered = report.undefined_fraction == 0 ? Covered::Whole : Covered::Defined;
+  if (is_clipped || report.pole_count > 0) covered = Covered::Part;
+  facts.measures = measure_surface(surface, mesh, covered, threads);
   facts.singular = singular_places(surface, mesh, report);
   facts.singular_u = report.singular_u;
   facts.singular_v = report.singular_v;

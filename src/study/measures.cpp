@@ -25,11 +25,6 @@ constexpr double kShortTangent = 1e-5;
 /// A curvature that a search from a vertex finds may be larger by this part of the largest; one
 /// that is more so grows toward a place where there is none.
 constexpr double kBetweenVertices = 0.25;
-/// Stretches of the domain in each direction and points of Gauss's rule in each: 256 x 256 points.
-constexpr std::size_t kStretches = 64;
-constexpr std::array<double, 2> kGaussPlaces = {0.33998104358485626, 0.86113631159405258};
-constexpr std::array<double, 2> kGaussWeights = {0.65214515486254614, 0.34785484513745386};
-
 /// Corner weights and weight of a point of Radon's rule.
 struct Node {
   std::array<double, 3> corners;
@@ -52,29 +47,6 @@ std::array<Node, 7> radon_rule() {
   return nodes;
 }
 
-/// Places in [first, last] and their weights, which add up to its length.
-struct Rule {
-  std::vector<double> places, weights;
-};
-
-Rule gauss_rule(double first, double last) {
-  Rule rule;
-  const double half = 0.5 / kStretches;
-  for (std::size_t k = 0; k < kStretches; ++k) {
-    const double middle = (static_cast<double>(k) + 0.5) / kStretches;
-    const auto add = [&](double place, double weight) {
-      const double part = middle + half * place;
-      rule.places.push_back(first * (1 - part) + last * part);
-      rule.weights.push_back(half * weight * std::fabs(last - first));
-    };
-    add(-kGaussPlaces[1], kGaussWeights[1]);
-    add(-kGaussPlaces[0], kGaussWeights[0]);
-    add(kGaussPlaces[0], kGaussWeights[0]);
-    add(kGaussPlaces[1], kGaussWeights[1]);
-  }
-  return rule;
-}
-
 /// The median length of a tangent.
 double usual_length(const std::vector<SurfacePoint>& points, dvec3 SurfacePoint::*tangent) {
   std::vector<double> lengths;
@@ -92,38 +64,35 @@ class Measurer {
   Measurer(const Surface& surface, const Mesh& mesh, unsigned threads)
       : surface_(surface), mesh_(mesh), threads_(threads), centre_(mesh.bounds.centre()) {}
 
-  Measures run(bool is_whole) {
+  Measures run(Covered covered) {
     integrate_triangles();
     result_.extents = mesh_.bounds;
-    if (is_whole) {
-      integrate_domain();
-      extend();
-    }
+    if (covered != Covered::Part) take_domain();
+    if (covered == Covered::Whole) extend();
     add_curvatures();
     return result_;
   }
 
  private:
-  /// Keeps what the triangles say if the two do not agree: an integrand that goes to infinity.
-  void integrate_domain() {
-    const Domain& d = surface_.domain;
-    const Rule u = gauss_rule(d.u0, d.u1);
-    const Rule v = gauss_rule(d.v0, d.v1);
-    const std::vector<SurfacePoint> points =
-        evaluate_on_grid(surface_, u.places, v.places, threads_);
-    result_.evaluations += points.size();
-    double area = 0;
-    double volume = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const double weight = u.weights[k % u.places.size()] * v.weights[k / u.places.size()];
-      const dvec3 across = glm::cross(points[k].r_u, points[k].r_v);
-      area += weight * glm::length(across);
-      volume += weight * glm::dot(points[k].position - centre_, across) / 3;
-    }
-    if (!(std::fabs(area - result_.area) <= kSpoilt * result_.area) || !std::isfinite(volume))
+  /// Takes the integrals over the domain if they are the better known ones. What the triangles say
+  /// is not known better than the two agree, as where the integrand goes to infinity.
+  void take_domain() {
+    Integrals all = integrate_domain(surface_, centre_, mesh_.bounds.diagonal(), threads_);
+    result_.evaluations += all.evaluations;
+    if (surface_.flip) all.volume.value = -all.volume.value;
+    const double off = std::fabs(all.area.value - result_.area.value);
+    const bool is_better =
+        off <= kSpoilt * result_.area.value && all.area.error <= std::max(off, result_.area.error);
+    if (is_better) {
+      result_.area = all.area;
+      result_.volume = all.volume;
       return;
-    result_.area = area;
-    result_.volume = surface_.flip ? -volume : volume;
+    }
+    const auto widen = [](const Estimate& other, Estimate& own) {
+      own.error = std::max(own.error, std::fabs(other.value - own.value));
+    };
+    widen(all.area, result_.area);
+    widen(all.volume, result_.volume);
   }
 
   void integrate_triangles() {
@@ -131,6 +100,8 @@ class Measurer {
       integrate(std::span(mesh_.triangles)
                     .subspan(begin, std::min(kBlock, mesh_.triangles.size() - begin)));
     }
+    result_.area.error = std::fabs(result_.area.value - flat_.area);
+    result_.volume.error = std::fabs(result_.volume.value - flat_.volume);
   }
 
   void integrate(std::span<const Triangle> triangles) {
@@ -166,8 +137,11 @@ class Measurer {
       volume += rule_[k].weight * size * glm::dot(points[k].position - centre_, across) / 3;
     }
     const bool usable = std::fabs(area - flat) <= kSpoilt * flat && std::isfinite(volume);
-    result_.area += usable ? area : flat;
-    result_.volume += usable ? volume : glm::dot(a, flat_area) / 3;
+    const double flat_volume = glm::dot(a, flat_area) / 3;
+    result_.area.value += usable ? area : flat;
+    result_.volume.value += usable ? volume : flat_volume;
+    flat_.area += flat;
+    flat_.volume += flat_volume;
   }
 
   /// The largest values of `value` at the mesh's vertices, and from there on.
@@ -260,14 +234,18 @@ class Measurer {
   std::array<Node, 7> rule_ = radon_rule();
   double usual_u_ = 0;  // lengths of tangents
   double usual_v_ = 0;
+  struct {
+    double area = 0;
+    double volume = 0;
+  } flat_;  // of the triangles themselves
   Measures result_;
 };
 
 }  // namespace
 
-Measures measure_surface(const Surface& surface, const Mesh& mesh, bool is_whole,
+Measures measure_surface(const Surface& surface, const Mesh& mesh, Covered covered,
                          unsigned threads) {
-  return Measurer(surface, mesh, threads).run(is_whole);
+  return Measurer(surface, mesh, threads).run(covered);
 }
 
 }  // namespace saddle

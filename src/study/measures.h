@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mesh/mesh.h"
+#include "study/integrals.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -21,9 +22,9 @@ struct Extremes {
 };
 
 struct Measures {
-  double area = 0;
-  double volume = 0;  ///< inside of a closed surface; negative if its back is outside
-  Bounds extents;     ///< of the surface, if all of it was meshed; else of the mesh
+  Estimate area;
+  Estimate volume;  ///< inside of a closed surface; negative if its back is outside
+  Bounds extents;   ///< of the surface, if all of it was meshed; else of the mesh
   /// Curvatures where the surface is regular. What grows toward a singular point is what was found
   /// at the mesh's vertices.
   Extremes gauss;
@@ -31,9 +32,13 @@ struct Measures {
   std::size_t evaluations = 0;
 };
 
-/// Integrals over the domain by Gauss's rule, if `is_whole`: the mesh covers all of it. Else over
-/// each triangle of parameters by a rule that is exact for polynomials of degree 5. For a surface
-/// of second order. Source: J. Radon, "Zur mechanischen Kubatur", 1948.
-Measures measure_surface(const Surface& surface, const Mesh& mesh, bool is_whole, unsigned threads);
+/// What a mesh covers: all of the domain, all that is defined of it, or less.
+enum class Covered { Whole, Defined, Part };
+
+/// Integrals over the domain, or over each triangle of parameters by a rule that is exact for
+/// polynomials of degree 5: of what the mesh covers, those that are known better. For a surface of
+/// second order. Source: J. Radon, "Zur mechanischen Kubatur", 1948.
+Measures measure_surface(const Surface& surface, const Mesh& mesh, Covered covered,
+                         unsigned threads);
 
 }  // namespace saddle

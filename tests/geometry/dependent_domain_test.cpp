@@ -21,11 +21,11 @@ Tessellation mesh_of(const std::vector<std::string>& assignments) {
 
 TEST(DependentDomain, HasItsArea) {
   // Under a sine; on a sphere, whose area in latitude and longitude is the integral of cos v.
-  EXPECT_NEAR(mesh_of({"z=0", "u=0:pi", "v=0:sin(u)"}).report.facts->measures.area, 2, 1e-9);
+  EXPECT_NEAR(mesh_of({"z=0", "u=0:pi", "v=0:sin(u)"}).report.facts->measures.area.value, 2, 1e-9);
   const Tessellation part =
       mesh_of({"x=cos(u)*cos(v)", "y=sin(u)*cos(v)", "z=sin(v)", "u=0:2*pi", "v=0:1-u/7"});
   const double area = 7 * (std::cos(1 - 2 * kPi / 7) - std::cos(1.0));
-  EXPECT_NEAR(part.report.facts->measures.area, area, 1e-9);
+  EXPECT_NEAR(part.report.facts->measures.area.value, area, 1e-9);
 }
 
 TEST(DependentDomain, HasTheUsersParametersExactNormalsAndVerticesOnItsEnds) {

@@ -160,6 +160,20 @@ TEST(LimitNormal, IsNothingWhereTheNormalOscillates) {
   }
 }
 
+/// r_u x r_v is 0 to second order along v = 0, and the way there ends with rounding errors alone.
+TEST(LimitNormal, IsWhatItWasBeforeItsDigitsWereLost) {
+  const Surface horns =
+      surface_from_text("(2+cos(u))*(v/3-sin(v))", "(2+cos(u-2*pi/3))*(cos(v)-1)",
+                        "(2+cos(u+2*pi/3))*(cos(v)-1)", {-kPi, kPi, -2 * kPi, 2 * kPi});
+  for (const double u : {-2.5085, -2.0988, -1.0472}) {
+    const double a = u - 2 * kPi / 3;
+    const double b = u + 2 * kPi / 3;
+    const dvec3 normal(0, 2 * std::sin(u) * (2 + std::cos(b)) - (2 + std::cos(u)) * std::sin(b),
+                       -2 * std::sin(u) * (2 + std::cos(a)) + (2 + std::cos(u)) * std::sin(a));
+    EXPECT_LE(limit_error(horns, {u, 0}, {u + 0.1, 0.13}, normal), 1e-5) << u;
+  }
+}
+
 TEST(LimitNormal, IsNothingWhereTheInsideIsUndefined) {
   const Surface rim = surface_from_text("u", "v", "sqrt(1-u^2)", {});
   EXPECT_FALSE(limit_normal(rim, {1, 0.5}, {1.01, 0.5}).normal);
