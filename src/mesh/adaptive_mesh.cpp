@@ -312,11 +312,11 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   report.flat_triangles =
       report.is_clipped ? 0
                         : std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
+  name_singular(singular, surface.domain, report);
   halving.complete(report);
   Grid& grid = halving.grid();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines = leaf_lines(grid, halving.lattice(), options.lines_u, options.lines_v);
-  name_singular(singular, surface.domain, report);
   if (options.clip) {
     clip_mesh(*options.clip, grid.mesh);
     keep_singular_points_within(*options.clip, surface, options.threads, report);

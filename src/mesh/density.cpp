@@ -404,7 +404,9 @@ void Probe::for_sampled_cells(const FixedLines& lines, std::span<const Bend> ben
     for (const double place : places) {
       const auto next = backwards ? std::ranges::upper_bound(lines_across, place, std::greater())
                                   : std::ranges::upper_bound(lines_across, place);
-      result.push_back(static_cast<std::size_t>(next - lines_across.begin() - 1));
+      const auto cell = static_cast<std::size_t>(next - lines_across.begin() - 1);
+      // In a range of few doubles a sample may be its last end.
+      result.push_back(std::min(cell, lines_across.size() - 2));
     }
     return result;
   };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "mesh/adaptive_mesh.h"
@@ -52,6 +53,18 @@ TEST(BoundedWork, TakesNoMoreCellsForWavesThanTheirToleranceShows) {
     EXPECT_TRUE(result.report.oscillates) << z;
     EXPECT_LT(result.mesh.triangles.size(), most) << z;
     EXPECT_LT(result.report.evaluations, 6 * most) << z;
+  }
+}
+
+TEST(BoundedWork, TakesRangesOfFewDoubles) {
+  // Samples in them are rounded, some of them to the end.
+  for (const Domain& domain :
+       {Domain{1, 1 + 2e-14, -1, 1}, Domain{1e16, 1e16 + 2, 0, 1}, Domain{0, 1, 1 + 1.1e-15, 1}}) {
+    const Surface sheet = surface_from_text("u", "v*1e16", "u+1e16*v^2", domain, {}, Order::Second);
+    const std::optional<GridMesh> result = mesh_within_tolerance(sheet, thousandth());
+    if (result) {
+      EXPECT_FALSE(result->mesh.triangles.empty());
+    }
   }
 }
 
