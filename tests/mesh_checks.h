@@ -34,6 +34,18 @@ inline double volume(const Mesh& mesh) {
   return sum;
 }
 
+/// The area of the triangles in the plane of the parameters; those that are turned over count
+/// negatively.
+inline double area_in_uv(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const dvec2 a = mesh.uv[t[1]] - mesh.uv[t[0]];
+    const dvec2 b = mesh.uv[t[2]] - mesh.uv[t[0]];
+    sum += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  return sum;
+}
+
 using PointEdge = std::pair<std::uint32_t, std::uint32_t>;
 
 inline PointEdge point_edge(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {

@@ -26,7 +26,8 @@ constexpr int kSteps = 48;
 /// After the first few of them, none leaves more of |r_u x r_v| than this, or there is no zero.
 constexpr int kFirstSteps = 3;
 constexpr double kLeaves = 0.5;
-/// No step is longer, in ranges: four of the stretches that samples are apart.
+/// No step is longer, in ranges, four of the stretches that samples are apart; it is tried doubled,
+/// too.
 constexpr double kLongest = 1.0 / 16;
 /// A step that is no longer has used up a double's digits.
 constexpr double kArrived = 1e-15;
@@ -47,8 +48,8 @@ constexpr double kSame = 1e-6;
 /// it is.
 constexpr std::size_t kFew = 4;
 constexpr std::size_t kOnLine = 32;
-/// How far from a zero descents begin that tell whether there are others beside it, and how near to
-/// it they then end if there are none.
+/// How far from a zero descents begin, in ranges, that tell whether there are others beside it, and
+/// the part of that within which they then end if there are none.
 constexpr double kBeside = 1e-3;
 constexpr double kBack = 0.1;
 /// How far from each other places on curves of zeros are named, in ranges.

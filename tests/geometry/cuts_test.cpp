@@ -32,16 +32,6 @@ GridMesh height_field(const char* z) {
   return mesh_of("u", "v", z, {-1, 1, -1, 1});
 }
 
-double area_in_uv(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const dvec2 a = mesh.uv[t[1]] - mesh.uv[t[0]];
-    const dvec2 b = mesh.uv[t[2]] - mesh.uv[t[0]];
-    sum += 0.5 * (a.x * b.y - a.y * b.x);
-  }
-  return sum;
-}
-
 dvec2 middle_in_uv(const Mesh& mesh, const Triangle& t) {
   return (mesh.uv[t[0]] + mesh.uv[t[1]] + mesh.uv[t[2]]) / 3.0;
 }

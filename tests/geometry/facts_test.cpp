@@ -18,6 +18,17 @@ Facts facts_of(const Scene& scene) {
   return gather_facts(surface, mesh.mesh, mesh.report, scene.clip.box.has_value(), 1);
 }
 
+/// The graph of z over a square.
+Scene height_field(const char* z, const Range& side) {
+  Scene scene = scene_of("paraboloid");
+  SurfaceSpec& spec = scene.surfaces.at(0);
+  spec.x = "u";
+  spec.y = "v";
+  spec.z = z;
+  spec.u = spec.v = side;
+  return scene;
+}
+
 void expect_measures(const Facts& facts, double area, double volume, double share) {
   EXPECT_NEAR(facts.measures.area.value, area, share * area);
   EXPECT_NEAR(facts.measures.volume.value, volume, share * std::fabs(volume));
@@ -57,13 +68,7 @@ TEST(Facts, AreaIsKnownWhereDerivativesGoToInfinity) {
 }
 
 TEST(Facts, TellHowFarOffAnAreaMayBe) {
-  Scene scene = scene_of("paraboloid");
-  SurfaceSpec& spec = scene.surfaces.at(0);
-  spec.x = "u";
-  spec.y = "v";
-  spec.z = "sqrt(1-u^2-v^2)";
-  spec.u = spec.v = {"-1", "1"};
-  const Estimate area = facts_of(scene).measures.area;
+  const Estimate area = facts_of(height_field("sqrt(1-u^2-v^2)", {"-1", "1"})).measures.area;
   EXPECT_GE(area.error, std::fabs(area.value - 2 * kPi));
   EXPECT_LE(area.error, 0.05 * area.value);
 }
@@ -73,13 +78,7 @@ TEST(Facts, VolumeIsNegativeWhereTheBackIsOutside) {
 }
 
 TEST(Facts, AreaOfWhatIsPartlyUndefinedIsThatOfTheMeshAndBetter) {
-  Scene scene = scene_of("paraboloid");
-  SurfaceSpec& spec = scene.surfaces.at(0);
-  spec.x = "u";
-  spec.y = "v";
-  spec.z = "0*sqrt(1-u^2-v^2)";
-  spec.u = {"-1.2", "1.2"};
-  spec.v = {"-1.2", "1.2"};
+  const Scene scene = height_field("0*sqrt(1-u^2-v^2)", {"-1.2", "1.2"});
   EXPECT_NEAR(facts_of(scene).measures.area.value, kPi,
               4e-3 * kPi);  // the rim within the tolerance
 }

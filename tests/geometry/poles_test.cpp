@@ -9,6 +9,7 @@
 
 #include "mesh/adaptive_mesh.h"
 #include "mesh/sampled_mesh.h"
+#include "mesh_checks.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -63,16 +64,6 @@ std::size_t walls(const Mesh& mesh, Denominator denominator) {
     if (least < -kOnPole && most > kOnPole) ++count;
   }
   return count;
-}
-
-double area_in_uv(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const dvec2 a = mesh.uv[t[1]] - mesh.uv[t[0]];
-    const dvec2 b = mesh.uv[t[2]] - mesh.uv[t[0]];
-    sum += 0.5 * (a.x * b.y - a.y * b.x);
-  }
-  return sum;
 }
 
 TEST(Poles, AslantOrCurvedAreCutWithoutABox) {
