@@ -96,17 +96,6 @@ Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
   return box;
 }
 
-/// Triangles at most. Whoever asks for a tolerance, or for cells, gets what that takes; else there
-/// are about as many as a picture of the surface has pixels, which is more than can be told apart
-/// in it.
-std::size_t most_triangles(const Scene& scene) {
-  if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
-  if (scene.mesh.tolerance || scene.mesh.samples) return kMostTriangles;
-  const auto pixels = static_cast<std::size_t>(scene.picture.width) *
-                      static_cast<std::size_t>(scene.picture.height);
-  return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
-}
-
 /// A picture's mesh is the one that costs least; a file's has the fewest triangles, and what is
 /// told of a surface is told of that.
 std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, const Surface& surface,
@@ -252,6 +241,14 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
 }
 
 }  // namespace
+
+std::size_t most_triangles(const Scene& scene) {
+  if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
+  if (scene.mesh.tolerance || scene.mesh.samples) return kMostTriangles;
+  const auto pixels = static_cast<std::size_t>(scene.picture.width) *
+                      static_cast<std::size_t>(scene.picture.height);
+  return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
+}
 
 Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                         unsigned threads) {
