@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <set>
+#include <map>
 #include <utility>
-#include <vector>
 
 #include "mesh/mesh.h"
 
@@ -52,18 +50,18 @@ inline PointEdge point_edge(const Mesh& mesh, std::uint32_t a, std::uint32_t b) 
   return std::minmax(mesh.point[a], mesh.point[b]);
 }
 
-/// Edges as sorted pairs of points.
-inline std::set<PointEdge> point_edges(const Mesh& mesh) {
-  std::set<PointEdge> edges;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) edges.insert(point_edge(mesh, t[k], t[(k + 1) % 3]));
+/// How many triangles each edge between points has.
+inline std::map<PointEdge, int> edge_counts(const Mesh& mesh) {
+  std::map<PointEdge, int> counts;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++counts[point_edge(mesh, t[k], t[(k + 1) % 3])];
   }
-  return edges;
+  return counts;
 }
 
 /// Points - edges + triangles.
 inline long euler_number(const Mesh& mesh) {
-  return static_cast<long>(mesh.point_count) - static_cast<long>(point_edges(mesh).size()) +
+  return static_cast<long>(mesh.point_count) - static_cast<long>(edge_counts(mesh).size()) +
          static_cast<long>(mesh.triangles.size());
 }
 

@@ -28,4 +28,9 @@ inline Surface surface_from_text(const std::string& x, const std::string& y, con
   return make_surface(graph, {bound[0], bound[1], bound[2]}, domain, false, order);
 }
 
+/// z over the (x, y) plane, with second derivatives.
+inline Surface height_field(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
+  return surface_from_text("u", "v", z, domain, {}, Order::Second);
+}
+
 }  // namespace saddle

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "adaptive_options.h"
 #include "base/random.h"
 #include "mesh/measure.h"
 #include "mesh_checks.h"
@@ -57,18 +58,8 @@ Surface surface_of(const Case& c) {
   return surface_from_text(c.x, c.y, c.z, c.domain, {}, Order::Second);
 }
 
-AdaptiveOptions share_of_diagonal(double share, double normal_tolerance = 180) {
-  AdaptiveOptions options;
-  options.tolerance = [share](const Probe& probe) -> Tolerance {
-    const double eps = share * probe.bounds().diagonal();
-    return [eps](const dvec3&) { return eps; };
-  };
-  options.normal_tolerance = normal_tolerance;
-  return options;
-}
-
 GridMesh mesh_of(const Case& c, double share, double normal_tolerance = 180) {
-  return mesh_within_tolerance(surface_of(c), share_of_diagonal(share, normal_tolerance)).value();
+  return mesh_within_tolerance(surface_of(c), within_share(share, normal_tolerance)).value();
 }
 
 /// Finds the triangle above a point of the (u, v) plane.
@@ -173,7 +164,7 @@ TEST(AdaptiveMesh, IsWithinItsToleranceAtPlacesThatNobodyLookedAt) {
 }
 
 AdaptiveOptions without_lines(double share) {
-  AdaptiveOptions options = share_of_diagonal(share, 180);
+  AdaptiveOptions options = within_share(share, 180);
   options.lines_u = options.lines_v = 0;
   return options;
 }
@@ -201,15 +192,6 @@ TEST(AdaptiveMesh, KeepsTheToleranceOfNormals) {
     if (loose.report.max_normal_error <= 0.5) continue;  // as the sphere's, whatever its mesh
     EXPECT_GT(strict.mesh.triangles.size(), loose.mesh.triangles.size()) << c.name;
   }
-}
-
-/// How often each edge between points is used.
-std::map<PointEdge, int> edge_counts(const Mesh& mesh) {
-  std::map<PointEdge, int> counts;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++counts[point_edge(mesh, t[k], t[(k + 1) % 3])];
-  }
-  return counts;
 }
 
 TEST(AdaptiveMesh, HasNoCracks) {
@@ -279,7 +261,7 @@ TEST(AdaptiveMesh, DoesNotRefineTheWholeDomainForANarrowPeak) {
 }
 
 TEST(AdaptiveMesh, MakesTwoTrianglesOfAPlane) {
-  AdaptiveOptions options = share_of_diagonal(1e-3, 3);
+  AdaptiveOptions options = within_share(1e-3, 3);
   options.lines_u = options.lines_v = 0;
   const Surface plane = surface_from_text("u+v", "v", "2*u-3*v", {}, {}, Order::Second);
   EXPECT_EQ(mesh_within_tolerance(plane, options)->mesh.triangles.size(), 2U);
@@ -295,7 +277,7 @@ TEST(AdaptiveMesh, FollowsTheEdgeOfTheDomainWhateverTheSurfaceDoesInside) {
 }
 
 TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
-  AdaptiveOptions options = share_of_diagonal(1e-3, 3);
+  AdaptiveOptions options = within_share(1e-3, 3);
   const Surface surface = surface_of(cases().back());
   options.threads = 1;
   const GridMesh one = mesh_within_tolerance(surface, options).value();
@@ -305,178 +287,9 @@ TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
 }
 
-TEST(AdaptiveMesh, FitsTheRimOfAHemisphere) {
-  const Case hemisphere = {"hemisphere", "u", "v", "sqrt(1-u^2-v^2)", {-1.5, 1.5, -1.5, 1.5}};
-  const GridMesh result = mesh_of(hemisphere, 1e-3, 3);
-  const Mesh& mesh = result.mesh;
-  const double eps = *result.report.tolerance;
-  EXPECT_LE(result.report.max_error, eps);
-  EXPECT_NEAR(result.report.undefined_fraction, 1 - kPi / 9, 1e-3);
-  EXPECT_NEAR(area(mesh), 2 * kPi, 2 * kPi * eps * 2);
-  int on_rim = 0;
-  for (const auto& [edge, count] : edge_counts(mesh)) {
-    ASSERT_LE(count, 2);
-    if (count == 2) continue;
-    ++on_rim;  // every open edge is a chord of the unit circle
-    for (std::size_t k = 0; k < mesh.point.size(); ++k) {
-      if (mesh.point[k] != edge.first && mesh.point[k] != edge.second) continue;
-      EXPECT_NEAR(std::hypot(mesh.position[k].x, mesh.position[k].y), 1, 1e-12);
-      EXPECT_NEAR(mesh.position[k].z, 0, 1e-6);
-      EXPECT_NEAR(mesh.normal[k].z, 0, 1e-3);  // upright, as the sphere is there
-    }
-  }
-  EXPECT_GT(on_rim, 20);
-  EXPECT_EQ(euler_number(mesh), 1);
-  EXPECT_EQ(triangles_against_normals(mesh), 0U);
-}
-
-TEST(AdaptiveMesh, EndsLinesOnTheRim) {
-  const Case disc = {"disc", "u", "v", "sqrt(1-u^2-v^2)", {-1, 1, -1, 1}};
-  const Mesh mesh = mesh_of(disc, 1e-3).mesh;
-  const std::map<PointEdge, int> edges = edge_counts(mesh);
-  for (const auto& line : mesh.lines) {
-    for (const std::uint32_t end : {line.front(), line.back()}) {
-      const dvec3& p = mesh.position[end];
-      EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-12);
-    }
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      ASSERT_TRUE(edges.contains(point_edge(mesh, line[k - 1], line[k])));
-    }
-  }
-}
-
-TEST(AdaptiveMesh, FillsPointsThatHaveALimit) {
-  const Case sinc = {"sinc", "u", "v", "sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", {-9, 9, -9, 9}};
-  AdaptiveOptions options = share_of_diagonal(1e-3, 3);
-  options.lines_u = options.lines_v = 17;  // one each through the middle
-  const GridMesh result = mesh_within_tolerance(surface_of(sinc), options).value();
-  EXPECT_EQ(result.report.undefined_fraction, 0);
-  EXPECT_NEAR(result.mesh.bounds.high.z, 1, 1e-9);
-  EXPECT_EQ(euler_number(result.mesh), 1);
-}
-
-TEST(AdaptiveMesh, LeavesOutWhatGoesToInfinity) {
-  const Case log = {"log", "u", "v", "ln(u)", {-1, 1, -1, 1}};
-  const GridMesh result = mesh_of(log, 1e-3);
-  EXPECT_GT(result.mesh.bounds.low.z, -50);
-  EXPECT_NEAR(result.report.undefined_fraction, 0.5, 0.02);
-}
-
-TEST(AdaptiveMesh, GoesToInfinityAtARimWithoutEndlessWork) {
-  const Case logs = {"logs", "u", "v", "ln(cos(v)/cos(u))", {-5, 5, -5, 5}};
-  const GridMesh result = mesh_of(logs, 1e-3);
-  EXPECT_GT(result.report.pole_count, 0U);
-  EXPECT_LT(result.mesh.triangles.size(), 100'000U);
-}
-
-TEST(AdaptiveMesh, ApproachesCurvedPolesWithoutEndlessWork) {
-  for (const char* z : {"1/(u-v)", "1/(u^2+v^2-0.5)"}) {
-    const Case pole = {"pole", "u", "v", z, {-1, 1, -1, 1}};
-    AdaptiveOptions options = share_of_diagonal(1e-3, 3);
-    options.clip = Bounds{dvec3(-2, -2, -9), dvec3(2, 2, 9)};
-    const GridMesh result = mesh_within_tolerance(surface_of(pole), options).value();
-    EXPECT_GT(result.report.pole_count, 0U) << z;
-    EXPECT_LT(result.mesh.triangles.size(), 50'000U) << z;
-  }
-}
-
-TEST(AdaptiveMesh, StopsWhereASurfaceOscillatesFasterThanAnyPictureShows) {
-  const Case wild = {"wild", "u", "v", "sin(1/u)", {-1, 1, -1, 1}};
-  const GridMesh result = mesh_of(wild, 1e-3);
-  EXPECT_FALSE(result.report.reached_limit);
-  EXPECT_LT(result.mesh.triangles.size(), 200'000U);
-  EXPECT_GT(result.report.max_error, *result.report.tolerance);  // and says so
-  double gap = 0;  // where the waves are wide the mesh is as near as anywhere
-  for (const Triangle& t : result.mesh.triangles) {
-    const dvec3 middle =
-        (result.mesh.position[t[0]] + result.mesh.position[t[1]] + result.mesh.position[t[2]]) /
-        3.0;
-    if (std::fabs(middle.x) < 0.1) continue;
-    const double slope = std::cos(1 / middle.x) / (middle.x * middle.x);
-    gap = std::max(gap, std::fabs(middle.z - std::sin(1 / middle.x)) / std::hypot(1, slope));
-  }
-  EXPECT_LT(gap, 1.1 * *result.report.tolerance);  // a straight line up to the surface is longer
-}
-
-TEST(AdaptiveMesh, CutsJumpsAndBuildsNoWalls) {
-  for (const char* z : {"floor(3*u)", "mod(u,0.4)", "sign(u*v-0.1)", "(u^2+v^2<0.5)?1:0"}) {
-    const Case jumps = {"jumps", "u", "v", z, {-1, 1, -1, 1}};
-    const GridMesh result = mesh_of(jumps, 1e-3);
-    EXPECT_GT(result.report.jump_count, 0U) << z;
-    EXPECT_EQ(result.report.pole_count, 0U) << z;
-    for (const Triangle& t : result.mesh.triangles) {
-      const dvec3 area = doubled_area(result.mesh, t);
-      ASSERT_GT(area.z, 0.5 * glm::length(area)) << z;  // no wall: mod rises at 45 degrees
-    }
-    double covered = 0;
-    for (const Triangle& t : result.mesh.triangles) covered += 0.5 * doubled_area(result.mesh, t).z;
-    EXPECT_GT(covered, 4 * 0.97) << z;
-  }
-}
-
-TEST(AdaptiveMesh, CutsPoles) {
-  const Case tangent = {"tangent", "u", "v", "tan(u)", {-3, 3, -1, 1}};
-  const GridMesh result = mesh_of(tangent, 1e-3);
-  EXPECT_GT(result.report.pole_count, 0U);
-  for (const dvec2& pole : result.report.poles) EXPECT_NEAR(std::fabs(pole.x), kPi / 2, 1e-12);
-  for (const Triangle& t : result.mesh.triangles) {
-    const auto u = [&](std::size_t k) { return std::fabs(result.mesh.uv[t[k]].x); };
-    const bool below = u(0) < kPi / 2;
-    ASSERT_EQ(u(1) < kPi / 2, below);
-    ASSERT_EQ(u(2) < kPi / 2, below);
-  }
-}
-
-TEST(AdaptiveMesh, IsClippedAlongABox) {
-  const Case& sphere = cases().front();
-  AdaptiveOptions options = share_of_diagonal(1e-3, 3);
-  options.clip = Bounds{dvec3(-2, -2, -0.3), dvec3(2, 0.5, 2)};
-  const Mesh mesh = mesh_within_tolerance(surface_of(sphere), options)->mesh;
-  EXPECT_EQ(mesh.bounds.low.z, -0.3);
-  EXPECT_EQ(mesh.bounds.high.y, 0.5);
-  EXPECT_EQ(euler_number(mesh), 1);  // a disc: both cuts are one loop
-  std::vector<std::vector<std::uint32_t>> corners(mesh.point_count);
-  for (std::uint32_t k = 0; k < mesh.point.size(); ++k) corners[mesh.point[k]].push_back(k);
-  for (const auto& [edge, count] : edge_counts(mesh)) {
-    ASSERT_LE(count, 2);
-    if (count == 2) continue;
-    for (const std::uint32_t point : {edge.first, edge.second}) {
-      for (const std::uint32_t corner : corners[point]) {
-        const dvec3& p = mesh.position[corner];
-        EXPECT_TRUE(p.z == -0.3 || p.y == 0.5) << p.x << ' ' << p.y << ' ' << p.z;
-        EXPECT_NEAR(glm::length(p), 1, 4e-3);
-      }
-    }
-  }
-  EXPECT_EQ(triangles_against_normals(mesh), 0U);
-  EXPECT_GT(mesh.lines.size(), 20U);
-}
-
-TEST(AdaptiveMesh, HasNoDenseLinesForWhatIsClipped) {
-  // Beside the pole it takes lines as close as doubles go, out where nothing is kept.
-  const Surface funnel =
-      surface_from_text("u", "v", "1/((u-0.4)^2+(v-0.1)^2)", {-1, 1, -1, 1}, {}, Order::Second);
-  AdaptiveOptions options = share_of_diagonal(0);
-  options.tolerance = [](const Probe&) { return Tolerance(2e-3); };
-  options.clip = Bounds{dvec3(-1, -1, 0), dvec3(1, 1, 3)};
-  const GridMesh mesh = mesh_within_tolerance(funnel, options).value();
-  EXPECT_LE(mesh.report.max_error, 2e-3);
-  EXPECT_LT(mesh.mesh.triangles.size(), 4000);
-}
-
-TEST(AdaptiveMesh, DoesNotCutSteepSlopesAndKinks) {
-  for (const char* z :
-       {"tanh(1e5*u)", "atan(1e6*u)", "sqrt(abs(u))", "abs(u-0.3*v)", "cbrt(u)", "exp(-1e6*u^2)"}) {
-    const Case steep = {"steep", "u", "v", z, {-1, 1, -1, 1}};
-    const GridMesh result = mesh_of(steep, 1e-3);
-    EXPECT_EQ(result.report.jump_count + result.report.pole_count, 0U) << z;
-    EXPECT_EQ(euler_number(result.mesh), 1) << z;
-  }
-}
-
 TEST(AdaptiveMesh, LeavesToTheUniformGridWhatIsDefinedNowhere) {
-  const Surface nowhere = surface_from_text("u", "v", "sqrt(-1-u^2)", {}, {}, Order::Second);
-  EXPECT_FALSE(mesh_within_tolerance(nowhere, share_of_diagonal(1e-3)).has_value());
+  const Surface nowhere = height_field("sqrt(-1-u^2)");
+  EXPECT_FALSE(mesh_within_tolerance(nowhere, within_share(1e-3)).has_value());
 }
 
 TEST(AdaptiveMesh, NeedsFewTrianglesBesideTheLeastPossible) {
@@ -491,12 +304,6 @@ TEST(AdaptiveMesh, NeedsFewTrianglesBesideTheLeastPossible) {
     ++count;
   }
   EXPECT_LT(std::pow(product, 1.0 / count), 3.5);
-}
-
-TEST(AdaptiveMesh, TakesAPoleThatIsTheSameFromAllSidesForNoLimit) {
-  for (const char* z : {"1/(u^2+v^2)", "-1/hypot(u,v)", "ln(u^2+v^2)"}) {
-    EXPECT_GT(mesh_of({"pole", "u", "v", z, {-1, 1, -1, 1}}, 1e-3).report.pole_count, 0U) << z;
-  }
 }
 
 }  // namespace

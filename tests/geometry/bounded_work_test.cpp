@@ -1,10 +1,11 @@
 // Where halving finds no end of its own: work is bounded, and the report says where.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh/lattice.h"
 #include "mesh_checks.h"
@@ -14,22 +15,13 @@ namespace saddle {
 namespace {
 
 AdaptiveOptions thousandth() {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe& probe) -> Tolerance {
-    return 1e-3 * probe.bounds().diagonal();
-  };
-  options.normal_tolerance = 3;
-  return options;
-}
-
-Surface height(const char* z, const Domain& domain = {-1, 1, -1, 1}) {
-  return surface_from_text("u", "v", z, domain, {}, Order::Second);
+  return within_share(1e-3, 3);
 }
 
 TEST(BoundedWork, EndsWhereWavesAreNarrowerThanPixelsWhateverTheirShape) {
   // Rings; a line of waves that is less than a pixel wide.
   for (const char* z : {"sin(1e-3/(u^2+v^2))", "sin(1e-3/u)"}) {
-    const GridMesh result = mesh_within_tolerance(height(z), thousandth()).value();
+    const GridMesh result = mesh_within_tolerance(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_LT(result.report.evaluations, 500'000U) << z;
     EXPECT_GT(result.report.max_error, *result.report.tolerance) << z;
@@ -48,7 +40,7 @@ TEST(BoundedWork, TakesNoMoreCellsForWavesThanTheirToleranceShows) {
   for (const auto& [z, most] :
        {std::pair("sin(1e6*u*v+1e5*u)", 1'000'000U), std::pair("sin(1e6*u)", 60'000U)}) {
     AdaptiveOptions options = thousandth();
-    const GridMesh result = mesh_within_tolerance(height(z), options).value();
+    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.oscillates) << z;
     EXPECT_LT(result.mesh.triangles.size(), most) << z;
@@ -71,7 +63,8 @@ TEST(BoundedWork, TakesRangesOfFewDoubles) {
 TEST(BoundedWork, SaysThatTheLimitWasReachedWhereOnlyCutCellsAreLeft) {
   AdaptiveOptions options = thousandth();
   options.max_triangles = 1000;
-  const GridMesh result = mesh_within_tolerance(height("sign(sin(9*u)+sin(7*v))"), options).value();
+  const GridMesh result =
+      mesh_within_tolerance(height_field("sign(sin(9*u)+sin(7*v))"), options).value();
   EXPECT_GT(result.report.max_error, *result.report.tolerance);
   EXPECT_TRUE(result.report.reached_limit);
 }
@@ -80,7 +73,7 @@ TEST(BoundedWork, DoesNotTakeFrontsAndPeaksForWaves) {
   for (const char* z :
        {"tanh(1e3*(u+0.3*v))", "exp(-1e7*((u-0.123)^2+(v+0.321)^2))", "tanh(1e4*u)*tanh(1e4*v)",
         "floor(3*u)+floor(3*v)", "sin(60*u*v)", "sqrt(abs(u*v))"}) {
-    const GridMesh result = mesh_within_tolerance(height(z), thousandth()).value();
+    const GridMesh result = mesh_within_tolerance(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.oscillates) << z;
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
   }
@@ -105,7 +98,7 @@ TEST(BoundedWork, EndsTheSearchForJumpsWithoutEnd) {
     AdaptiveOptions options = thousandth();
     options.max_triangles = kTriangles;
     options.clip = Bounds{dvec3(-5), dvec3(5)};
-    const GridMesh result = mesh_within_tolerance(height(z), options).value();
+    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_TRUE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.searched_most) << z;
     EXPECT_FALSE(result.report.certified) << z;
@@ -115,13 +108,13 @@ TEST(BoundedWork, EndsTheSearchForJumpsWithoutEnd) {
   }
   // As many as there are, and not without end.
   const GridMesh steps =
-      mesh_within_tolerance(height("floor(9*u)*floor(9*v)"), thousandth()).value();
+      mesh_within_tolerance(height_field("floor(9*u)*floor(9*v)"), thousandth()).value();
   EXPECT_FALSE(steps.report.searched_most);
   EXPECT_LE(steps.report.max_error, *steps.report.tolerance);
 }
 
 TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
-  const Surface poles = height("ln(abs(u^2+v^2-0.5))");
+  const Surface poles = height_field("ln(abs(u^2+v^2-0.5))");
   AdaptiveOptions options = thousandth();
   const GridMesh whole = mesh_within_tolerance(poles, options).value();
   options.until_poles = true;
@@ -132,8 +125,26 @@ TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
   for (const dvec2& pole : known.report.poles) EXPECT_NEAR(glm::dot(pole, pole), 0.5, 1e-12);
   EXPECT_LT(known.report.beside_poles.low.z, -30);  // ln(1e-16) = -37
   // The surface goes nowhere else.
-  const GridMesh smooth = mesh_within_tolerance(height("u*v"), options).value();
+  const GridMesh smooth = mesh_within_tolerance(height_field("u*v"), options).value();
   EXPECT_FALSE(smooth.mesh.triangles.empty());
+}
+
+TEST(BoundedWork, EndsWhereASurfaceOscillatesFasterThanAnyPictureShows) {
+  const GridMesh result =
+      mesh_within_tolerance(height_field("sin(1/u)"), within_share(1e-3)).value();
+  EXPECT_FALSE(result.report.reached_limit);
+  EXPECT_LT(result.mesh.triangles.size(), 200'000U);
+  EXPECT_GT(result.report.max_error, *result.report.tolerance);  // and says so
+  double gap = 0;  // where the waves are wide the mesh is as near as anywhere
+  for (const Triangle& t : result.mesh.triangles) {
+    const dvec3 middle =
+        (result.mesh.position[t[0]] + result.mesh.position[t[1]] + result.mesh.position[t[2]]) /
+        3.0;
+    if (std::fabs(middle.x) < 0.1) continue;
+    const double slope = std::cos(1 / middle.x) / (middle.x * middle.x);
+    gap = std::max(gap, std::fabs(middle.z - std::sin(1 / middle.x)) / std::hypot(1, slope));
+  }
+  EXPECT_LT(gap, 1.1 * *result.report.tolerance);  // a straight line up to the surface is longer
 }
 
 }  // namespace

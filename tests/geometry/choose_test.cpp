@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "adaptive_options.h"
 #include "app/tolerance.h"
 #include "base/random.h"
 #include "geometry/gallery_samples.h"
@@ -145,20 +146,11 @@ INSTANTIATE_TEST_SUITE_P(Gallery, ChoiceOverTheGallery, testing::ValuesIn([] {
                          });
 
 AdaptiveOptions half_a_thousandth() {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe& probe) -> Tolerance {
-    return 5e-4 * probe.bounds().diagonal();
-  };
-  options.normal_tolerance = 3;
-  return options;
+  return within_share(5e-4, 3);
 }
 
 GridMesh chosen(const Surface& surface, const AdaptiveOptions& options = half_a_thousandth()) {
   return mesh_at_least_cost(surface, options, 1).value();
-}
-
-Surface height_field(const std::string& z) {
-  return surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
 }
 
 Why why(const GridMesh& mesh) {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <vector>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
@@ -16,14 +17,9 @@ namespace {
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 GridMesh clipped(const Surface& surface, const Bounds& box) {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe&) { return Tolerance(4e-3); };
+  AdaptiveOptions options = within_length(4e-3);
   options.clip = box;
   return mesh_within_tolerance(surface, options).value();
-}
-
-Surface height(const char* z) {
-  return surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
 }
 
 double smallest_area(const Mesh& mesh) {
@@ -35,12 +31,8 @@ double smallest_area(const Mesh& mesh) {
 }
 
 std::size_t count_open_edges(const Mesh& mesh) {
-  std::map<PointEdge, int> counts;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++counts[point_edge(mesh, t[k], t[(k + 1) % 3])];
-  }
   std::size_t open = 0;
-  for (const auto& [edge, count] : counts) {
+  for (const auto& [edge, count] : edge_counts(mesh)) {
     EXPECT_LE(count, 2);
     open += count == 1 ? 1 : 0;
   }
@@ -49,8 +41,8 @@ std::size_t count_open_edges(const Mesh& mesh) {
 
 TEST(Clip, LeavesNoTrianglesWithoutAreaWhereVerticesAreOnAFace) {
   // Lines of the mesh are on the faces, and so are vertices that nothing runs along.
-  const Surface slope = height("u");
-  const Surface saddle_surface = height("u*v");
+  const Surface slope = height_field("u");
+  const Surface saddle_surface = height_field("u*v");
   const Bounds part{dvec3(0.2, -1, -1), dvec3(0.8, 1, 1)};
   const Bounds quarter{dvec3(0, 0, 0), dvec3(1, 1, 1)};
   const GridMesh strip = clipped(slope, part);
@@ -74,9 +66,45 @@ TEST(Clip, CutsATorusAlongItsLinesIntoABand) {
 }
 
 TEST(Clip, CutsEdgesThatAFaceCrossesBetweenVertices) {
-  const GridMesh strip = clipped(height("u"), {dvec3(-kNoLimit), dvec3(0.123, 9, 9)});
+  const GridMesh strip = clipped(height_field("u"), {dvec3(-kNoLimit), dvec3(0.123, 9, 9)});
   EXPECT_NEAR(area(strip.mesh), 1.123 * 2 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(euler_number(strip.mesh), 1);
+}
+
+TEST(Clip, CutsAlongTheBox) {
+  const Surface sphere = surface_from_text("cos(u)*cos(v)", "sin(u)*cos(v)", "sin(v)",
+                                           {0, 2 * kPi, -kPi / 2, kPi / 2}, {}, Order::Second);
+  AdaptiveOptions options = within_share(1e-3, 3);
+  options.clip = Bounds{dvec3(-2, -2, -0.3), dvec3(2, 0.5, 2)};
+  const Mesh mesh = mesh_within_tolerance(sphere, options)->mesh;
+  EXPECT_EQ(mesh.bounds.low.z, -0.3);
+  EXPECT_EQ(mesh.bounds.high.y, 0.5);
+  EXPECT_EQ(euler_number(mesh), 1);  // a disc: both cuts are one loop
+  std::vector<std::vector<std::uint32_t>> corners(mesh.point_count);
+  for (std::uint32_t k = 0; k < mesh.point.size(); ++k) corners[mesh.point[k]].push_back(k);
+  for (const auto& [edge, count] : edge_counts(mesh)) {
+    ASSERT_LE(count, 2);
+    if (count == 2) continue;
+    for (const std::uint32_t point : {edge.first, edge.second}) {
+      for (const std::uint32_t corner : corners[point]) {
+        const dvec3& p = mesh.position[corner];
+        EXPECT_TRUE(p.z == -0.3 || p.y == 0.5) << p.x << ' ' << p.y << ' ' << p.z;
+        EXPECT_NEAR(glm::length(p), 1, 4e-3);
+      }
+    }
+  }
+  EXPECT_EQ(triangles_against_normals(mesh), 0U);
+  EXPECT_GT(mesh.lines.size(), 20U);
+}
+
+TEST(Clip, NeedsNoDenseLinesForWhatItLeavesOut) {
+  // Beside the pole it takes lines as close as doubles go, out where nothing is kept.
+  const Surface funnel = height_field("1/((u-0.4)^2+(v-0.1)^2)");
+  AdaptiveOptions options = within_length(2e-3);
+  options.clip = Bounds{dvec3(-1, -1, 0), dvec3(1, 1, 3)};
+  const GridMesh mesh = mesh_within_tolerance(funnel, options).value();
+  EXPECT_LE(mesh.report.max_error, 2e-3);
+  EXPECT_LT(mesh.mesh.triangles.size(), 4000);
 }
 
 }  // namespace

@@ -220,7 +220,7 @@ TEST(Colors, ChangeNothingButTheTriangles) {
 
 TEST(Colors, KeepLinesOnEdgesOfTheMesh) {
   const Mesh mesh = coloured(of_gallery("torus"), "sin(9*u)").mesh;
-  const auto edges = point_edges(mesh);
+  const auto edges = edge_counts(mesh);
   for (const auto& line : mesh.lines) {
     for (std::size_t i = 1; i < line.size(); ++i) {
       EXPECT_TRUE(edges.contains(point_edge(mesh, line[i - 1], line[i])));

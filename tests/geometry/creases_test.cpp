@@ -68,8 +68,7 @@ TEST(CreaseSearch, WorksAtScalesFarFromOne) {
 }
 
 TEST(CreaseSearch, FindsNoneWhereASmoothSurfaceTurns) {
-  const Surface bend =
-      surface_from_text("u", "v", "tanh(1000*(u-0.3))", {-1, 2, -1, 1}, {}, Order::Second);
+  const Surface bend = height_field("tanh(1000*(u-0.3))", {-1, 2, -1, 1});
   EXPECT_EQ(find_crease(bend, {dvec2(-1, 0.3), dvec2(2, 0.3)}).kind, Break::None);
 }
 

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
@@ -18,17 +17,11 @@ constexpr double kTolerance = 1e-3;  // of the diagonal
 constexpr double kThousandthDegree = 1e-3 * kPi / 180;
 
 GridMesh mesh_of(const char* x, const char* y, const char* z, const Domain& domain) {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe& probe) -> Tolerance {
-    const double eps = kTolerance * probe.bounds().diagonal();
-    return [eps](const dvec3&) { return eps; };
-  };
-  options.normal_tolerance = 3;
-  return mesh_within_tolerance(surface_from_text(x, y, z, domain, {}, Order::Second), options)
-      .value();
+  const Surface surface = surface_from_text(x, y, z, domain, {}, Order::Second);
+  return mesh_within_tolerance(surface, within_share(kTolerance, 3)).value();
 }
 
-GridMesh height_field(const char* z) {
+GridMesh mesh_of(const char* z) {
   return mesh_of("u", "v", z, {-1, 1, -1, 1});
 }
 
@@ -52,7 +45,7 @@ double worst_normal(const Mesh& mesh, F exact) {
 
 TEST(Jumps, AreCutWithoutLosingAnything) {
   for (const char* z : {"floor(3*u)", "floor(2*u+v)", "sign(u-0.5)", "(u^2+v^2<0.5)?1:0"}) {
-    const GridMesh result = height_field(z);
+    const GridMesh result = mesh_of(z);
     EXPECT_GT(result.report.jump_count, 0U) << z;
     EXPECT_NEAR(area_in_uv(result.mesh), 4, 1e-6) << z;
     for (const Triangle& t : result.mesh.triangles) {
@@ -65,7 +58,7 @@ TEST(Jumps, AreCutWithoutLosingAnything) {
 
 TEST(Jumps, DoNotShowTheValueAtTheVeryPlaceOfTheJump) {
   for (const char* z : {"sign(u)", "sign(u-0.5)", "sign(u-v)"}) {
-    for (const dvec3& p : height_field(z).mesh.position) ASSERT_EQ(std::fabs(p.z), 1) << z;
+    for (const dvec3& p : mesh_of(z).mesh.position) ASSERT_EQ(std::fabs(p.z), 1) << z;
   }
 }
 
@@ -75,8 +68,7 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
                                             {-1, 1, 0, 30}, {}, Order::Second);
   for (const double tolerance : {0.1, 0.05, 0.03, 0.01, 5e-3, 5e-4}) {
     for (const int lines : {0, 7, 16}) {
-      AdaptiveOptions options;
-      options.tolerance = [&](const Probe& probe) { return tolerance * probe.bounds().diagonal(); };
+      AdaptiveOptions options = within_share(tolerance);
       options.lines_u = options.lines_v = lines;
       const GridMesh result = mesh_within_tolerance(surface, options).value();
       EXPECT_NEAR(area(result.mesh), 120, 1e-6) << tolerance << ' ' << lines;
@@ -86,7 +78,7 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
 }
 
 TEST(Jumps, MayEndInsideOfTheSurface) {
-  const GridMesh result = height_field("atan2(v,u)");
+  const GridMesh result = mesh_of("atan2(v,u)");
   EXPECT_GT(result.report.jump_count, 0U);
   EXPECT_EQ(result.report.pole_count, 0U);
   EXPECT_GT(area_in_uv(result.mesh), 4 * 0.9999);
@@ -100,7 +92,7 @@ TEST(Jumps, MayEndInsideOfTheSurface) {
 }
 
 TEST(Creases, AreEdgesOfTheMeshWithANormalOnEitherSide) {
-  const GridMesh result = height_field("abs(u-0.3*v)");
+  const GridMesh result = mesh_of("abs(u-0.3*v)");
   const auto exact = [](const dvec2&, const dvec2& inside) {
     const double sign = inside.x > 0.3 * inside.y ? 1 : -1;
     return dvec3(-sign, 0.3 * sign, 1);
@@ -113,7 +105,7 @@ TEST(Creases, AreEdgesOfTheMeshWithANormalOnEitherSide) {
 
 TEST(Creases, GoThroughVerticesOfTheMesh) {
   for (const char* z : {"abs(u-v)", "abs(u+1/3)"}) {  // u = -1/3 is a grid line
-    const GridMesh result = height_field(z);
+    const GridMesh result = mesh_of(z);
     for (const Triangle& t : result.mesh.triangles) {
       const dvec3 face = glm::normalize(doubled_area(result.mesh, t));
       for (const std::uint32_t corner : t) {
@@ -128,7 +120,7 @@ TEST(Creases, ThatCrossLeaveNoCracks) {
   // At a point that is no vertex of the root grid; many at one; at a corner of a cell.
   for (const char* z : {"max(u,v)+abs(u+v)", "abs(u+v)+abs(u-v)", "max(u,v)+abs(u-2*v)",
                         "abs(u-0.1)+abs(v+u-0.21)+abs(u-3*v)"}) {
-    const GridMesh result = height_field(z);
+    const GridMesh result = mesh_of(z);
     EXPECT_EQ(euler_number(result.mesh), 1) << z;
     EXPECT_NEAR(area_in_uv(result.mesh), 4, 1e-9) << z;
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
@@ -136,7 +128,7 @@ TEST(Creases, ThatCrossLeaveNoCracks) {
 }
 
 TEST(Creases, MayBeCurved) {
-  const GridMesh result = height_field("abs(u^2+v^2-0.5)");
+  const GridMesh result = mesh_of("abs(u^2+v^2-0.5)");
   const auto exact = [](const dvec2& uv, const dvec2& inside) {
     const double sign = glm::dot(inside, inside) > 0.5 ? 1 : -1;
     return dvec3(-2 * sign * uv, 1);
@@ -174,7 +166,7 @@ TEST(Cusps, ThatAreCurvedAreCutToo) {
 /// Whether a pole is reported, and none of the triangles has corners on both sides of it.
 template <class Side>
 void expect_cut(const char* z, Side side) {
-  const GridMesh result = height_field(z);
+  const GridMesh result = mesh_of(z);
   EXPECT_GT(result.report.pole_count, 0U) << z;
   for (const Triangle& t : result.mesh.triangles) {
     bool is_before = false;
@@ -198,7 +190,31 @@ TEST(Poles, OfEveryOrderAreCutAlongTheirLine) {
 }
 
 TEST(Poles, AreNotWhatOscillates) {
-  EXPECT_EQ(height_field("sin(1/u)").report.pole_count, 0U);
+  EXPECT_EQ(mesh_of("sin(1/u)").report.pole_count, 0U);
+}
+
+TEST(Jumps, HaveNoWallsBetweenTheirSides) {
+  for (const char* z : {"floor(3*u)", "mod(u,0.4)", "sign(u*v-0.1)", "(u^2+v^2<0.5)?1:0"}) {
+    const GridMesh result = mesh_of(z);
+    EXPECT_GT(result.report.jump_count, 0U) << z;
+    EXPECT_EQ(result.report.pole_count, 0U) << z;
+    for (const Triangle& t : result.mesh.triangles) {
+      const dvec3 area = doubled_area(result.mesh, t);
+      ASSERT_GT(area.z, 0.5 * glm::length(area)) << z;  // no wall: mod rises at 45 degrees
+    }
+    double covered = 0;
+    for (const Triangle& t : result.mesh.triangles) covered += 0.5 * doubled_area(result.mesh, t).z;
+    EXPECT_GT(covered, 4 * 0.97) << z;
+  }
+}
+
+TEST(Jumps, AreNotSteepSlopesAndKinks) {
+  for (const char* z :
+       {"tanh(1e5*u)", "atan(1e6*u)", "sqrt(abs(u))", "abs(u-0.3*v)", "cbrt(u)", "exp(-1e6*u^2)"}) {
+    const GridMesh result = mesh_of(z);
+    EXPECT_EQ(result.report.jump_count + result.report.pole_count, 0U) << z;
+    EXPECT_EQ(euler_number(result.mesh), 1) << z;
+  }
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Facts facts_of(const Scene& scene) {
 }
 
 /// The graph of z over a square.
-Scene height_field(const char* z, const Range& side) {
+Scene scene_over_square(const char* z, const Range& side) {
   Scene scene = scene_of("paraboloid");
   SurfaceSpec& spec = scene.surfaces.at(0);
   spec.x = "u";
@@ -60,7 +60,7 @@ TEST(Facts, AreaIsKnownWhereDerivativesGoToInfinity) {
       {"sqrt(1-v^2)", {0, 1, 0, 1.3}, kPi / 2},  // a part of which is not defined
   };
   for (const auto& [z, domain, area] : cases) {
-    const Surface surface = surface_from_text("u", "v", z, domain, {}, Order::Second);
+    const Surface surface = height_field(z, domain);
     const Integrals found = integrate_domain(surface, dvec3(0), 1, 1);
     EXPECT_NEAR(found.area.value, area, 1e-6 * area) << z;
     EXPECT_LE(found.area.error, 1e-6 * area) << z;  // told with six digits
@@ -68,7 +68,7 @@ TEST(Facts, AreaIsKnownWhereDerivativesGoToInfinity) {
 }
 
 TEST(Facts, TellHowFarOffAnAreaMayBe) {
-  const Estimate area = facts_of(height_field("sqrt(1-u^2-v^2)", {"-1", "1"})).measures.area;
+  const Estimate area = facts_of(scene_over_square("sqrt(1-u^2-v^2)", {"-1", "1"})).measures.area;
   EXPECT_GE(area.error, std::fabs(area.value - 2 * kPi));
   EXPECT_LE(area.error, 0.05 * area.value);
 }
@@ -78,7 +78,7 @@ TEST(Facts, VolumeIsNegativeWhereTheBackIsOutside) {
 }
 
 TEST(Facts, AreaOfWhatIsPartlyUndefinedIsThatOfTheMeshAndBetter) {
-  const Scene scene = height_field("0*sqrt(1-u^2-v^2)", {"-1.2", "1.2"});
+  const Scene scene = scene_over_square("0*sqrt(1-u^2-v^2)", {"-1.2", "1.2"});
   EXPECT_NEAR(facts_of(scene).measures.area.value, kPi,
               4e-3 * kPi);  // the rim within the tolerance
 }
@@ -133,9 +133,7 @@ TEST(Facts, SingularPlacesHaveTheLimitsOfTheirSides) {
 }
 
 TEST(Facts, WhereItIsDefinedIsProvedAsFarAsBoxesGo) {
-  const auto proved = [](const std::string& z) {
-    return prove_defined(surface_from_text("u", "v", z, {}, {}, Order::Second), 20000);
-  };
+  const auto proved = [](const std::string& z) { return prove_defined(height_field(z), 20000); };
   EXPECT_TRUE(proved("exp(u)*sin(v)").everywhere);
   EXPECT_EQ(proved("exp(u)*sin(v)").yes, 1);
   EXPECT_EQ(proved("sqrt(-1-u*u)").no, 1);

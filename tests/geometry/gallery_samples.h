@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "scene/assignments.h"
 #include "scene/gallery.h"
@@ -27,12 +28,8 @@ inline Scene scene_of(const std::string& name, const std::vector<std::string>& o
 /// Its adaptive mesh within a share of the diagonal, clipped to the scene's box. `surface`: of
 /// second order.
 inline GridMesh mesh_of(const Surface& surface, const Scene& scene, double share) {
-  AdaptiveOptions options;
+  AdaptiveOptions options = within_share(share);
   options.clip = scene.clip.box;
-  options.tolerance = [share](const Probe& probe) -> Tolerance {
-    const double eps = share * probe.bounds().diagonal();
-    return [eps](const dvec3&) { return eps; };
-  };
   return mesh_within_tolerance(surface, options).value();
 }
 

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface/normal.h"
@@ -13,13 +17,9 @@
 namespace saddle {
 namespace {
 
-Surface height(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
-  return surface_from_text("u", "v", z, domain, {}, Order::Second);
-}
-
 Hole hole_at(const std::string& z, const dvec2& place, const Domain& domain = {-1, 1, -1, 1}) {
   const std::vector<dvec2> places = {place};
-  return look_at_holes(height(z, domain), places, 3, 1).at(0);
+  return look_at_holes(height_field(z, domain), places, 3, 1).at(0);
 }
 
 TEST(Holes, AreToldApart) {
@@ -51,14 +51,13 @@ TEST(Holes, AreToldApart) {
 }
 
 GridMesh mesh_of(const Surface& surface, double tolerance, const std::optional<Bounds>& clip = {}) {
-  AdaptiveOptions options;
-  options.tolerance = [=](const Probe&) { return tolerance; };
+  AdaptiveOptions options = within_length(tolerance);
   options.clip = clip;
   return mesh_within_tolerance(surface, options).value();
 }
 
 TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
-  const GridMesh result = mesh_of(height("2*u*v/(u^2+v^2)"), 3e-3);
+  const GridMesh result = mesh_of(height_field("2*u*v/(u^2+v^2)"), 3e-3);
   ASSERT_EQ(result.report.torn.size(), 1U);
   EXPECT_LT(glm::length(result.report.torn[0]), 1e-12);
   EXPECT_EQ(result.report.jump_count, 1U);
@@ -77,10 +76,8 @@ TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
 }
 
 TEST(Holes, ThatArePolesFromSomeSidesAreNamed) {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
   const MeshReport report =
-      mesh_within_tolerance(height("u*v/(u^2+v^2)^2"), options).value().report;
+      mesh_within_tolerance(height_field("u*v/(u^2+v^2)^2"), within_share(1e-3)).value().report;
   EXPECT_GT(report.pole_count, 0U);
   EXPECT_TRUE(report.torn.empty());
 }
@@ -88,10 +85,8 @@ TEST(Holes, ThatArePolesFromSomeSidesAreNamed) {
 TEST(Holes, ThatArePolesAreNamedAndWithinTolerance) {
   const Bounds box{{-1, -1, -3}, {1, 1, 3}};
   for (const char* z : {"u/(u^2+v^2)", "(u^2-v^2)/(u^2+v^2)^2", "1/u+1/v", "1/(u^2-v^2)"}) {
-    const Surface surface = height(z);
-    AdaptiveOptions options;
-    options.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
-    const MeshReport whole = mesh_within_tolerance(surface, options).value().report;
+    const Surface surface = height_field(z);
+    const MeshReport whole = mesh_within_tolerance(surface, within_share(1e-3)).value().report;
     EXPECT_GT(whole.pole_count, 0U) << z;
     EXPECT_GT(whole.beside_poles.high.z, 1e3) << z;
     EXPECT_LT(whole.beside_poles.low.z, -1e3) << z;
@@ -107,11 +102,7 @@ TEST(Holes, OfACircleOfLimitsAreNotCutAcross) {
   const Surface surface = surface_from_text("u/hypot(u,v)", "v/hypot(u,v)", "hypot(u,v)",
                                             {-1, 1, -1, 1}, {}, Order::Second);
   constexpr double kTolerance = 3e-3;
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe&) -> Tolerance {
-    return [](const dvec3&) { return kTolerance; };
-  };
-  const auto mesh = mesh_within_tolerance(surface, options);
+  const auto mesh = mesh_within_tolerance(surface, within_length(kTolerance));
   ASSERT_TRUE(mesh);
   EXPECT_LE(mesh->report.max_error, kTolerance);
   const auto& p = mesh->mesh.position;
@@ -122,7 +113,7 @@ TEST(Holes, OfACircleOfLimitsAreNotCutAcross) {
 }
 
 TEST(Holes, AlongDiagonalsOfCellsThatHaveLimitsAreRegular) {
-  const GridMesh result = mesh_of(height("(u^3-v^3)/(u-v)"), 4e-3);
+  const GridMesh result = mesh_of(height_field("(u^3-v^3)/(u-v)"), 4e-3);
   EXPECT_EQ(result.report.singular_point_count, 0U);
   std::size_t on_diagonal = 0;
   for (std::size_t k = 0; k < result.mesh.uv.size(); ++k) {
@@ -135,7 +126,20 @@ TEST(Holes, AlongDiagonalsOfCellsThatHaveLimitsAreRegular) {
   }
   EXPECT_GE(on_diagonal, 10U);
   // On a crease they have several normals.
-  EXPECT_GE(mesh_of(height("(u^2-v^2)/(u-v)+2*abs(u-v)"), 4e-3).report.singular_point_count, 10U);
+  EXPECT_GE(mesh_of(height_field("(u^2-v^2)/(u-v)+2*abs(u-v)"), 4e-3).report.singular_point_count,
+            10U);
+}
+
+TEST(Holes, ThatHaveALimitAreFilled) {
+  AdaptiveOptions options = within_share(1e-3, 3);
+  options.lines_u = options.lines_v = 17;  // one each through the middle
+  const GridMesh result =
+      mesh_within_tolerance(height_field("sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", {-9, 9, -9, 9}),
+                            options)
+          .value();
+  EXPECT_EQ(result.report.undefined_fraction, 0);
+  EXPECT_NEAR(result.mesh.bounds.high.z, 1, 1e-9);
+  EXPECT_EQ(euler_number(result.mesh), 1);
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(ManyLeaves, LeaveFoldsToACloserLook) {
 }
 
 TEST(ManyLeaves, LeaveWhatIsUndefinedToACloserLook) {
-  const Surface surface = surface_from_text("u", "v", "sqrt(u)", {-1, 1, -1, 1}, {}, Order::Second);
+  const Surface surface = height_field("sqrt(u)");
   Subject subject(surface, options_for(10, 180));
   const std::vector<float> known =
       judge_many(subject.leaves, subject.samples, subject.options, subject.judge, subject.lattice);

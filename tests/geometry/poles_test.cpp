@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh_checks.h"
@@ -37,16 +38,8 @@ const std::vector<Case> kBesideRims = {
     {"sqrt(1-u^2-v^2)/(u-0.1)", [](double u, double) { return u - 0.1; }},
     {"sqrt(1-u^2-v^2)/(u-0.3*v)", [](double u, double v) { return u - 0.3 * v; }}};
 
-Surface height_field(const char* z) {
-  return surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
-}
-
 AdaptiveOptions options() {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe& probe) -> Tolerance {
-    return 1e-3 * probe.bounds().diagonal();
-  };
-  return options;
+  return within_share(1e-3);
 }
 
 /// Triangles with corners on both sides of the poles.
@@ -119,6 +112,51 @@ TEST(Poles, ThatMeetARimAreCutThere) {
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       EXPECT_EQ(walls(meshes[k].mesh, c.denominator), 0U) << c.z << ' ' << k;
     }
+  }
+}
+
+TEST(Poles, AreLeftOut) {
+  const GridMesh result = mesh_within_tolerance(height_field("ln(u)"), within_share(1e-3)).value();
+  EXPECT_GT(result.mesh.bounds.low.z, -50);
+  EXPECT_NEAR(result.report.undefined_fraction, 0.5, 0.02);
+}
+
+TEST(Poles, AtARimTakeNoEndlessWork) {
+  const GridMesh result =
+      mesh_within_tolerance(height_field("ln(cos(v)/cos(u))", {-5, 5, -5, 5}), within_share(1e-3))
+          .value();
+  EXPECT_GT(result.report.pole_count, 0U);
+  EXPECT_LT(result.mesh.triangles.size(), 100'000U);
+}
+
+TEST(Poles, OnCurvesTakeNoEndlessWork) {
+  for (const char* z : {"1/(u-v)", "1/(u^2+v^2-0.5)"}) {
+    AdaptiveOptions options = within_share(1e-3, 3);
+    options.clip = Bounds{dvec3(-2, -2, -9), dvec3(2, 2, 9)};
+    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    EXPECT_GT(result.report.pole_count, 0U) << z;
+    EXPECT_LT(result.mesh.triangles.size(), 50'000U) << z;
+  }
+}
+
+TEST(Poles, AreCutWhereTheyAre) {
+  const GridMesh result =
+      mesh_within_tolerance(height_field("tan(u)", {-3, 3, -1, 1}), within_share(1e-3)).value();
+  EXPECT_GT(result.report.pole_count, 0U);
+  for (const dvec2& pole : result.report.poles) EXPECT_NEAR(std::fabs(pole.x), kPi / 2, 1e-12);
+  for (const Triangle& t : result.mesh.triangles) {
+    const auto u = [&](std::size_t k) { return std::fabs(result.mesh.uv[t[k]].x); };
+    const bool below = u(0) < kPi / 2;
+    ASSERT_EQ(u(1) < kPi / 2, below);
+    ASSERT_EQ(u(2) < kPi / 2, below);
+  }
+}
+
+TEST(Poles, ThatAreTheSameFromAllSidesAreNoLimits) {
+  for (const char* z : {"1/(u^2+v^2)", "-1/hypot(u,v)", "ln(u^2+v^2)"}) {
+    EXPECT_GT(mesh_within_tolerance(height_field(z), within_share(1e-3)).value().report.pole_count,
+              0U)
+        << z;
   }
 }
 

@@ -1,6 +1,7 @@
 // What is proved of a mesh, and how much work goes into proofs where there are none.
 #include <gtest/gtest.h>
 
+#include "adaptive_options.h"
 #include "geometry/gallery_samples.h"
 #include "mesh/adaptive_mesh.h"
 #include "surface_from_text.h"
@@ -9,11 +10,7 @@ namespace saddle {
 namespace {
 
 MeshReport report_on(const Surface& surface, double share = 1e-3) {
-  AdaptiveOptions options;
-  options.tolerance = [share](const Probe& probe) -> Tolerance {
-    return share * probe.bounds().diagonal();
-  };
-  return mesh_within_tolerance(surface, options)->report;
+  return mesh_within_tolerance(surface, within_share(share))->report;
 }
 
 Surface surface_over(const char* x, const char* y, const char* z, const Domain& domain) {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "study/triangle_tree.h"
@@ -15,11 +17,10 @@ namespace saddle {
 namespace {
 
 GridMesh mesh_of(const char* z, double tolerance, int lines = 0) {
-  AdaptiveOptions options;
-  options.tolerance = [=](const Probe& probe) { return tolerance * probe.bounds().diagonal(); };
+  AdaptiveOptions options = within_share(tolerance);
   options.lines_u = lines;
   options.lines_v = lines;
-  const Surface surface = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+  const Surface surface = height_field(z);
   return mesh_within_tolerance(surface, options).value();
 }
 
@@ -106,6 +107,48 @@ TEST(Islands, BesideWhatIsFoundAnywayAreFound) {
       mesh_of("sqrt(max(0.25-(u+0.4)^2-v^2,1e-4-(u-0.723)^2-(v-0.517)^2))", 1e-3, 16);
   const TriangleTree tree(result.mesh);
   EXPECT_LE(tree.distance({0.723, 0.517, 0.01}), *result.report.tolerance);
+}
+
+TEST(Rims, AreCirclesAroundAHemisphere) {
+  const GridMesh result =
+      mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)", {-1.5, 1.5, -1.5, 1.5}),
+                            within_share(1e-3, 3))
+          .value();
+  const Mesh& mesh = result.mesh;
+  const double eps = *result.report.tolerance;
+  EXPECT_LE(result.report.max_error, eps);
+  EXPECT_NEAR(result.report.undefined_fraction, 1 - kPi / 9, 1e-3);
+  EXPECT_NEAR(area(mesh), 2 * kPi, 2 * kPi * eps * 2);
+  int on_rim = 0;
+  for (const auto& [edge, count] : edge_counts(mesh)) {
+    ASSERT_LE(count, 2);
+    if (count == 2) continue;
+    ++on_rim;  // every open edge is a chord of the unit circle
+    for (std::size_t k = 0; k < mesh.point.size(); ++k) {
+      if (mesh.point[k] != edge.first && mesh.point[k] != edge.second) continue;
+      EXPECT_NEAR(std::hypot(mesh.position[k].x, mesh.position[k].y), 1, 1e-12);
+      EXPECT_NEAR(mesh.position[k].z, 0, 1e-6);
+      EXPECT_NEAR(mesh.normal[k].z, 0, 1e-3);  // upright, as the sphere is there
+    }
+  }
+  EXPECT_GT(on_rim, 20);
+  EXPECT_EQ(euler_number(mesh), 1);
+  EXPECT_EQ(triangles_against_normals(mesh), 0U);
+}
+
+TEST(Rims, AreWhereLinesEnd) {
+  const Mesh mesh =
+      mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)"), within_share(1e-3)).value().mesh;
+  const std::map<PointEdge, int> edges = edge_counts(mesh);
+  for (const auto& line : mesh.lines) {
+    for (const std::uint32_t end : {line.front(), line.back()}) {
+      const dvec3& p = mesh.position[end];
+      EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-12);
+    }
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      ASSERT_TRUE(edges.contains(point_edge(mesh, line[k - 1], line[k])));
+    }
+  }
 }
 
 }  // namespace

@@ -3,16 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
 
 namespace saddle {
 namespace {
-
-Surface height_field(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
-  return surface_from_text("u", "v", z, domain, {}, Order::Second);
-}
 
 TEST(RoughPoints, AreTheApexesOfCones) {
   for (const auto& [z, u, v] :
@@ -40,9 +40,7 @@ TEST(RoughPoints, AreNoLimitsOfWaysThatLeadElsewhere) {
     EXPECT_TRUE(find_rough_points(height_field(z), 3, 1).torn.empty()) << z;
   }
   // Beside a line of the grid, too, which is 0.008 away here.
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe&) -> Tolerance { return 3e-3; };
-  const GridMesh mesh = mesh_within_tolerance(torn, options).value();
+  const GridMesh mesh = mesh_within_tolerance(torn, within_length(3e-3)).value();
   EXPECT_LE(mesh.report.max_error, 3e-3);
   ASSERT_EQ(mesh.report.torn.size(), 1U);
   EXPECT_EQ(mesh.report.torn[0], dvec2(0.125, -0.375));
@@ -52,9 +50,7 @@ TEST(RoughPoints, AreNoLimitsOfWaysThatLeadElsewhere) {
 /// Normals of a cone of 45 degrees are as exact beside its apex as elsewhere.
 TEST(RoughPoints, AreVerticesWithTheNormalOfEachSide) {
   const Surface surface = height_field("hypot(u-0.1,v+0.3)");
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe&) -> Tolerance { return 1e-2; };
-  const GridMesh mesh = mesh_within_tolerance(surface, options).value();
+  const GridMesh mesh = mesh_within_tolerance(surface, within_length(1e-2)).value();
   EXPECT_EQ(mesh.report.singular_point_count, 1U);
   std::size_t corners = 0;
   for (std::size_t k = 0; k < mesh.mesh.uv.size(); ++k) {

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "adaptive_options.h"
 #include "geometry/gallery_samples.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
@@ -16,15 +18,11 @@ namespace saddle {
 namespace {
 
 GridMesh sampled(const Surface& surface, std::size_t cells = 20) {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe& probe) -> Tolerance {
-    return 1e-3 * probe.bounds().diagonal();
-  };
-  return mesh_of_samples(surface, options, cells, cells).value();
+  return mesh_of_samples(surface, within_share(1e-3), cells, cells).value();
 }
 
 GridMesh sampled(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
-  return sampled(surface_from_text("u", "v", z, domain, {}, Order::Second));
+  return sampled(height_field(z, domain));
 }
 
 /// Triangles with corners on both sides.
@@ -59,22 +57,16 @@ TEST(SampledMesh, OfWhatIsSmoothHasTwoTrianglesInEachCell) {
 }
 
 TEST(SampledMesh, IsLeftToThePlainGridWhereLinesCannotBeNumbered) {
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe&) { return 1e-3; };
-  const Surface rough = surface_from_text("u", "v", "abs(u)", {-1, 1, -1, 1}, {}, Order::Second);
-  EXPECT_FALSE(mesh_of_samples(rough, options, 100000, 2));
+  const Surface rough = height_field("abs(u)");
+  EXPECT_FALSE(mesh_of_samples(rough, within_length(1e-3), 100000, 2));
 }
 
 TEST(SampledMesh, EndsOnTheRim) {
   const Mesh m = sampled("sqrt(1-u^2-v^2)", {-1.2, 1.2, -1.2, 1.2}).mesh;
-  std::map<PointEdge, int> triangles;
-  for (const auto& t : m.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++triangles[point_edge(m, t[k], t[(k + 1) % 3])];
-  }
   std::vector<dvec3> place(m.point_count);
   for (std::size_t k = 0; k < m.point.size(); ++k) place[m.point[k]] = m.position[k];
   std::size_t rim = 0;
-  for (const auto& [edge, count] : triangles) {
+  for (const auto& [edge, count] : edge_counts(m)) {
     if (count != 1) continue;
     ++rim;
     EXPECT_NEAR(std::hypot(place[edge.first].x, place[edge.first].y), 1, 1e-6);

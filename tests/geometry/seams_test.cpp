@@ -1,8 +1,11 @@
 // Edges of the domain that meet, and grid lines.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
 
+#include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
@@ -63,7 +66,7 @@ TEST(Seams, OfAKleinBottleMeetReversedAndJoin) {
   EXPECT_EQ(result.report.closed_v, "join");
   EXPECT_EQ(euler_number(result.mesh), 0);
   EXPECT_EQ(result.mesh.point_count, 16U * 12);
-  for (const auto& [a, b] : point_edges(result.mesh)) EXPECT_NE(a, b);
+  for (const auto& [edge, count] : edge_counts(result.mesh)) EXPECT_NE(edge.first, edge.second);
 }
 
 /// A torus whose tube is turned by half on the way around.
@@ -156,8 +159,7 @@ TEST(Seams, OfAFoldedEdgeJoinItsHalves) {
 
 TEST(Seams, OfAFoldedEdgeJoinTheHalvesOfAMeshWithinATolerance) {
   for (const int lines : {0, 16, 17}) {
-    AdaptiveOptions options;
-    options.tolerance = [](const Probe&) { return 5e-3; };
+    AdaptiveOptions options = within_length(5e-3);
     options.lines_u = options.lines_v = lines;
     const GridMesh result = mesh_within_tolerance(pillow(Order::Second), options).value();
     EXPECT_EQ(result.report.folded_u, (std::array{true, true}));
@@ -198,7 +200,7 @@ TEST(Seams, OfASpikeAreNotDecidedByItsHeight) {
 TEST(GridLines, AreEvenlySpacedChainsOfMeshEdges) {
   const Mesh m = mesh(torus(), 30, 20, 16, 11).mesh;
   ASSERT_EQ(m.lines.size(), 16U + 11);
-  const std::set<PointEdge> edges = point_edges(m);
+  const std::map<PointEdge, int> edges = edge_counts(m);
   for (std::size_t k = 0; k < m.lines.size(); ++k) {
     const std::vector<std::uint32_t>& line = m.lines[k];
     ASSERT_EQ(line.size(), k < 16 ? 21U : 31U);
@@ -230,7 +232,7 @@ TEST(GridLines, BreakWhereTheSurfaceIsUndefined) {
   const Surface ring = surface_from_text("u", "v", "sqrt(u^2+v^2-0.25)", {});
   const Mesh m = mesh(ring, 20, 20, 3, 0).mesh;  // u = -1, 0, 1; the middle one crosses the hole
   ASSERT_EQ(m.lines.size(), 4U);
-  const std::set<PointEdge> edges = point_edges(m);
+  const std::map<PointEdge, int> edges = edge_counts(m);
   for (const auto& line : m.lines) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       EXPECT_TRUE(edges.contains(point_edge(m, line[i], line[i + 1])));

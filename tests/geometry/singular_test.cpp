@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_options.h"
 #include "geometry/gallery_samples.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh/topology.h"
@@ -86,10 +87,7 @@ TEST(Singular, AreCountedAsMathematicsDoes) {
 
 /// With so many lines each way.
 GridMesh mesh_with(const Surface& surface, double share, int lines) {
-  AdaptiveOptions options;
-  options.tolerance = [share](const Probe& probe) -> Tolerance {
-    return share * probe.bounds().diagonal();
-  };
+  AdaptiveOptions options = within_share(share);
   options.lines_u = options.lines_v = lines;
   return mesh_within_tolerance(surface, options).value();
 }
@@ -130,9 +128,7 @@ TEST(Singular, PinchesAreOnePointWhateverLinesAreDrawn) {
 TEST(Singular, AreNamedWhereNoVertexMeetsThem) {
   const Surface surface =
       surface_from_text("u*(v-0.1)", "u", "(v-0.1)^2", {-1, 1, -1, 1}, {}, Order::Second);
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe&) -> Tolerance { return 1e-3; };
-  const GridMesh mesh = mesh_of_samples(surface, options, 21, 17).value();
+  const GridMesh mesh = mesh_of_samples(surface, within_length(1e-3), 21, 17).value();
   EXPECT_EQ(count_at(mesh.report, {0, 0.1}), 1U);
   EXPECT_EQ(mesh.report.singular_point_count, 1U);
 }
@@ -140,7 +136,7 @@ TEST(Singular, AreNamedWhereNoVertexMeetsThem) {
 /// Tangents that are as good as parallel, of which r_u x r_v has all digits.
 TEST(Singular, AreNoneOfSteepSurfaces) {
   for (const char* const z : {"1e9*u*v", "1e8*sin(3*u)*v", "1e13*u*v"}) {
-    const Surface surface = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+    const Surface surface = height_field(z);
     const GridMesh mesh = mesh_with(surface, 1e-3, 16);
     EXPECT_EQ(mesh.report.singular_point_count, 0U) << z;
     EXPECT_GT(mesh.mesh.triangles.size(), 100U) << z;

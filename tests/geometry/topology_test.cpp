@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
 #include <vector>
 
+#include "adaptive_options.h"
 #include "geometry/gallery_samples.h"
 #include "surface_from_text.h"
 
@@ -36,10 +36,7 @@ TEST(Topology, OfAConeIsThatOfADisc) {
   // Vertices of halved cells are on straight lines to the apex.
   const Surface cone =
       surface_from_text("u*cos(v)", "u*sin(v)", "u", {0, 1, 0, 2 * kPi}, {}, Order::Second);
-  AdaptiveOptions options;
-  options.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
-  options.normal_tolerance = 3;
-  const Topology t = topology(mesh_within_tolerance(cone, options)->mesh);
+  const Topology t = topology(mesh_within_tolerance(cone, within_share(1e-3, 3))->mesh);
   EXPECT_EQ(t.euler_number, 1);
   EXPECT_EQ(t.boundary_loops, 1U);
 }

@@ -27,8 +27,7 @@ std::vector<LinePart> lines_along_u() {
 
 std::vector<LinePart> unproved_of(const std::string& z, double delta) {
   std::size_t boxes = 0;
-  return unproved(surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second),
-                  lines_along_u(), delta, boxes);
+  return unproved(height_field(z), lines_along_u(), delta, boxes);
 }
 
 /// Whether the parts are where the surface breaks, each place has some, and no more than doubles
@@ -59,8 +58,7 @@ TEST(Continuity, IsNotProvedAtJumpsAndPoles) {
 }
 
 TEST(Continuity, IsNotProvedOnEitherSideOfAKnownBreak) {
-  const Surface surface =
-      surface_from_text("u", "v", "ln(abs(u-0.33))", {-1, 1, -1, 1}, {}, Order::Second);
+  const Surface surface = height_field("ln(abs(u-0.33))");
   const dvec2 pole(0.33, 0.3);
   std::size_t boxes = 0;
   const auto found = unproved(
@@ -85,9 +83,7 @@ std::vector<std::size_t> lines_without_normals(const Surface& surface) {
 }
 
 TEST(Continuity, OfNormalsIsProvedButWhereTheyMayJump) {
-  const auto of_height = [](const char* z) {
-    return lines_without_normals(surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second));
-  };
+  const auto of_height = [](const char* z) { return lines_without_normals(height_field(z)); };
   for (const char* z : {"sin(300*u*v)", "tanh(1e5*u)", "sign(u-2)"}) {
     EXPECT_TRUE(of_height(z).empty()) << z;
   }
