@@ -1,0 +1,88 @@
+#!/usr/bin/python3 -B
+"""docs/REPORT.md has the keys that reports have, each with its type, and no other; and the reasons
+that src/mesh/doubt.cpp gives. The program is $SADDLE_PROGRAM, or build/release/saddle."""
+import json
+import pathlib
+import re
+import subprocess
+import tempfile
+
+import tree
+
+PAGE = "docs/REPORT.md"
+SOURCE = "src/mesh/doubt.cpp"
+# Between them these runs have everything that a report may have.
+RUNS = [
+    ["z=1/u+sign(v-0.1)", "-s", "40x30", "-o", "picture.png"],
+    ["z=u*v*t", "t=0:1", "-s", "40x30", "--frames", "2", "-o", "frame-%d.png"],
+    ["check", "sphere"],
+    ["check", "cone-double"],
+    ["check", "pillow"],
+    ["check", "x=cos(v)", "y=cos(u)", "z=0.5*sin(u)*sin(v)", "u=-pi:pi", "v=0:pi"],
+    ["check", "z=sqrt(1-u^2-v^2)"],
+    ["check", "cylinder", "--samples", "9x9"],
+]
+REASON_TEXT = re.compile(r'^    \{"([a-z ]+)", "(.+)"\},$', re.M)
+
+
+def type_name(value):
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "boolean"
+    kinds = {int: "integer", float: "number", str: "string", list: "list", dict: "object"}
+    return kinds[type(value)]
+
+
+def found_in(value, key=""):
+    """Each key of an object and of what is in it, with its value."""
+    if isinstance(value, dict):
+        for name, inner in value.items():
+            path = f"{key}.{name}" if key else name
+            yield path, inner
+            yield from found_in(inner, path)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from found_in(inner, key + "[]")
+
+
+def report_of(arguments, folder):
+    """What a run in the folder reports; warnings are not of interest."""
+    run = subprocess.run([pathlib.Path(tree.program()).resolve(), *arguments, "-q", "--report", "-"],
+                         cwd=folder, capture_output=True, text=True, check=True)
+    return json.loads(run.stdout)
+
+
+def documented():
+    """The types of each key, and the text of each reason, of the page's tables."""
+    types, reasons = {}, {}
+    for _, line in tree.lines(PAGE):
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        names = re.findall(r"`([^`]*)`", cells[0])
+        if not line.startswith("|") or not names:
+            continue
+        if len(cells) == 2:
+            reasons[names[0]] = cells[1].replace("`", "")
+        else:
+            types.update({name: set(cells[1].split(" or ")) for name in names})
+    return types, reasons
+
+
+def complaints(types, reasons, reports):
+    seen = set()
+    for key, value in (pair for report in reports for pair in found_in(report)):
+        seen.add(key)
+        kind = type_name(value)
+        if key not in types:
+            yield f"{PAGE} does not have {key}"
+        elif kind not in types[key] and not (kind == "integer" and "number" in types[key]):
+            yield f"{PAGE}: {key} is {kind} in a report"
+    yield from (f"{PAGE}: no report has {key}" for key in sorted(types.keys() - seen))
+    if reasons != dict(REASON_TEXT.findall((tree.ROOT / SOURCE).read_text(encoding="utf-8"))):
+        yield f"{PAGE} does not have the reasons of {SOURCE}"
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    made = [report_of(arguments, scratch) for arguments in RUNS]
+keys, whys = documented()
+tree.finish(sorted(set(complaints(keys, whys, made))), len(keys), "keys")
