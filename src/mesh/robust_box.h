@@ -12,9 +12,10 @@ namespace saddle {
 /// their order.
 double quantile(std::span<double> numbers, double share);
 
-/// In each coordinate, where all but the lowest and the highest twentieth of the points are. More
-/// is left out, up to a quarter at either end, where the box is else longer than `longest`. The
-/// points are finite.
+/// In each coordinate, where all but the lowest and the highest twentieth of the points are. Where
+/// that is longer than `longest`, and than the middle half of the points: a window so long that
+/// shows the most of the points, and of each part of them that nothing joins to the others. The
+/// points are finite; of none the box is empty.
 Bounds robust_box(std::span<const dvec3> points,
                   const dvec3& longest = dvec3(std::numeric_limits<double>::infinity()));
 

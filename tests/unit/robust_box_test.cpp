@@ -43,6 +43,31 @@ TEST(RobustBox, LeavesOutMoreWhereItWouldBeTooLong) {
   EXPECT_EQ(box.high.z, 75);
 }
 
+/// The heights of 1/(r^2 - 1/4) at even shares of the square -1:1 in both: an inner bowl, of a
+/// fifth of the points, below -4, and what is around the pole above 4/7.
+TEST(RobustBox, ShowsBothSidesOfAPoleWhereTheLargerAloneWouldFillIt) {
+  std::vector<dvec3> points;
+  for (int j = 0; j < 64; ++j) {
+    for (int i = 0; i < 64; ++i) {
+      const double u = (i + 0.5) / 32 - 1;
+      const double v = (j + 0.5) / 32 - 1;
+      points.emplace_back(u, v, 1 / (u * u + v * v - 0.25));
+    }
+  }
+  const Bounds box = robust_box(points, dvec3(8));
+  EXPECT_NEAR(box.size().z, 8, 1e-12);
+  EXPECT_LT(box.low.z, -5);
+  EXPECT_GT(box.high.z, 1.5);
+}
+
+TEST(RobustBox, IsInTheMiddleOfWhatIsSymmetric) {
+  std::vector<dvec3> points;
+  for (int i = -100; i < 100; ++i) points.emplace_back(0, 0, 100 / (i + 0.5));
+  const Bounds box = robust_box(points, dvec3(10));
+  EXPECT_NEAR(box.low.z, -5, 0.3);
+  EXPECT_NEAR(box.high.z, 5, 0.3);
+}
+
 TEST(Bounds, ContainTheirFacesAndNothingBeyond) {
   Bounds box;
   box.add(dvec3(0));
