@@ -166,7 +166,7 @@ std::string describe(const SurfaceReport& s, const Mesh& triangles) {
   line("domain", domain(facts));
   line("defined", defined(s, triangles));
   line("poles", words::cuts(s.mesh.poles, s.mesh.pole_count, facts.domain));
-  line("jumps", words::cuts(s.mesh.jumps, s.mesh.jump_count, facts.domain));
+  line("jumps", words::jumps(s.mesh, facts.domain));
   line("singular", words::singular(facts, s.bounds.diagonal()));
   line("seams", seams(s));
   line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");

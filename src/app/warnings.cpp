@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <utility>
 
 namespace saddle {
@@ -147,15 +148,14 @@ class MeshWarnings {
   }
 
   void take_cuts() {
-    const auto cut = [this](const char* what, std::size_t count, const std::vector<dvec2>& places) {
+    const auto cut = [this](const char* what, std::size_t count, std::span<const dvec2> places) {
       if (places.empty()) return;
       say(std::string(what) + ": it was cut in " + plural(count, "place", "places") +
           (count == 1 ? " (at " : " (the first at ") + place(places.front(), domain_) + ")");
     };
     cut("the surface goes to infinity", report_.pole_count, report_.poles);
-    if (report_.jump_count > report_.torn.size()) {
-      cut("the surface jumps", report_.jump_count, report_.jumps);
-    }
+    const std::size_t torn = report_.torn.size();
+    cut("the surface jumps", report_.jump_count - torn, std::span(report_.jumps).subspan(torn));
     if (!report_.torn.empty()) {
       say("the surface has no limit at " + place(report_.torn.front(), domain_) +
           others(report_.torn.size()) + ": each way there leads to another place; left out");

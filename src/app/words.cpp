@@ -130,7 +130,7 @@ dvec2 clean(dvec2 place, const Domain& d) {
 }
 
 /// Places that bisections from many sides ended at, each once.
-Places distinct(const Places& places, const Domain& d) {
+Places distinct(std::span<const dvec2> places, const Domain& d) {
   const dvec2 near = same_place(d);
   Places result;
   for (const dvec2& found : places) {
@@ -302,7 +302,7 @@ std::string vector(const dvec3& v, double rounding) {
   return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
-std::string cuts(const std::vector<dvec2>& listed, std::size_t count, const Domain& domain) {
+std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain) {
   if (count == 0) return "none";
   const Places told = distinct(listed, domain);
   Indices left = all_of(told.size());
@@ -313,6 +313,17 @@ std::string cuts(const std::vector<dvec2>& listed, std::size_t count, const Doma
     text += (k == 0 ? ": " : "; ") + groups[k].text();
   }
   return groups.size() > kTold ? text + "; and others" : text;
+}
+
+std::string jumps(const MeshReport& report, const Domain& domain) {
+  const std::size_t torn = report.torn.size();
+  if (torn == 0) return cuts(report.jumps, report.jump_count, domain);
+  std::string text = "no limit at ";
+  const std::vector<Group> points = one_by_one(report.torn, all_of(torn));
+  for (std::size_t k = 0; k < points.size(); ++k) text += (k > 0 ? "; " : "") + points[k].text();
+  if (report.jump_count == torn) return text;
+  const auto others = std::span(report.jumps).subspan(torn);
+  return cuts(others, report.jump_count - torn, domain) + "; " + text;
 }
 
 std::string singular(const Facts& facts, double diagonal) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,10 @@ std::string vector(const dvec3& v, double rounding);
 
 /// Where cuts are: "none", or how many places, and each of them or the line that they are on.
 /// `count`: with those that are not listed.
-std::string cuts(const std::vector<dvec2>& listed, std::size_t count, const Domain& domain);
+std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain);
+
+/// Where a surface jumps, as cuts(), and at which points it has no limit.
+std::string jumps(const MeshReport& report, const Domain& domain);
 
 /// Where a surface of a diagonal is singular, and its normals there: "none", or lines, curves and
 /// single points.

@@ -24,8 +24,8 @@ constexpr double kAim = 0.98;
 constexpr double kAllCovered = 1e-12;
 /// Cells of the root grid each way around an island that no sample has met.
 constexpr std::size_t kIslandCells = 16;
-/// Poles that are this near to each other, in ranges, are one.
-constexpr double kSamePole = 1e-9;
+/// Poles, and jumps, that are this near to each other, in ranges, are one.
+constexpr double kSamePlace = 1e-9;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
 /// A root grid has no more lines each way than this over the tolerance as a share of the diagonal:
@@ -125,6 +125,29 @@ bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
   return eps > 0 && std::isfinite(eps);
 }
 
+/// Lists places, each of them once.
+class PlaceList {
+ public:
+  /// Adds to these, which the report lists and counts. `range`: of the parameters.
+  PlaceList(const dvec2& range, std::vector<dvec2>& listed, std::size_t& count)
+      : range_(range), listed_(listed), count_(count) {}
+
+  /// False if the place is known.
+  bool add(const dvec2& uv) {
+    const dvec2 place = glm::round(uv / range_ / kSamePlace);
+    if (!seen_.insert({place.x, place.y}).second) return false;
+    ++count_;
+    if (listed_.size() < kMaxListed) listed_.push_back(uv);
+    return true;
+  }
+
+ private:
+  dvec2 range_;
+  std::vector<dvec2>& listed_;
+  std::size_t& count_;
+  std::set<std::array<double, 2>> seen_;
+};
+
 /// What becomes of leaves.
 class Finisher {
  public:
@@ -136,56 +159,37 @@ class Finisher {
 
   /// Lists where the surface goes to infinity, and where it is before it does.
   void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
-    std::set<std::array<double, 2>> seen;
-    const auto list = [&](const dvec2& uv) {
-      const dvec2 place = glm::round(uv / grid_.range / kSamePole);
-      if (!seen.insert({place.x, place.y}).second) return false;
-      ++report.pole_count;
-      if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
-      return true;
-    };
+    PlaceList poles(grid_.range, report.poles, report.pole_count);
     std::vector<dvec2> ends;
     for (const std::array<dvec2, 2>& pole : lattice_.poles()) {
-      if (list(pole[0])) ends.insert(ends.end(), pole.begin(), pole.end());
+      if (poles.add(pole[0])) ends.insert(ends.end(), pole.begin(), pole.end());
     }
-    for (const auto& [vertex, hole] : lattice_.holes()) {
-      if (hole.kind != Hole::Kind::Pole) continue;
-      list(grid_.mesh.uv[vertex]);
+    for_holes(Hole::Kind::Pole, [&](const dvec2& uv, const Hole& hole) {
+      poles.add(uv);
       report.beside_poles.add(hole.near);
-    }
+    });
     for (const SurfacePoint& point : evaluate(surface, ends, threads)) {
       if (is_finite(point.position)) report.beside_poles.add(point.position);
     }
   }
 
-  /// Lists where the sides of leaves are cut by jumps, and by cusps, which are singular.
-  void list_cuts(MeshReport& report) const {
-    if (!lattice_.has_crossings()) return;
-    std::set<Side> seen;
-    for (const Leaf& leaf : mesh_.leaves) {
-      if (!leaf.on_rim && !leaf.is_split) continue;
-      for (const Side& side : sides_of(leaf, lattice_)) {
-        const auto crossing = lattice_.crossing(side[0], side[1]);
-        if (crossing && seen.insert(side).second) list_cut(*crossing, report);
-      }
-    }
+  /// Lists the single points that have no limit, then where the sides of leaves are cut by jumps.
+  void list_jumps(MeshReport& report) const {
+    PlaceList jumps(grid_.range, report.jumps, report.jump_count);
+    for_holes(Hole::Kind::NoLimit, [&](const dvec2& uv, const Hole&) {
+      if (jumps.add(uv) && report.torn.size() < kMaxListed) report.torn.push_back(uv);
+    });
+    for_crossings(Cut::Jump,
+                  [&](const Crossing& cut) { jumps.add(grid_.mesh.uv[cut.beside_first]); });
   }
 
-  /// Lists the single points that have no limit, and those in the midst of leaves where the surface
-  /// goes to infinity.
-  void list_holes(MeshReport& report) const {
-    for (const auto& [vertex, hole] : lattice_.holes()) {
-      if (hole.kind == Hole::Kind::NoLimit) add_torn(grid_.mesh.uv[vertex], report);
-    }
-    for (const auto& [uv, hole] : halving_.holes()) {
-      if (hole.kind == Hole::Kind::NoLimit) {
-        add_torn(uv, report);
-        continue;
-      }
-      ++report.pole_count;
-      if (report.poles.size() < kMaxListed) report.poles.push_back(uv);
-      report.beside_poles.add(hole.near);
-    }
+  /// Lists where the sides of leaves are cut by cusps, which are singular.
+  void list_cusps(MeshReport& report) const {
+    const auto& n = grid_.mesh.normal;
+    for_crossings(Cut::Crease, [&](const Crossing& cut) {
+      if (glm::dot(n[cut.beside_first], n[cut.beside_second]) < kOpposite)
+        add_singular_point(grid_.mesh.uv[cut.beside_first], report);
+    });
   }
 
   /// The share of the domain that no leaf covers, and of leaves on the rim what their pieces leave
@@ -226,6 +230,31 @@ class Finisher {
   }
 
  private:
+  /// Calls f(uv, hole) for all holes of this kind: vertices, then those in the midst of leaves.
+  template <class F>
+  void for_holes(Hole::Kind kind, F f) const {
+    for (const auto& [vertex, hole] : lattice_.holes()) {
+      if (hole.kind == kind) f(grid_.mesh.uv[vertex], hole);
+    }
+    for (const auto& [uv, hole] : halving_.holes()) {
+      if (hole.kind == kind) f(uv, hole);
+    }
+  }
+
+  /// Calls f(crossing) for each side of a leaf that is cut like this.
+  template <class F>
+  void for_crossings(Cut kind, F f) const {
+    if (!lattice_.has_crossings()) return;
+    std::set<Side> seen;
+    for (const Leaf& leaf : mesh_.leaves) {
+      if (!leaf.on_rim && !leaf.is_split) continue;
+      for (const Side& side : sides_of(leaf, lattice_)) {
+        const auto crossing = lattice_.crossing(side[0], side[1]);
+        if (crossing && crossing->kind == kind && seen.insert(side).second) f(*crossing);
+      }
+    }
+  }
+
   /// In parameters.
   double area_of(const Polygon& polygon) const {
     double area = 0;
@@ -238,12 +267,6 @@ class Finisher {
     return area;
   }
 
-  static void add_torn(const dvec2& uv, MeshReport& report) {
-    ++report.jump_count;
-    if (report.jumps.size() < kMaxListed) report.jumps.push_back(uv);
-    if (report.torn.size() < kMaxListed) report.torn.push_back(uv);
-  }
-
   /// Whether all of a leaf is defined but points and lines.
   bool has_only_thin_holes(const Leaf& leaf) const {
     bool is_thin = true;
@@ -251,24 +274,6 @@ class Finisher {
       is_thin = is_thin && (lattice_.is_defined(a) || lattice_.hole(a) != Hole::Kind::Part);
     });
     return is_thin;
-  }
-
-  void list_cut(const Crossing& crossing, MeshReport& report) const {
-    const auto& n = grid_.mesh.normal;
-    const dvec2& uv = grid_.mesh.uv[crossing.beside_first];
-    switch (crossing.kind) {
-      case Cut::Rim:
-      case Cut::Torn:
-      case Cut::Pole:
-        return;
-      case Cut::Jump:
-        ++report.jump_count;
-        if (report.jumps.size() < kMaxListed) report.jumps.push_back(uv);
-        return;
-      case Cut::Crease:
-        if (glm::dot(n[crossing.beside_first], n[crossing.beside_second]) < kOpposite)
-          add_singular_point(uv, report);
-    }
   }
 
   const Halving& halving_;
@@ -300,8 +305,8 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   const Finisher finisher(halving);
   finisher.list_poles(surface, options.threads, report);
   if (halving.stops_at_poles()) return result;
-  finisher.list_cuts(report);
-  finisher.list_holes(report);
+  finisher.list_jumps(report);
+  finisher.list_cusps(report);
   LeafTriangles triangles = halving.triangulate(report);
   finisher.take_errors(triangles, report);
   if (triangles.all.empty()) return std::nullopt;

@@ -155,8 +155,8 @@ struct MeshReport {
   Bounds beside_poles;       ///< a box around the last points before them, as far as doubles go
   std::vector<dvec2> jumps;  ///< the same where it jumps
   std::size_t jump_count = 0;
-  /// Of the jumps, single points that the surface comes to at a different place on each way; at
-  /// most 1000.
+  /// The first of the jumps: single points that the surface comes to at a different place on each
+  /// way; at most 1000.
   std::vector<dvec2> torn;
   bool is_clipped = false;     ///< along a box, asked for or not
   std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles

@@ -100,6 +100,20 @@ TEST_F(CheckCommand, TellsAPoleOnceFromHoweverManySidesItWasCut) {
   EXPECT_TRUE(contains(words({"z=1/(u^2+v^2)"}), "poles       1 place: u = 0, v = 0\n"));
 }
 
+/// A place that many sides were cut at is one, and a point without a limit is none of the cuts.
+TEST_F(CheckCommand, TellsOfAsManyJumpsAsTheReportAndTheWarnings) {
+  const Outcome run = saddle({"check", "z=atan2(v,u)", "--report", path("r.json").string()});
+  const Json report = written("r.json");
+  const std::size_t count = report["surfaces"][0]["jumps_count"];
+  EXPECT_EQ(report["surfaces"][0]["jumps"].size(), count);
+  const std::string cuts = std::to_string(count - 1) + " places";
+  EXPECT_TRUE(contains(run.err, "it was cut in " + cuts)) << run.err;
+  EXPECT_TRUE(contains(run.err, "no limit at u = 0, v = 0:")) << run.err;
+  EXPECT_TRUE(contains(run.out, "jumps       " + cuts)) << run.out;
+  EXPECT_TRUE(contains(run.out, "; no limit at u = 0, v = 0\n")) << run.out;
+  EXPECT_TRUE(contains(words({"z=u*v/(u^2+v^2)"}), "jumps       no limit at u = 0, v = 0\n"));
+}
+
 TEST_F(CheckCommand, SaysWhereNothingIsProvedAndWhy) {
   EXPECT_TRUE(facts({"torus"})["uncertified"].empty());
   const Json jump = facts({"z=sign(u)"})["uncertified"];
