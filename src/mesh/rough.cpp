@@ -8,6 +8,7 @@
 #include "mesh/certify.h"
 #include "mesh/holes.h"
 #include "mesh/islands.h"
+#include "surface/normal.h"
 
 namespace saddle {
 
@@ -93,6 +94,9 @@ RoughPoints find_rough_points(const Surface& surface, double diagonal, unsigned 
   const std::vector<Hole> holes = look_at_holes(surface, undefined, diagonal, threads);
   for (std::size_t k = 0; k < undefined.size(); ++k) {
     if (holes[k].kind == Hole::Kind::NoLimit) rough.torn.push_back(undefined[k]);
+    const bool is_filled = holes[k].kind == Hole::Kind::Limit;
+    if (is_filled && normals_around(surface, undefined[k]).size() > 1)
+      rough.apexes.push_back(undefined[k]);
   }
   return rough;
 }

@@ -8,8 +8,10 @@
 namespace saddle {
 
 struct RoughPoints {
-  std::vector<dvec2> apexes;  ///< the surface is defined, as at the apex of z = hypot(u, v)
-  std::vector<dvec2> torn;    ///< it has no limit: Hole::Kind::NoLimit
+  /// The surface is defined there, as at the apex of z = hypot(u, v), or has a limit there, but a
+  /// normal for each side: z = (u^2 + v^2) / hypot(u, v).
+  std::vector<dvec2> apexes;
+  std::vector<dvec2> torn;  ///< it has no limit: Hole::Kind::NoLimit
 };
 
 /// Points to which boxes shrink around which bounds leave room for a jump of a tangent, for a

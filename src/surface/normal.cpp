@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace saddle {
@@ -30,6 +31,13 @@ constexpr double kLost = 1e-2;
 constexpr double kRelapse = 0.1;
 /// Corners whose paths are evaluated together: 4.3 MB of points.
 constexpr std::size_t kBlock = 4096;
+/// How far from a singular point its sides are looked at, as a part of the ranges.
+constexpr double kBeside = 1.0 / 128;
+/// On so many ways, aslant to the axes: two of them are within the corner of a domain.
+constexpr std::size_t kWays = 8;
+constexpr double kAslant = 0.3;  // of a turn between two ways
+/// Limits that differ by no more are one, degrees: those of regular surfaces agree to 1e-7.
+constexpr double kSameDegrees = 1e-3;
 
 double largest_component(const dvec3& a) {
   return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
@@ -117,6 +125,23 @@ std::vector<dvec2> paths(std::span<const Approach> approaches) {
   return uv;
 }
 
+bool is_inside(const Domain& d, const dvec2& uv) {
+  return uv.x >= std::min(d.u0, d.u1) && uv.x <= std::max(d.u0, d.u1) &&
+         uv.y >= std::min(d.v0, d.v1) && uv.y <= std::max(d.v0, d.v1);
+}
+
+/// Ways from within the domain to a point of it, as many through each quarter.
+std::vector<Approach> ways_to(const Domain& d, const dvec2& uv) {
+  const dvec2 step = kBeside * dvec2(d.u1 - d.u0, d.v1 - d.v0);
+  std::vector<Approach> ways;
+  for (std::size_t k = 0; k < kWays; ++k) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + kAslant) / kWays;
+    const dvec2 inside = uv + dvec2(std::cos(angle), std::sin(angle)) * step;
+    if (is_inside(d, inside)) ways.push_back({uv, inside});
+  }
+  return ways;
+}
+
 }  // namespace
 
 double safe_length(const dvec3& a) {
@@ -181,6 +206,18 @@ std::vector<NormalLimit> limit_normals(const Surface& surface, std::span<const A
 NormalLimit limit_normal(const Surface& surface, dvec2 corner, dvec2 inside) {
   const Approach approach{corner, inside};
   return limit_normals(surface, std::span(&approach, 1), 1).front();
+}
+
+std::vector<dvec3> normals_around(const Surface& surface, const dvec2& uv) {
+  std::vector<dvec3> normals;
+  for (const NormalLimit& limit : limit_normals(surface, ways_to(surface.domain, uv), 1)) {
+    if (!limit.normal) continue;
+    const auto is_same = [&](const dvec3& n) {
+      return degrees_between(n, *limit.normal) <= kSameDegrees;
+    };
+    if (std::ranges::none_of(normals, is_same)) normals.push_back(*limit.normal);
+  }
+  return normals;
 }
 
 }  // namespace saddle

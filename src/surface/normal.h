@@ -59,4 +59,8 @@ struct Approach {
 std::vector<NormalLimit> limit_normals(const Surface& surface, std::span<const Approach> approaches,
                                        unsigned threads = 0);
 
+/// The limits of the unit normal at a place of the domain, on ways from within it, each once: one
+/// at a regular point, one for each side that has a limit at a singular one.
+std::vector<dvec3> normals_around(const Surface& surface, const dvec2& uv);
+
 }  // namespace saddle

@@ -17,7 +17,8 @@ namespace {
 TEST(RoughPoints, AreTheApexesOfCones) {
   for (const auto& [z, u, v] :
        {std::tuple("hypot(u,v)", 0.0, 0.0), std::tuple("sqrt(u^2+v^2)", 0.0, 0.0),
-        std::tuple("1e-6*hypot(u-0.1,v+0.3)", 0.1, -0.3), std::tuple("hypot(u,v-1)", 0.0, 1.0)}) {
+        std::tuple("1e-6*hypot(u-0.1,v+0.3)", 0.1, -0.3), std::tuple("hypot(u,v-1)", 0.0, 1.0),
+        std::tuple("(u^2+v^2)/hypot(u,v)", 0.0, 0.0)}) {
     EXPECT_EQ(find_rough_points(height_field(z), 1, 1).apexes, std::vector{dvec2(u, v)}) << z;
   }
   // No end of a halved range is 0.
@@ -27,8 +28,9 @@ TEST(RoughPoints, AreTheApexesOfCones) {
 }
 
 TEST(RoughPoints, AreNoneOnLinesAndInHoles) {
-  for (const char* const z : {"u*v", "abs(u)", "floor(3*u)", "1/(u^2+v^2)", "atan2(v,u)",
-                              "u*v/(u^2+v^2)", "sqrt(0.5-u^2-v^2)", "tan(3*u)"}) {
+  for (const char* const z :
+       {"u*v", "abs(u)", "floor(3*u)", "1/(u^2+v^2)", "atan2(v,u)", "u*v/(u^2+v^2)",
+        "sqrt(0.5-u^2-v^2)", "tan(3*u)", "sin(hypot(u,v))/hypot(u,v)"}) {
     EXPECT_TRUE(find_rough_points(height_field(z), 1, 1).apexes.empty()) << z;
   }
 }
