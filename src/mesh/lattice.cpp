@@ -298,19 +298,28 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
   const std::vector<SurfacePoint> points = look(ways);
   std::vector<std::uint32_t> holes;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const auto at = [&](std::size_t way) -> const dvec3& {
+      return points[k * ways.size() + way].position;
+    };
     Bounds around;
-    dvec3 sum(0);
     bool is_defined_near = false;
     for (std::size_t w = 0; w < ways.size(); ++w) {
-      const dvec3& p = points[k * ways.size() + w].position;
-      if (w < kNearest) sum += p;
-      around.add(p);
-      is_defined_near = is_defined_near || is_finite(p);
+      if (!is_finite(at(w))) continue;
+      around.add(at(w));
+      is_defined_near = true;
     }
-    const bool agree = is_finite(sum) && around.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
+    // 0/0 may run along one axis: on the other it is looked at from both sides.
+    dvec3 sum(0);
+    double count = 0;
+    for (std::size_t w = 0; w < kNearest; w += 2) {
+      if (!is_finite(at(w)) || !is_finite(at(w + 1))) continue;
+      sum += at(w) + at(w + 1);
+      count += 2;
+    }
+    const bool agree = count > 0 && around.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
     if (!agree && is_defined_near) holes.push_back(vertices[k]);
     if (!agree) continue;
-    grid_.mesh.position[vertices[k]] = sum / static_cast<double>(kNearest);
+    grid_.mesh.position[vertices[k]] = sum / count;
     defined_[vertices[k]] = 1;
     regular_[vertices[k]] = 0;
   }

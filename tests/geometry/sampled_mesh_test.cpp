@@ -7,10 +7,12 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "adaptive_options.h"
 #include "geometry/gallery_samples.h"
+#include "mesh/topology.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 
@@ -83,6 +85,25 @@ TEST(SampledMesh, BridgesNoPole) {
   const GridMesh tangent = sampled("tan(u)", {-5, 5, -1, 1});
   EXPECT_GT(tangent.report.pole_count, 0U);
   EXPECT_EQ(bridges(tangent.mesh, [](double u, double) { return std::floor(u / kPi + 0.5); }), 0U);
+}
+
+/// 0/0 along u = 0, a line of the grid. The last values before it may be cancellation: of 1 -
+/// cos(u) nothing is left for |u| < 1e-8.
+TEST(SampledMesh, FillsLinesWithTheirLimit) {
+  for (const auto& [z, at_line, rounding] :
+       {std::tuple("sin(u)/u", 1.0, 1e-9), std::tuple("(1-cos(u))/u^2", 0.5, 1e-4),
+        std::tuple("v*sin(u)/u", 0.0, 1e-9)}) {
+    const GridMesh filled = sampled(z);
+    EXPECT_EQ(topology(filled.mesh).boundary_loops, 1U) << z;
+    EXPECT_EQ(topology(filled.mesh).components, 1U) << z;
+    EXPECT_EQ(filled.report.undefined_fraction, 0) << z;
+    const auto on_line = std::ranges::find(filled.mesh.uv, dvec2(0));
+    ASSERT_NE(on_line, filled.mesh.uv.end()) << z;
+    EXPECT_NEAR(filled.mesh.position[static_cast<std::size_t>(on_line - filled.mesh.uv.begin())].z,
+                at_line, rounding)
+        << z;
+  }
+  EXPECT_EQ(topology(sampled("abs(u)/u").mesh).components, 2U) << "a jump is none";
 }
 
 TEST(SampledMesh, GoesUpToJumpsOnEitherSide) {
