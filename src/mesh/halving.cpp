@@ -20,7 +20,8 @@ constexpr int kRounds = 12;
 /// The part of the triangles that are allowed that tests may take at first. The rest is for waves
 /// that fit into a cell so well that only fresh samples see them.
 constexpr double kFirst = 0.875;
-/// What a sample finds at a kink says nothing about how fine the mesh must be.
+/// What a sample finds at a kink says nothing about how fine the mesh must be, and what one finds
+/// where a leaf is cut tells of the cut only.
 constexpr double kMostStrict = 4;
 /// The search for islands may try one box for so many of proofs.
 constexpr std::size_t kProofsPerIsland = 12;
@@ -274,7 +275,19 @@ bool Halving::splits_u(std::size_t number) {
   constexpr double kTells = 0.5;  // of the tolerance
   const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
   const bool is_narrow = Oscillation(grid_, refining_.share).is_sliver(leaf, lattice_);
-  return tells && !is_narrow ? scores.along_u >= scores.along_v : leaf.size_u() >= leaf.size_v();
+  if (tells && !is_narrow) return scores.along_u >= scores.along_v;
+  // Normals at a singular side are not known yet, but it is there that they turn most.
+  if (!is_far && has_singular_side(samples, 0) != has_singular_side(samples, 1)) {
+    return has_singular_side(samples, 1);
+  }
+  return leaf.size_u() >= leaf.size_v();
+}
+
+/// Whether one of a leaf's two sides along u (0) or along v (1) is singular at both ends.
+bool Halving::has_singular_side(const Samples& samples, std::size_t along) const {
+  const auto& corner = samples.corner;
+  return is_cusp(corner[along], corner[along + 1], lattice_) ||
+         is_cusp(corner[along + 2], corner[(along + 3) % 4], lattice_);
 }
 
 /// Whether a leaf is cut by more than one jump, or by one that ends in it: its pieces do not tell.
@@ -329,16 +342,17 @@ std::vector<Leaf> Halving::take_failed() {
   std::vector<Leaf> halves;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     if (mesh_.is_near(k) && !mesh_.leaves[k].is_split && !is_turned(k)) continue;
-    const double off = is_cut_unclearly(mesh_.leaves[k]) ? kMostStrict : mesh_.off(k);
+    const double off = mesh_.off(k);
     const double turned = turn(k);
-    if (!(off > 1) && !(turned > 1)) continue;
+    if (!(off > 1) && !(turned > 1) && !is_cut_unclearly(mesh_.leaves[k])) continue;
     Leaf& leaf = mesh_.leaves[k];
     if (stays(leaf, hopeless)) continue;
     const auto both = halve(leaf, splits_u(k), lattice_);
     if (!both) continue;
     failed.push_back(k);
+    const double stricter = leaf.is_split ? 1 : std::clamp(off, 1.0, kMostStrict);
     for (Leaf half : *both) {
-      half.strictness *= static_cast<float>(std::clamp(off, 1.0, kMostStrict));
+      half.strictness *= static_cast<float>(stricter);
       half.turn_strictness *= static_cast<float>(std::clamp(turned, 1.0, kMostStrict));
       halves.push_back(half);
     }

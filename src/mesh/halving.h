@@ -71,6 +71,7 @@ class Halving {
   void measure(std::span<const std::size_t> which, const SingularCorners& singular);
   bool measure_singular();
   bool splits_u(std::size_t number);
+  bool has_singular_side(const Samples& samples, std::size_t along) const;
   bool is_cut_unclearly(const Leaf& leaf) const;
   bool is_turned(std::size_t number) const;
   double turn(std::size_t number);

@@ -174,14 +174,17 @@ class Cutter {
     polygon.insert(polygon.begin(), polygon.back());
   }
 
-  /// A crossing beside a vertex is that vertex: it is there twice.
-  static void add(Polygon polygon, std::vector<Polygon>& result) {
+  /// A crossing beside a vertex is that vertex: it is there twice. Where nothing but rims cuts a
+  /// leaf, what is left may be a side of it, and no area; between creases that holds sheets
+  /// together.
+  void add(Polygon polygon, std::vector<Polygon>& result) const {
     const auto same = [](const PolygonCorner& a, const PolygonCorner& b) {
       return a.corner == b.corner || a.place == b.place;
     };
     polygon.erase(std::unique(polygon.begin(), polygon.end(), same), polygon.end());
     while (polygon.size() > 1 && same(polygon.front(), polygon.back())) polygon.pop_back();
-    if (polygon.size() >= 3) result.push_back(std::move(polygon));
+    const bool is_side = cuts_ > 0 && cuts_ == rims_ && is_straight(polygon);
+    if (polygon.size() >= 3 && !is_side) result.push_back(std::move(polygon));
   }
 
   const Polygon& whole_;

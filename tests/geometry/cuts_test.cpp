@@ -217,5 +217,14 @@ TEST(Jumps, AreNotSteepSlopesAndKinks) {
   }
 }
 
+/// At (0, 0) the height of the jump changes from pi to -pi.
+TEST(Jumps, ThatMeetInAPointWithoutALimitTakeNoDenseMeshAroundIt) {
+  for (const char* z : {"atan(v/u)", "atan(u/v)", "2*u*v/(u^2+v^2)+sign(u)"}) {
+    const GridMesh result = mesh_of(z);
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+    EXPECT_LT(result.mesh.triangles.size(), 10'000U) << z;
+  }
+}
+
 }  // namespace
 }  // namespace saddle

@@ -151,5 +151,20 @@ TEST(Rims, AreWhereLinesEnd) {
   }
 }
 
+/// Of a cell on the other side of such a line no more is defined than the side that they share.
+TEST(Rims, OnLinesOfTheMeshTakeNoTrianglesBeyondThem) {
+  const auto mesh_over = [](double u0) {
+    return mesh_within_tolerance(height_field("sqrt(u)", {u0, 2, -1, 1}), within_length(2e-3))
+        .value();
+  };
+  const GridMesh half = mesh_over(0);
+  const GridMesh whole = mesh_over(-1);
+  EXPECT_EQ(whole.report.flat_triangles, 0U);
+  EXPECT_TRUE(std::ranges::all_of(whole.report.singular_points, &SingularPoint::has_limit));
+  EXPECT_EQ(whole.report.singular_point_count, half.report.singular_point_count);
+  EXPECT_EQ(whole.mesh.bounds.low.x, 0);
+  EXPECT_LT(whole.mesh.triangles.size(), 1.2 * static_cast<double>(half.mesh.triangles.size()));
+}
+
 }  // namespace
 }  // namespace saddle
