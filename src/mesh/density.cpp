@@ -21,7 +21,10 @@ constexpr double kJitter = 0.4;
 /// Density falls by at most this factor from one probe to the next, and to no less than this share
 /// of the largest: a straight stretch between curved ones is not skipped in one step.
 constexpr double kFallOff = 0.7;
-constexpr double kFloor = 0.02;
+const double kFloor = 0.02;
+/// No stretch is denser than so many times its neighbours: at 2 surfaces that end at upright
+/// tangents take up to half as many triangles as without, at 3 more, others the same.
+constexpr double kRise = 2;
 /// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
 constexpr int kRatios = 6;
 /// Every fourth sample of a column or row, next to those of its neighbours on a slant, is enough to
@@ -89,6 +92,18 @@ std::array<double, 2> largest_areas(const GridColumns& tangents, std::size_t col
     most = std::isfinite(area) ? std::max(most, area) : std::numeric_limits<double>::infinity();
   }
   return largest;
+}
+
+/// What the neighbours of a stretch do not ask for is a feature narrower than it, or there is a rim
+/// or a line beside which second derivatives are endless: the probe's density is that of one place,
+/// not of the stretch. Both are left to local refinement.
+void limit_rise(std::vector<double>& density) {
+  const std::vector<double> asked = density;
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    const double before = i > 0 ? asked[i - 1] : 0;
+    const double after = i + 1 < asked.size() ? asked[i + 1] : 0;
+    density[i] = std::min(density[i], kRise * std::max(before, after));
+  }
 }
 
 void limit_fall_off(std::vector<double>& density) {
@@ -327,6 +342,8 @@ void Probe::complete(const Densities& along_edges, Densities& densities) const {
   const auto follow = [](const std::vector<double>& edges, std::vector<double>& lines) {
     for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = std::max(lines[k], edges[k]);
   };
+  limit_rise(densities.of_u);
+  limit_rise(densities.of_v);
   follow(along_edges.of_u, densities.of_u);
   follow(along_edges.of_v, densities.of_v);
   share_density(seams_.u, seams_.folded_u, densities.of_v);

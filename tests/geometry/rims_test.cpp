@@ -166,5 +166,14 @@ TEST(Rims, OnLinesOfTheMeshTakeNoTrianglesBeyondThem) {
   EXPECT_LT(whole.mesh.triangles.size(), 1.2 * static_cast<double>(half.mesh.triangles.size()));
 }
 
+/// Second derivatives are endless beside the rim, which is no reason for lines across the surface.
+TEST(Rims, ThatComeNearALineOfSamplesDrawNoDenseLines) {
+  const Surface surface = height_field("sqrt(9-u^2-v^2)", {-5, 5, -5, 5});
+  const GridMesh result = mesh_within_tolerance(surface, within_length(4.4e-3)).value();
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+  EXPECT_FALSE(result.report.oscillates);
+  EXPECT_LT(result.mesh.triangles.size(), 10'000U);
+}
+
 }  // namespace
 }  // namespace saddle
