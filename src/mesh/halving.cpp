@@ -171,10 +171,7 @@ double Halving::width(const Leaf& leaf) const {
     });
     return bounds.diagonal();
   }
-  const auto places = leaf.corners();
-  std::array<std::uint32_t, 4> corners{};
-  for (std::size_t k = 0; k < 4; ++k) corners[k] = lattice_.vertex_at_corner(places[k]);
-  return thickness(grid_.mesh, corners);
+  return thickness(grid_.mesh, leaf.samples.corner);
 }
 
 /// Refines leaves, adds what comes out and measures it.
@@ -267,18 +264,17 @@ bool Halving::splits_u(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_far = mesh_.off(number) > 1;
   if (is_far && mesh_.deviations[number].on_crease) return is_cut_along_u(leaf, lattice_);
-  const Samples samples = request_samples(leaf, lattice_);
-  if (leaf.on_rim) return judge_.splits_rim_u(leaf, samples);
+  if (leaf.on_rim) return judge_.splits_rim_u(leaf);
   if (is_cut_unclearly(leaf)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
-  const Verdict verdict = judge_.score(leaf, samples);
+  const Verdict verdict = judge_.score(leaf);
   const Scores scores = is_far ? verdict.distance : verdict.turn;
   constexpr double kTells = 0.5;  // of the tolerance
   const bool tells = std::max(scores.along_u, scores.along_v) > kTells;
   const bool is_narrow = Oscillation(grid_, refining_.share).is_sliver(leaf, lattice_);
   if (tells && !is_narrow) return scores.along_u >= scores.along_v;
   // Normals at a singular side are not known yet, but it is there that they turn most.
-  if (!is_far && has_singular_side(samples, 0) != has_singular_side(samples, 1)) {
-    return has_singular_side(samples, 1);
+  if (!is_far && has_singular_side(leaf.samples, 0) != has_singular_side(leaf.samples, 1)) {
+    return has_singular_side(leaf.samples, 1);
   }
   return leaf.size_u() >= leaf.size_v();
 }

@@ -81,10 +81,8 @@ void for_own_sides(const Leaf& leaf, const Grid& grid, const Lattice& lattice, F
   const bool is_at_border =
       leaf.low.u == 0 || leaf.low.v == 0 || leaf.high.u == end.u || leaf.high.v == end.v;
   if (is_at_border) return for_sides(leaf, lattice, f);
-  const auto corners = leaf.corners();
-  for (std::size_t k = 0; k < 4; ++k) {
-    f(lattice.vertex_at_corner(corners[k]), lattice.vertex_at_corner(corners[(k + 1) % 4]));
-  }
+  const auto& corners = leaf.samples.corner;
+  for (std::size_t k = 0; k < 4; ++k) f(corners[k], corners[(k + 1) % 4]);
 }
 
 /// Calls f(a, b) for the neighbours a and b around the pieces of a leaf.

@@ -111,44 +111,26 @@ struct Judge::ChordSample {
   double distance_of_line() const { return glm::length(off - from_middle() * chord); }
 };
 
-Samples Samples::of_half(bool across_u, bool is_lower) const {
-  Samples half;
-  if (across_u) {
-    half.corner = is_lower ? std::array{corner[0], side[0], side[2], corner[3]}
-                           : std::array{side[0], corner[1], corner[2], side[2]};
-    half.side[1] = is_lower ? centre : side[1];
-    half.side[3] = is_lower ? side[3] : centre;
-  } else {
-    half.corner = is_lower ? std::array{corner[0], corner[1], side[1], side[3]}
-                           : std::array{side[3], side[1], corner[2], corner[3]};
-    half.side[0] = is_lower ? side[0] : centre;
-    half.side[2] = is_lower ? centre : side[2];
-  }
-  return half;
-}
-
-Samples request_samples(const Leaf& leaf, Lattice& lattice, Samples known) {
+void request_samples(Leaf& leaf, Lattice& lattice) {
+  auto& [corner, side, centre] = leaf.samples;
   const auto ask = [&](std::uint32_t& vertex, LatticePlace place) {
     if (vertex == Samples::kUnasked) vertex = lattice.vertex(place);
   };
   const LatticePlace m = leaf.middle();
   const auto& [low, high] = std::pair(leaf.low, leaf.high);
   const auto corners = leaf.corners();
-  for (std::size_t k = 0; k < 4; ++k) ask(known.corner[k], corners[k]);
-  ask(known.side[0], {m.u, low.v});
-  ask(known.side[1], {high.u, m.v});
-  ask(known.side[2], {m.u, high.v});
-  ask(known.side[3], {low.u, m.v});
-  ask(known.centre, m);
-  return known;
+  for (std::size_t k = 0; k < 4; ++k) ask(corner[k], corners[k]);
+  ask(side[0], {m.u, low.v});
+  ask(side[1], {high.u, m.v});
+  ask(side[2], {m.u, high.v});
+  ask(side[3], {low.u, m.v});
+  ask(centre, m);
 }
 
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice) {
   if (tolerance.is_same_everywhere()) return tolerance(dvec3(0));
   Ball ball;
-  for (const LatticePlace& corner : leaf.corners()) {
-    ball.add(lattice.mesh().position[lattice.vertex_at_corner(corner)]);
-  }
+  for (const std::uint32_t corner : leaf.samples.corner) ball.add(lattice.mesh().position[corner]);
   return ball.allowed_by(tolerance);
 }
 
@@ -163,7 +145,8 @@ double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
   return longest > 0 ? glm::length(glm::cross(first, second)) / 2 / longest : 0;
 }
 
-int count_defined(const Lattice& lattice, const Samples& samples) {
+int count_defined(const Lattice& lattice, const Leaf& leaf) {
+  const Samples& samples = leaf.samples;
   int count = lattice.is_defined(samples.centre) ? 1 : 0;
   for (std::size_t k = 0; k < 4; ++k) {
     count += lattice.is_defined(samples.corner[k]) ? 1 : 0;
@@ -191,12 +174,12 @@ double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) cons
                   bulge(sides[first + 2], sides[(first + 3) % 4], diagonal));
 }
 
-Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
-  const auto& [corner, side, centre] = samples;
-  const double eps = allowed(samples);
+Verdict Judge::score(const Leaf& leaf) const {
+  const auto& [corner, side, centre] = leaf.samples;
+  const double eps = allowed(leaf);
   const double seen_turn = kSeenTurn * eps;
   const bool is_wide = narrow_side(mesh_, corner) > seen_turn;
-  const bool is_opposed = has_opposed(samples);
+  const bool is_opposed = has_opposed(leaf.samples);
   // Between opposed normals a tip may be hidden that sticks out of a sliver.
   const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
   const bool is_visible = diameter(corner) > kVisible * eps;
@@ -224,13 +207,14 @@ Verdict Judge::score(const Leaf& leaf, const Samples& samples) const {
   const std::size_t first = cut_from(corner);
   judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
   verdict.distance.centre =
-      std::max(verdict.distance.centre, bulge_of_triangles(samples, first) / eps);
+      std::max(verdict.distance.centre, bulge_of_triangles(leaf.samples, first) / eps);
   verdict.is_folded = is_visible && is_opposed;
   return verdict;
 }
 
-double Judge::allowed(const Samples& samples) const {
+double Judge::allowed(const Leaf& leaf) const {
   if (options_.tolerance.is_same_everywhere()) return options_.tolerance(dvec3(0));
+  const Samples& samples = leaf.samples;
   Ball ball;
   ball.add(mesh_.position[samples.centre]);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -240,25 +224,24 @@ double Judge::allowed(const Samples& samples) const {
   return ball.allowed_by(options_.tolerance);
 }
 
-bool Judge::misses(const Leaf& leaf, const Samples& samples, const Witness& witness) const {
+bool Judge::misses(const Leaf& leaf, const Witness& witness) const {
   const dvec2 size = glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
-  const int along = splits_u(leaf, samples, witness) ? 0 : 1;
+  const int along = splits_u(leaf, witness) ? 0 : 1;
   if (size[along] <= witness.size[along]) return false;
   Array<Triangle> triangles;
-  cut_cell(grid_, samples.corner, triangles);
+  cut_cell(grid_, leaf.samples.corner, triangles);
   return distance_from(grid_, triangles, witness.uv, witness.position) >
          options_.tolerance(witness.position);
 }
 
-bool Judge::splits_u(const Leaf& leaf, const Samples& samples, const Witness& witness) const {
+bool Judge::splits_u(const Leaf& leaf, const Witness& witness) const {
   const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
   const dvec2 arc = size * size * witness.bend;
-  return arc.x == arc.y || !std::isfinite(arc.x + arc.y) ? splits_u(Scores(), samples)
-                                                         : arc.x > arc.y;
+  return arc.x == arc.y || !std::isfinite(arc.x + arc.y) ? splits_u(leaf, Scores()) : arc.x > arc.y;
 }
 
-bool Judge::splits_u(const Scores& scores, const Samples& samples) const {
-  const auto& corner = samples.corner;
+bool Judge::splits_u(const Leaf& leaf, const Scores& scores) const {
+  const auto& corner = leaf.samples.corner;
   // A twisted leaf has straight sides; its longer ones are halved.
   constexpr double kStraight = 0.1;
   if (std::max(scores.along_u, scores.along_v) > kStraight * scores.centre) {
@@ -270,8 +253,8 @@ bool Judge::splits_u(const Scores& scores, const Samples& samples) const {
   return length(0, 1) + length(3, 2) >= length(0, 3) + length(1, 2);
 }
 
-bool Judge::splits_rim_u(const Leaf& leaf, const Samples& samples) const {
-  const auto& [corner, side, centre] = samples;
+bool Judge::splits_rim_u(const Leaf& leaf) const {
+  const auto& [corner, side, centre] = leaf.samples;
   const auto changes = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return (lattice_.is_defined(a) != lattice_.is_defined(b) ? 1 : 0) +
            (lattice_.is_defined(b) != lattice_.is_defined(c) ? 1 : 0);
@@ -296,13 +279,13 @@ std::vector<dvec3> Judge::defined_positions(const Samples& samples) const {
   return positions;
 }
 
-bool Judge::is_clipped(const Samples& samples) const {
-  return options_.clip && is_beyond(*options_.clip, defined_positions(samples));
+bool Judge::is_clipped(const Leaf& leaf) const {
+  return options_.clip && is_beyond(*options_.clip, defined_positions(leaf.samples));
 }
 
-bool Judge::is_outside(const Samples& samples) const {
+bool Judge::is_outside(const Leaf& leaf) const {
   return options_.clip &&
-         std::ranges::all_of(defined_positions(samples), [&](const dvec3& position) {
+         std::ranges::all_of(defined_positions(leaf.samples), [&](const dvec3& position) {
            return is_beyond(*options_.clip, std::span(&position, 1));
          });
 }

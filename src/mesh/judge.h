@@ -34,32 +34,20 @@ inline Scores worse(const Scores& a, const Scores& b) {
           std::max(a.centre, b.centre)};
 }
 
-/// The vertices that a leaf is judged by.
-struct Samples {
-  /// Not known: the lattice is to be asked.
-  static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
+/// Asks the lattice for those samples of a leaf that are not known.
+void request_samples(Leaf& leaf, Lattice& lattice);
 
-  std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
-  std::array<std::uint32_t, 4> side = {kUnasked, kUnasked, kUnasked, kUnasked};
-  std::uint32_t centre = kUnasked;
-
-  /// Those of a half that are the whole's as well.
-  Samples of_half(bool across_u, bool is_lower) const;
-};
-
-/// Asks the lattice for those that are not known.
-Samples request_samples(const Leaf& leaf, Lattice& lattice, Samples known = {});
-
-/// What is allowed of a leaf whose corners are in use.
+/// What is allowed of a leaf, by its corners.
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice);
 
 /// How wide a leaf with these corners is in the direction in which it is narrow: of a parallelogram
 /// its smaller height. Not finite where a corner is not.
 double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner);
 
-/// How many of the nine samples are defined.
-int count_defined(const Lattice& lattice, const Samples& samples);
+/// How many of the nine samples of a leaf are defined.
+int count_defined(const Lattice& lattice, const Leaf& leaf);
 
+/// Judges leaves whose samples are known.
 class Judge {
  public:
   Judge(const RefineOptions& options, const Grid& grid, const Lattice& lattice)
@@ -70,31 +58,31 @@ class Judge {
   }
 
   /// What is allowed of a leaf.
-  double allowed(const Samples& samples) const;
+  double allowed(const Leaf& leaf) const;
   /// Whether a side is on a line that is seen: then its distance counts in any direction.
   bool is_seen(const Leaf& leaf, std::size_t side) const;
 
   /// Of a leaf all of whose samples are defined.
-  Verdict score(const Leaf& leaf, const Samples& samples) const;
+  Verdict score(const Leaf& leaf) const;
 
   /// Whether a leaf that passes its tests misses the surface at a witness.
-  bool misses(const Leaf& leaf, const Samples& samples, const Witness& witness) const;
+  bool misses(const Leaf& leaf, const Witness& witness) const;
   /// Which way to halve it then: the one along which the surface bends more at the witness.
-  bool splits_u(const Leaf& leaf, const Samples& samples, const Witness& witness) const;
+  bool splits_u(const Leaf& leaf, const Witness& witness) const;
 
   /// Which way to halve a leaf that failed.
-  bool splits_u(const Scores& scores, const Samples& samples) const;
+  bool splits_u(const Leaf& leaf, const Scores& scores) const;
 
   /// Which way to halve a leaf that the rim crosses: the one along which samples cease to be
   /// defined more often, so that halves are on one side of it; else the longer one.
-  bool splits_rim_u(const Leaf& leaf, const Samples& samples) const;
+  bool splits_rim_u(const Leaf& leaf) const;
 
   /// Whether nothing of a leaf will be left; samples that are not defined do not count.
-  bool is_clipped(const Samples& samples) const;
+  bool is_clipped(const Leaf& leaf) const;
 
   /// Whether all samples are clipped, if not by the same face: nothing will be left of a leaf that
   /// a pole goes through.
-  bool is_outside(const Samples& samples) const;
+  bool is_outside(const Leaf& leaf) const;
 
  private:
   dvec3 seen_position(std::uint32_t vertex) const;

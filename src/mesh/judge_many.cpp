@@ -31,7 +31,8 @@ class Gatherer {
         sine_(square_of_sine(options.normal_tolerance)) {}
 
   /// Takes a leaf in as the i-th; returns its tolerance.
-  double take_leaf(const Leaf& leaf, const Samples& samples, std::size_t i, LeafSamples& to) const {
+  double take_leaf(const Leaf& leaf, std::size_t i, LeafSamples& to) const {
+    const Samples& samples = leaf.samples;
     const Mesh& mesh = lattice_.mesh();
     for (std::size_t k = 0; k < 4; ++k) {
       take(mesh, samples.corner[k], i, to.corner[k]);
@@ -40,7 +41,7 @@ class Gatherer {
       to.seen[k][i] = judge_.is_seen(leaf, k) ? 1 : 0;
     }
     take(mesh, samples.centre, i, to.centre);
-    const double eps = judge_.allowed(samples);
+    const double eps = judge_.allowed(leaf);
     // Scores are to be 1 / strictness; that of an angle is its square.
     const double strictness = leaf.turn_strictness;
     to.largest_distance[i] = eps / leaf.strictness;
@@ -59,9 +60,8 @@ class Gatherer {
 
 }  // namespace
 
-std::vector<float> judge_many(std::span<const Leaf> leaves, std::span<const Samples> samples,
-                              const RefineOptions& options, const Judge& judge,
-                              const Lattice& lattice) {
+std::vector<float> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
+                              const Judge& judge, const Lattice& lattice) {
   std::vector<float> result(leaves.size(), kUnknown);
   const auto block = std::make_unique_for_overwrite<LeafSamples>();
   const auto verdicts = std::make_unique_for_overwrite<LeafVerdicts>();
@@ -82,7 +82,7 @@ std::vector<float> judge_many(std::span<const Leaf> leaves, std::span<const Samp
     const Leaf& leaf = leaves[k];
     if (leaf.on_rim || leaf.is_split || leaf.leads_to_pole) continue;
     which[count] = k;
-    tolerance[count] = gatherer.take_leaf(leaf, samples[k], count, *block);
+    tolerance[count] = gatherer.take_leaf(leaf, count, *block);
     if (++count == kLeafBlock) flush();
   }
   if (count > 0) flush();

@@ -14,8 +14,7 @@ inline constexpr float kUnknown = -1;
 /// How far off leaves are that surely pass all tests of Judge::score(), in tolerances; kUnknown of
 /// the others, which may pass, too. Leaves that something cuts, or that a pole is beside, are left
 /// to others as well.
-std::vector<float> judge_many(std::span<const Leaf> leaves, std::span<const Samples> samples,
-                              const RefineOptions& options, const Judge& judge,
-                              const Lattice& lattice);
+std::vector<float> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
+                              const Judge& judge, const Lattice& lattice);
 
 }  // namespace saddle

@@ -82,6 +82,22 @@ void CellMarks::add(const dvec2& place, std::uint32_t mark) {
   }
 }
 
+Samples Samples::of_half(bool across_u, bool is_lower) const {
+  Samples half;
+  if (across_u) {
+    half.corner = is_lower ? std::array{corner[0], side[0], side[2], corner[3]}
+                           : std::array{side[0], corner[1], corner[2], side[2]};
+    half.side[1] = is_lower ? centre : side[1];
+    half.side[3] = is_lower ? side[3] : centre;
+  } else {
+    half.corner = is_lower ? std::array{corner[0], corner[1], side[1], side[3]}
+                           : std::array{side[3], side[1], corner[2], corner[3]};
+    half.side[0] = is_lower ? side[0] : centre;
+    half.side[2] = is_lower ? centre : side[2];
+  }
+  return half;
+}
+
 CellMarks Lattice::singular_cells() const {
   CellMarks cells(grid_);
   for (std::uint32_t vertex = 0; vertex < regular_.size(); ++vertex) {
@@ -168,12 +184,6 @@ void Lattice::number(LatticePlace place) {
   regular_.push_back(1);
   defined_.push_back(1);
   beside_cut_.push_back(0);
-}
-
-bool Lattice::is_defined_at(LatticePlace place) const {
-  if (is_on_grid(place)) return is_defined(vertex_on_grid(place));
-  const std::uint32_t* const number = numbers_.find(place);
-  return number != nullptr && is_defined(*number);
 }
 
 void Lattice::use(std::uint32_t vertex) {

@@ -32,11 +32,26 @@ struct LatticePlace {
   bool operator==(const LatticePlace&) const = default;
 };
 
+/// The vertices that a leaf is judged by, counter-clockwise in (u, v) from its low corner.
+struct Samples {
+  /// Not known: the lattice is to be asked.
+  static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
+
+  std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
+  /// In the middles of sides; on one that is too short for a middle, one of its ends.
+  std::array<std::uint32_t, 4> side = {kUnasked, kUnasked, kUnasked, kUnasked};
+  std::uint32_t centre = kUnasked;
+
+  /// Those of a half that are the whole's as well.
+  Samples of_half(bool across_u, bool is_lower) const;
+};
+
 /// A rectangle of the refined grid.
 struct Leaf {
   LatticePlace low, high;
-  bool on_rim = false;              ///< not defined at all of its samples
-  std::uint8_t in_vain = 0;         ///< halvings in a row that did not help distances
+  Samples samples = {};      ///< known once it was judged: nobody has to look its vertices up again
+  bool on_rim = false;       ///< not defined at all of its samples
+  std::uint8_t in_vain = 0;  ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals
   bool is_split = false;            ///< a jump, a pole or a crease goes through it
   bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
@@ -169,10 +184,6 @@ class Lattice {
   std::uint32_t vertex(LatticePlace place) {
     return is_on_grid(place) ? vertex_on_grid(place) : vertex_off_grid(place);
   }
-  /// The vertex at a corner of a leaf, which is in use.
-  std::uint32_t vertex_at_corner(LatticePlace place) const {
-    return is_on_grid(place) ? vertex_on_grid(place) : *numbers_.find(place);
-  }
   /// The vertex at a place, if it is in use.
   std::optional<std::uint32_t> used_vertex(LatticePlace place) const {
     const std::uint32_t* number = nullptr;
@@ -185,9 +196,6 @@ class Lattice {
     }
     return number != nullptr && is_used(*number) ? std::optional(*number) : std::nullopt;
   }
-
-  /// Whether there is a vertex at a place, in use or a sample, at which the surface is defined.
-  bool is_defined_at(LatticePlace place) const;
 
   /// Computes the new vertices. Where a position is not defined but all around it agree on what it
   /// should be, as sin(u)/u does at 0, it is that.
@@ -309,20 +317,41 @@ class Lattice {
     return has_crossings_ && crossed_cells_.contains(leaf);
   }
 
-  /// Calls f(vertex, place) for the vertices in use on the straight way from `from` (included) to
-  /// `to` (not included), which is a side of a leaf or of a cell of the root grid.
+  /// Calls f(vertex, place) for the vertices in use on the straight way from line to line of the
+  /// root grid, along a third one; `to` is not included.
   template <class F>
   void walk(LatticePlace from, LatticePlace to, F f) const {
-    f(vertex_at_corner(from), from);
+    f(vertex_on_grid(from), from);
     walk_between(from, to, f);
+  }
+  /// The same on the k-th side of a leaf whose samples are known, from its corner k.
+  template <class F>
+  void walk(const Leaf& leaf, std::size_t k, F f) const {
+    const auto corners = leaf.corners();
+    const LatticePlace from = corners[k];
+    const LatticePlace to = corners[(k + 1) % 4];
+    f(leaf.samples.corner[k], from);
+    if (!is_halved(leaf, k)) return;
+    const LatticePlace middle = middle_of(from, to);
+    walk_between(from, middle, f);
+    f(leaf.samples.side[k], middle);
+    walk_between(middle, to, f);
+  }
+  /// Whether there are vertices in use on the k-th side of a leaf, between its corners.
+  bool is_halved(const Leaf& leaf, std::size_t k) const {
+    const auto& [corner, side, centre] = leaf.samples;
+    return is_used(side[k]) && side[k] != corner[k] && side[k] != corner[(k + 1) % 4];
   }
 
  private:
+  static LatticePlace middle_of(LatticePlace from, LatticePlace to) {
+    return {static_cast<std::uint32_t>((std::uint64_t{from.u} + to.u) / 2),
+            static_cast<std::uint32_t>((std::uint64_t{from.v} + to.v) / 2)};
+  }
   /// A side that has vertices in use has one in its middle: all come from halving.
   template <class F>
   void walk_between(LatticePlace from, LatticePlace to, F& f) const {
-    const LatticePlace middle = {static_cast<std::uint32_t>((std::uint64_t{from.u} + to.u) / 2),
-                                 static_cast<std::uint32_t>((std::uint64_t{from.v} + to.v) / 2)};
+    const LatticePlace middle = middle_of(from, to);
     if (middle == from || middle == to) return;
     const auto vertex = used_vertex(middle);
     if (!vertex) return;

@@ -11,9 +11,8 @@ namespace {
 Polygon outline(const Leaf& leaf, const Lattice& lattice) {
   Polygon polygon;
   polygon.reserve(8);
-  const auto corners = leaf.corners();
   for (std::size_t k = 0; k < 4; ++k) {
-    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex, LatticePlace place) {
+    lattice.walk(leaf, k, [&](std::uint32_t vertex, LatticePlace place) {
       polygon.push_back({vertex, {place.u, place.v}});
     });
   }
@@ -205,7 +204,7 @@ std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
     result.push_back(std::move(whole));
     return result;
   }
-  return Cutter(whole, lattice).take(leaf.is_split, lattice.is_defined_at(leaf.middle()));
+  return Cutter(whole, lattice).take(leaf.is_split, lattice.is_defined(leaf.samples.centre));
 }
 
 std::uint32_t count_outline(const Leaf& leaf, const Lattice& lattice) {
@@ -216,9 +215,8 @@ std::uint32_t count_outline(const Leaf& leaf, const Lattice& lattice) {
 
 std::array<dvec3, 4> corner_positions(const Leaf& leaf, const Lattice& lattice) {
   std::array<dvec3, 4> positions;
-  const auto places = leaf.corners();
   for (std::size_t k = 0; k < 4; ++k) {
-    positions[k] = lattice.mesh().position[lattice.vertex_at_corner(places[k])];
+    positions[k] = lattice.mesh().position[leaf.samples.corner[k]];
   }
   return positions;
 }
@@ -234,21 +232,9 @@ std::vector<Side> sides_of(const Leaf& leaf, const Lattice& lattice) {
 std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf,
                                                           const Lattice& lattice) {
   if (leaf.on_rim || leaf.is_split || leaf.is_left_out) return std::nullopt;
-  const LatticePlace m = leaf.middle();
-  // A side that has vertices in use has one in its middle, unless it is too short for a middle.
-  if (leaf.size_u() > 1 &&
-      (lattice.used_vertex({m.u, leaf.low.v}) || lattice.used_vertex({m.u, leaf.high.v}))) {
-    return std::nullopt;
-  }
-  if (leaf.size_v() > 1 &&
-      (lattice.used_vertex({leaf.low.u, m.v}) || lattice.used_vertex({leaf.high.u, m.v}))) {
-    return std::nullopt;
-  }
-  const auto places = leaf.corners();
-  std::array<std::uint32_t, 4> corners{};
+  const auto& corners = leaf.samples.corner;
   for (std::size_t k = 0; k < 4; ++k) {
-    corners[k] = lattice.vertex_at_corner(places[k]);
-    if (!lattice.is_defined(corners[k])) return std::nullopt;
+    if (lattice.is_halved(leaf, k) || !lattice.is_defined(corners[k])) return std::nullopt;
   }
   if (!lattice.may_be_crossed(leaf)) return corners;
   for (std::size_t k = 0; k < 4; ++k) {

@@ -20,11 +20,10 @@ using Side = std::array<std::uint32_t, 2>;
 /// them, counter-clockwise in (u, v).
 template <class F>
 void for_sides(const Leaf& leaf, const Lattice& lattice, F f) {
-  const auto corners = leaf.corners();
-  const std::uint32_t first = lattice.vertex_at_corner(corners[0]);
+  const std::uint32_t first = leaf.samples.corner[0];
   std::uint32_t before = first;
   for (std::size_t k = 0; k < 4; ++k) {
-    lattice.walk(corners[k], corners[(k + 1) % 4], [&](std::uint32_t vertex, LatticePlace) {
+    lattice.walk(leaf, k, [&](std::uint32_t vertex, LatticePlace) {
       if (vertex == first) return;
       f(before, vertex);
       before = vertex;

@@ -51,7 +51,6 @@ struct Candidate {
   std::vector<std::uint32_t> witnesses;  ///< against it
   double parent_distance;
   double parent_turn;
-  Samples known = {};  ///< what it has in common with that one
 };
 
 std::uint8_t count_in_vain(std::uint8_t before, double score, double parent_score) {
@@ -62,7 +61,6 @@ std::uint8_t count_in_vain(std::uint8_t before, double score, double parent_scor
 /// A candidate that was judged.
 struct Judged {
   Candidate candidate;
-  Samples samples;
   Verdict verdict;
 };
 
@@ -80,15 +78,13 @@ class Refiner {
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
     std::vector<Leaf> leaves;
-    std::vector<Samples> samples;
     leaves.reserve(candidates.size());
-    samples.reserve(candidates.size());
-    for (const Candidate& c : candidates) {
-      leaves.push_back(c.leaf);
-      samples.push_back(request_samples(c.leaf, lattice_, c.known));
+    for (Candidate& candidate : candidates) {
+      request_samples(candidate.leaf, lattice_);
+      leaves.push_back(candidate.leaf);
     }
     lattice_.evaluate(options_.threads);
-    const std::vector<float> known = judge_many(leaves, samples, options_, judge_, lattice_);
+    const std::vector<float> known = judge_many(leaves, options_, judge_, lattice_);
     next_.clear();
     oscillation_.clear();
     std::vector<Judged> rims;
@@ -99,16 +95,16 @@ class Refiner {
         keep_good(leaves[k], known[k]);
         continue;
       }
-      const int defined = count_defined(lattice_, samples[k]);
+      const int defined = count_defined(lattice_, leaves[k]);
       if (defined == 0) {
-        seek(candidates[k], samples[k]);
+        seek(candidates[k]);
         continue;
       }
       if (defined < 9) {
-        rims.push_back({candidates[k], samples[k], {}});
+        rims.push_back({candidates[k], {}});
         continue;
       }
-      const Judged judged = judge(candidates[k], samples[k]);
+      const Judged judged = judge(candidates[k]);
       const Leaf& leaf = judged.candidate.leaf;
       if (!leaf.leads_to_pole) {
         oscillation_.add(leaf, judged.verdict.distance, lattice_);
@@ -151,14 +147,13 @@ class Refiner {
     }
     for (Leaf half : *halves) {
       half.on_rim = false;
-      push(half, judged.candidate, judged.samples, judged.candidate.parent_distance,
-           judged.candidate.parent_turn);
+      push(half, judged.candidate, judged.candidate.parent_distance, judged.candidate.parent_turn);
     }
   }
 
   /// Halves a leaf that is defined at none of its samples until it is, if it is known to be
   /// defined somewhere.
-  void seek(const Candidate& candidate, const Samples& samples) {
+  void seek(const Candidate& candidate) {
     const Leaf& leaf = candidate.leaf;
     const bool is_known = !candidate.witnesses.empty() || has_defined_corner(leaf, lattice_);
     const auto halves = is_known && halvings_of_root(leaf) < kMostSeekHalvings
@@ -170,7 +165,7 @@ class Refiner {
     }
     for (Leaf half : *halves) {
       half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
-      push(half, candidate, samples, candidate.parent_distance, candidate.parent_turn);
+      push(half, candidate, candidate.parent_distance, candidate.parent_turn);
     }
   }
 
@@ -180,17 +175,16 @@ class Refiner {
     std::vector<Leaf> fine;
     for (const Judged& rim : rims) {
       const bool is_fine = halvings(rim.candidate.leaf) >= kRimHalvings;
-      if (is_fine && options_.clip && !judge_.is_outside(rim.samples))
+      if (is_fine && options_.clip && !judge_.is_outside(rim.candidate.leaf))
         fine.push_back(rim.candidate.leaf);
     }
     look_at(fine);
     for (const Judged& rim : rims) {
       Leaf leaf = rim.candidate.leaf;
       leaf.on_rim = true;
-      const bool goes_far =
-          options_.clip && !judge_.is_outside(rim.samples) && has_pole(leaf, lattice_);
-      judge_cut(rim, leaf, judge_.splits_rim_u(leaf, rim.samples),
-                goes_far || is_torn(rim.samples) ? kMostCutHalvings : rim_halvings(leaf));
+      const bool goes_far = options_.clip && !judge_.is_outside(leaf) && has_pole(leaf, lattice_);
+      judge_cut(rim, leaf, judge_.splits_rim_u(leaf),
+                goes_far || is_torn(leaf.samples) ? kMostCutHalvings : rim_halvings(leaf));
     }
   }
 
@@ -273,11 +267,11 @@ class Refiner {
   }
 
   /// What the samples say of a leaf.
-  Judged judge(const Candidate& candidate, const Samples& samples) const {
-    Judged judged{candidate, samples, {}};
-    if (judge_.is_clipped(samples)) return judged;
+  Judged judge(const Candidate& candidate) const {
+    Judged judged{candidate, {}};
     Leaf& leaf = judged.candidate.leaf;
-    judged.verdict = judge_.score(leaf, samples);
+    if (judge_.is_clipped(leaf)) return judged;
+    judged.verdict = judge_.score(leaf);
     if (leaf.leads_to_pole) judged.verdict.distance = judged.verdict.gap;
     const double distance = judged.verdict.distance.worst() * leaf.strictness;
     const double turn = judged.verdict.turn.worst() * leaf.turn_strictness;
@@ -294,8 +288,8 @@ class Refiner {
     const bool turn_counts = !lattice_.has_many(allowed_for_normals(options_.max_triangles));
     const double turn = turn_counts ? verdict.turn.worst() * leaf.turn_strictness : 0;
     // Toward a pole errors grow as leaves shrink: there is always more to do.
-    const bool is_cut_off = leaf.leads_to_pole && (halvings(leaf) >= kMostCutHalvings ||
-                                                   judge_.is_outside(judged.samples));
+    const bool is_cut_off =
+        leaf.leads_to_pole && (halvings(leaf) >= kMostCutHalvings || judge_.is_outside(leaf));
     const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain && !is_cut_off;
     const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain && !is_cut_off;
     const Scores scores = !is_turned ? verdict.distance
@@ -305,8 +299,8 @@ class Refiner {
     const Witness* const missed = passes ? missed_witness(judged) : nullptr;
     std::optional<std::array<Leaf, 2>> halves;
     if (!passes || missed != nullptr) {
-      halves = halves_of(leaf, missed != nullptr ? judge_.splits_u(leaf, judged.samples, *missed)
-                                                 : judge_.splits_u(scores, judged.samples));
+      halves = halves_of(
+          leaf, missed != nullptr ? judge_.splits_u(leaf, *missed) : judge_.splits_u(leaf, scores));
     }
     if (!halves) {
       leaf.given_up = distance > 1 || turn > 1;
@@ -314,7 +308,7 @@ class Refiner {
       result_.leaves.push_back(leaf);
       return;
     }
-    for (const Leaf& half : *halves) push(half, judged.candidate, judged.samples, distance, turn);
+    for (const Leaf& half : *halves) push(half, judged.candidate, distance, turn);
   }
 
   bool oscillates(const Leaf& leaf) const {
@@ -339,11 +333,8 @@ class Refiner {
   }
 
   /// Leaves a candidate's half with the witnesses that are in it.
-  void push(const Leaf& half, const Candidate& whole, const Samples& samples, double distance,
-            double turn) {
-    const bool across_u = half.size_u() < whole.leaf.size_u();
-    Candidate candidate{
-        half, {}, distance, turn, samples.of_half(across_u, half.low == whole.leaf.low)};
+  void push(const Leaf& half, const Candidate& whole, double distance, double turn) {
+    Candidate candidate{half, {}, distance, turn};
     if (!whole.witnesses.empty()) {
       const dvec2 low = lattice_.parameters(half.low);
       const dvec2 size = lattice_.parameters(half.high) - low;
@@ -358,9 +349,9 @@ class Refiner {
 
   /// The first witness that a leaf misses.
   const Witness* missed_witness(const Judged& judged) const {
-    const auto& [candidate, samples, verdict] = judged;
-    for (const std::uint32_t witness : candidate.witnesses) {
-      if (judge_.misses(candidate.leaf, samples, witnesses_[witness])) return &witnesses_[witness];
+    const auto& [leaf, witnesses, parent_distance, parent_turn] = judged.candidate;
+    for (const std::uint32_t witness : witnesses) {
+      if (judge_.misses(leaf, witnesses_[witness])) return &witnesses_[witness];
     }
     return nullptr;
   }
@@ -401,15 +392,15 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattic
   const LatticePlace middle = leaf.middle();
   std::array<Leaf, 2> halves = {leaf, leaf};
   for (Leaf& half : halves) half.followed = 0;
+  halves[0].samples = leaf.samples.of_half(across_u, true);
+  halves[1].samples = leaf.samples.of_half(across_u, false);
   if (across_u) {
     halves[0].high.u = halves[1].low.u = middle.u;
-    lattice.use(lattice.vertex({middle.u, leaf.low.v}));
-    lattice.use(lattice.vertex({middle.u, leaf.high.v}));
   } else {
     halves[0].high.v = halves[1].low.v = middle.v;
-    lattice.use(lattice.vertex({leaf.low.u, middle.v}));
-    lattice.use(lattice.vertex({leaf.high.u, middle.v}));
   }
+  const std::size_t first = across_u ? 0 : 1;
+  for (const std::size_t k : {first, first + 2}) lattice.use(leaf.samples.side[k]);
   return halves;
 }
 

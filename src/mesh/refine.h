@@ -72,7 +72,8 @@ bool has_defined_corner(const Leaf& leaf, const Lattice& lattice);
 /// The cells of the root grid.
 std::vector<Leaf> root_leaves(const Grid& grid);
 
-/// The two halves of a leaf, whose new corners go into use; nothing if it is a unit wide.
+/// The two halves of a leaf whose samples are known; their new corners go into use. Nothing if it
+/// is a unit wide.
 std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattice& lattice);
 
 }  // namespace saddle

@@ -34,7 +34,7 @@ struct Subject {
   explicit Subject(const Surface& s, const RefineOptions& refine_options, std::size_t multiple = 1)
       : surface(s), options(refine_options), fine(multiple) {
     lattice.add_middles(1);
-    for (const Leaf& leaf : leaves) samples.push_back(request_samples(leaf, lattice));
+    for (Leaf& leaf : leaves) request_samples(leaf, lattice);
   }
 
   const Surface& surface;
@@ -45,7 +45,6 @@ struct Subject {
   Lattice lattice{surface, grid, 1};
   Judge judge{options, grid, lattice};
   std::vector<Leaf> leaves = root_leaves(grid);
-  std::vector<Samples> samples;
 };
 
 RefineOptions options_for(double tolerance, double degrees) {
@@ -69,11 +68,11 @@ TEST(ManyLeaves, PassIfTheyPassOneByOne) {
       leaf.strictness = static_cast<float>(strictness);
       leaf.turn_strictness = static_cast<float>(2 * strictness);
     }
-    const std::vector<float> known = judge_many(subject.leaves, subject.samples, subject.options,
-                                                subject.judge, subject.lattice);
+    const std::vector<float> known =
+        judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
     std::size_t good = 0;
     for (std::size_t k = 0; k < known.size(); ++k) {
-      const Verdict verdict = subject.judge.score(subject.leaves[k], subject.samples[k]);
+      const Verdict verdict = subject.judge.score(subject.leaves[k]);
       const double distance = verdict.distance.worst();
       const bool passes = strictness * std::max(distance, 2 * verdict.turn.worst()) <= 1;
       ASSERT_EQ(known[k] != kUnknown, passes) << k;
@@ -92,10 +91,10 @@ TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
   constexpr double kThickness = 0.014;  // of all cells
   for (const double tolerance : {0.9 * kThickness, 1.2 * kThickness}) {
     const Subject subject(surface, options_for(tolerance, 3));
-    const std::vector<float> known = judge_many(subject.leaves, subject.samples, subject.options,
-                                                subject.judge, subject.lattice);
+    const std::vector<float> known =
+        judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
     for (std::size_t k = 0; k < known.size(); ++k) {
-      const Verdict verdict = subject.judge.score(subject.leaves[k], subject.samples[k]);
+      const Verdict verdict = subject.judge.score(subject.leaves[k]);
       ASSERT_LT(verdict.distance.worst(), 0.5);
       if (tolerance < kThickness) {
         ASSERT_GT(verdict.turn.worst(), 1);
@@ -112,7 +111,7 @@ TEST(ManyLeaves, LeaveFoldsToACloserLook) {
   const Surface surface = folded();
   Subject subject(surface, options_for(0.5, 180));
   const std::vector<float> known =
-      judge_many(subject.leaves, subject.samples, subject.options, subject.judge, subject.lattice);
+      judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
   for (std::size_t k = 0; k < known.size(); ++k) {
     // The line u = 0.1 is that of the grid: the two columns beside it touch it.
     const std::size_t column = k % 20;
@@ -121,16 +120,16 @@ TEST(ManyLeaves, LeaveFoldsToACloserLook) {
     }
   }
   subject.leaves[0].is_split = subject.leaves[1].leads_to_pole = true;
-  EXPECT_EQ(count_known(judge_many(subject.leaves, subject.samples, subject.options, subject.judge,
-                                   subject.lattice)),
-            count_known(known) - 2);
+  EXPECT_EQ(
+      count_known(judge_many(subject.leaves, subject.options, subject.judge, subject.lattice)),
+      count_known(known) - 2);
 }
 
 TEST(ManyLeaves, LeaveWhatIsUndefinedToACloserLook) {
   const Surface surface = height_field("sqrt(u)");
   Subject subject(surface, options_for(10, 180));
   const std::vector<float> known =
-      judge_many(subject.leaves, subject.samples, subject.options, subject.judge, subject.lattice);
+      judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
   for (std::size_t k = 0; k < known.size(); ++k) {
     if (k % 20 < 11) {
       ASSERT_EQ(known[k], kUnknown) << k;
