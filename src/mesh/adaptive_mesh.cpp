@@ -314,9 +314,9 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   // A polygon that meets itself at a pole may have more triangles than it has corners for.
   // Beside a box most of those without area are beyond it.
   report.is_clipped = options.clip.has_value();
-  report.flat_triangles =
-      report.is_clipped ? 0
-                        : std::max(triangles.expected, triangles.all.size()) - triangles.all.size();
+  report.flat_triangles = report.is_clipped ? 0
+                                            : std::max(triangles.expected(), triangles.all.size()) -
+                                                  triangles.all.size();
   name_singular(singular, surface.domain, report);
   halving.complete(report);
   Grid& grid = halving.grid();

@@ -66,7 +66,7 @@ class SharedPoints {
         if (mesh.point[corner] != corner) is_shared[mesh.point[corner]] = 1;
       }
     }
-    for (std::size_t leaf = 0; leaf + 1 < triangles.first.size(); ++leaf) {
+    for (std::size_t leaf = 0; leaf < triangles.ranges.size(); ++leaf) {
       const std::span<const Triangle> of_leaf = triangles.of(leaf);
       const bool meets_others = of_leaf.size() > 1 && std::ranges::any_of(of_leaf, [&](auto& t) {
                                   return std::ranges::any_of(t, [&](auto corner) {
@@ -120,8 +120,9 @@ void flip_shared_chords(const Grid& grid, LeafTriangles& triangles) {
     }
   }
   for (const std::size_t leaf : shared.leaves()) {
-    for (std::size_t i = triangles.first[leaf]; i < triangles.first[leaf + 1]; ++i) {
-      for (std::size_t j = i + 1; j < triangles.first[leaf + 1]; ++j) {
+    const auto& [first, count, expected, is_plain] = triangles.ranges[leaf];
+    for (std::size_t i = first; i < first + count; ++i) {
+      for (std::size_t j = i + 1; j < first + count; ++j) {
         flip(grid, sides, triangles.all[i], triangles.all[j]);
       }
     }

@@ -56,6 +56,7 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads,
                         options.clip)),
       seams_(weld_if_two_dimensional(plan.probe)),
+      points_(grid_.mesh),
       lattice_(surface, grid_, options.threads),
       judge_(refining_, grid_, lattice_),
       verifier_(surface, grid_, lattice_, refining_),
@@ -87,10 +88,32 @@ LeafTriangles Halving::triangulate(MeshReport& report) {
   const auto& leaves = mesh_.leaves;
   const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
   measure(singular.leaves(), singular);
-  LeafTriangles triangles =
-      triangulate_leaves(leaves, numbers(0, leaves.size()), singular, grid_, lattice_);
+  std::vector<std::size_t> stale;
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    if (!has_lasting_triangles(k)) stale.push_back(k);
+  }
+  mesh_.put(stale, triangulate_leaves(leaves, stale, singular, grid_, lattice_),
+            lattice_.next_moment());
+  LeafTriangles triangles = mesh_.all_triangles();
   if (meets_itself_ || seams_.has_folds()) flip_shared_chords(grid_, triangles);
   return triangles;
+}
+
+/// Whether a leaf would be cut into the same triangles as when it was measured.
+bool Halving::has_lasting_triangles(std::size_t number) const {
+  const Leaf& leaf = mesh_.leaves[number];
+  if (leaf.is_left_out) return false;
+  if (!lattice_.has_changed(leaf, mesh_.made[number])) return true;
+  if (leaf.is_split || leaf.on_rim || lattice_.may_be_crossed(leaf)) return false;
+  // Something has changed nearby: not this leaf, if what was around it still is, and all of that
+  // are vertices and points of their own.
+  std::uint32_t count = 0;
+  bool is_regular = true;
+  for_sides(leaf, lattice_, [&](std::uint32_t vertex, std::uint32_t) {
+    ++count;
+    is_regular = is_regular && lattice_.is_regular(vertex) && grid_.mesh.point[vertex] == vertex;
+  });
+  return is_regular && count == leaf.outline;
 }
 
 void Halving::complete(MeshReport& report) {
@@ -184,19 +207,19 @@ void Halving::add(const Failed& failed) {
   auto& leaves = mesh_.leaves;
   leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
   empty_.insert(empty_.end(), refinement.empty.begin(), refinement.empty.end());
-  Points points(grid_.mesh);
-  mirror_seams(seams_, options_.threads, grid_, lattice_, points);
-  points.settle();
+  mirror_seams(seams_, options_.threads, grid_, lattice_, points_);
+  points_.settle();
   std::vector<std::size_t> changed = follow_crossings(crossing_options(false), leaves, lattice_);
   if (lattice_.has_crossings() && seams_.any()) {
     mirror_crossings(seams_, crossing_options(false), grid_, lattice_);
     const auto more = follow_crossings(crossing_options(false), leaves, lattice_);
     changed.insert(changed.end(), more.begin(), more.end());
-    join_crossings(seams_, grid_, lattice_, points);
+    join_crossings(seams_, grid_, lattice_, points_);
   }
   meets_itself_ |= join_poles(std::span(leaves).subspan(mesh_.deviations.size()), options_.threads,
-                              grid_, lattice_, points);
-  points.settle();
+                              grid_, lattice_, points_);
+  points_.settle();
+  for (const std::uint32_t vertex : points_.take_changed()) lattice_.mark_changed(vertex);
   std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.deviations.size(); });
   for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
     mesh_.allowed.push_back(tolerance_of(leaves[k], refining_.tolerance, lattice_));
@@ -233,8 +256,10 @@ bool Halving::remeasure() {
 void Halving::measure(std::span<const std::size_t> which, const SingularCorners& singular) {
   const std::uint32_t now = lattice_.next_moment();
   for (const std::size_t k : which) mesh_.leaves[k].measured = now;
-  verifier_.measure(mesh_, which,
-                    triangulate_leaves(mesh_.leaves, which, singular, grid_, lattice_));
+  const LeafTriangles triangles =
+      triangulate_leaves(mesh_.leaves, which, singular, grid_, lattice_);
+  verifier_.measure(mesh_, which, triangles);
+  mesh_.put(which, triangles, now);
   for (const std::size_t k : which) {
     if (is_turned(k) && width(mesh_.leaves[k]) <= kSeenTurn * mesh_.allowed[k]) {
       mesh_.deviations[k].degrees = 0;
@@ -251,6 +276,7 @@ bool Halving::measure_singular() {
   MeshReport unused;
   const SingularCorners singular(surface_, mesh_.leaves, lattice_, options_.threads, grid_, unused);
   measure(singular.leaves(), singular);
+  for (const std::size_t k : singular.leaves()) mesh_.made[k] = 0;  // their corners go away
   mesh.position.resize(count);
   mesh.normal.resize(count);
   mesh.uv.resize(count);

@@ -12,6 +12,7 @@
 #include "mesh/joins.h"
 #include "mesh/judge.h"
 #include "mesh/oscillation.h"
+#include "mesh/points.h"
 #include "mesh/verify.h"
 
 namespace saddle {
@@ -39,8 +40,8 @@ class Halving {
   Grid& grid() { return grid_; }
   const Grid& grid() const { return grid_; }
 
-  /// Gives singular vertices the corners that leaves see there, measures those leaves once more and
-  /// triangulates all.
+  /// Gives singular vertices the corners that leaves see there, and measures those leaves once
+  /// more. The triangles of all.
   LeafTriangles triangulate(MeshReport& report);
 
   /// Whether nothing of a leaf will be left.
@@ -72,6 +73,7 @@ class Halving {
   bool measure_singular();
   bool splits_u(std::size_t number);
   bool has_singular_side(const Samples& samples, std::size_t along) const;
+  bool has_lasting_triangles(std::size_t number) const;
   bool is_cut_unclearly(const Leaf& leaf) const;
   bool is_turned(std::size_t number) const;
   double turn(std::size_t number);
@@ -86,6 +88,7 @@ class Halving {
   RefineOptions refining_;
   Grid grid_;
   Seams seams_;
+  Points points_;
   Lattice lattice_;
   Judge judge_;
   Verifier verifier_;

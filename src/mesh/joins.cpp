@@ -155,10 +155,8 @@ void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, Lattic
                   Points& points) {
   use_middles_of_folds(seams, grid, lattice);
   // The corners of the domain may have two partners; they are root vertices, and welded.
-  const std::size_t count = lattice.size();
   std::vector<Side> pairs;
-  for (auto vertex = static_cast<std::uint32_t>(grid.vertex_count()); vertex < count; ++vertex) {
-    if (!lattice.is_used(vertex)) continue;
+  for (const std::uint32_t vertex : lattice.take_newly_used()) {
     const std::optional<LatticePlace> other = partner(seams, grid, lattice.place(vertex));
     if (!other) continue;
     const std::uint32_t twin = lattice.vertex(*other);

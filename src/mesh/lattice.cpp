@@ -190,8 +190,16 @@ void Lattice::use(std::uint32_t vertex) {
   if (is_used(vertex)) return;
   used_[vertex] = 1;
   ++used_count_;
+  newly_used_.push_back(vertex);
   const LatticePlace p = place(vertex);
   changed_cells_.add(dvec2(p.u, p.v), now_);
+}
+
+std::vector<std::uint32_t> Lattice::take_newly_used() {
+  std::vector<std::uint32_t> vertices;
+  vertices.swap(newly_used_);
+  std::ranges::sort(vertices);
+  return vertices;
 }
 
 LatticePlace Lattice::place(std::uint32_t vertex) const {

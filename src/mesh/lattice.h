@@ -294,7 +294,10 @@ class Lattice {
     regular_[vertex] = 1;
   }
 
-  void make_singular(std::uint32_t vertex) { regular_[vertex] = 0; }
+  void make_singular(std::uint32_t vertex) {
+    if (is_regular(vertex)) mark_changed(vertex);
+    regular_[vertex] = 0;
+  }
 
   /// The place of a vertex that is not between neighbours.
   LatticePlace place(std::uint32_t vertex) const;
@@ -305,7 +308,12 @@ class Lattice {
   const Surface& surface() const { return surface_; }
   const Mesh& mesh() const { return grid_.mesh; }
 
-  /// Whether vertices around a leaf may have gone into use, or its sides been cut, since a moment.
+  /// The vertices that have gone into use since this was last asked, in the order of their numbers.
+  std::vector<std::uint32_t> take_newly_used();
+  /// Tells that a vertex has become one point with others.
+  void mark_changed(std::uint32_t vertex) { changed_cells_.add(place_between(vertex), now_); }
+  /// Whether vertices around a leaf may have gone into use, have become one point with others or
+  /// singular, or its sides been cut, since a moment.
   bool has_changed(const Leaf& leaf, std::uint32_t since) const {
     return changed_cells_.of(leaf) >= since;
   }
@@ -410,6 +418,7 @@ class Lattice {
   PlaceMap numbers_;
   std::vector<LatticePlace> places_;  // of vertices past the root grid's, or kBetween
   std::vector<std::uint8_t> used_;
+  std::vector<std::uint32_t> newly_used_;
   std::vector<std::uint8_t> regular_;
   std::vector<std::uint8_t> defined_;
   PairTable sides_;  // that were searched: by their ends, their places in the next

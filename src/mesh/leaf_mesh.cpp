@@ -305,13 +305,18 @@ std::uint32_t SingularCorners::corner(std::size_t leaf, std::size_t piece,
   return found == corners_.end() ? vertex : found->second;
 }
 
+std::size_t LeafTriangles::expected() const {
+  std::size_t sum = 0;
+  for (const Range& range : ranges) sum += range.expected;
+  return sum;
+}
+
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
                                  const SingularCorners& singular, const Grid& grid,
                                  const Lattice& lattice) {
   LeafTriangles result;
   result.all.reserve(2 * which.size());
-  result.first.reserve(which.size() + 1);
-  result.is_plain.reserve(which.size());
+  result.ranges.reserve(which.size());
   const auto choose_corner = [&](std::size_t leaf, std::size_t piece, std::uint32_t& vertex) {
     if (!lattice.is_regular(vertex)) vertex = singular.corner(leaf, piece, vertex);
   };
@@ -324,32 +329,33 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   };
   for (const std::size_t leaf : which) {
     const auto plain = plain_corners(leaves[leaf], lattice);
-    result.is_plain.push_back(plain ? 1 : 0);
+    result.ranges.push_back({.is_plain = plain.has_value()});
     if (plain) add_plain(leaf, *plain);
   }
   cutter.finish();
   std::vector<std::uint32_t> points;
   for (std::size_t k = 0; k < which.size(); ++k) {
-    const std::size_t first = result.all.size();
-    result.first.push_back(static_cast<std::uint32_t>(first));
-    if (result.is_plain[k] != 0) {
-      result.expected += cutter.take(result.all);
-      result.is_plain[k] = result.all.size() == first + 2 ? 1 : 0;
-      continue;
-    }
-    const std::size_t leaf = which[k];
-    std::vector<Polygon> polygons = pieces(leaves[leaf], lattice);
-    for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
-      points.clear();
-      for (PolygonCorner& corner : polygons[piece]) {
-        choose_corner(leaf, piece, corner.corner);
-        points.push_back(grid.mesh.point[corner.corner]);
+    LeafTriangles::Range& range = result.ranges[k];
+    range.first = static_cast<std::uint32_t>(result.all.size());
+    std::size_t expected = 0;
+    if (range.is_plain) {
+      expected = cutter.take(result.all);
+    } else {
+      std::vector<Polygon> polygons = pieces(leaves[which[k]], lattice);
+      for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
+        points.clear();
+        for (PolygonCorner& corner : polygons[piece]) {
+          choose_corner(which[k], piece, corner.corner);
+          points.push_back(grid.mesh.point[corner.corner]);
+        }
+        expected += triangles_between(points);
+        triangulate_polygon(grid, std::move(polygons[piece]), result.all);
       }
-      result.expected += triangles_between(points);
-      triangulate_polygon(grid, std::move(polygons[piece]), result.all);
     }
+    range.count = static_cast<std::uint32_t>(result.all.size()) - range.first;
+    range.expected = static_cast<std::uint32_t>(expected);
+    range.is_plain = range.is_plain && range.count == 2;
   }
-  result.first.push_back(static_cast<std::uint32_t>(result.all.size()));
   return result;
 }
 

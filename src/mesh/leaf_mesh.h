@@ -10,16 +10,22 @@
 
 namespace saddle {
 
-/// Triangles of the k-th of some leaves: all[first[k]] to all[first[k + 1] - 1].
+/// Triangles of some leaves.
 struct LeafTriangles {
+  /// Those of one leaf among all.
+  struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t expected = 0;  ///< if none were without area
+    bool is_plain = false;       ///< of a leaf that nothing cuts, and two triangles
+  };
   Array<Triangle> all;
-  std::vector<std::uint32_t> first;
-  std::vector<std::uint8_t> is_plain;  ///< a leaf that nothing cuts, of two triangles
-  std::size_t expected = 0;            ///< triangles if none were without area
+  std::vector<Range> ranges;
 
   std::span<const Triangle> of(std::size_t k) const {
-    return std::span(all).subspan(first[k], first[k + 1] - first[k]);
+    return std::span(all).subspan(ranges[k].first, ranges[k].count);
   }
+  std::size_t expected() const;
 };
 
 /// Corners that leaves have of their own at singular vertices; regular vertices are one corner.

@@ -253,7 +253,7 @@ std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const
   plain.reserve(which.size());
   numbers.reserve(which.size());
   for (std::size_t k = 0; k < which.size(); ++k) {
-    if (triangles.is_plain[k] == 0) {
+    if (!triangles.ranges[k].is_plain) {
       others.push_back(k);
       continue;
     }
@@ -398,7 +398,7 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
   mesh.deviations.resize(mesh.leaves.size());
   for (std::size_t k = 0; k < which.size(); ++k) {
     Leaf& leaf = mesh.leaves[which[k]];
-    leaf.outline = triangles.is_plain[k] != 0 ? 4 : count_outline(leaf, lattice_);
+    leaf.outline = triangles.ranges[k].is_plain ? 4 : count_outline(leaf, lattice_);
   }
   Peaks peaks(surface_, grid_, clip_, threads_);
   const std::vector<std::size_t> others = measure_plain(mesh, which, triangles, peaks);

@@ -152,7 +152,7 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
                                  dvec2(0.65, 0.15)};
     std::vector<TwoTriangles> leaves;
     for (const std::size_t k : all) {
-      ASSERT_EQ(triangles.is_plain[k], 1);
+      ASSERT_TRUE(triangles.ranges[k].is_plain);
       leaves.push_back({subject.lattice.parameters(subject.leaves[k].low),
                         subject.lattice.parameters(subject.leaves[k].high),
                         {triangles.of(k)[0], triangles.of(k)[1]},
