@@ -124,7 +124,9 @@ void request_samples(Leaf& leaf, Lattice& lattice) {
   ask(side[1], {high.u, m.v});
   ask(side[2], {m.u, high.v});
   ask(side[3], {low.u, m.v});
-  ask(centre, m);
+  if (centre != Samples::kUnasked) return;
+  const bool is_inside = leaf.size_u() > 1 && leaf.size_v() > 1;
+  centre = is_inside ? lattice.vertex_inside(m) : lattice.vertex(m);
 }
 
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const Lattice& lattice) {

@@ -45,12 +45,22 @@ const std::uint32_t* PlaceMap::find(LatticePlace place) const {
   return slot.key == kEmpty ? nullptr : &slot.number;
 }
 
-void PlaceMap::insert(LatticePlace place, std::uint32_t number) {
+std::uint32_t PlaceMap::find_or_insert(LatticePlace place, std::uint32_t number) {
   Table& table = tables_[table_of(place)];
-  const std::uint32_t size = table.count == 0 ? 0 : 1U << (32 - table.shift);
-  if (2 * ++table.count > size) grow(table);
   const std::uint32_t key = key_of(place);
-  slots_[slot_of(table, key)] = {key, number};
+  std::uint32_t size = 0;
+  std::uint32_t slot = 0;
+  if (table.count > 0) {
+    size = 1U << (32 - table.shift);
+    slot = slot_of(table, key);
+    if (slots_[slot].key == key) return slots_[slot].number;
+  }
+  if (2 * ++table.count > size) {
+    grow(table);
+    slot = slot_of(table, key);
+  }
+  slots_[slot] = {key, number};
+  return number;
 }
 
 /// Twice as many slots as before, behind all others.
@@ -98,14 +108,6 @@ Samples Samples::of_half(bool across_u, bool is_lower) const {
   return half;
 }
 
-CellMarks Lattice::singular_cells() const {
-  CellMarks cells(grid_);
-  for (std::uint32_t vertex = 0; vertex < regular_.size(); ++vertex) {
-    if (!is_regular(vertex)) cells.add(place_between(vertex));
-  }
-  return cells;
-}
-
 Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
     : surface_(surface),
       grid_(grid),
@@ -115,17 +117,18 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
       defined_(grid.vertex_count(), 1),
       beside_cut_(grid.vertex_count(), 0),
       crossed_cells_(grid),
+      singular_cells_(grid),
       changed_cells_(grid),
       used_count_(grid.vertex_count()),
       evaluated_(grid.vertex_count()) {
   sub_grids_[0] = {0, static_cast<std::uint32_t>(grid.u.size())};
-  for (const std::size_t vertex : grid.singular) regular_[vertex] = 0;
+  for (const std::size_t vertex : grid.singular) make_singular(static_cast<std::uint32_t>(vertex));
   if (grid.left_out_count == 0) return;
   std::vector<std::uint32_t> undefined;
   for (std::uint32_t vertex = 0; vertex < grid.vertex_count(); ++vertex) {
     const bool has_normal = is_finite(grid.mesh.normal[vertex]);
     if (!has_normal) grid.mesh.normal[vertex] = dvec3(0);
-    regular_[vertex] = regular_[vertex] != 0 && has_normal ? 1 : 0;
+    if (!has_normal) make_singular(vertex);
     defined_[vertex] = is_finite(grid.mesh.position[vertex]) ? 1 : 0;
     if (!is_defined(vertex)) undefined.push_back(vertex);
   }
@@ -171,19 +174,18 @@ dvec2 Lattice::parameters(LatticePlace place) const {
 }
 
 std::uint32_t Lattice::vertex_off_grid(LatticePlace place) {
-  if (const std::uint32_t* known = numbers_.find(place)) return *known;
-  const auto vertex = static_cast<std::uint32_t>(used_.size());
-  numbers_.insert(place, vertex);
-  number(place);
-  return vertex;
+  const auto next = static_cast<std::uint32_t>(used_.size());
+  const std::uint32_t vertex = numbers_.find_or_insert(place, next);
+  return vertex == next ? number(place) : vertex;
 }
 
-void Lattice::number(LatticePlace place) {
+std::uint32_t Lattice::number(LatticePlace place) {
   places_.push_back(place);
   used_.push_back(0);
   regular_.push_back(1);
   defined_.push_back(1);
   beside_cut_.push_back(0);
+  return static_cast<std::uint32_t>(used_.size() - 1);
 }
 
 void Lattice::use(std::uint32_t vertex) {
@@ -232,7 +234,7 @@ void Lattice::append(const NormalColumns& columns, std::size_t count, Function u
     mesh.normal[vertex] = regular ? normal : dvec3(0);
     mesh.uv[vertex] = uv(i);
     mesh.point[vertex] = static_cast<std::uint32_t>(vertex);
-    regular_[vertex] = regular ? 1 : 0;
+    if (!regular) make_singular(static_cast<std::uint32_t>(vertex));
     defined_[vertex] = is_finite(position) ? 1 : 0;
     if (!regular && is_finite(position) && is_finite(normal)) steep.push_back(vertex);
   }
@@ -339,7 +341,7 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
     if (!agree) continue;
     grid_.mesh.position[vertices[k]] = sum / count;
     defined_[vertices[k]] = 1;
-    regular_[vertices[k]] = 0;
+    make_singular(vertices[k]);
   }
   find_holes(holes, threads);
 }

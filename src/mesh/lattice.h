@@ -118,7 +118,8 @@ class PlaceMap {
       : pitch_(grid.u.size()), tables_(grid.u.size() * grid.v.size()) {}
   /// The number stored for a place, or nullptr; valid until the next insert().
   const std::uint32_t* find(LatticePlace place) const;
-  void insert(LatticePlace place, std::uint32_t number);  ///< of a place that is not there
+  /// The number stored for a place; stores this one if there is none.
+  std::uint32_t find_or_insert(LatticePlace place, std::uint32_t number);
 
  private:
   struct Slot {
@@ -183,6 +184,11 @@ class Lattice {
   /// The vertex at a place; a new one has its position after the next evaluate().
   std::uint32_t vertex(LatticePlace place) {
     return is_on_grid(place) ? vertex_on_grid(place) : vertex_off_grid(place);
+  }
+  /// The same in the midst of a leaf that asks for it for the first time: nobody else can have, nor
+  /// will look for it there, since what the leaf is cut into is told its number.
+  std::uint32_t vertex_inside(LatticePlace place) {
+    return is_on_grid(place) ? vertex_on_grid(place) : number(place);
   }
   /// The vertex at a place, if it is in use.
   std::optional<std::uint32_t> used_vertex(LatticePlace place) const {
@@ -286,8 +292,8 @@ class Lattice {
   /// Whether there is a direction of r_u x r_v.
   bool is_regular(std::uint32_t vertex) const { return regular_[vertex] != 0; }
   bool has_singular() const { return std::ranges::find(regular_, 0) != regular_.end(); }
-  /// The root cells around vertices that are not regular.
-  CellMarks singular_cells() const;
+  /// The root cells around vertices that are not regular, and some of those that were not.
+  const CellMarks& singular_cells() const { return singular_cells_; }
   /// Gives a vertex of one side of the surface the limit of the normals there.
   void set_normal(std::uint32_t vertex, const dvec3& normal) {
     grid_.mesh.normal[vertex] = normal;
@@ -295,8 +301,11 @@ class Lattice {
   }
 
   void make_singular(std::uint32_t vertex) {
-    if (is_regular(vertex)) mark_changed(vertex);
+    if (!is_regular(vertex)) return;
     regular_[vertex] = 0;
+    const dvec2 place = place_between(vertex);
+    singular_cells_.add(place);
+    changed_cells_.add(place, now_);
   }
 
   /// The place of a vertex that is not between neighbours.
@@ -386,8 +395,8 @@ class Lattice {
   /// Appends what was computed at uv(i), whose vertices have their numbers.
   template <class Function>
   void append(const NormalColumns& columns, std::size_t count, Function uv);
-  /// Numbers a new vertex that is no corner of leaves yet.
-  void number(LatticePlace place);
+  /// The number of a new vertex that is no corner of leaves yet.
+  std::uint32_t number(LatticePlace place);
   /// Joins the vertices that are computed last to poles, and gives them limits.
   void finish_new(unsigned threads);
   void fill_removable(std::vector<std::uint32_t> vertices, unsigned threads);
@@ -435,6 +444,7 @@ class Lattice {
   std::size_t search_work_ = 0;
   bool has_poles_ = false;  // among crossings and holes
   CellMarks crossed_cells_;
+  CellMarks singular_cells_;
   CellMarks changed_cells_;  // when
   std::uint32_t now_ = 1;
   std::size_t used_count_;

@@ -56,7 +56,7 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
                                  const Lattice& lattice) {
   std::vector<View> views;
   if (!lattice.has_singular()) return views;
-  const CellMarks singular_cells = lattice.singular_cells();
+  const CellMarks& singular_cells = lattice.singular_cells();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
     if (!leaves[leaf].is_split && !singular_cells.contains(leaves[leaf])) continue;
     bool is_regular = !leaves[leaf].is_split;

@@ -183,7 +183,7 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
 void Verifier::append_singular_sides(const Measured& mesh, std::span<const std::size_t> which,
                                      std::vector<Sample>& samples) const {
   if (!lattice_.has_singular()) return;
-  const CellMarks cells = lattice_.singular_cells();
+  const CellMarks& cells = lattice_.singular_cells();
   const auto& at = grid_.mesh.uv;
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
@@ -291,15 +291,22 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
                                                         Peaks& peaks) {
   std::vector<Sample> rest;
   std::vector<Sample> samples;
+  std::vector<Sample> of_one;
   std::vector<PlaceOnTriangle> places;
   for (const std::size_t k : others) {
     const Leaf& leaf = mesh.leaves[which[k]];
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.deviations[which[k]] = {};
-    std::vector<Sample>& wanted = clip_ || leaf.on_rim || of_leaf.empty() ? rest : samples;
-    append_samples(k, leaf, of_leaf, wanted);
-    for (std::size_t s = places.size(); s < samples.size(); ++s) {
-      places.push_back(on_triangle(grid_, of_leaf, samples[s].triangle, samples[s].uv));
+    const bool is_special = clip_ || leaf.on_rim || of_leaf.empty();
+    of_one.clear();
+    append_samples(k, leaf, of_leaf, of_one);
+    for (const Sample& sample : of_one) {
+      if (is_special || sample.crease) {
+        rest.push_back(sample);
+        continue;
+      }
+      samples.push_back(sample);
+      places.push_back(on_triangle(grid_, of_leaf, sample.triangle, sample.uv));
     }
   }
   const auto found = measure_places(surface_, grid_, places, threads_);
@@ -309,8 +316,7 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
     const std::size_t leaf = which[sample.number];
     // Of a leaf that is cut another piece may be nearer.
     const bool is_known =
-        found[s] && !sample.crease &&
-        (!mesh.leaves[leaf].is_split || is_good(found[s]->worst, mesh.allowed[leaf]));
+        found[s] && (!mesh.leaves[leaf].is_split || is_good(found[s]->worst, mesh.allowed[leaf]));
     if (!is_known) {
       rest.push_back(sample);
       continue;
