@@ -435,7 +435,7 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
                                 std::span<const std::array<dvec3, 2>> normals, unsigned threads,
                                 std::size_t& work) {
   const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
-  const std::vector<std::size_t> open = unproved_normals(surface, lines);
+  const std::vector<std::size_t> open = unproved_normals(surface, lines, work);
   std::vector<Search> searches;
   for (const std::size_t k : open) searches.push_back(begin(lines[k], normals[k]));
   const auto normal = [](const SurfacePoint& point) {

@@ -34,18 +34,18 @@ bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
   return size.x * sum.y >= size.y * sum.x;
 }
 
-/// Proves many lines at a time where boxes around them do: is_proved(box). Calls leave(lines) with
-/// as many of the others as `few`, or fewer. Changes the lines' order.
-template <class IsProved, class Leave>
-void prove_together(std::span<LinePart> lines, std::size_t few, IsProved is_proved, Leave leave) {
-  if (lines.size() <= few) return leave(lines);
+/// Proves many lines at a time where boxes around them do: is_proved(box, how many). Calls
+/// leave(lines) with as many of the others as few(), or fewer. Changes the lines' order.
+template <class Few, class IsProved, class Leave>
+void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leave leave) {
+  if (lines.size() <= few()) return leave(lines);
   dvec2 low = lines[0].part[0];
   dvec2 high = low;
   for (const LinePart& line : lines) {
     low = glm::min(low, glm::min(line.part[0], line.part[1]));
     high = glm::max(high, glm::max(line.part[0], line.part[1]));
   }
-  if (is_proved(Box{low, high})) return;
+  if (is_proved(Box{low, high}, lines.size())) return;
   const int axis = is_wider_along_u(lines, high - low) ? 0 : 1;
   const auto place = [&](const LinePart& line) { return line.part[0][axis] + line.part[1][axis]; };
   const std::size_t half = lines.size() / 2;
@@ -65,7 +65,8 @@ class Prover {
   /// Puts the parts of lines that are not proved into `result`. Changes the lines' order.
   void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
     prove_together(
-        lines, 1, [this](const Box& box) { return is_proved(box); },
+        lines, [] { return std::size_t{1}; },
+        [this](const Box& box, std::size_t) { return is_proved(box); },
         [&](std::span<const LinePart> one) {
           for (const LinePart& line : one) add_unproved(line, result);
         });
@@ -173,18 +174,30 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
   return result;
 }
 
-std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines) {
+std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines,
+                                          std::size_t& boxes) {
   /// So few lines are looked at in less time than proofs of each would take.
   constexpr std::size_t kFew = 4;
+  /// Proofs of boxes around ever fewer lines that may be in vain to begin with, and for each line
+  /// that was proved: looking at a line takes twice as long as one.
+  constexpr std::size_t kInVain = 64;
+  constexpr std::size_t kInVainPerLine = 2;
   std::vector<LinePart> all;
   for (std::size_t k = 0; k < lines.size(); ++k) all.push_back({k, lines[k]});
   std::vector<std::size_t> result;
   NormalProver prover(surface);
-  prove_together(
-      std::span(all), kFew, [&](const Box& box) { return prover.is_proved(box); },
-      [&](std::span<const LinePart> few) {
-        for (const LinePart& line : few) result.push_back(line.line);
-      });
+  std::size_t in_vain = 0;
+  std::size_t proved = 0;
+  const auto few = [&] { return in_vain > kInVain + kInVainPerLine * proved ? all.size() : kFew; };
+  const auto is_proved = [&](const Box& box, std::size_t count) {
+    ++boxes;
+    const bool is = prover.is_proved(box);
+    (is ? proved : in_vain) += is ? count : 1;
+    return is;
+  };
+  prove_together(std::span(all), few, is_proved, [&](std::span<const LinePart> left) {
+    for (const LinePart& line : left) result.push_back(line.line);
+  });
   std::ranges::sort(result);
   return result;
 }

@@ -37,7 +37,9 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
                                std::size_t& boxes, int halvings = kAllHalvings);
 
 /// The numbers of the lines, in order, along which it is not proved that the tangents are
-/// continuous and r_u x r_v is not 0: elsewhere there are no creases, nor cusps.
-std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines);
+/// continuous and r_u x r_v is not 0: elsewhere there are no creases, nor cusps. Where proofs are
+/// in vain most lines are not tried. Adds to `boxes` how many were.
+std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines,
+                                          std::size_t& boxes);
 
 }  // namespace saddle

@@ -79,7 +79,8 @@ TEST(Continuity, IsNotAskedForBelowTheJumpsThatMatter) {
 std::vector<std::size_t> lines_without_normals(const Surface& surface) {
   std::vector<Line> lines;
   for (const LinePart& line : lines_along_u()) lines.push_back(line.part);
-  return unproved_normals(surface, lines);
+  std::size_t boxes = 0;
+  return unproved_normals(surface, lines, boxes);
 }
 
 TEST(Continuity, OfNormalsIsProvedButWhereTheyMayJump) {
@@ -112,7 +113,25 @@ TEST(Continuity, OfNormalsIsNotProvedByRounding) {
     }
     return result;
   }();
-  EXPECT_EQ(unproved_normals(surface, lines).size(), lines.size());
+  std::size_t boxes = 0;
+  EXPECT_EQ(unproved_normals(surface, lines, boxes).size(), lines.size());
+}
+
+TEST(Continuity, OfNormalsIsGivenUpWhereProofsAreInVain) {
+  constexpr std::size_t kMany = 10000;
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < kMany; ++k) {
+    const double u = -1 + 2.0 * static_cast<double>(k) / kMany;
+    lines.push_back({dvec2(u, 0.3), dvec2(u + 1e-4, 0.3)});
+  }
+  const auto boxes_for = [&](const char* z, std::size_t unproved) {
+    std::size_t boxes = 0;
+    EXPECT_EQ(unproved_normals(height_field(z), lines, boxes).size(), unproved) << z;
+    return boxes;
+  };
+  EXPECT_LT(boxes_for("floor(1e6*u)", kMany), kMany / 100);
+  // Half of them are proved before the others are tried.
+  EXPECT_GT(boxes_for("floor(max(0.5, 1e6*u))", kMany / 2), kMany / 10);
 }
 
 }  // namespace
