@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "base/error.h"
@@ -19,6 +21,9 @@ namespace {
 /// A surface that is so many times as long as it is wide has no triangles in doubles.
 constexpr double kTooLong = 1e13;
 
+/// A range that holds no more doubles is too short for a mesh: rounding is a part of each cell.
+constexpr double kFewDoubles = 1000;
+
 /// A few triangles happen not to be thinner than rounding: one cell in so many.
 constexpr std::size_t kFewCells = 1000;
 
@@ -32,6 +37,21 @@ constexpr std::size_t kFewCells = 1000;
               {},
               std::string("scale ") + "xyz"[axis] +
                   " down, or give ranges of u and v in which x, y and z stay in proportion");
+}
+
+/// Where a range of a parameter holds only a few doubles.
+void require_doubles(const char* name, double first, double last) {
+  const double step =
+      std::numeric_limits<double>::epsilon() * std::max(std::fabs(first), std::fabs(last));
+  const double count = std::fabs(last - first) / step;
+  if (count > kFewDoubles) return;
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%s = %.17g and %.17g", name, first, last);
+  throw Error(Status::Nothing,
+              std::string("the range of ") + name + " is too short for double precision", {},
+              std::string("between ") + text.data() + " there are about " +
+                  std::to_string(std::lround(count)) + " numbers; " + name +
+                  " = 0 is where they are closest to each other");
 }
 
 /// The triangles without the gaps that cells with fewer than two leave.
@@ -68,6 +88,9 @@ void require_triangles(const Surface& surface, const Grid& grid, unsigned thread
   const double width = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
   if (width > 0 && size[axis] > kTooLong * width) throw_too_long(axis, size[axis] / width);
   if (count > 0) return;
+  const Domain& d = surface.domain;
+  require_doubles("u", d.u0, d.u1);
+  require_doubles("v", d.v0, d.v1);
   throw Error(Status::Nothing, "no cell of the grid has any area", {},
               "the surface repeats itself in step with the " + std::to_string(grid.cells_u) +
                   " x " + std::to_string(grid.cells_v) + " cells; --samples takes more");

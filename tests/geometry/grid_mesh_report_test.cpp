@@ -109,6 +109,13 @@ TEST(GridMeshReport, SaysThatTheSamplesAreTooFew) {
             "no cell of the grid has any area");
 }
 
+TEST(GridMeshReport, SaysThatARangeHoldsFewDoubles) {
+  EXPECT_EQ(refusal("u", "v", "u*v", {1, 1 + 2e-14, -1, 1}),
+            "the range of u is too short for double precision");
+  EXPECT_EQ(refusal("u", "v", "u*v", {-1, 1, 1e6 + 2e-9, 1e6}),
+            "the range of v is too short for double precision");
+}
+
 TEST(GridMeshReport, SaysThatTheExtentIsNotFinite) {
   EXPECT_EQ(refusal("1e308*u", "1e308*v", "0"), "the surface has no finite extent");
 }
