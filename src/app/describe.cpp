@@ -42,19 +42,23 @@ std::string defined(const SurfaceReport& s, const Mesh& mesh) {
          where_defined(mesh, s.facts->domain) + " (" + bounds + ")";
 }
 
-std::string edges(const std::string& name, double first, double last, const std::string& how) {
+std::string edges(const std::string& name, double first, double last, const std::string& how,
+                  const Shift& shift) {
   const std::string both = name + " = " + number(first) + " and " + name + " = " + number(last);
   if (how == "reversed") return both + " join reversed";
-  if (how == "shifted") return both + " join shifted by half";
+  if (how == "shifted") {
+    return both + " join shifted by " + std::to_string(shift.parts) + "/" +
+           std::to_string(shift.of) + " of their length";
+  }
   return both + " join";
 }
 
 std::string seams(const SurfaceReport& s) {
   const Domain& d = s.facts->domain;
   std::string text;
-  if (!s.mesh.closed_u.empty()) text += edges("u", d.u0, d.u1, s.mesh.closed_u);
+  if (!s.mesh.closed_u.empty()) text += edges("u", d.u0, d.u1, s.mesh.closed_u, s.mesh.shift_u);
   if (!s.mesh.closed_v.empty()) {
-    text += (text.empty() ? "" : "; ") + edges("v", d.v0, d.v1, s.mesh.closed_v);
+    text += (text.empty() ? "" : "; ") + edges("v", d.v0, d.v1, s.mesh.closed_v, s.mesh.shift_v);
   }
   const auto add_fold = [&text](const std::string& edge) {
     text += (text.empty() ? "" : "; ") + edge + " is folded: its halves join";

@@ -101,11 +101,7 @@ void require_triangles(const Surface& surface, const Grid& grid, unsigned thread
 std::vector<std::size_t> cut_grid(const Surface& surface, unsigned threads, Grid& grid,
                                   MeshReport& report) {
   require_two_dimensional(surface, grid, threads);
-  const Seams seams = weld(surface, threads, grid);
-  report.closed_u = seams.u.name();
-  report.closed_v = seams.v.name();
-  report.folded_u = seams.folded_u;
-  report.folded_v = seams.folded_v;
+  report_seams(weld(surface, threads, grid), report);
   const std::vector<OpenCell> open = open_cells(surface, threads, grid, report);
   triangulate(grid, open);
   require_triangles(surface, grid, threads);

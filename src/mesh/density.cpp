@@ -126,9 +126,17 @@ void share_density(const Seam& seam, const std::array<bool, 2>& folded,
       density[i] = std::max(density[i], density[density.size() - 1 - i]);
     }
   }
-  const std::size_t half = density.size() / 2;
-  for (std::size_t i = 0; seam.shifted && i < half; ++i) {
-    density[i] = density[i + half] = std::max(density[i], density[i + half]);
+  if (!seam.shift.any()) return;
+  const std::vector<double> own = density;
+  const auto count = static_cast<double>(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    for (unsigned k = 1; k < seam.shift.of; ++k) {
+      // A stretch that is shifted lies on two.
+      const double at = Shift{k, seam.shift.of}(static_cast<double>(i), count);
+      const auto lower = static_cast<std::size_t>(at);
+      const std::size_t upper = at > std::floor(at) ? (lower + 1) % own.size() : lower;
+      density[i] = std::max({density[i], own[lower], own[upper]});
+    }
   }
 }
 
@@ -409,8 +417,8 @@ FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& toleranc
     d = bent.densities(ratio, k > 0 ? &d : nullptr);
     complete(edges, d);
   }
-  return {place_between(Cumulative(d.of_u, domain_.u0, domain_.u1), fixed.u),
-          place_between(Cumulative(d.of_v, domain_.v0, domain_.v1), fixed.v)};
+  return {place_between(Cumulative(d.of_u, domain_.u0, domain_.u1), fixed.u, seams_.v),
+          place_between(Cumulative(d.of_v, domain_.v0, domain_.v1), fixed.v, seams_.u)};
 }
 
 template <class F>

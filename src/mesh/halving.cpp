@@ -127,10 +127,7 @@ void Halving::complete(MeshReport& report) {
   if (!doubts_) doubt_all(Doubt::NotTried);
   report.certified = doubts_->empty();
   name_doubts(report);
-  report.closed_u = seams_.u.name();
-  report.closed_v = seams_.v.name();
-  report.folded_u = seams_.folded_u;
-  report.folded_v = seams_.folded_v;
+  report_seams(seams_, report);
   report.work.leaf_samples +=
       grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;

@@ -12,11 +12,17 @@ namespace {
 std::optional<LatticePlace> partner(const Seams& seams, const Grid& grid, LatticePlace place) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
-  if (seams.u.closed && (place.u == 0 || place.u == end_u)) {
-    return LatticePlace{end_u - place.u, seams.u.partner(place.v, end_v)};
+  if (seams.u.closed && place.u == 0) {
+    return LatticePlace{end_u, seams.u.partner(place.v, end_v)};
   }
-  if (seams.v.closed && (place.v == 0 || place.v == end_v)) {
-    return LatticePlace{seams.v.partner(place.u, end_u), end_v - place.v};
+  if (seams.u.closed && place.u == end_u) {
+    return LatticePlace{0, seams.u.partner_back(place.v, end_v)};
+  }
+  if (seams.v.closed && place.v == 0) {
+    return LatticePlace{seams.v.partner(place.u, end_u), end_v};
+  }
+  if (seams.v.closed && place.v == end_v) {
+    return LatticePlace{seams.v.partner_back(place.u, end_u), 0};
   }
   if ((seams.folded_u[0] && place.u == 0) || (seams.folded_u[1] && place.u == end_u)) {
     return LatticePlace{place.u, kFold.partner(place.v, end_v)};

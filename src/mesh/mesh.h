@@ -13,6 +13,7 @@
 #include "base/array.h"
 #include "base/vec.h"
 #include "mesh/doubt.h"
+#include "mesh/seam.h"
 
 namespace saddle {
 
@@ -162,6 +163,7 @@ struct MeshReport {
   std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles
   std::string closed_u;        ///< how the edges u0 and u1 meet: Seam::name()
   std::string closed_v;
+  Shift shift_u, shift_v;             ///< by which edges that join are shifted
   std::array<bool, 2> folded_u = {};  ///< whether u0 and u1 are folded; see Seams
   std::array<bool, 2> folded_v = {};
   bool orientable = true;  ///< false: the surface is one-sided

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/grid.h"
 
@@ -55,6 +56,31 @@ double total_cells(const Cumulative& cumulative, std::span<const double> fixed) 
   return sum;
 }
 
+namespace {
+
+/// Lines of the first of `parts` equal parts of a range, and their copies in the others.
+std::vector<double> repeated(const std::vector<double>& first_part, double range, unsigned parts) {
+  std::vector<double> lines;
+  for (unsigned part = 0; part < parts; ++part) {
+    for (std::size_t k = 0; k + 1 < first_part.size(); ++k) {
+      lines.push_back(first_part[k] + range * part / parts);
+    }
+  }
+  lines.push_back(first_part.front() + range);
+  return lines;
+}
+
+}  // namespace
+
+std::vector<double> place_between(const Cumulative& cumulative, std::span<const double> fixed,
+                                  const Seam& seam) {
+  const unsigned parts = seam.shift.of;
+  if (parts == 1 || (fixed.size() - 1) % parts != 0) return place_between(cumulative, fixed);
+  const std::size_t cells = (fixed.size() - 1) / parts;
+  return repeated(place_between(cumulative, fixed.first(cells + 1)), fixed.back() - fixed.front(),
+                  parts);
+}
+
 std::vector<double> place_between(const Cumulative& cumulative, std::span<const double> fixed) {
   std::vector<double> lines;
   for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
@@ -74,8 +100,9 @@ std::vector<double> place_between(const Cumulative& cumulative, std::span<const 
 }
 
 std::vector<double> shared_lines(const Seam& seam, const std::vector<double>& fixed) {
-  if (!seam.shifted || fixed.size() % 2 != 0) return fixed;  // an even number of cells
-  return even_lines(fixed.front(), fixed.back(), 2 * (fixed.size() - 1));
+  const std::size_t cells = fixed.size() - 1;
+  const std::size_t shared = std::lcm(cells, std::size_t{seam.shift.of});
+  return shared == cells ? fixed : even_lines(fixed.front(), fixed.back(), shared);
 }
 
 std::vector<double> with_lines(std::vector<double> fixed, const std::vector<double>& more,
@@ -91,7 +118,10 @@ std::vector<double> with_lines(std::vector<double> fixed, const std::vector<doub
   for (const double line : more) {
     const double part = (line - first) / range;
     add(line);
-    if (seam.reversed || seam.shifted) add(first + range * seam.partner(part, 1.0));
+    if (seam.reversed) add(first + range * seam.partner(part, 1.0));
+    for (unsigned k = 1; k < seam.shift.of; ++k) {
+      add(first + range * Shift{k, seam.shift.of}(part, 1.0));
+    }
     if (folded[0] || folded[1]) add(first + range * kFold.partner(part, 1.0));
   }
   std::ranges::sort(fixed, {}, [&](double line) { return (line - first) / range; });

@@ -30,6 +30,10 @@ double total_cells(const Cumulative& cumulative, std::span<const double> fixed);
 
 /// The fixed lines and those between them.
 std::vector<double> place_between(const Cumulative& cumulative, std::span<const double> fixed);
+/// The same for lines that a shifted seam makes meet each other, as the fixed ones do: those of its
+/// first part, by whose density those of the others must do, too, and copies.
+std::vector<double> place_between(const Cumulative& cumulative, std::span<const double> fixed,
+                                  const Seam& seam);
 
 /// Even lines of one edge, and those that they meet across a seam. Even lines are their own mirror
 /// image.

@@ -6,33 +6,58 @@
 
 namespace saddle {
 
+/// So many parts of `of` equal ones. As integers: places on a grid are counted, and to have as many
+/// after a shift its lines must be shifted copies of each other.
+struct Shift {
+  unsigned parts = 0;
+  unsigned of = 1;
+
+  bool any() const { return parts != 0; }
+  /// Shifts place `k` of a loop from 0 to `length`, a multiple of `of` if it is an integer.
+  template <class Number>
+  Number operator()(Number k, Number length) const {
+    if (!any()) return k;  // its end stays its end
+    const Number on = k + length / static_cast<Number>(of) * static_cast<Number>(parts);
+    return on < length ? on : on - length;
+  }
+  Shift back() const { return any() ? Shift{of - parts, of} : *this; }
+};
+
 struct Seam {
   bool closed = false;
   bool reversed = false;  ///< the edges run in opposite directions
-  bool shifted = false;   ///< the other edge, itself a loop, starts half way along this one
+  Shift shift = {};       ///< the edges are loops, and the first one starts there on the last
 
-  /// The place on the other edge that meets place `k` of 0 to `length`.
+  /// The place on the last edge that meets place `k` of 0 to `length` on the first.
   template <class Number>
   Number partner(Number k, Number length) const {
-    const Number along = reversed ? length - k : k;
-    if (!shifted) return along;
-    return along < length / 2 ? along + length / 2 : along - length / 2;
+    return shift(reversed ? length - k : k, length);
+  }
+  /// The place on the first edge that meets place `k` on the last.
+  template <class Number>
+  Number partner_back(Number k, Number length) const {
+    return reversed ? partner(k, length) : shift.back()(k, length);
   }
 
   /// "join", "reversed", "shifted"; "" for edges that do not meet. Reversed and shifted is
   /// reversed: that is what makes a surface one-sided.
   std::string name() const {
     if (!closed) return "";
-    return reversed ? "reversed" : shifted ? "shifted" : "join";
+    return reversed ? "reversed" : shift.any() ? "shifted" : "join";
   }
 };
 
-/// The ways to meet, in the order that they are looked for in.
-inline constexpr std::array<Seam, 4> kSeams = {
-    {{true, false, false}, {true, true, false}, {true, false, true}, {true, true, true}}};
+/// The ways to meet, in the order that they are looked for in. Shifted by what tubes are turned by
+/// whose sections have up to six corners.
+inline constexpr std::array kSeams = {
+    Seam{true, false},         Seam{true, true},          Seam{true, false, {1, 2}},
+    Seam{true, true, {1, 2}},  Seam{true, false, {1, 3}}, Seam{true, false, {2, 3}},
+    Seam{true, false, {1, 4}}, Seam{true, false, {3, 4}}, Seam{true, false, {1, 5}},
+    Seam{true, false, {2, 5}}, Seam{true, false, {3, 5}}, Seam{true, false, {4, 5}},
+    Seam{true, false, {1, 6}}, Seam{true, false, {5, 6}}};
 
 /// An edge that is folded meets itself like this, from end to end.
-inline constexpr Seam kFold = {true, true, false};
+inline constexpr Seam kFold = {true, true};
 
 /// How the edges u0 and u1 meet, and v0 and v1; those that do not may each be folded in the middle:
 /// r(u0, v) = r(u0, v0 + v1 - v).

@@ -100,7 +100,7 @@ struct EdgePair {
 /// Whether the edges meet at every sample where the surface is defined, and are defined alike.
 bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
   const std::size_t cells = edges.last.count - 1;
-  if (seam.shifted && cells % 2 != 0) return false;  // half way is no vertex
+  if (cells % seam.shift.of != 0) return false;  // a shifted vertex is none
   Majority majority;
   for (std::size_t k = 0; k < edges.first.count; ++k) {
     const std::size_t a = edges.first[k];
@@ -227,6 +227,15 @@ Seams weld(const Surface& surface, unsigned threads, Grid& grid) {
   join_equal_neighbours(surface, threads, grid, points);
   points.settle();
   return seams;
+}
+
+void report_seams(const Seams& seams, MeshReport& report) {
+  report.closed_u = seams.u.name();
+  report.closed_v = seams.v.name();
+  report.shift_u = seams.u.shift;
+  report.shift_v = seams.v.shift;
+  report.folded_u = seams.folded_u;
+  report.folded_v = seams.folded_v;
 }
 
 }  // namespace saddle

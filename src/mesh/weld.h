@@ -27,4 +27,7 @@ std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
 /// v0. Opens the cells that this leaves without some of their corners.
 Seams weld(const Surface& surface, unsigned threads, Grid& grid);
 
+/// Says in a report how edges meet.
+void report_seams(const Seams& seams, MeshReport& report);
+
 }  // namespace saddle

@@ -69,10 +69,11 @@ TEST(Seams, OfAKleinBottleMeetReversedAndJoin) {
   for (const auto& [edge, count] : edge_counts(result.mesh)) EXPECT_NE(edge.first, edge.second);
 }
 
-/// A torus whose tube is turned by half on the way around.
-Surface turned_torus() {
-  return surface_from_text("(2+cos(v+u/2))*cos(u)", "(2+cos(v+u/2))*sin(u)", "sin(v+u/2)",
-                           {0, kTwoPi, 0, kTwoPi});
+/// A torus whose tube is turned on the way around, by half or another part.
+Surface turned_torus(const std::string& turns = "1/2") {
+  const std::string angle = "(v+u*" + turns + ")";
+  return surface_from_text("(2+cos" + angle + ")*cos(u)", "(2+cos" + angle + ")*sin(u)",
+                           "sin" + angle, {0, kTwoPi, 0, kTwoPi});
 }
 
 TEST(Seams, ThatAreShiftedByHalfAreFoundWhereHalfIsAVertex) {
@@ -84,8 +85,27 @@ TEST(Seams, ThatAreShiftedByHalfAreFoundWhereHalfIsAVertex) {
   EXPECT_EQ(mesh(turned_torus(), 16, 11).report.closed_u, "");
 }
 
+TEST(Seams, ThatAreShiftedByAnotherPartAreFoundWhereItIsAVertex) {
+  const GridMesh third = mesh(turned_torus("1/3"), 16, 12);
+  EXPECT_EQ(third.report.closed_u, "shifted");
+  EXPECT_EQ(third.report.shift_u.parts, 2U);
+  EXPECT_EQ(third.report.shift_u.of, 3U);
+  EXPECT_EQ(euler_number(third.mesh), 0);
+  EXPECT_EQ(third.mesh.point_count, 16U * 12);
+  EXPECT_EQ(mesh(turned_torus("1/3"), 16, 16).report.closed_u, "");
+}
+
+TEST(Seams, LeadBackToWhereTheyComeFrom) {
+  for (const Seam& seam : kSeams) {
+    for (const int k : {0, 1, 7, 30, 59}) {
+      const int there = seam.partner(k, 60);
+      EXPECT_EQ(seam.partner_back(there, 60) % 60, k) << seam.shift.parts << '/' << seam.shift.of;
+    }
+  }
+}
+
 TEST(Seams, HavePositionsEqualToTheBitEverywhere) {
-  for (const Surface& surface : {torus(), turned_torus(), mobius(), klein()}) {
+  for (const Surface& surface : {torus(), turned_torus(), turned_torus("3/4"), mobius(), klein()}) {
     const Mesh m = mesh(surface, 16, 12).mesh;
     std::vector<std::size_t> first(m.point_count, m.point.size());
     for (std::size_t k = 0; k < m.point.size(); ++k) {

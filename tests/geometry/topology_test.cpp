@@ -19,17 +19,33 @@ GridMesh mesh_of(const Scene& scene) {
 }
 
 TEST(Topology, OfATorusWhoseSeamIsShiftedIsThatOfATorus) {
+  for (const char* const shift : {"u/2", "u/3", "-u/4", "2*u/5", "u/6", "4*u/3"}) {
+    Scene scene = scene_of("torus", {"u=0:2*pi", "v=0:2*pi"});
+    SurfaceSpec& spec = scene.surfaces.at(0);
+    const std::string angle = std::string("v+") + shift;
+    spec.x = "(R+r*cos(" + angle + "))*cos(u)";
+    spec.y = "(R+r*cos(" + angle + "))*sin(u)";
+    spec.z = "r*sin(" + angle + ")";
+    const GridMesh mesh = mesh_of(scene);
+    EXPECT_EQ(mesh.report.closed_u, "shifted") << shift;
+    const Topology t = topology(mesh.mesh);
+    EXPECT_TRUE(t.is_closed()) << shift;
+    EXPECT_TRUE(t.orientable) << shift;
+    EXPECT_EQ(t.euler_number, 0) << shift;
+  }
+}
+
+/// A tube of triangular section, turned by a third on its way around: the other edges meet.
+TEST(Topology, OfATurnedTubeWithCornersIsThatOfATorus) {
   Scene scene = scene_of("torus", {"u=0:2*pi", "v=0:2*pi"});
   SurfaceSpec& spec = scene.surfaces.at(0);
-  spec.x = "(R+r*cos(v+u/2))*cos(u)";
-  spec.y = "(R+r*cos(v+u/2))*sin(u)";
-  spec.z = "r*sin(v+u/2)";
+  spec.x = "(3+cos(u+v/3)*(1+0.3*cos(3*u)))*cos(v)";
+  spec.y = "(3+cos(u+v/3)*(1+0.3*cos(3*u)))*sin(v)";
+  spec.z = "sin(u+v/3)*(1+0.3*cos(3*u))";
   const GridMesh mesh = mesh_of(scene);
-  EXPECT_EQ(mesh.report.closed_u, "shifted");
-  const Topology t = topology(mesh.mesh);
-  EXPECT_TRUE(t.is_closed());
-  EXPECT_TRUE(t.orientable);
-  EXPECT_EQ(t.euler_number, 0);
+  EXPECT_EQ(mesh.report.closed_v, "shifted");
+  EXPECT_TRUE(topology(mesh.mesh).is_closed());
+  EXPECT_EQ(topology(mesh.mesh).euler_number, 0);
 }
 
 TEST(Topology, OfAConeIsThatOfADisc) {
