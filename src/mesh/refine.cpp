@@ -32,9 +32,10 @@ constexpr std::uint8_t kLookAfterTurned = 2;
 constexpr int kRimHalvings = 4;
 constexpr int kMostCutHalvings = 14;
 /// Halvings of a root cell, at most, that lead to where the surface is defined, and from there on
-/// those that follow its rim: where rims cross at a pole, no more would do.
+/// those that follow its rim: at a corner of two rims with upright tangents it takes that many.
+/// Where rims cross at a pole, more than those of a cut would do no good.
 constexpr int kMostSeekHalvings = 24;
-constexpr int kMostRimHalvings = 14;
+constexpr int kMostRimHalvings = 24;
 
 /// Halvings of the root cell that the leaf came from.
 int halvings_of_root(const Leaf& leaf) {
@@ -140,7 +141,7 @@ class Refiner {
     const int done = halvings(leaf);
     const auto halves = done < wanted_halvings ? halve_if_allowed(leaf, across_u) : std::nullopt;
     if (!halves) {
-      leaf.given_up = done >= (leaf.on_rim ? kMostRimHalvings : kMostCutHalvings) ||
+      leaf.given_up = done >= (leaf.on_rim ? most_rim_halvings(leaf) : kMostCutHalvings) ||
                       lattice_.is_full(options_.max_triangles);
       result_.leaves.push_back(leaf);
       return;
@@ -199,8 +200,11 @@ class Refiner {
 
   /// Halvings of a leaf that the rim crosses: one more for each time that fresh samples found it to
   /// be twice as far off as allowed.
-  static int rim_halvings(const Leaf& leaf) {
-    return std::min(kRimHalvings + std::ilogb(leaf.strictness), kMostRimHalvings);
+  int rim_halvings(const Leaf& leaf) const {
+    return std::min(kRimHalvings + std::ilogb(leaf.strictness), most_rim_halvings(leaf));
+  }
+  int most_rim_halvings(const Leaf& leaf) const {
+    return has_pole(leaf, lattice_) ? kMostCutHalvings : kMostRimHalvings;
   }
 
   /// Whether a leaf's sides are to be looked at.

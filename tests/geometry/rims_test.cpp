@@ -151,6 +151,15 @@ TEST(Rims, AreWhereLinesEnd) {
   }
 }
 
+/// A corner of upright tangents: a millionth of a cell away the surface is higher by a tolerance.
+TEST(Rims, ThatCrossEndInACorner) {
+  for (const char* z : {"sqrt(4-u^2)+sqrt(4-v^2)", "asin(u/2)+acos(v/2)"}) {
+    const Surface surface = height_field(z, {-3, 3, -3, 3});
+    const GridMesh result = mesh_within_tolerance(surface, within_length(4e-3)).value();
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+  }
+}
+
 /// Of a cell on the other side of such a line no more is defined than the side that they share.
 TEST(Rims, OnLinesOfTheMeshTakeNoTrianglesBeyondThem) {
   const auto mesh_over = [](double u0) {
