@@ -250,6 +250,13 @@ dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const d
   return weights.x * p[own[0]] + weights.y * p[own[1]] + weights.z * p[own[2]];
 }
 
+Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
+             std::span<const Triangle> triangles, const dvec2& uv, const dvec3& position) {
+  if (!clip) return {true, !triangles.empty()};
+  return {clip->contains(position),
+          !triangles.empty() && clip->contains(position_on(grid, triangles, uv))};
+}
+
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position) {
   if (triangles.empty() || !is_finite(position)) return 0;

@@ -35,8 +35,11 @@ void Peaks::look(Measured& mesh) {
     Peak& peak = peaks_[k];
     const dvec3& p = points[k].position;
     const auto& t = peak.triangles;
-    if (clip_ && is_beyond(*clip_, std::array{p, position_on(grid_, t, uv[k])})) continue;
-    const double there = deviation(grid_, t, uv[k], points[k], surface_.flip).distance;
+    const Seen seen = seen_at(clip_, grid_, t, uv[k], p);
+    if (!seen.surface && !seen.triangles) continue;
+    const double there = seen.triangles
+                             ? deviation(grid_, t, uv[k], points[k], surface_.flip).distance
+                             : distance_from(grid_, t, uv[k], p);
     mesh.add(peak.leaf, there);
     if (there > peak.distance) {
       peak.uv = uv[k];

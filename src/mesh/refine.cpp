@@ -31,6 +31,8 @@ constexpr std::uint8_t kLookAfterTurned = 2;
 /// than one line, at most.
 constexpr int kRimHalvings = 4;
 constexpr int kMostCutHalvings = 14;
+/// As many again along a pole as it took to come near it.
+constexpr int kMostHalvingsBesidePole = 2 * kMostCutHalvings;
 /// Halvings of a root cell, at most, that lead to where the surface is defined, and from there on
 /// those that follow its rim: at a corner of two rims with upright tangents it takes that many.
 /// Where rims cross at a pole, more than those of a cut would do no good.
@@ -291,9 +293,11 @@ class Refiner {
     const double distance = verdict.distance.worst() * leaf.strictness;
     const bool turn_counts = !lattice_.has_many(allowed_for_normals(options_.max_triangles));
     const double turn = turn_counts ? verdict.turn.worst() * leaf.turn_strictness : 0;
-    // Toward a pole errors grow as leaves shrink: there is always more to do.
+    // Toward a pole errors grow as leaves shrink: there is always more to do. Beside it, where the
+    // surface comes back into sight, there is not.
+    const int enough = verdict.may_jump ? kMostCutHalvings : kMostHalvingsBesidePole;
     const bool is_cut_off =
-        leaf.leads_to_pole && (halvings(leaf) >= kMostCutHalvings || judge_.is_outside(leaf));
+        leaf.leads_to_pole && (halvings(leaf) >= enough || judge_.is_outside(leaf));
     const bool is_far = distance > 1 && leaf.in_vain <= kMaxInVain && !is_cut_off;
     const bool is_turned = turn > 1 && leaf.turned_in_vain <= kMaxTurnedInVain && !is_cut_off;
     const Scores scores = !is_turned ? verdict.distance

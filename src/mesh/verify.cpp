@@ -219,13 +219,6 @@ bool Verifier::is_inside(const Leaf& leaf, const dvec2& uv) const {
   return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
 }
 
-/// Whether the surface and its triangles are beyond the same face of the box at a place.
-bool Verifier::is_unseen(std::span<const Triangle> triangles, const dvec2& uv,
-                         const dvec3& p) const {
-  return clip_ && !triangles.empty() &&
-         is_beyond(*clip_, std::array{p, position_on(grid_, triangles, uv)});
-}
-
 /// Whether a corner of triangles is beyond a face of the box, where a rim may go anywhere.
 bool Verifier::crosses_box(std::span<const Triangle> triangles) const {
   return clip_ && std::ranges::any_of(triangles, [this](const Triangle& t) {
@@ -341,10 +334,15 @@ void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> w
     const auto& [k, place, triangle, beside_cut, crease, across] = samples[s];
     const Leaf& leaf = mesh.leaves[which[k]];
     Deviation& worst = mesh.deviations[which[k]];
-    if (is_unseen(triangles.of(k), place, points[s].position)) continue;
-    const Deviation d = crease
-                            ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
-                            : deviation_of(leaf, triangles.of(k), place, points[s], worst.distance);
+    const auto of_leaf = triangles.of(k);
+    const Seen seen = seen_at(clip_, grid_, of_leaf, place, points[s].position);
+    if (!seen.surface && !seen.triangles) continue;
+    Deviation d = crease ? Deviation{distance_from_chord(*crease, points[s]), 0, true}
+                         : deviation_of(leaf, of_leaf, place, points[s], worst.distance);
+    // Triangles that are cut away there are beside the surface elsewhere.
+    if (!seen.triangles && !crease) {
+      d.distance = distance_from(grid_, of_leaf, place, points[s].position);
+    }
     if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease};
     if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
   }

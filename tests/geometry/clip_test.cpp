@@ -107,5 +107,28 @@ TEST(Clip, NeedsNoDenseLinesForWhatItLeavesOut) {
   EXPECT_LT(mesh.mesh.triangles.size(), 4000);
 }
 
+/// Beside a pole that leaves the box within a narrow cell: what is out of the box does not count,
+/// and what comes back into it is as fine as elsewhere.
+TEST(Clip, KeepsTheToleranceBesidePoles) {
+  const struct {
+    const char* z;
+    double half;  // of the domain's sides
+    Bounds box;
+    double tolerance;
+  } cases[] = {
+      {"cot(u*v)", 2, {dvec3(-2, -2, -8.267), dvec3(2, 2, 7.733)}, 0.0109},
+      {"1/sin(3*u*v)", 2, {dvec3(-2, -2, -8), dvec3(2, 2, 8)}, 0.011},
+      {"(u+v)/(u-v)", 1, {dvec3(-1, -1, -4.243), dvec3(1, 1, 3.757)}, 5.44e-3},
+  };
+  for (const auto& [z, half, box, tolerance] : cases) {
+    AdaptiveOptions options = within_length(tolerance);
+    options.normal_tolerance = 3;
+    options.clip = box;
+    const Surface surface = height_field(z, {-half, half, -half, half});
+    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    EXPECT_LE(result.report.max_error, tolerance) << z;
+  }
+}
+
 }  // namespace
 }  // namespace saddle
