@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <span>
 
@@ -162,7 +163,8 @@ class Finisher {
     PlaceList poles(grid_.range, report.poles, report.pole_count);
     std::vector<dvec2> ends;
     for (const std::array<dvec2, 2>& pole : lattice_.poles()) {
-      if (poles.add(pole[0])) ends.insert(ends.end(), pole.begin(), pole.end());
+      poles.add(pole[0]);
+      ends.insert(ends.end(), pole.begin(), pole.end());
     }
     for_holes(Hole::Kind::Pole, [&](const dvec2& uv, const Hole& hole) {
       poles.add(uv);
@@ -179,14 +181,18 @@ class Finisher {
     for_holes(Hole::Kind::NoLimit, [&](const dvec2& uv, const Hole&) {
       if (jumps.add(uv) && report.torn.size() < kMaxListed) report.torn.push_back(uv);
     });
-    for_crossings(Cut::Jump,
-                  [&](const Crossing& cut) { jumps.add(grid_.mesh.uv[cut.beside_first]); });
+    for_crossings(Cut::Jump, [&](const Side&, const Crossing& cut) {
+      jumps.add(grid_.mesh.uv[cut.beside_first]);
+    });
+    for (const auto& [vertex, beside] : beside_lines()) {
+      if (beside.diagonal() > *report.tolerance) jumps.add(grid_.mesh.uv[vertex]);
+    }
   }
 
   /// Lists where the sides of leaves are cut by cusps, which are singular.
   void list_cusps(MeshReport& report) const {
     const auto& n = grid_.mesh.normal;
-    for_crossings(Cut::Crease, [&](const Crossing& cut) {
+    for_crossings(Cut::Crease, [&](const Side&, const Crossing& cut) {
       if (glm::dot(n[cut.beside_first], n[cut.beside_second]) < kOpposite)
         add_singular_point(grid_.mesh.uv[cut.beside_first], report);
     });
@@ -241,7 +247,20 @@ class Finisher {
     }
   }
 
-  /// Calls f(crossing) for each side of a leaf that is cut like this.
+  /// The last places before each vertex on a line on which the surface is not defined, as of
+  /// abs(u)/u, on all sides on which it is.
+  std::map<std::uint32_t, Bounds> beside_lines() const {
+    std::map<std::uint32_t, Bounds> result;
+    for_crossings(Cut::Rim, [&](const Side& side, const Crossing& cut) {
+      for (const std::uint32_t end : side) {
+        if (lattice_.hole(end) == Hole::Kind::Line)
+          result[end].add(grid_.mesh.position[cut.beside_first]);
+      }
+    });
+    return result;
+  }
+
+  /// Calls f(side, crossing) for each side of a leaf that is cut like this.
   template <class F>
   void for_crossings(Cut kind, F f) const {
     if (!lattice_.has_crossings()) return;
@@ -250,7 +269,7 @@ class Finisher {
       if (!leaf.on_rim && !leaf.is_split) continue;
       for (const Side& side : sides_of(leaf, lattice_)) {
         const auto crossing = lattice_.crossing(side[0], side[1]);
-        if (crossing && crossing->kind == kind && seen.insert(side).second) f(*crossing);
+        if (crossing && crossing->kind == kind && seen.insert(side).second) f(side, *crossing);
       }
     }
   }

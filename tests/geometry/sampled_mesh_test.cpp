@@ -87,6 +87,16 @@ TEST(SampledMesh, BridgesNoPole) {
   EXPECT_EQ(bridges(tangent.mesh, [](double u, double) { return std::floor(u / kPi + 0.5); }), 0U);
 }
 
+/// On the line u = 0 itself nothing is defined.
+TEST(SampledMesh, TellsOfJumpsAndPolesAlongLinesOfTheGrid) {
+  EXPECT_GT(sampled("abs(u)/u").report.jump_count, 10U);
+  EXPECT_EQ(sampled("sin(u)/u").report.jump_count, 0U);
+  const GridMesh hyperbola = sampled("1/u");
+  EXPECT_EQ(hyperbola.report.jump_count, 0U);
+  EXPECT_LT(hyperbola.report.beside_poles.low.z, -1e6);
+  EXPECT_GT(hyperbola.report.beside_poles.high.z, 1e6);
+}
+
 /// 0/0 along u = 0, a line of the grid. The last values before it may be cancellation: of 1 -
 /// cos(u) nothing is left for |u| < 1e-8.
 TEST(SampledMesh, FillsLinesWithTheirLimit) {
