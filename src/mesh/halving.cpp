@@ -194,16 +194,18 @@ double Halving::width(const Leaf& leaf) const {
   return thickness(grid_.mesh, leaf.samples.corner);
 }
 
-/// Refines leaves, adds what comes out and measures it.
-void Halving::add(const Failed& failed) {
-  const Refinement refinement =
-      refine(failed.leaves, failed.witnesses, oscillation(), refining_, grid_, lattice_);
-  if (stops_at_poles()) return;
+void Halving::take(const Refinement& refinement) {
   reached_limit_ = reached_limit_ || refinement.reached_limit;
   if (!oscillates_) oscillates_ = refinement.oscillates;
-  auto& leaves = mesh_.leaves;
-  leaves.insert(leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
+  mesh_.leaves.insert(mesh_.leaves.end(), refinement.leaves.begin(), refinement.leaves.end());
   empty_.insert(empty_.end(), refinement.empty.begin(), refinement.empty.end());
+}
+
+/// Refines leaves, adds what comes out and measures it.
+void Halving::add(const Failed& failed) {
+  take(refine(failed.leaves, failed.witnesses, oscillation(), refining_, grid_, lattice_));
+  if (stops_at_poles()) return;
+  auto& leaves = mesh_.leaves;
   mirror_seams(seams_, options_.threads, grid_, lattice_, points_);
   points_.settle();
   std::vector<std::size_t> changed = follow_crossings(crossing_options(false), leaves, lattice_);

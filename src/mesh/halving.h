@@ -68,6 +68,7 @@ class Halving {
   CrossingOptions crossing_options(bool poles) const;
   bool is_full();
   void add(const Failed& failed);
+  void take(const Refinement& refinement);
   bool remeasure();
   void measure(std::span<const std::size_t> which, const SingularCorners& singular);
   bool measure_singular();

@@ -27,6 +27,10 @@ constexpr double kJitter = 0.1;
 constexpr std::array kOnChord = {0.36, 0.5, 0.64};
 constexpr std::span<const double> kInMiddle = std::span(kOnChord).subspan(1, 1);
 
+/// Leaves of several triangles that are measured together, on some ten samples each: what is known
+/// of these (170 bytes) stays in the second-level cache.
+constexpr std::size_t kAtATime = 400;
+
 /// How far from its chord a crease is looked for, in chords.
 constexpr double kBesideCrease = 0.3;
 
@@ -406,7 +410,12 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
   }
   Peaks peaks(surface_, grid_, clip_, threads_);
   const std::vector<std::size_t> others = measure_plain(mesh, which, triangles, peaks);
-  std::vector<Sample> rest = measure_several(mesh, which, others, triangles, peaks);
+  std::vector<Sample> rest;
+  for (std::size_t begin = 0; begin < others.size(); begin += kAtATime) {
+    const auto some = std::span(others).subspan(begin, std::min(kAtATime, others.size() - begin));
+    const std::vector<Sample> more = measure_several(mesh, which, some, triangles, peaks);
+    rest.insert(rest.end(), more.begin(), more.end());
+  }
   move_onto_cusps(rest);
   append_singular_sides(mesh, which, rest);
   measure_one_by_one(mesh, which, triangles, rest);
