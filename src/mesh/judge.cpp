@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -186,6 +187,7 @@ Verdict Judge::score(const Leaf& leaf) const {
   const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
   const bool is_visible = diameter(corner) > kVisible * eps;
   Verdict verdict;
+  Scores turn;  // squares of tangents yet
   const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
                          double Scores::*part) {
     const dvec3 first = seen_position(a);
@@ -198,7 +200,7 @@ Verdict Judge::score(const Leaf& leaf) const {
     verdict.may_jump = verdict.may_jump || (is_visible && !arc.is_small_arc);
     const bool is_seen = part == &Scores::centre ? is_wide : arc.square > seen_turn * seen_turn;
     if (is_seen && !is_sliver) {
-      verdict.turn.*part = std::max(verdict.turn.*part, normal_score(a, b, sample));
+      turn.*part = std::max(turn.*part, square_of_tangent(a, b, sample));
     }
   };
   for (std::size_t k = 0; k < 4; ++k) {
@@ -210,6 +212,9 @@ Verdict Judge::score(const Leaf& leaf) const {
   judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
   verdict.distance.centre =
       std::max(verdict.distance.centre, bulge_of_triangles(leaf.samples, first) / eps);
+  for (double Scores::*const part : {&Scores::along_u, &Scores::along_v, &Scores::centre}) {
+    verdict.turn.*part = turn_score(turn.*part);
+  }
   verdict.is_folded = is_visible && is_opposed;
   return verdict;
 }
@@ -361,11 +366,20 @@ std::size_t Judge::cut_from(const Corners& corner) const {
   return is_smaller(arc(1, 3), arc(0, 2)) ? 1 : 0;
 }
 
-double Judge::normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
+/// Of the angle between two lines, along a sample's normal and along the mean of those at the ends
+/// of its chord.
+double Judge::square_of_tangent(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const {
   if (!is_regular(a) || !is_regular(b) || !is_regular(sample)) return 0;
   const dvec3 sum = mesh_.normal[a] + mesh_.normal[b];
-  const double share =
-      turn_of_line(degrees_between(sum, mesh_.normal[sample])) / options_.normal_tolerance;
+  const dvec3 sine = glm::cross(sum, mesh_.normal[sample]);
+  const double cosine = glm::dot(sum, mesh_.normal[sample]);
+  return glm::dot(sine, sine) / (cosine * cosine);
+}
+
+double Judge::turn_score(double square_of_tangent) const {
+  if (square_of_tangent == 0) return 0;
+  const double degrees = std::atan(std::sqrt(square_of_tangent)) * 180 / std::numbers::pi;
+  const double share = degrees / options_.normal_tolerance;
   return share * share;
 }
 

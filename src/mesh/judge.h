@@ -98,7 +98,8 @@ class Judge {
                             bool border) const;
   std::size_t cut_from(const Corners& corner) const;
   double bulge_of_triangles(const Samples& samples, std::size_t first) const;
-  double normal_score(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
+  double square_of_tangent(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
+  double turn_score(double square_of_tangent) const;
 
   const RefineOptions& options_;
   const Grid& grid_;

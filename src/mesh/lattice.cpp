@@ -407,9 +407,8 @@ std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned thr
     const dvec2 part = between.uv - from;
     double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
     if (share < kBeside || share > 1 - kBeside) share = std::round(share);
-    places_between_[static_cast<std::uint32_t>(used_.size())] =
-        glm::mix(place_between(between.a), place_between(between.b), share);
-    number(kBetween);
+    number({static_cast<std::uint32_t>(places_between_.size()), kBetween});
+    places_between_.push_back(glm::mix(place_between(between.a), place_between(between.b), share));
     u.push_back(between.uv.x);
     v.push_back(between.uv.y);
   }
@@ -424,13 +423,12 @@ void Lattice::join(std::uint32_t from, std::uint32_t to) {
 }
 
 void Lattice::share_place(std::uint32_t from, std::uint32_t to) {
-  places_between_.at(to) = place_between(from);
+  places_between_.at(place(to).u) = place_between(from);
 }
 
 dvec2 Lattice::place_between(std::uint32_t vertex) const {
   const LatticePlace p = place(vertex);
-  if (p == kBetween && vertex >= grid_.vertex_count()) return places_between_.at(vertex);
-  return {p.u, p.v};
+  return p.v == kBetween ? places_between_[p.u] : dvec2(p.u, p.v);
 }
 
 void Lattice::join_pole(std::uint32_t vertex) {

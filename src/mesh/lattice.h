@@ -8,7 +8,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "mesh/grid.h"
@@ -417,15 +416,15 @@ class Lattice {
     std::uint32_t pitch;
   };
   static constexpr std::uint32_t kHalfUnit = kCellUnit / 2;
-  /// In place of that of a vertex between neighbours: a vertex of the root grid has this one.
-  static constexpr LatticePlace kBetween = {};
+  /// In place of v of a vertex between neighbours; u is then its number among those.
+  static constexpr std::uint32_t kBetween = ~std::uint32_t{0};
 
   const Surface& surface_;
   Grid& grid_;
   std::array<SubGrid, 4> sub_grids_ = {};    ///< root, middles along u, along v, of cells
   std::uint32_t grid_mask_ = kCellUnit - 1;  ///< bits of a place that is not on a grid
   PlaceMap numbers_;
-  std::vector<LatticePlace> places_;  // of vertices past the root grid's, or kBetween
+  std::vector<LatticePlace> places_;  // of vertices past the root grid's
   std::vector<std::uint8_t> used_;
   std::vector<std::uint32_t> newly_used_;
   std::vector<std::uint8_t> regular_;
@@ -433,7 +432,7 @@ class Lattice {
   PairTable sides_;  // that were searched: by their ends, their places in the next
   std::vector<SearchedSide> searched_;
   std::vector<std::uint8_t> beside_cut_;  ///< of vertices: whether a side that ends there is cut
-  std::unordered_map<std::uint32_t, dvec2> places_between_;
+  std::vector<dvec2> places_between_;
   std::map<std::uint32_t, Hole> holes_;
   PairTable pole_sides_;  // their places in the next
   std::vector<std::array<dvec2, 2>> pole_ends_;
