@@ -116,6 +116,7 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
       regular_(grid.vertex_count(), 1),
       defined_(grid.vertex_count(), 1),
       beside_cut_(grid.vertex_count(), 0),
+      beside_middle_(grid.vertex_count(), 0),
       crossed_cells_(grid),
       singular_cells_(grid),
       changed_cells_(grid),
@@ -185,11 +186,42 @@ std::uint32_t Lattice::number(LatticePlace place) {
   regular_.push_back(1);
   defined_.push_back(1);
   beside_cut_.push_back(0);
+  beside_middle_.push_back(0);
   return static_cast<std::uint32_t>(used_.size() - 1);
 }
 
 void Lattice::use(std::uint32_t vertex) {
   if (is_used(vertex)) return;
+  mark_ends_of_side(place(vertex));
+  put_into_use(vertex);
+}
+
+void Lattice::use_middle(const Leaf& leaf, std::size_t k) {
+  const auto& [corner, side, centre] = leaf.samples;
+  beside_middle_[corner[k]] = beside_middle_[corner[(k + 1) % 4]] = 1;
+  if (!is_used(side[k])) put_into_use(side[k]);
+}
+
+/// Marks the ends of the sides of which a place may be the middle, along u and along v: as far away
+/// as its coordinate's last bit that is 1.
+void Lattice::mark_ends_of_side(LatticePlace middle) {
+  const auto mark = [this](LatticePlace end) {
+    const auto vertex = known_vertex(end);
+    if (vertex) beside_middle_[*vertex] = 1;
+  };
+  const std::uint32_t step_u = middle.u & -middle.u;
+  const std::uint32_t step_v = middle.v & -middle.v;
+  if (step_u < kCellUnit && step_u > 0) {
+    mark({middle.u - step_u, middle.v});
+    mark({middle.u + step_u, middle.v});
+  }
+  if (step_v < kCellUnit && step_v > 0) {
+    mark({middle.u, middle.v - step_v});
+    mark({middle.u, middle.v + step_v});
+  }
+}
+
+void Lattice::put_into_use(std::uint32_t vertex) {
   used_[vertex] = 1;
   ++used_count_;
   newly_used_.push_back(vertex);

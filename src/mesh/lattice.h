@@ -191,15 +191,8 @@ class Lattice {
   }
   /// The vertex at a place, if it is in use.
   std::optional<std::uint32_t> used_vertex(LatticePlace place) const {
-    const std::uint32_t* number = nullptr;
-    std::uint32_t on_grid = 0;
-    if (is_on_grid(place)) {
-      on_grid = vertex_on_grid(place);
-      number = &on_grid;
-    } else {
-      number = numbers_.find(place);
-    }
-    return number != nullptr && is_used(*number) ? std::optional(*number) : std::nullopt;
+    const std::optional<std::uint32_t> vertex = known_vertex(place);
+    return vertex && is_used(*vertex) ? vertex : std::nullopt;
   }
 
   /// Computes the new vertices. Where a position is not defined but all around it agree on what it
@@ -210,6 +203,8 @@ class Lattice {
   /// A vertex in use is a corner of leaves; others are samples.
   bool is_used(std::uint32_t vertex) const { return used_[vertex] != 0; }
   void use(std::uint32_t vertex);
+  /// The same with the middle of the k-th side of a leaf.
+  void use_middle(const Leaf& leaf, std::size_t k);
   /// Whether one more halving, which takes up to two vertices into use, could make more triangles
   /// than are allowed: a mesh has fewer than twice as many as vertices (Euler).
   bool has_many(std::size_t triangles) const { return 2 * (used_count_ + 2) > triangles; }
@@ -348,10 +343,7 @@ class Lattice {
     const LatticePlace to = corners[(k + 1) % 4];
     f(leaf.samples.corner[k], from);
     if (!is_halved(leaf, k)) return;
-    const LatticePlace middle = middle_of(from, to);
-    walk_between(from, middle, f);
-    f(leaf.samples.side[k], middle);
-    walk_between(middle, to, f);
+    walk_by(leaf.samples.side[k], from, middle_of(from, to), to, f);
   }
   /// Whether there are vertices in use on the k-th side of a leaf, between its corners.
   bool is_halved(const Leaf& leaf, std::size_t k) const {
@@ -370,10 +362,15 @@ class Lattice {
     const LatticePlace middle = middle_of(from, to);
     if (middle == from || middle == to) return;
     const auto vertex = used_vertex(middle);
-    if (!vertex) return;
-    walk_between(from, middle, f);
-    f(*vertex, middle);
-    walk_between(middle, to, f);
+    if (vertex) walk_by(*vertex, from, middle, to, f);
+  }
+  template <class F>
+  void walk_by(std::uint32_t vertex, LatticePlace from, LatticePlace middle, LatticePlace to,
+               F& f) const {
+    const bool has_more = beside_middle_[vertex] != 0;
+    if (has_more) walk_between(from, middle, f);
+    f(vertex, middle);
+    if (has_more) walk_between(middle, to, f);
   }
 
   /// Whether it is on the root grid or, once those are numbered, one of its middles.
@@ -384,6 +381,14 @@ class Lattice {
     return grid.first + place.v / kCellUnit * grid.pitch + place.u / kCellUnit;
   }
   std::uint32_t vertex_off_grid(LatticePlace place);
+  /// The vertex at a place, if it has a number.
+  std::optional<std::uint32_t> known_vertex(LatticePlace place) const {
+    if (is_on_grid(place)) return vertex_on_grid(place);
+    const std::uint32_t* const number = numbers_.find(place);
+    return number != nullptr ? std::optional(*number) : std::nullopt;
+  }
+  void put_into_use(std::uint32_t vertex);
+  void mark_ends_of_side(LatticePlace middle);
   std::optional<Crossing> find_crossing(std::uint32_t a, std::uint32_t b) const;
   /// Appends the surface at (u[i], v[i]) to the mesh.
   void append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
@@ -431,7 +436,8 @@ class Lattice {
   std::vector<std::uint8_t> defined_;
   PairTable sides_;  // that were searched: by their ends, their places in the next
   std::vector<SearchedSide> searched_;
-  std::vector<std::uint8_t> beside_cut_;  ///< of vertices: whether a side that ends there is cut
+  std::vector<std::uint8_t> beside_cut_;     ///< of vertices: whether a side that ends there is cut
+  std::vector<std::uint8_t> beside_middle_;  ///< or was one whose middle is in use
   std::vector<dvec2> places_between_;
   std::map<std::uint32_t, Hole> holes_;
   PairTable pole_sides_;  // their places in the next

@@ -408,7 +408,7 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, Lattic
     halves[0].high.v = halves[1].low.v = middle.v;
   }
   const std::size_t first = across_u ? 0 : 1;
-  for (const std::size_t k : {first, first + 2}) lattice.use(leaf.samples.side[k]);
+  for (const std::size_t k : {first, first + 2}) lattice.use_middle(leaf, k);
   return halves;
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "adaptive_options.h"
@@ -187,6 +188,21 @@ TEST(Seams, OfAFoldedEdgeJoinTheHalvesOfAMeshWithinATolerance) {
     const std::size_t corners = static_cast<std::size_t>(
         std::ranges::count(result.mesh.uv, 0.0, [](const dvec2& uv) { return uv.x; }));
     EXPECT_LT(points_on(result.mesh, 0), corners);
+  }
+}
+
+TEST(Seams, HaveNoGapsWhereOneSideIsHalvedMoreOftenThanTheOther) {
+  // A ridge that ends beside the seam; beyond that cells are as large as those of a torus.
+  const Surface surface = surface_from_text(
+      "(2+r*cos(v))*cos(u)", "(2+r*cos(v))*sin(u)", "r*sin(v)", {0, kTwoPi, 0, kTwoPi},
+      {{"r", "1+0.2*max(0,1-((u-0.3)/0.29)^2)^3*exp(-((v-3)/0.02)^2)"}}, Order::Second);
+  for (const double tolerance : {0.1, 0.03, 0.01, 0.003}) {
+    AdaptiveOptions options = within_length(tolerance);
+    options.lines_u = options.lines_v = 0;
+    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    EXPECT_EQ(result.report.closed_u, "join");
+    EXPECT_EQ(euler_number(result.mesh), 0) << tolerance;
+    for (const auto& [edge, count] : edge_counts(result.mesh)) ASSERT_EQ(count, 2) << tolerance;
   }
 }
 
