@@ -66,7 +66,7 @@ Bounds automatic_box(const std::vector<dvec3>& positions, const Bounds& coarse) 
   for (const dvec3& p : positions) all.add(p);
   const dvec3 growth = all.size() - kGrowth * coarse.size();
   const bool has_poles = !positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
-  if (!has_poles) return readable_box(positions).value_or(Bounds());
+  if (!has_poles) return readable_box(all, positions).value_or(Bounds());
   return clip_box(all, positions);
 }
 

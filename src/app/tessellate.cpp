@@ -164,7 +164,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     mesh = mesh_clipped(known, scene, purpose, surface, options);
     options.clip = std::nullopt;
     if (!mesh) mesh = mesh_for(scene, purpose, surface, options);
-  } else if (scene.clip.automatic && (options.clip = readable_box(positions))) {
+  } else if (scene.clip.automatic && (options.clip = readable_box(around, positions))) {
     if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
     if (mesh) mesh->report.clip = options.clip;
   }

@@ -246,11 +246,25 @@ std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, d
   return sorted.subspan(best, most);
 }
 
+/// clip_box(), open at the faces that the surface goes beyond by no more than the box is long.
+Bounds box_without_far_edges(const Bounds& all, std::span<const dvec3> points) {
+  constexpr double kNoFace = std::numeric_limits<double>::infinity();
+  Bounds box = clip_box(all, points);
+  const dvec3 near = box.size();
+  for (int k = 0; k < 3; ++k) {
+    if (box.low[k] - all.low[k] <= near[k]) box.low[k] = -kNoFace;
+    if (all.high[k] - box.high[k] <= near[k]) box.high[k] = kNoFace;
+  }
+  return box;
+}
+
 }  // namespace
 
-std::optional<Bounds> readable_box(std::span<const dvec3> points) {
+std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> points) {
   if (points.empty()) return std::nullopt;
   const Bounds all = bounds_of(points);
+  const dvec3 beyond = whole.size() - kNeedle * all.diagonal();
+  if (std::max({beyond.x, beyond.y, beyond.z}) > 0) return box_without_far_edges(whole, points);
   const int axis = longest_axis(all.size());
   double usual = next_longest(all.size(), axis);
   if (!(all.size()[axis] > kNeedle * usual)) return std::nullopt;

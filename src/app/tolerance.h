@@ -43,7 +43,9 @@ Bounds clip_box(const Bounds& all, std::span<const dvec3> points);
 /// The box that shows what can be seen of a surface that outgrows its picture: one of whose sides
 /// is so long that the others are no wider than a pixel, while a part of the points (finite) is in
 /// proportion. Its faces are infinitely far where no point is beyond. Nothing for other surfaces.
-std::optional<Bounds> readable_box(std::span<const dvec3> points);
+/// Where it is only the edges of the domain that go so far, as that of tan(u) at u = pi / 2, which
+/// is no pole in double precision, it is clip_box() without the faces that are not needed.
+std::optional<Bounds> readable_box(const Bounds& all, std::span<const dvec3> points);
 
 /// The tolerance for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.

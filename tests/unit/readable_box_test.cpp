@@ -3,9 +3,12 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "app/tolerance.h"
+#include "surface_from_text.h"
 
 namespace saddle {
 namespace {
@@ -29,9 +32,16 @@ double growth(double u, double) {
   return std::exp(u * u);
 }
 
+/// Of points that go as far as the surface does.
+std::optional<Bounds> boxed(const std::vector<dvec3>& points) {
+  Bounds all;
+  for (const dvec3& p : points) all.add(p);
+  return readable_box(all, points);
+}
+
 TEST(ReadableBox, HoldsThePartOfAGrowingSurfaceThatIsInProportion) {
   for (const double reach : {10.0, 30.0}) {  // up to 1e43, and beyond doubles
-    const auto box = readable_box(field(reach, growth));
+    const auto box = boxed(field(reach, growth));
     ASSERT_TRUE(box.has_value()) << reach;
     EXPECT_EQ(box->low.z, -std::numeric_limits<double>::infinity()) << "nothing is below";
     // exp(u*u) is four times as high as wide at u = 1.6; samples are up to a unit apart.
@@ -43,24 +53,40 @@ TEST(ReadableBox, HoldsThePartOfAGrowingSurfaceThatIsInProportion) {
 }
 
 TEST(ReadableBox, IsThereForNoSurfaceThatCanBeSeenAsItIs) {
-  EXPECT_FALSE(readable_box(field(2.5, growth)));  // 500 high
-  EXPECT_FALSE(readable_box(field(1, [](double, double) { return 0.0; })));
-  EXPECT_FALSE(readable_box({}));
+  EXPECT_FALSE(boxed(field(2.5, growth)));  // 500 high
+  EXPECT_FALSE(boxed(field(1, [](double, double) { return 0.0; })));
+  EXPECT_FALSE(boxed({}));
 }
 
 TEST(ReadableBox, IsThereForNoSurfaceThatHasNoPartInProportion) {
-  EXPECT_FALSE(readable_box(field(1, [](double u, double v) { return 1e20 * (u + 0.3) * v; })));
-  EXPECT_FALSE(readable_box(field(1, [](double u, double) { return 1e6 * u; })));
+  EXPECT_FALSE(boxed(field(1, [](double u, double v) { return 1e20 * (u + 0.3) * v; })));
+  EXPECT_FALSE(boxed(field(1, [](double u, double) { return 1e6 * u; })));
 }
 
 TEST(ReadableBox, IsWhereMostOfTheSurfaceIs) {
   // Flat at 7 but for a wall on either side.
   const auto flat = [](double u, double) { return 7 + 1e9 * std::pow(u, 21); };
-  const auto box = readable_box(field(1, flat));
+  const auto box = boxed(field(1, flat));
   ASSERT_TRUE(box.has_value());
   EXPECT_LT(box->low.z, 7);
   EXPECT_GT(box->high.z, 7);
   EXPECT_LT(box->high.z - box->low.z, 10);
+}
+
+/// tan(pi / 2) is 1.6e16 in double precision.
+TEST(ReadableBox, LeavesOutAnEdgeThatGoesFarBeyondAllPoints) {
+  const auto points = field(1, [](double u, double) { return std::tan(std::fabs(u) * kPi / 2); });
+  Bounds all;
+  for (const dvec3& p : points) all.add(p);
+  EXPECT_FALSE(readable_box(all, points));
+  all.high.z = std::tan(kPi / 2);
+  auto box = readable_box(all, points);
+  ASSERT_TRUE(box.has_value());
+  EXPECT_GT(box->high.z, 2);
+  EXPECT_LT(box->high.z, 50);
+  box->high.z = 0;
+  constexpr double kNoFace = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(*box, (Bounds{dvec3(-kNoFace), dvec3(kNoFace, kNoFace, 0)}));
 }
 
 }  // namespace
