@@ -19,6 +19,9 @@ namespace {
 /// A chord's sample that is farther away than this part of the chord is no small arc: its distance
 /// along the normal says nothing.
 constexpr double kSmallArc = 0.3;
+/// A leaf on the rim that is so many times as long as wide, in cells of the root grid, is halved
+/// along the rim: what is off is a chord, not where the rim is.
+constexpr std::uint32_t kSlender = 32;
 
 /// An arc of the surface above a chord, from its normals at both ends and about the middle.
 struct Arc {
@@ -270,7 +273,10 @@ bool Judge::splits_rim_u(const Leaf& leaf) const {
                       changes(corner[3], side[2], corner[2]);
   const int along_v = changes(corner[0], side[3], corner[3]) + changes(side[0], centre, side[2]) +
                       changes(corner[1], side[1], corner[2]);
-  return along_u != along_v ? along_u > along_v : leaf.size_u() >= leaf.size_v();
+  const std::uint32_t u = leaf.size_u();
+  const std::uint32_t v = leaf.size_v();
+  const bool is_slender = std::max(u, v) > kSlender * std::min(u, v);
+  return along_u == along_v || is_slender ? u >= v : along_u > along_v;
 }
 
 std::vector<dvec3> Judge::defined_positions(const Samples& samples) const {

@@ -74,7 +74,8 @@ class Judge {
   bool splits_u(const Leaf& leaf, const Scores& scores) const;
 
   /// Which way to halve a leaf that the rim crosses: the one along which samples cease to be
-  /// defined more often, so that halves are on one side of it; else the longer one.
+  /// defined more often, so that halves are on one side of it; else, and where that has made it a
+  /// sliver along the rim, the longer one.
   bool splits_rim_u(const Leaf& leaf) const;
 
   /// Whether nothing of a leaf will be left; samples that are not defined do not count.

@@ -152,6 +152,20 @@ TEST(Rims, AreWhereLinesEnd) {
 }
 
 /// A corner of upright tangents: a millionth of a cell away the surface is higher by a tolerance.
+/// The rim of a hemisphere in polar coordinates runs along v = 1: halves beside it become slivers,
+/// but its chords no shorter, if these are not halved as well.
+TEST(Rims, AlongALineOfConstantVAreHalved) {
+  const Surface polar = surface_from_text("cos(u)*v", "sin(u)*v", "sqrt(1-v^2)",
+                                          {0, 2 * std::numbers::pi, 0, 1.3}, {}, Order::Second);
+  for (const double share : {3e-3, 1e-3, 3e-4}) {
+    const GridMesh mesh = mesh_within_tolerance(polar, within_share(share)).value();
+    EXPECT_LE(mesh.report.max_error, mesh.report.tolerance) << share;
+    EXPECT_LE(off_hemisphere(mesh.mesh), *mesh.report.tolerance) << share;
+    EXPECT_LT(static_cast<double>(mesh.mesh.triangles.size()), 5 * mesh.report.least_triangles)
+        << share;
+  }
+}
+
 TEST(Rims, ThatCrossEndInACorner) {
   for (const char* z : {"sqrt(4-u^2)+sqrt(4-v^2)", "asin(u/2)+acos(v/2)"}) {
     const Surface surface = height_field(z, {-3, 3, -3, 3});
