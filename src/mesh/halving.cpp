@@ -288,6 +288,7 @@ bool Halving::measure_singular() {
 bool Halving::splits_u(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_far = mesh_.off(number) > 1;
+  if (const auto along_u = side_of_crease_along_u(leaf, lattice_)) return *along_u;
   if (is_far && mesh_.deviations[number].on_crease) return is_cut_along_u(leaf, lattice_);
   if (leaf.on_rim) return judge_.splits_rim_u(leaf);
   if (is_cut_unclearly(leaf)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
@@ -312,10 +313,12 @@ bool Halving::has_singular_side(const Samples& samples, std::size_t along) const
 }
 
 /// Whether a leaf is cut by more than one jump, or by one that ends in it: its pieces do not tell.
+/// Or a side of it is a piece of its own, with vertices that the others do not have.
 bool Halving::is_cut_unclearly(const Leaf& leaf) const {
   if (!leaf.is_split || leaf.given_up) return false;
   const CutCount cuts = count_cuts(leaf, lattice_);
-  return !cuts.only_creases && !cuts.is_through();
+  if (cuts.only_creases) return side_of_crease_along_u(leaf, lattice_).has_value();
+  return !cuts.is_through();
 }
 
 /// Whether the normals of a leaf turn by more than is allowed.

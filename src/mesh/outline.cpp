@@ -34,6 +34,18 @@ std::vector<std::uint32_t> singular_points(const Polygon& polygon, const Lattice
   return points;
 }
 
+Bounds box_around(const Polygon& polygon) {
+  Bounds box;
+  for (const PolygonCorner& corner : polygon) box.add(dvec3(corner.place, 0));
+  return box;
+}
+
+/// Whether corners are on one line of constant u or v, but for rounding.
+bool is_straight(const Polygon& polygon) {
+  const Bounds box = box_around(polygon);
+  return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
+}
+
 /// A run of vertices between two cuts of the outline.
 struct Run {
   Polygon polygon;
@@ -77,12 +89,6 @@ class Cutter {
       run.clear();
     }
     return polygon;
-  }
-
-  static bool is_straight(const Polygon& run) {
-    Bounds box;
-    for (const PolygonCorner& corner : run) box.add(dvec3(corner.place, 0));
-    return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
   }
 
   void append(std::uint32_t vertex) {
@@ -241,6 +247,16 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf,
     if (lattice.crossing(corners[k], corners[(k + 1) % 4])) return std::nullopt;
   }
   return corners;
+}
+
+std::optional<bool> side_of_crease_along_u(const Leaf& leaf, const Lattice& lattice) {
+  if (!leaf.is_split) return std::nullopt;
+  for (const Polygon& piece : pieces(leaf, lattice)) {
+    if (!is_straight(piece)) continue;
+    const dvec3 size = box_around(piece).size();
+    return size.x > size.y;
+  }
+  return std::nullopt;
 }
 
 bool has_pole(const Leaf& leaf, const Lattice& lattice) {

@@ -48,6 +48,10 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, cons
 /// is what is undefined, goes to infinity, or has a jump that ends inside of the leaf.
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice);
 
+/// Where a crease is a side of a leaf but for rounding, and neighbours have vertices on it: whether
+/// that is a side along u.
+std::optional<bool> side_of_crease_along_u(const Leaf& leaf, const Lattice& lattice);
+
 /// Whether the surface goes to infinity on a side of the leaf.
 bool has_pole(const Leaf& leaf, const Lattice& lattice);
 

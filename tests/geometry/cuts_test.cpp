@@ -127,6 +127,26 @@ TEST(Creases, ThatCrossLeaveNoCracks) {
   }
 }
 
+/// A crease that is a side of a cell but for rounding, on which the neighbours are finer.
+TEST(Creases, OnLinesOfTheMeshLeaveNoCracks) {
+  const struct {
+    const char* z;
+    double half;  // of the domain's sides
+    double share;
+    int lines;
+  } cases[] = {{"max(0,1-abs(u)-abs(v))", 2, 1e-3, 16},
+               {"min(abs(u),abs(v),0.7)", 3, 1e-3, 0},
+               {"max(0,1-abs(u))*max(0,1-abs(v))", 3, 1e-3, 0}};
+  for (const auto& [z, half, share, lines] : cases) {
+    AdaptiveOptions options = within_share(share, 3);
+    options.lines_u = options.lines_v = lines;
+    const Surface surface = height_field(z, {-half, half, -half, half});
+    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    EXPECT_EQ(euler_number(result.mesh), 1) << z;
+    EXPECT_NEAR(area_in_uv(result.mesh), 4 * half * half, 1e-9) << z;
+  }
+}
+
 TEST(Creases, MayBeCurved) {
   const GridMesh result = mesh_of("abs(u^2+v^2-0.5)");
   const auto exact = [](const dvec2& uv, const dvec2& inside) {
