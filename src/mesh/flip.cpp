@@ -60,19 +60,16 @@ class SharedPoints {
  public:
   SharedPoints(const Mesh& mesh, const LeafTriangles& triangles)
       : mesh_(mesh), is_near_(mesh.position.size(), 0) {
-    std::vector<std::uint8_t> is_shared(mesh.position.size(), 0);
-    for (const Triangle& t : triangles.all) {
-      for (const std::uint32_t corner : t) {
-        if (mesh.point[corner] != corner) is_shared[mesh.point[corner]] = 1;
-      }
+    std::vector<std::uint8_t> is_shared(mesh.position.size(), 0);  // of corners
+    for (std::size_t corner = 0; corner < mesh.position.size(); ++corner) {
+      if (mesh.point[corner] != corner) is_shared[corner] = is_shared[mesh.point[corner]] = 1;
     }
     for (std::size_t leaf = 0; leaf < triangles.ranges.size(); ++leaf) {
       const std::span<const Triangle> of_leaf = triangles.of(leaf);
-      const bool meets_others = of_leaf.size() > 1 && std::ranges::any_of(of_leaf, [&](auto& t) {
-                                  return std::ranges::any_of(t, [&](auto corner) {
-                                    return is_shared[mesh.point[corner]];
-                                  });
-                                });
+      const bool meets_others =
+          of_leaf.size() > 1 && std::ranges::any_of(of_leaf, [&](auto& t) {
+            return std::ranges::any_of(t, [&](auto corner) { return is_shared[corner] != 0; });
+          });
       if (!meets_others) continue;
       leaves_.push_back(leaf);
       for (const Triangle& t : of_leaf) {

@@ -341,6 +341,7 @@ double Halving::turn(std::size_t number) {
 Oscillation Halving::oscillation() const {
   Oscillation oscillation(grid_, refining_.share);
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    if (!oscillates_ && mesh_.is_near(k)) continue;
     const Leaf& leaf = mesh_.leaves[k];
     if (leaf.oscillates) {
       oscillation.add(leaf);

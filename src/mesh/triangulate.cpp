@@ -56,6 +56,18 @@ bool is_flat(const dvec3& area, const dvec3& least, const dvec3& edge_a, const d
          glm::all(glm::lessThanEqual(glm::abs(area), least));
 }
 
+/// Whether a triangle with a corner at a place is so far from flat that nobody need know its
+/// rounding more exactly.
+bool is_surely_not_flat(const dvec3& place, const dvec3& edge_a, const dvec3& edge_b,
+                        const dvec3& area) {
+  // Squares that no edge, or coordinate, is longer than.
+  const double edges = 2 * (glm::dot(edge_a, edge_a) + glm::dot(edge_b, edge_b));
+  const double coordinates = 2 * (glm::dot(place, place) + edges);
+  // Of the rounding of an area's components, and of a needle's area.
+  const double least = std::max(16 * edges * coordinates, edges * edges);
+  return glm::dot(area, area) > kRounding * kRounding * 3 * least;
+}
+
 SlotTriangles slot_triangles(const CellCorners& cell, bool mirrored) {
   const auto& [position, normal, point] = cell;
   std::array<dvec3, 4> edges;
@@ -130,7 +142,9 @@ bool is_collapsed(const Grid& grid, const Triangle& t) {
   const std::array<dvec3, 4> p = {grid.local(t[0]), grid.local(t[1]), grid.local(t[2]),
                                   grid.local(t[2])};
   const std::array<dvec3, 4> edges = {p[1] - p[0], p[2] - p[1], p[0] - p[2], dvec3(0)};
-  return is_flat(glm::cross(edges[0], edges[1]), rounding_of_areas(p, edges), edges[0], edges[1]);
+  const dvec3 area = glm::cross(edges[0], edges[1]);
+  if (is_surely_not_flat(p[0], edges[0], edges[1], area)) return false;
+  return is_flat(area, rounding_of_areas(p, edges), edges[0], edges[1]);
 }
 
 void cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners,

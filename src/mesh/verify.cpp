@@ -52,6 +52,11 @@ PlacesInLeaf sample_places(const Leaf& leaf) {
           dvec2(0.25 + jitter(4), 0.75 + jitter(5)), dvec2(0.75 + jitter(6), 0.75 + jitter(7))};
 }
 
+/// Whether a place, in sides of a leaf from its low corner, is in it and not on its border.
+bool is_inside(const dvec2& part) {
+  return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
+}
+
 bool share_corner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
@@ -154,11 +159,12 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
   // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
   // chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
-  const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
+  const dvec2 low = lattice_.parameters(leaf.low);
+  const dvec2 size = lattice_.parameters(leaf.high) - low;
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];
-    const bool inside = is_inside(leaf, 0.5 * (at[a] + at[b]));
+    const bool inside = is_inside((0.5 * (at[a] + at[b]) - low) / size);
     if (!inside && !is_creased) return;
     const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
     if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
@@ -214,13 +220,6 @@ void Verifier::move_onto_cusps(std::vector<Sample>& samples) const {
   for (Sample& sample : samples) {
     if (sample.crease) sample.uv = places[next++];
   }
-}
-
-/// Whether a place is in a leaf, and not on its border.
-bool Verifier::is_inside(const Leaf& leaf, const dvec2& uv) const {
-  const dvec2 low = lattice_.parameters(leaf.low);
-  const dvec2 part = (uv - low) / (lattice_.parameters(leaf.high) - low);
-  return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
 }
 
 /// Whether a corner of triangles is beyond a face of the box, where a rim may go anywhere.
@@ -288,22 +287,22 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
                                                         Peaks& peaks) {
   std::vector<Sample> rest;
   std::vector<Sample> samples;
-  std::vector<Sample> of_one;
   std::vector<PlaceOnTriangle> places;
   for (const std::size_t k : others) {
     const Leaf& leaf = mesh.leaves[which[k]];
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.deviations[which[k]] = {};
+    append_samples(k, leaf, of_leaf, samples);
     const bool is_special = clip_ || leaf.on_rim || of_leaf.empty();
-    of_one.clear();
-    append_samples(k, leaf, of_leaf, of_one);
-    for (const Sample& sample : of_one) {
-      if (is_special || sample.crease) {
-        rest.push_back(sample);
-        continue;
-      }
-      samples.push_back(sample);
-      places.push_back(on_triangle(grid_, of_leaf, sample.triangle, sample.uv));
+    if (is_special || leaf.is_split) {
+      const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
+      const auto one_by_one = std::stable_partition(
+          first, samples.end(), [&](const Sample& s) { return !is_special && !s.crease; });
+      rest.insert(rest.end(), one_by_one, samples.end());
+      samples.erase(one_by_one, samples.end());
+    }
+    for (std::size_t s = places.size(); s < samples.size(); ++s) {
+      places.push_back(on_triangle(grid_, of_leaf, samples[s].triangle, samples[s].uv));
     }
   }
   const auto found = measure_places(surface_, grid_, places, threads_);

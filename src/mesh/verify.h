@@ -67,7 +67,6 @@ class Verifier {
   void measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
                               const LeafTriangles& triangles, std::span<const std::size_t> others);
   void add_left_out(Measured& mesh, std::size_t number, std::span<const Triangle> triangles) const;
-  bool is_inside(const Leaf& leaf, const dvec2& uv) const;
   bool crosses_box(std::span<const Triangle> triangles) const;
   double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;
   Deviation deviation_of(const Leaf& leaf, std::span<const Triangle> triangles, const dvec2& uv,
