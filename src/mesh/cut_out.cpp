@@ -17,9 +17,56 @@ constexpr std::size_t kMostHoles = 4096;
 constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
 /// How near to each other, in ranges, points are one.
 constexpr double kSamePlace = 1e-9;
+/// Limits that are this near to each other, in diagonals, are one; and so many are where the ways
+/// to a point cross sixteen lines of jumps, no more.
+constexpr double kSameLimit = 1e-6;
+constexpr std::size_t kLimitsOfLines = 32;
 /// How near each coordinate of a corner must be for it, in what is allowed: a square's corners are
 /// 1.41 times as far away as its sides.
 constexpr double kNearHole = 0.7;
+
+/// What is around a place in a box, as far as the box goes on either side of it, in the domain.
+ParameterBox box_around(const dvec2& place, const ParameterBox& box, const Domain& d) {
+  const dvec2 size = box.high - box.low;
+  const dvec2 first = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  const dvec2 last = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  return {glm::clamp(place - size, first, last), glm::clamp(place + size, first, last)};
+}
+
+/// Single points in leaves where bounds leave room for a break.
+struct PointsInLeaves {
+  std::vector<dvec2> places;
+  std::vector<std::size_t> leaves;  ///< their numbers
+  /// Whether there is no room around a point either: a leaf may touch a line of jumps in one point.
+  std::vector<bool> are_alone;
+};
+
+PointsInLeaves find_points(const Surface& surface, const Lattice& lattice, const Measured& mesh,
+                           std::span<const std::size_t> suspects) {
+  std::vector<ParameterBox> boxes;
+  for (const std::size_t k : suspects) {
+    const Leaf& leaf = mesh.leaves[k];
+    boxes.push_back({lattice.parameters(leaf.low), lattice.parameters(leaf.high)});
+  }
+  const auto found = find_holes(surface, boxes);
+  PointsInLeaves points;
+  std::vector<ParameterBox> around;
+  for (std::size_t i = 0; i < suspects.size(); ++i) {
+    if (!found[i]) continue;
+    points.places.push_back(*found[i]);
+    points.leaves.push_back(suspects[i]);
+    around.push_back(box_around(*found[i], boxes[i], surface.domain));
+  }
+  for (const auto& place : find_holes(surface, around)) {
+    points.are_alone.push_back(place.has_value());
+  }
+  return points;
+}
+
+/// Whether a point that is not alone has no limit: along a line of jumps, ways lead to few places.
+bool has_many_limits(const Hole& hole, double diagonal) {
+  return hole.around.count_chords(kSameLimit * diagonal) > kLimitsOfLines;
+}
 
 /// Whether chords between corners keep to the places to which ways to a point lead: they may be a
 /// curve, which chords cut short.
@@ -127,30 +174,20 @@ bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const Latti
 
 std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOptions& options,
                                         const Lattice& lattice, Measured& mesh) {
-  const std::vector<std::size_t> suspects = leaves_with_holes(options, lattice, mesh);
-  std::vector<ParameterBox> boxes;
-  for (const std::size_t k : suspects) {
-    const Leaf& leaf = mesh.leaves[k];
-    boxes.push_back({lattice.parameters(leaf.low), lattice.parameters(leaf.high)});
-  }
-  const auto found = find_holes(surface, boxes);
-  std::vector<dvec2> places;
-  std::vector<std::size_t> around;  // each place, a leaf
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    if (!found[i]) continue;
-    places.push_back(*found[i]);
-    around.push_back(suspects[i]);
-  }
-  const std::vector<Hole> holes =
-      look_at_holes(surface, places, lattice.mesh().bounds.diagonal(), options.threads);
+  const auto [places, leaves, are_alone] =
+      find_points(surface, lattice, mesh, leaves_with_holes(options, lattice, mesh));
+  const double diagonal = lattice.mesh().bounds.diagonal();
+  const std::vector<Hole> holes = look_at_holes(surface, places, diagonal, options.threads);
   const Domain& d = surface.domain;
   const dvec2 range = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
   std::vector<PlacedHole> result;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (holes[i].kind != Hole::Kind::Pole && holes[i].kind != Hole::Kind::NoLimit) continue;
-    mesh.leaves[around[i]].is_left_out = true;
-    const auto is_same = [&](const PlacedHole& other) {
-      const dvec2 off = glm::abs(other.uv - places[i]) / range;
+    const bool is_torn = holes[i].kind == Hole::Kind::NoLimit &&
+                         (are_alone[i] || has_many_limits(holes[i], diagonal));
+    if (!is_torn && holes[i].kind != Hole::Kind::Pole) continue;
+    mesh.leaves[leaves[i]].is_left_out = true;
+    const auto is_same = [&, place = places[i]](const PlacedHole& other) {
+      const dvec2 off = glm::abs(other.uv - place) / range;
       return std::max(off.x, off.y) < kSamePlace;
     };
     if (std::ranges::none_of(result, is_same)) result.push_back({places[i], holes[i]});

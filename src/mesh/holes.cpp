@@ -185,6 +185,14 @@ bool ClosedCurve::is_within(const dvec3& place, double reach) const {
   return false;
 }
 
+std::size_t ClosedCurve::count_chords(double length) const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (glm::distance(places_[k], places_[(k + 1) % places_.size()]) > length) ++count;
+  }
+  return count;
+}
+
 bool ClosedCurve::is_near_chord(std::size_t number, const dvec3& place, double reach) const {
   const dvec3& from = places_[number];
   const dvec3 way = places_[(number + 1) % places_.size()] - from;

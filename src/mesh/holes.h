@@ -21,6 +21,8 @@ class ClosedCurve {
   bool empty() const { return places_.empty(); }
   /// Whether a place is no farther away than `reach`.
   bool is_within(const dvec3& place, double reach) const;
+  /// How many of its chords are longer.
+  std::size_t count_chords(double length) const;
 
  private:
   bool is_near_chord(std::size_t number, const dvec3& place, double reach) const;

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
+#include "mesh/topology.h"
 #include "mesh_checks.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
@@ -73,6 +75,16 @@ TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
   }
   EXPECT_LT(hole, 4e-5) << "no wider than two tolerances";
   EXPECT_GT(hole, 0);
+}
+
+/// A line of jumps through corners of leaves is one point of each: ways there lead to as many
+/// places as it has sides, and sign(0) is one more.
+TEST(Holes, AreNoneAlongLinesOfJumps) {
+  for (const auto& [z, parts] : {std::pair("sign(u-v)", 2U), std::pair("sign(u^2-v^2)", 4U)}) {
+    const GridMesh result = mesh_of(height_field(z), 3e-3);
+    EXPECT_TRUE(result.report.torn.empty()) << z;
+    EXPECT_EQ(topology(result.mesh).components, parts) << z;
+  }
 }
 
 TEST(Holes, ThatArePolesFromSomeSidesAreNamed) {
