@@ -298,7 +298,7 @@ class Certifier {
 
   int max_depth(Proof proof) const {
     if (proof == Proof::Endless) return kMaxUnboundedDepth;
-    return parts_.size() <= kFew ? kMaxDepthOfFew : kMaxDepth;
+    return static_cast<double>(parts_.size()) <= kFew ? kMaxDepthOfFew : kMaxDepth;
   }
 
   void suspect(const Part& part) {
