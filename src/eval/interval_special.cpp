@@ -17,7 +17,9 @@ constexpr double kSeries = 1e-13;
 /// gamma, within 10 ULP in the C library, 1 in SLEEF.
 constexpr double kGammaLibrary = 24 * kRoundoff;
 
-/// Where gamma is least on x > 0: its derivative is 0 between these.
+/// Where gamma is least on x > 0: it falls up to the first of these, and rises from the second on.
+constexpr double kTurnLow = 1.461632144968362;
+constexpr double kTurnHigh = 1.461632144968363;
 constexpr double kLeastGamma = 0.8856031944108886;     // rounded down, gamma(1.46163...)
 constexpr double kLeastLgamma = -0.12148629053584962;  // rounded down, its logarithm
 
@@ -73,7 +75,8 @@ double digamma(double x) {
 
 /// The lower bound of ln|gamma| on a box without a pole.
 double least_lgamma(const Interval& x) {
-  if (x.high == kInfinity) return x.low > 2 ? log_gamma(x.low) : kLeastLgamma;
+  if (x.low >= kTurnHigh) return log_gamma(x.low);
+  if (x.low > 0) return x.high <= kTurnLow ? log_gamma(x.high) : kLeastLgamma;
   const double steepness = 1 + std::fabs(digamma(x.low)) + std::fabs(digamma(x.high));
   return least_of_convex(x, log_gamma, digamma, kSeries * steepness);
 }
@@ -104,7 +107,9 @@ Interval gamma(const Interval& a) {
   Interval r = a;
   r.low = down(std::min(x, y), kGammaLibrary);
   r.high = std::max(up(std::max(x, y), kGammaLibrary), kUnderflow);
-  if (digamma(a.low) < kSeries && digamma(a.high) > -kSeries) {
+  if (a.low > 0) {
+    if (a.low < kTurnHigh && a.high > kTurnLow) r.low = kLeastGamma;
+  } else if (digamma(a.low) < kSeries && digamma(a.high) > -kSeries) {
     const double logarithm = least_lgamma(a);
     const double least = std::exp(logarithm);
     r.low = std::min(r.low, down(least, kLibrary + 2 * kSeries * (1 + std::fabs(logarithm))));

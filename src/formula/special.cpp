@@ -17,8 +17,17 @@ constexpr long double kPi = 3.14159265358979323846264338327950288L;
 /// below a hundredth of the sum's last place.
 constexpr double kNegligible = 0x1p-60;
 
+/// By products: std::pow and std::tgamma take ten times as long as all the rest.
 long double factorial(int n) {
-  return std::tgamma(n + 1.0L);
+  long double product = 1;
+  for (int k = 2; k <= n; ++k) product *= k;
+  return product;
+}
+
+long double power(long double base, int n) {
+  long double product = 1;
+  for (int k = 0; k < n; ++k) product *= base;
+  return product;
 }
 
 /// The asymptotic series of polygamma, for x that is large compared with n.
@@ -27,14 +36,17 @@ long double polygamma_series(int n, long double x) {
   static constexpr std::array<long double, 10> kBernoulli = {
       1.0L / 6,       -1.0L / 30, 1.0L / 42,      -1.0L / 30,     5.0L / 66,
       -691.0L / 2730, 7.0L / 6,   -3617.0L / 510, 43867.0L / 798, -174611.0L / 330};
-  long double sum = n == 0 ? -std::log(x) : factorial(n - 1) / std::pow(x, n);
-  sum += factorial(n) / (2 * std::pow(x, n + 1));
+  const long double inverse = 1 / x;
+  long double scale = power(inverse, n);  // x^-(n+2k)
+  long double sum = n == 0 ? -std::log(x) : factorial(n - 1) * scale;
+  sum += factorial(n) * scale * inverse / 2;
   for (int k = 1; k <= static_cast<int>(kBernoulli.size()); ++k) {
     // (2k+n-1)! / (2k)! as a product: the factorials alone overflow.
     long double ratio = 1;
     for (int i = 2 * k + 1; i <= 2 * k + n - 1; ++i) ratio *= i;
     if (n == 0) ratio = 1.0L / (2 * k);
-    sum += kBernoulli[k - 1] * ratio / std::pow(x, 2 * k + n);
+    scale *= inverse * inverse;
+    sum += kBernoulli[k - 1] * ratio * scale;
   }
   return n % 2 == 0 ? -sum : sum;
 }
@@ -61,16 +73,14 @@ long double cotangent_derivative(int n, double x) {
   const long double c = cotangent_of_turns(x);
   long double value = p.back();
   for (std::size_t i = p.size() - 1; i-- > 0;) value = value * c + p[i];
-  return std::pow(kPi, n + 1) * value;
+  return power(kPi, n + 1) * value;
 }
 
 /// For x > 0.
 long double polygamma_right(int n, long double x) {
   long double shifted = 0;  // recurrence up to where the series is good
-  while (x < 20 + n) {
-    shifted += factorial(n) / std::pow(x, n + 1);
-    x += 1;
-  }
+  for (; x < 20 + n; x += 1) shifted += power(1 / x, n + 1);
+  shifted *= factorial(n);
   return polygamma_series(n, x) + (n % 2 == 0 ? -shifted : shifted);
 }
 

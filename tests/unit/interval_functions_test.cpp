@@ -127,6 +127,11 @@ TEST(Interval, TheGammaFunctionHasPolesAndTurnsBetweenThem) {
   EXPECT_NEAR(negative.low, std::tgamma(-0.25), 1e-12);
   expect_proved(negative);
   EXPECT_EQ(gamma(Interval{0, 1}).low, 0.8856031944108886);
+  // On x > 0 it is known where they turn.
+  EXPECT_EQ(gamma(Interval{1.4, 1.5}).low, 0.8856031944108886);
+  EXPECT_EQ(lgamma(Interval{1.4, 1.5}).low, -0.12148629053584962);
+  EXPECT_NEAR(lgamma(Interval{0.5, 1.25}).low, std::lgamma(1.25), 1e-12);
+  EXPECT_NEAR(lgamma(Interval{3, 5}).low, std::log(2), 1e-12);
 }
 
 TEST(Interval, PolygammaIsMonotoneOrConvexBetweenPoles) {
