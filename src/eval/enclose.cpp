@@ -8,8 +8,19 @@ namespace saddle {
 namespace {
 
 /// Ranges of a parameter whose values are kept, all that a grid has in most cases; with the values
-/// of a long formula they take some megabytes.
+/// of a long formula they take some megabytes. At first there is room for few: most boxes that are
+/// no cells have ranges of their own.
 constexpr std::size_t kMostRanges = 1024;
+constexpr std::size_t kFirstRanges = 16;
+/// What a special function takes in additions.
+constexpr std::size_t kSpecialSteps = 30;
+
+std::size_t hash_of(const Interval& range) {
+  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
+  const auto low = std::bit_cast<std::uint64_t>(range.low);
+  const auto high = std::bit_cast<std::uint64_t>(range.high);
+  return ((low * kSpread ^ high) * kSpread) >> 32U;
+}
 
 }  // namespace
 
@@ -93,31 +104,39 @@ void Enclosure::run(std::span<const Step> steps) {
   }
 }
 
-std::size_t Enclosure::RangeHash::operator()(const RangeKey& key) const {
-  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
-  const std::uint64_t mixed = (key[0] * kSpread ^ key[1]) * kSpread;
-  return mixed ^ mixed >> 32U;
-}
-
 void Enclosure::load(const Interval& range, Bank& bank) {
   if (range.low == bank.now.low && range.high == bank.now.high) return;
   bank.now = range;
   const auto slots = std::span(slots_).subspan(bank.first, bank.count);
-  const RangeKey key = {std::bit_cast<std::uint64_t>(range.low),
-                        std::bit_cast<std::uint64_t>(range.high)};
-  if (const auto found = bank.known.find(key); found != bank.known.end()) {
-    std::ranges::copy(std::span(bank.values).subspan(found->second, bank.count), slots.begin());
+  if (bank.steps.empty()) {
+    slots[0] = range;
+    return;
+  }
+  if (bank.misses == bank.known.size() && bank.known.size() < kMostRanges) {
+    bank.known.assign(std::max(kFirstRanges, 4 * bank.known.size()), kUndefined);
+    bank.values.resize(bank.known.size() * bank.count);
+    bank.misses = 0;
+  }
+  const std::size_t place = hash_of(range) % bank.known.size();
+  const auto values = std::span(bank.values).subspan(place * bank.count, bank.count);
+  Interval& known = bank.known[place];
+  if (range.low == known.low && range.high == known.high) {
+    std::ranges::copy(values, slots.begin());
     return;
   }
   slots[0] = range;
   run(bank.steps);
-  if (bank.steps.empty()) return;
-  if (bank.known.size() == kMostRanges) {
-    bank.known.clear();
-    bank.values.clear();
+  ++bank.misses;
+  known = range;
+  std::ranges::copy(slots, values.begin());
+}
+
+std::size_t Enclosure::steps() const {
+  std::size_t sum = 0;
+  for (const auto* const steps : {&of_u_.steps, &of_v_.steps, &of_both_}) {
+    for (const Step& step : *steps) sum += is_special(step.op) ? kSpecialSteps : 1;
   }
-  bank.known.emplace(key, bank.values.size());
-  bank.values.insert(bank.values.end(), slots.begin(), slots.end());
+  return sum;
 }
 
 void Enclosure::operator()(const Interval& u, const Interval& v, std::span<Interval> outputs) {

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "eval/interval.h"
@@ -18,6 +17,11 @@ namespace saddle {
 /// A range of a parameter, in either direction.
 inline Interval range_between(double a, double b) {
   return {std::min(a, b), std::max(a, b)};
+}
+
+/// Whether a function's bounds take much longer than those of all others: they are made of series.
+inline bool is_special(Op op) {
+  return op >= Op::Erf && op <= Op::SincN;
 }
 
 /// One operation on boxes: the interval column of the table of operations. Arguments past its arity
@@ -36,6 +40,9 @@ class Enclosure {
   /// value with itself is a square. Tapes compiled with Powers::Whole give narrower bounds.
   void operator()(const Interval& u, const Interval& v, std::span<Interval> outputs);
 
+  /// What a box takes, in additions.
+  std::size_t steps() const;
+
  private:
   struct Step {
     Op op;
@@ -43,18 +50,16 @@ class Enclosure {
     std::uint32_t out;
     std::array<std::uint32_t, 3> in;
   };
-  using RangeKey = std::array<std::uint64_t, 2>;  ///< the bits of its ends
-  struct RangeHash {
-    std::size_t operator()(const RangeKey& key) const;
-  };
-  /// What depends on one parameter alone.
+  /// What depends on one parameter alone. Of ranges that would be kept in one place the last one
+  /// is.
   struct Bank {
     std::vector<Step> steps;
     std::uint32_t first = 0;  ///< slot: the parameter's own
     std::uint32_t count = 0;
-    Interval now = kUndefined;  ///< the range that the slots are of
-    std::unordered_map<RangeKey, std::size_t, RangeHash> known;  ///< ranges: where in `values`
-    std::vector<Interval> values;
+    Interval now = kUndefined;     ///< the range that the slots are of
+    std::vector<Interval> known;   ///< ranges whose values are kept, by their hashes
+    std::vector<Interval> values;  ///< `count` of each
+    std::size_t misses = 0;        ///< since there were as many places as now
   };
   void append(std::span<const Instruction> instructions, std::vector<Step>& steps) const;
   void run(std::span<const Step> steps);

@@ -336,8 +336,7 @@ ProofBudget::ProofBudget(const Tape& tape) {
   std::size_t steps = 1;
   for (const auto& part : {tape.of_u, tape.of_v, tape.of_both}) {
     for (const Instruction& instruction : part) {
-      const bool is_special = instruction.op >= Op::Erf && instruction.op <= Op::SincN;
-      steps += is_special ? kSpecialSteps : 1;
+      steps += is_special(instruction.op) ? kSpecialSteps : 1;
     }
   }
   boxes = std::min(kMaxBoxes, kMaxSteps / steps);

@@ -1,5 +1,7 @@
 #include "mesh/cost_model.h"
 
+#include "eval/enclose.h"
+
 namespace saddle {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr double kLeafSamples = 10;
 constexpr double kMillisecond = 1e6;  // nanoseconds
 
 bool is_call(Op op) {
-  return op == Op::Pow || (op >= Op::Cbrt && op <= Op::Atanh) || (op >= Op::Erf && op <= Op::SincN);
+  return op == Op::Pow || (op >= Op::Cbrt && op <= Op::Atanh) || is_special(op);
 }
 
 double weight(std::span<const Instruction> instructions) {
