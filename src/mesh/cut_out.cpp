@@ -108,26 +108,75 @@ std::vector<std::size_t> leaves_with_holes(const RefineOptions& options, const L
   return suspects;
 }
 
+/// Points that are poles or have no limit, by where the surface is around them.
+class HolesInSpace {
+ public:
+  explicit HolesInSpace(std::vector<const Hole*> holes) : holes_(std::move(holes)) {
+    dvec3 widest(0);
+    Bounds lows;
+    for (const Hole* const hole : holes_) {
+      widest = glm::max(widest, hole->near.size());
+      lows.add(hole->near.low);
+    }
+    // The axis along which they are best told apart; poles are as long as doubles go along others.
+    const auto told_apart = [&](int axis) { return lows.size()[axis] / widest[axis]; };
+    for (int axis = 1; axis < 3; ++axis) {
+      if (told_apart(axis) > told_apart(axis_)) axis_ = axis;
+    }
+    widest_ = widest[axis_];
+    std::ranges::stable_sort(holes_, {}, [this](const Hole* hole) { return low(hole); });
+  }
+
+  /// Calls f(hole) for all that a place may be near to.
+  template <class F>
+  void for_near(const dvec3& place, double near, F f) const {
+    const auto first = std::ranges::lower_bound(holes_, place[axis_] - near - widest_, {},
+                                                [this](const Hole* hole) { return low(hole); });
+    for (auto hole = first; hole != holes_.end() && low(*hole) <= place[axis_] + near; ++hole) {
+      f(**hole);
+    }
+  }
+
+ private:
+  double low(const Hole* hole) const { return hole->near.low[axis_]; }
+
+  std::vector<const Hole*> holes_;
+  int axis_ = 0;
+  double widest_ = 0;
+};
+
 /// Ways to a point that is a pole or has no limit lead to all places around which it is: what is
 /// nearer to them than is allowed is near enough to the surface, whichever part of it is measured.
-void accept_around(const Hole& hole, const Lattice& lattice, Measured& mesh) {
-  if (hole.kind != Hole::Kind::NoLimit && hole.kind != Hole::Kind::Pole) return;
+void accept_around(const Hole& hole, const std::array<dvec3, 4>& corners, std::size_t number,
+                   Measured& mesh) {
+  const double near = kNearHole * mesh.allowed[number];
+  const Bounds around{hole.near.low - near, hole.near.high + near};
+  const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
+  if (!std::ranges::all_of(corners, is_near)) return;
+  Leaf& leaf = mesh.leaves[number];
+  if (!hole.around.empty()) {
+    const auto is_off = [&](const dvec3& p) {
+      return is_finite(p) && !hole.around.is_within(p, mesh.allowed[number]);
+    };
+    if (std::ranges::any_of(corners, is_off)) return;
+    if (!is_along(hole, corners, mesh.allowed[number])) leaf.is_left_out = true;
+  }
+  mesh.deviations[number] = {};
+  leaf.known_error = 0;
+}
+
+void accept_around(std::vector<const Hole*> holes, const Lattice& lattice, Measured& mesh) {
+  std::erase_if(holes, [](const Hole* hole) {
+    return hole->kind != Hole::Kind::NoLimit && hole->kind != Hole::Kind::Pole;
+  });
+  if (holes.empty()) return;
+  const HolesInSpace in_space(std::move(holes));
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    Leaf& leaf = mesh.leaves[k];
-    const double near = kNearHole * mesh.allowed[k];
-    const Bounds around{hole.near.low - near, hole.near.high + near};
-    const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
-    const std::array<dvec3, 4> corners = corner_positions(leaf, lattice);
-    if (!std::ranges::all_of(corners, is_near)) continue;
-    if (!hole.around.empty()) {
-      const auto is_off = [&](const dvec3& p) {
-        return is_finite(p) && !hole.around.is_within(p, mesh.allowed[k]);
-      };
-      if (std::ranges::any_of(corners, is_off)) continue;
-      if (!is_along(hole, corners, mesh.allowed[k])) leaf.is_left_out = true;
-    }
-    mesh.deviations[k] = {};
-    leaf.known_error = 0;
+    const std::array<dvec3, 4> corners = corner_positions(mesh.leaves[k], lattice);
+    const auto* const known = std::ranges::find_if(corners, is_finite);
+    if (known == corners.end()) continue;
+    in_space.for_near(*known, kNearHole * mesh.allowed[k],
+                      [&](const Hole& hole) { accept_around(hole, corners, k, mesh); });
   }
 }
 
@@ -192,13 +241,15 @@ std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOpti
     };
     if (std::ranges::none_of(result, is_same)) result.push_back({places[i], holes[i]});
   }
-  for (const PlacedHole& placed : result) accept_around(placed.hole, lattice, mesh);
-  for (const auto& [vertex, hole] : lattice.holes()) accept_around(hole, lattice, mesh);
+  std::vector<const Hole*> to_accept;
+  for (const PlacedHole& placed : result) to_accept.push_back(&placed.hole);
+  for (const auto& [vertex, hole] : lattice.holes()) to_accept.push_back(&hole);
+  accept_around(std::move(to_accept), lattice, mesh);
   return result;
 }
 
 void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Measured& mesh) {
-  const CrossingOptions with_poles{options.tolerance, true, options.threads};
+  const CrossingOptions with_poles{options.tolerance, true, options.threads, options.max_triangles};
   Sides sides = sort_sides(options, lattice, mesh);
   cut_poles(sides.lead_to_poles, with_poles, lattice);
   if (search) find_jumps(sides.unsearched, with_poles, lattice);
