@@ -15,6 +15,7 @@
 #include "mesh/choose.h"
 #include "mesh/clip.h"
 #include "mesh/color_mesh.h"
+#include "mesh/effort.h"
 #include "mesh/grid_mesh.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh/tidy.h"
@@ -36,9 +37,12 @@ constexpr int kHalvingsInVain = 2;
 constexpr int kMaxDefaultCells = 1000;
 
 /// Triangles at most; and where no tolerance is asked for, unless the picture has more pixels. Each
-/// takes about 7 microseconds and 800 bytes.
+/// takes 3 to 7 microseconds and 1 kB.
 constexpr std::size_t kMostTriangles = 4'000'000;
-constexpr std::size_t kEnoughTriangles = 1'000'000;
+constexpr std::size_t kEnoughTriangles = 500'000;
+/// A mesh that was made before another, to find poles, or the faces of the box that they need,
+/// leaves the next one so much of what is allowed at least.
+constexpr double kLeastShare = 0.25;
 /// Boxes that a surface with poles is clipped to before its poles show all the faces that it needs.
 constexpr int kMostBoxes = 3;
 
@@ -111,6 +115,16 @@ std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, con
   return mesh;
 }
 
+/// Leaves the next mesh of a run what the one that was made has left of what both may take. Whoever
+/// says how many triangles there may be gets so many.
+void pay(const Scene& scene, const std::optional<GridMesh>& made, AdaptiveOptions& options) {
+  if (!made || scene.mesh.max_triangles) return;
+  const auto least =
+      static_cast<std::size_t>(kLeastShare * static_cast<double>(most_triangles(scene)));
+  const std::size_t taken = made->report.effort / kPlacesPerTriangle;
+  options.max_triangles = std::max(options.max_triangles, least + taken) - taken;
+}
+
 /// The mesh of a surface that goes to infinity, clipped, if there is any. `known`: what is known of
 /// its poles; `options.clip`: the box that everything else is in.
 std::optional<GridMesh> mesh_clipped(const MeshReport& known, const Scene& scene,
@@ -127,6 +141,7 @@ std::optional<GridMesh> mesh_clipped(const MeshReport& known, const Scene& scene
     mesh->report.clip = options.clip;
     beside_poles.add(mesh->report.beside_poles);
     if (open_where_it_stays(box, beside_poles) == *options.clip) break;
+    pay(scene, mesh, options);
   }
   // Cells outside of the box are not looked at any more.
   if (known.pole_count > mesh->report.pole_count) {
@@ -158,6 +173,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
   options.until_poles = scene.clip.automatic && !scene.mesh.samples;
   auto mesh = mesh_for(scene, purpose, surface, options);
   options.until_poles = false;
+  pay(scene, mesh, options);
   if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
     const MeshReport known = std::move(mesh->report);
     options.clip = clip_box(around, positions);

@@ -126,8 +126,8 @@ class MeshWarnings {
     const std::string off =
         off_by(report_) +
         (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_) : std::string());
-    if (report_.searched_most) {
-      say("looking for jumps and poles took all the work that is allowed, the mesh is" + off +
+    if (report_.is_tired) {
+      say("the limit of work stopped refinement, the mesh is" + off +
           "; smaller ranges show more, --max-triangles allows more work");
     } else if (report_.reached_limit) {
       say("the limit of triangles stopped refinement, the mesh is" + off +

@@ -32,9 +32,12 @@ constexpr double kOpposite = -0.9999;
 /// A root grid has no more lines each way than this over the tolerance as a share of the diagonal:
 /// its cells are as narrow as leaves of an Oscillation, or a little narrower.
 constexpr double kMostRootLines = 0.28;
-/// Lines become fewer by steps for tolerances that are larger by this factor, up to so much.
+/// Lines become fewer by steps for tolerances that are larger by this factor, or by this one while
+/// they are more than twice too many, which halves them, up to so much: of sin(1e15*u) 1e15 lines
+/// would be within tolerance.
 constexpr double kCoarser = 1.25;
-constexpr double kCoarsest = 1e6;
+constexpr double kMuchCoarser = 4;
+constexpr double kCoarsest = 1e40;
 /// More lines than this each way cannot be numbered by a lattice.
 constexpr std::size_t kMaxLines = 60000;
 
@@ -85,7 +88,7 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
   };
   double factor = 1;
   while (lines() > most && factor < kCoarsest) {
-    factor *= kCoarser;
+    factor *= lines() > 2 * most ? kMuchCoarser : kCoarser;
     plan.lines = plan.probe.place_lines(plan.fixed, aim.times(factor));
   }
   const auto is_too_fine = [&] {
@@ -322,6 +325,7 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
                                const SingularSet& singular, Halving& halving, GridMesh result) {
   MeshReport& report = result.report;
   const Finisher finisher(halving);
+  report.effort = halving.lattice().effort().total();
   finisher.list_poles(surface, options.threads, report);
   if (halving.stops_at_poles()) return result;
   finisher.list_jumps(report);
@@ -340,7 +344,8 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   halving.complete(report);
   Grid& grid = halving.grid();
   grid.mesh.triangles = std::move(triangles.all);
-  grid.mesh.lines = leaf_lines(grid, halving.lattice(), options.lines_u, options.lines_v);
+  grid.mesh.lines = leaf_lines(grid, halving.lattice(), halving.measured().leaves, options.lines_u,
+                               options.lines_v);
   if (options.clip) {
     clip_mesh(*options.clip, grid.mesh);
     keep_singular_points_within(*options.clip, surface, options.threads, report);

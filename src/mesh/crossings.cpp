@@ -15,6 +15,9 @@ namespace {
 /// Bisections of a side that the rim crosses: a side is at most 2^10 times as long as its distance
 /// from 0, so that doubles between its ends run out.
 constexpr int kHalvings = 62;
+/// Sides that are looked at together, before anybody asks whether that was enough: some
+/// milliseconds if each one takes hundreds of looks.
+constexpr std::size_t kSidesAtATime = 512;
 
 class Finder {
  public:
@@ -53,7 +56,7 @@ class Finder {
       }
     }
     const auto found =
-        find_breaks(lattice_.surface(), parts, delta, options_.threads, lattice_.search_work());
+        find_breaks(lattice_.surface(), parts, delta, options_.threads, lattice_.effort().looks());
     std::vector<Side> poles;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const auto& [from, to] = whole[k];
@@ -148,7 +151,7 @@ class Finder {
       delta = std::min(delta, options_.tolerance(lattice_.mesh().position[side[0]]));
     }
     const auto found =
-        find_breaks(lattice_.surface(), lines, delta, options_.threads, lattice_.search_work());
+        find_breaks(lattice_.surface(), lines, delta, options_.threads, lattice_.effort().looks());
     std::vector<Side> jumping;
     std::vector<Found> jumps;
     std::vector<Side> poles;
@@ -187,8 +190,8 @@ class Finder {
     std::ranges::transform(sides, normals.begin(), [&](const Side& side) {
       return std::array{front * normal[side[0]], front * normal[side[1]]};
     });
-    const auto found =
-        find_creases(lattice_.surface(), lines, normals, options_.threads, lattice_.search_work());
+    const auto found = find_creases(lattice_.surface(), lines, normals, options_.threads,
+                                    lattice_.effort().looks());
     std::vector<Side> creased;
     std::vector<Found> creases;
     for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -271,14 +274,27 @@ bool is_crossed(const Leaf& leaf, const Lattice& lattice) {
   return is_crossed;
 }
 
+/// Calls look(some) with some sides after the other, until that was enough.
+template <class Look>
+void look_until_tired(std::span<const Side> sides, const CrossingOptions& options,
+                      const Lattice& lattice, Look look) {
+  while (!sides.empty() && !lattice.is_tired(options.max_triangles)) {
+    const std::size_t count = std::min(sides.size(), kSidesAtATime);
+    look(sides.first(count));
+    sides = sides.subspan(count);
+  }
+}
+
 }  // namespace
 
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
-  Finder(options, lattice).look_at(sides);
+  look_until_tired(sides, options, lattice,
+                   [&](std::span<const Side> some) { Finder(options, lattice).look_at(some); });
 }
 
 void find_jumps(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
-  Finder(options, lattice).find_jumps(sides);
+  look_until_tired(sides, options, lattice,
+                   [&](std::span<const Side> some) { Finder(options, lattice).find_jumps(some); });
 }
 
 void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
@@ -313,7 +329,7 @@ std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::s
       if (!leaf.on_rim && !leaf.is_split) continue;
       for (const Side& side : unsearched_sides(leaf, lattice)) sides.insert(side);
     }
-    if (sides.empty() || lattice.search_work() > options.most_work) return split;
+    if (sides.empty() || lattice.is_tired(options.max_triangles)) return split;
     find_crossings(std::vector<Side>(sides.begin(), sides.end()), options, lattice);
   }
 }

@@ -14,17 +14,12 @@ struct CrossingOptions {
   /// Whether poles are cut too. A leaf is cut away with its pole: only small ones may be.
   bool poles = false;
   unsigned threads = 0;
-  /// Lattice::search_work() from which on crossings are followed no further.
-  std::size_t most_work = SIZE_MAX;
+  /// The search ends where a mesh of so many has taken all the effort that it may; 0: it does not.
+  std::size_t max_triangles = 0;
 };
 
-/// What may be searched for a mesh of so many triangles; one that is not refined at all has as many
-/// sides as it has.
-inline std::size_t most_search(std::size_t max_triangles) {
-  return max_triangles == 0 ? SIZE_MAX : kWorkPerTriangle * max_triangles;
-}
-
-/// Looks at sides and files in the lattice what is found.
+/// Looks at sides and files in the lattice what is found. Those that are left where the search ends
+/// count as not looked at.
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice);
 
 /// The same but for creases. Sides that are continuous count as not looked at.

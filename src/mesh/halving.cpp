@@ -120,7 +120,7 @@ void Halving::complete(MeshReport& report) {
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
-  report.searched_most = stopped && lattice_.has_searched(options_.max_triangles);
+  report.is_tired = stopped && lattice_.is_tired(options_.max_triangles);
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
   if (stopped) doubt_all(Doubt::Triangles);
@@ -132,7 +132,7 @@ void Halving::complete(MeshReport& report) {
       grid_.vertex_count() + lattice_.evaluations() + verifier_.evaluations();
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
   report.evaluations += report.work.leaf_samples;
-  report.work.searches += lattice_.search_work();
+  report.work.searches += lattice_.effort().looks();
 }
 
 /// Has no proof hold anywhere.
@@ -163,7 +163,7 @@ Seams Halving::weld_if_two_dimensional(const Probe& probe) {
 }
 
 CrossingOptions Halving::crossing_options(bool poles) const {
-  return {refining_.tolerance, poles, options_.threads, most_search(options_.max_triangles)};
+  return {refining_.tolerance, poles, options_.threads, options_.max_triangles};
 }
 
 /// Whether one more halving could exceed the limit of triangles.
@@ -257,7 +257,9 @@ void Halving::measure(std::span<const std::size_t> which, const SingularCorners&
   for (const std::size_t k : which) mesh_.leaves[k].measured = now;
   const LeafTriangles triangles =
       triangulate_leaves(mesh_.leaves, which, singular, grid_, lattice_);
+  const std::size_t before = verifier_.evaluations();
   verifier_.measure(mesh_, which, triangles);
+  lattice_.effort().add_places(verifier_.evaluations() - before);
   mesh_.put(which, triangles, now);
   for (const std::size_t k : which) {
     if (is_turned(k) && width(mesh_.leaves[k]) <= kSeenTurn * mesh_.allowed[k]) {

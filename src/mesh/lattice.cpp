@@ -121,7 +121,8 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
       singular_cells_(grid),
       changed_cells_(grid),
       used_count_(grid.vertex_count()),
-      evaluated_(grid.vertex_count()) {
+      evaluated_(grid.vertex_count()),
+      effort_(surface) {
   sub_grids_[0] = {0, static_cast<std::uint32_t>(grid.u.size())};
   for (const std::size_t vertex : grid.singular) make_singular(static_cast<std::uint32_t>(vertex));
   if (grid.left_out_count == 0) return;
@@ -271,6 +272,7 @@ void Lattice::append(const NormalColumns& columns, std::size_t count, Function u
     if (!regular && is_finite(position) && is_finite(normal)) steep.push_back(vertex);
   }
   evaluations_ += count;
+  effort_.add_samples(count);
   take_known_normals(steep);
 }
 
@@ -338,6 +340,7 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
       for (const dvec2& way : where) uv.push_back(grid_.mesh.uv[vertex] + way);
     }
     evaluations_ += uv.size();
+    effort_.add_places(uv.size());
     return saddle::evaluate(surface_, uv, threads);
   };
   // In the midst of what is undefined one look tells; aslant, since 1/v is undefined along an axis.
@@ -398,7 +401,7 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
   if (crossing) {
     has_crossings_ = true;
     beside_cut_[a] = beside_cut_[b] = 1;
-    ++crossings_;
+    effort_.add_breaks(1);
     has_poles_ = has_poles_ || crossing->kind == Cut::Pole;
     const dvec2 middle = 0.5 * (place_between(a) + place_between(b));
     crossed_cells_.add(middle);

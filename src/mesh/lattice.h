@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/effort.h"
 #include "mesh/grid.h"
 #include "mesh/holes.h"
 #include "mesh/pair_table.h"
@@ -18,11 +19,6 @@ namespace saddle {
 
 /// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
 inline constexpr std::uint32_t kCellUnit = 1U << 16;
-
-/// What a mesh may have is counted in triangles; finding what cuts a side takes as long as so many
-/// to keep it, and as one for so many points and boxes that were looked at.
-inline constexpr std::size_t kTrianglesPerBreak = 6;
-inline constexpr std::size_t kWorkPerTriangle = 16;
 
 /// (u, v) in units: line k of the root grid is at k * kCellUnit.
 struct LatticePlace {
@@ -208,18 +204,18 @@ class Lattice {
   /// Whether one more halving, which takes up to two vertices into use, could make more triangles
   /// than are allowed: a mesh has fewer than twice as many as vertices (Euler).
   bool has_many(std::size_t triangles) const { return 2 * (used_count_ + 2) > triangles; }
-  /// The same, or that finding what cuts sides took as long as making so many.
+  /// The same, or that all the effort was made that is worth so many.
   bool is_full(std::size_t max_triangles) const {
-    return has_many(max_triangles) || has_searched(max_triangles);
+    return has_many(max_triangles) || is_tired(max_triangles);
   }
   /// Only the latter.
-  bool has_searched(std::size_t max_triangles) const {
-    return kTrianglesPerBreak * (crossings_ + pole_ends_.size()) > max_triangles ||
-           search_work_ / kWorkPerTriangle > max_triangles;
+  bool is_tired(std::size_t max_triangles) const {
+    return effort_.total() > most_effort(max_triangles);
   }
-  /// Points and boxes that were looked at in search of what cuts sides.
-  std::size_t& search_work() { return search_work_; }
-  std::size_t search_work() const { return search_work_; }
+  /// What the mesh took so far. Who looks at the surface for it otherwise than through the lattice
+  /// adds to that.
+  Effort& effort() { return effort_; }
+  const Effort& effort() const { return effort_; }
 
   /// Whether the position is finite.
   bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }
@@ -256,7 +252,9 @@ class Lattice {
   void set_leads_to_pole(std::uint32_t a, std::uint32_t b, const std::array<dvec2, 2>& ends) {
     const auto [at, is_new] =
         pole_sides_.insert(pair_of(a, b), static_cast<std::uint32_t>(pole_ends_.size()));
-    if (is_new) pole_ends_.push_back(ends);
+    if (!is_new) return;
+    pole_ends_.push_back(ends);
+    effort_.add_breaks(1);
   }
   /// Those ends; for a side that leads to a pole.
   const std::array<dvec2, 2>& pole_between(std::uint32_t a, std::uint32_t b) const {
@@ -445,8 +443,6 @@ class Lattice {
   PairTable crowded_sides_;
   PairTable continuous_sides_;
   bool has_crossings_ = false;
-  std::size_t crossings_ = 0;  // that were filed
-  std::size_t search_work_ = 0;
   bool has_poles_ = false;  // among crossings and holes
   CellMarks crossed_cells_;
   CellMarks singular_cells_;
@@ -455,6 +451,7 @@ class Lattice {
   std::size_t used_count_;
   std::size_t evaluated_;  // vertices that have been computed
   std::size_t evaluations_ = 0;
+  Effort effort_;
 };
 
 }  // namespace saddle

@@ -200,11 +200,19 @@ class PlainCutter {
 /// Chains of vertices, interrupted where the surface is.
 class Chains {
  public:
-  Chains(const Grid& grid, const Lattice& lattice) : point_(grid.mesh.point), lattice_(lattice) {}
+  Chains(const Grid& grid, const Lattice& lattice, std::span<const Leaf> leaves)
+      : point_(grid.mesh.point), lattice_(lattice) {
+    for (const Leaf& leaf : leaves) {
+      if (!leaf.oscillates) continue;
+      for_sides(leaf, lattice,
+                [this](std::uint32_t a, std::uint32_t b) { oscillating_.insert(pair_of(a, b)); });
+    }
+  }
 
   /// Goes on to the next vertex of a line, defined or not.
   void go_to(std::uint32_t vertex) {
     if (before_) cross(*before_, vertex);
+    if (before_ && oscillating_.contains(pair_of(*before_, vertex))) interrupt();
     if (lattice_.is_defined(vertex)) {
       append(vertex);
     } else {
@@ -240,6 +248,7 @@ class Chains {
 
   const Array<std::uint32_t>& point_;
   const Lattice& lattice_;
+  PairTable oscillating_;  ///< sides of leaves
   std::optional<std::uint32_t> before_;
   std::vector<std::uint32_t> chain_;
   std::vector<std::vector<std::uint32_t>> chains_;
@@ -360,8 +369,9 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
 }
 
 std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
-                                                   int lines_u, int lines_v) {
-  Chains chains(grid, lattice);
+                                                   std::span<const Leaf> leaves, int lines_u,
+                                                   int lines_v) {
+  Chains chains(grid, lattice, leaves);
   const auto follow = [&](std::size_t cells, auto place_of) {
     const auto go_to = [&](std::uint32_t vertex, LatticePlace) { chains.go_to(vertex); };
     for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), go_to);

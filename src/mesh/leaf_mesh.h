@@ -54,8 +54,10 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
                                  const Lattice& lattice);
 
 /// Lines of constant u and v through vertices, those of even_lines(), which are lines of the grid.
-/// They are interrupted where the surface is.
+/// They are interrupted where the surface is, and where it oscillates: from wave to wave they would
+/// cover it, and take longer to draw than all else.
 std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
-                                                   int lines_u, int lines_v);
+                                                   std::span<const Leaf> leaves, int lines_u,
+                                                   int lines_v);
 
 }  // namespace saddle

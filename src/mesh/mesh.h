@@ -136,7 +136,8 @@ struct MeshReport {
   std::optional<double> tolerance;    ///< what max_error was to stay within
   double least_triangles = 0;         ///< that any mesh within it needs, about; 0: unknown
   bool reached_limit = false;         ///< more triangles were not allowed
-  bool searched_most = false;         ///< they were, but no more search for jumps and poles
+  bool is_tired = false;              ///< they were, but no more effort
+  std::size_t effort = 0;             ///< that was made: Effort::total()
   bool certified = false;             ///< proved that nothing hides between samples
   std::vector<DoubtfulPlace> doubts;  ///< else where that is not proved, at most 1000
   double max_error = 0;               ///< largest measured distance of mesh and surface

@@ -236,7 +236,7 @@ class Refiner {
   }
 
   CrossingOptions crossing_options() const {
-    return {options_.tolerance, false, options_.threads, most_search(options_.max_triangles)};
+    return {options_.tolerance, false, options_.threads, options_.max_triangles};
   }
 
   /// An arc that is no small one may jump; only normals that are opposed, or never agree, tell of a

@@ -100,17 +100,53 @@ TEST(BoundedWork, EndsTheSearchForJumpsWithoutEnd) {
     options.clip = Bounds{dvec3(-5), dvec3(5)};
     const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_TRUE(result.report.reached_limit) << z;
-    EXPECT_TRUE(result.report.searched_most) << z;
+    EXPECT_TRUE(result.report.is_tired) << z;
     EXPECT_FALSE(result.report.certified) << z;
     EXPECT_TRUE(result.report.worst_place) << z;
-    // What is begun of a generation is ended: some hundreds for each side.
-    EXPECT_LT(result.report.work.searches, (kWorkPerTriangle + 300) * kTriangles) << z;
+    // What is begun is ended: the sides that are looked at together, and what those are that are
+    // cut.
+    EXPECT_LT(result.report.effort, 2 * most_effort(kTriangles)) << z;
   }
   // As many as there are, and not without end.
   const GridMesh steps =
       mesh_within_tolerance(height_field("floor(9*u)*floor(9*v)"), thousandth()).value();
-  EXPECT_FALSE(steps.report.searched_most);
+  EXPECT_FALSE(steps.report.is_tired);
   EXPECT_LE(steps.report.max_error, *steps.report.tolerance);
+}
+
+TEST(BoundedWork, CountsLooksByWhatTheyTake) {
+  // Bounds of ln|gamma| take as long as some ten products.
+  Effort plain(height_field("u*v"));
+  Effort dear(height_field("lgamma(u*v)"));
+  for (Effort* const effort : {&plain, &dear}) effort->looks() += 1'000'000;
+  EXPECT_GT(dear.total(), 3 * plain.total());
+  // What leaves take counts the same.
+  Effort leaves(height_field("u*v"));
+  leaves.add_places(1'000'000);
+  EXPECT_GT(leaves.total(), plain.total());
+}
+
+TEST(BoundedWork, EndsWhateverLeavesTake) {
+  constexpr std::size_t kTriangles = 150'000;
+  for (const char* z : {"sin(exp(20*u)*v)", "lgamma(9*u*v)", "sqrt(sin(1/u)*sin(1/v))",
+                        "max(sin(90*u),cos(110*v),sin(130*u*v))"}) {
+    AdaptiveOptions options = thousandth();
+    options.max_triangles = kTriangles;
+    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    EXPECT_TRUE(result.report.reached_limit) << z;
+    EXPECT_TRUE(result.report.worst_place) << z;
+    // Leaves are measured when the last of them have been halved, those that are cut on many
+    // places.
+    EXPECT_LT(result.report.effort, 3 * most_effort(kTriangles)) << z;
+  }
+}
+
+TEST(BoundedWork, PlacesNoMoreLinesThanShowHoweverFastWavesAre) {
+  for (const char* z : {"sin(1e6*u)", "sin(1e15*u)"}) {
+    const std::optional<MeshPlan> plan = plan_mesh(height_field(z), thousandth());
+    ASSERT_TRUE(plan) << z;
+    EXPECT_LT(plan->lines.u.size(), 1000U) << z;
+  }
 }
 
 TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
