@@ -174,6 +174,27 @@ def nothing(run, word):
     return run.status == 3 and word in run.said
 
 
+def noise(u, v):
+    return math.sin(u * 12.9898 + v * 78.233) * 43758 % 1
+
+
+def steps(u, v):
+    return math.floor(1 / u) + math.floor(1 / v)
+
+
+WEIERSTRASS = "+".join(f"cos({3**k}*t)/{2**k}" for k in range(1, 8))
+
+
+def weierstrass(t):
+    return sum(math.cos(3**k * t) / 2**k for k in range(1, 8))
+
+
+def ends_in_time(run):
+    """Says that work has ended, and where the mesh is off."""
+    return ("stopped refinement" in run.said and "as at u = " in run.said
+            and not run.within() and 0 < len(run.triangles) <= 500000)
+
+
 CASES = [
     ("a slope without end", ["z=sin(1/u)"],
      lambda: f"off by {number(chord_error(lambda u: math.sin(1 / u), U1))}, without a word",
@@ -359,6 +380,19 @@ CASES = [
      and {c[2] for c in r.corners} <= {-3, -2, -1, 0, 1, 2, 3}
      and r.across(lambda u, v: min(math.floor(3 * u), 2)) == 0 and near(r.area(), 4, 1e-6),
      lambda r: "six flat steps, nothing between them: area " + number(r.area())),
+    ("noise", ["z=mod(sin(u*12.9898+v*78.233)*43758,1)"],
+     lambda: f"{walls(noise, U1, U1, 0.5)} of {N * N} cells are walls, without a word",
+     ends_in_time,
+     lambda r: f"{len(r.triangles)} triangles: its work ends at a bound, and it says so, where it is "
+               "off, and by how much"),
+    ("steps without end", ["z=floor(1/u)+floor(1/v)"],
+     lambda: f"{dropped(steps, U1, U1)} cells dropped, {walls(steps, U1, U1, 0.5)} are walls",
+     lambda r: ends_in_time(r) and r.surface["poles_count"] > 0 and r.surface["jumps_count"] > 0,
+     lambda r: f"the same, with {len(r.triangles)} triangles; clipped to {number(r.extent(2))} high"),
+    ("waves on waves", [f"f(t)={WEIERSTRASS}", "z=f(u)*f(v)"],
+     lambda: f"off by {number(chord_error(weierstrass, U1))} along u alone, without a word",
+     ends_in_time,
+     lambda r: f"the same, with {len(r.triangles)} triangles, off by {number(r.surface['max_error'])}"),
     ("an edge that is folded", ["x=cos(u)", "y=cos(v)", "z=sin(u)*sin(v)/2", "u=0:pi", "v=-pi:pi"],
      lambda: f"{6 * N} open edges: the halves of u = 0 and of u = pi lie on each other unjoined",
      lambda r: r.within() and r.open_edges() == 0 and near(r.volume(), math.pi**2 / 4),
