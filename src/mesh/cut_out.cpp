@@ -242,6 +242,7 @@ std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOpti
     if (std::ranges::none_of(result, is_same)) result.push_back({places[i], holes[i]});
   }
   std::vector<const Hole*> to_accept;
+  to_accept.reserve(result.size() + lattice.holes().size());
   for (const PlacedHole& placed : result) to_accept.push_back(&placed.hole);
   for (const auto& [vertex, hole] : lattice.holes()) to_accept.push_back(&hole);
   accept_around(std::move(to_accept), lattice, mesh);
