@@ -452,7 +452,7 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
 }
 
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
-                                unsigned threads) {
+                                unsigned threads, const std::optional<Bounds>& box) {
   std::vector<Line> ends(lines.begin(), lines.end());
   std::vector<dvec2> middles(lines.size());
   for (int halving = 0; halving < halvings; ++halving) {
@@ -460,7 +460,8 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
                            [](const Line& l) { return 0.5 * l[0] + 0.5 * l[1]; });
     const auto points = evaluate(surface, middles, threads);
     for (std::size_t k = 0; k < ends.size(); ++k) {
-      ends[k][is_finite(points[k].position) ? 0 : 1] = middles[k];
+      const dvec3& p = points[k].position;
+      ends[k][is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middles[k];
     }
   }
   std::ranges::transform(ends, middles.begin(), [](const Line& l) { return l[0]; });

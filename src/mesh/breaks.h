@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "mesh/continuity.h"
+#include "mesh/mesh.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -43,9 +45,9 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
                                 std::span<const std::array<dvec3, 2>> normals, unsigned threads,
                                 std::size_t& work);
 
-/// Bisects lines from a place where the surface is defined to one where it is not: the last places
-/// known to be defined, after so many halvings.
+/// Bisects lines from a place where the surface is defined, and in a box, to one where it is not:
+/// the last places known to be so, after so many halvings.
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
-                                unsigned threads);
+                                unsigned threads, const std::optional<Bounds>& box = {});
 
 }  // namespace saddle

@@ -252,8 +252,8 @@ class Certifier {
 
   /// The worst of what cuts a leaf.
   Doubt what_cuts(const Leaf& leaf) const {
-    constexpr std::array kOfCut = {Doubt::Rim, Doubt::Jump, Doubt::Pole, Doubt::Crease,
-                                   Doubt::NoLimit};
+    constexpr std::array kOfCut = {Doubt::Rim,    Doubt::Jump,    Doubt::Pole,
+                                   Doubt::Crease, Doubt::NoLimit, Doubt::Pole};
     Doubt worst = leaf.on_rim ? Doubt::Rim : Doubt::Crease;
     for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t b) {
       const auto crossing = lattice_.crossing(a, b);

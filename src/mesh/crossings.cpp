@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "mesh/breaks.h"
 #include "surface/normal.h"
@@ -118,16 +119,46 @@ class Finder {
       places.push_back({sides[k][0], sides[k][1], uv[k]});
     }
     const std::vector<bool> goes_far = diverge_at(places);
+    const std::vector<bool> at_face = stay_in_box(goes_far, ends, places);
     const std::uint32_t first = lattice_.add_between(places, options_.threads);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const auto rim = static_cast<std::uint32_t>(first + k);
       const auto [a, b] = sides[k];
       const Hole::Kind hole = lattice_.hole(lattice_.is_defined(a) ? b : a);
-      const Cut kind = hole == Hole::Kind::NoLimit               ? Cut::Torn
+      const Cut kind = at_face[k]                                ? Cut::Face
+                       : hole == Hole::Kind::NoLimit             ? Cut::Torn
                        : goes_far[k] || hole == Hole::Kind::Pole ? Cut::Pole
                                                                  : Cut::Rim;
       lattice_.set_crossing(a, b, Crossing{kind, a, rim, rim});
     }
+  }
+
+  /// Ends sides at which the surface goes to infinity where it leaves the clip box on its way from
+  /// their defined ends, or there, if those are outside. Which ones it did that with.
+  std::vector<bool> stay_in_box(const std::vector<bool>& goes_far, std::span<const Line> ways,
+                                std::span<Between> rims) {
+    std::vector<bool> at_face(rims.size(), false);
+    if (!options_.clip) return at_face;
+    std::vector<Line> inside;
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < rims.size(); ++k) {
+      Between& rim = rims[k];
+      const bool first = lattice_.is_defined(rim.a);
+      const auto [end, other] = first ? std::pair(rim.a, rim.b) : std::pair(rim.b, rim.a);
+      if (!goes_far[k] || lattice_.hole(other) == Hole::Kind::NoLimit) continue;
+      at_face[k] = true;
+      lattice_.add_pole_beyond_face(rim.uv);
+      if (options_.clip->contains(lattice_.mesh().position[end])) {
+        inside.push_back({ways[k][0], rim.uv});
+        numbers.push_back(k);
+      } else {
+        rim.uv = ways[k][0];
+      }
+    }
+    const auto faces =
+        last_defined(lattice_.surface(), inside, kHalvings, options_.threads, options_.clip);
+    for (std::size_t i = 0; i < faces.size(); ++i) rims[numbers[i]].uv = faces[i];
+    return at_face;
   }
 
   /// Whether the surface goes to infinity at each rim.
@@ -269,7 +300,7 @@ bool is_crossed(const Leaf& leaf, const Lattice& lattice) {
   bool is_crossed = false;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
     const std::optional<Crossing> crossing = lattice.crossing(a, b);
-    is_crossed = is_crossed || (crossing && crossing->kind != Cut::Rim);
+    is_crossed = is_crossed || (crossing && !is_rim(crossing->kind));
   });
   return is_crossed;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "mesh/density.h"
@@ -14,6 +15,9 @@ struct CrossingOptions {
   /// Whether poles are cut too. A leaf is cut away with its pole: only small ones may be.
   bool poles = false;
   unsigned threads = 0;
+  /// What is outside of this box is not seen: where the surface goes to infinity at a rim, it is
+  /// followed to a face only.
+  std::optional<Bounds> clip = {};
   /// The search ends where a mesh of so many has taken all the effort that it may; 0: it does not.
   std::size_t max_triangles = 0;
 };

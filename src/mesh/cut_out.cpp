@@ -250,7 +250,8 @@ std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOpti
 }
 
 void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Measured& mesh) {
-  const CrossingOptions with_poles{options.tolerance, true, options.threads, options.max_triangles};
+  const CrossingOptions with_poles{options.tolerance, true, options.threads, options.clip,
+                                   options.max_triangles};
   Sides sides = sort_sides(options, lattice, mesh);
   cut_poles(sides.lead_to_poles, with_poles, lattice);
   if (search) find_jumps(sides.unsearched, with_poles, lattice);

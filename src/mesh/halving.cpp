@@ -163,7 +163,7 @@ Seams Halving::weld_if_two_dimensional(const Probe& probe) {
 }
 
 CrossingOptions Halving::crossing_options(bool poles) const {
-  return {refining_.tolerance, poles, options_.threads, options_.max_triangles};
+  return {refining_.tolerance, poles, options_.threads, options_.clip, options_.max_triangles};
 }
 
 /// Whether one more halving could exceed the limit of triangles.

@@ -415,6 +415,7 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
 
 std::vector<std::array<dvec2, 2>> Lattice::poles() const {
   std::vector<std::array<dvec2, 2>> poles = pole_ends_;
+  for (const dvec2& uv : poles_beyond_faces_) poles.push_back({uv, uv});
   for (const auto& [side, crossing] : searched_) {
     if (!crossing || crossing->kind != Cut::Pole) continue;
     poles.push_back(

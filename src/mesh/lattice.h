@@ -78,6 +78,7 @@ enum class Cut : std::uint8_t {
   Pole,    ///< it goes to infinity
   Crease,  ///< its normal jumps
   Torn,    ///< one of them is a point that has no limit: Hole::Kind::NoLimit
+  Face,    ///< it leaves the clip box, on its way to infinity at the rim
 };
 
 /// Whether what is between such a cut and the corners of a leaf is left out with it.
@@ -85,9 +86,14 @@ inline bool leaves_out(Cut kind) {
   return kind == Cut::Pole || kind == Cut::Torn;
 }
 
-/// Where a side is cut, and the last vertices on either side of the cut. At a rim they are one; at
-/// a pole they are on the way to infinity; at a crease they are one point, and differ in their
-/// normals.
+/// Whether the mesh ends at such a cut.
+inline bool is_rim(Cut kind) {
+  return kind == Cut::Rim || kind == Cut::Face;
+}
+
+/// Where a side is cut, and the last vertices on either side of the cut. At a rim, or a face of the
+/// box, they are one; at a pole they are on the way to infinity; at a crease they are one point,
+/// and differ in their normals.
 struct Crossing {
   Cut kind;
   std::uint32_t first;  ///< the neighbour with the smaller number
@@ -266,6 +272,8 @@ class Lattice {
   }
   void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(pair_of(a, b)); }
   /// Whether the surface is known to go to infinity somewhere.
+  /// Files a pole that is beyond a Cut::Face.
+  void add_pole_beyond_face(const dvec2& uv) { poles_beyond_faces_.push_back(uv); }
   bool has_poles() const { return has_poles_ || !pole_ends_.empty(); }
   /// The ends, in parameters, of what is known to lead to poles or was cut there, in an order that
   /// is always the same.
@@ -440,6 +448,7 @@ class Lattice {
   std::map<std::uint32_t, Hole> holes_;
   PairTable pole_sides_;  // their places in the next
   std::vector<std::array<dvec2, 2>> pole_ends_;
+  std::vector<dvec2> poles_beyond_faces_;
   PairTable crowded_sides_;
   PairTable continuous_sides_;
   bool has_crossings_ = false;

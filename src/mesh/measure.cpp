@@ -253,8 +253,12 @@ dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const d
 Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
              std::span<const Triangle> triangles, const dvec2& uv, const dvec3& position) {
   if (!clip) return {true, !triangles.empty()};
-  return {clip->contains(position),
-          !triangles.empty() && clip->contains(position_on(grid, triangles, uv))};
+  Seen seen{clip->contains(position), false};
+  if (triangles.empty()) return seen;
+  const dvec3 weights = triangle_below(grid, triangles, uv).weights;
+  seen.triangles = std::min({weights.x, weights.y, weights.z}) >= -kRounding &&
+                   clip->contains(position_on(grid, triangles, uv));
+  return seen;
 }
 
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,

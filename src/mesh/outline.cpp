@@ -46,6 +46,13 @@ bool is_straight(const Polygon& polygon) {
   return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
 }
 
+bool has_opposite_gaps(const Leaf& leaf, const Lattice& lattice) {
+  std::array<bool, 4> is_defined{};
+  for (std::size_t k = 0; k < 4; ++k) is_defined[k] = lattice.is_defined(leaf.samples.corner[k]);
+  return is_defined[0] == is_defined[2] && is_defined[1] == is_defined[3] &&
+         is_defined[0] != is_defined[1];
+}
+
 /// A run of vertices between two cuts of the outline.
 struct Run {
   Polygon polygon;
@@ -60,12 +67,14 @@ class Cutter {
   }
 
   /// `folded`: a crease goes through the leaf, from crossing to crossing or singular point.
-  /// `has_middle`: the surface is defined in the leaf's middle.
-  std::vector<Polygon> take(bool folded, bool has_middle) {
+  /// `has_middle`: the surface is defined in the leaf's middle. `has_opposite_gaps`: it is not in
+  /// two opposite corners, and is in the others.
+  std::vector<Polygon> take(bool folded, bool has_middle, bool has_opposite_gaps) {
     // A crease that ends here leaves the leaf whole; a jump or a pole that does would be a wall.
     if (cuts_ == 1 && creases_.empty()) return {};
     if (cuts_ > 0) join_ends();
-    if (has_middle && cuts_ == rims_) join_runs();
+    const bool may_cross = leaves_box_ && has_opposite_gaps;
+    if (has_middle && cuts_ == rims_ && !may_cross) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
     if (creases_.size() >= 3) add(middle(), result);
@@ -117,7 +126,8 @@ class Cutter {
       runs_.back().goes_far = runs_.back().goes_far || far;
       if (!far) append(crossing->beside(a));
     }
-    if (crossing->kind == Cut::Rim) ++rims_;
+    if (is_rim(crossing->kind)) ++rims_;
+    leaves_box_ = leaves_box_ || crossing->kind == Cut::Face;
     if (crossing->kind == Cut::Crease) creases_.push_back({crossing->beside(a), place(*crossing)});
     cut();
     if (lattice_.is_defined(b)) {
@@ -140,7 +150,8 @@ class Cutter {
     first.goes_far = first.goes_far || last.goes_far;
   }
 
-  /// Rims that leave the middle whole cut corners off, and no more.
+  /// Rims that leave the middle whole cut corners off, and no more. Of those at infinity two may
+  /// cross there.
   void join_runs() {
     Polygon& whole = runs_.front().polygon;
     for (std::size_t k = 1; k < runs_.size(); ++k) {
@@ -197,7 +208,8 @@ class Cutter {
   std::vector<Run> runs_{1};
   Polygon creases_;  // where creases cross the sides
   std::size_t cuts_ = 0;
-  std::size_t rims_ = 0;  // of the cuts, with what is not defined between them
+  std::size_t rims_ = 0;     // of the cuts, with what is not defined between them
+  bool leaves_box_ = false;  // at one of them
 };
 
 }  // namespace
@@ -210,7 +222,9 @@ std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice) {
     result.push_back(std::move(whole));
     return result;
   }
-  return Cutter(whole, lattice).take(leaf.is_split, lattice.is_defined(leaf.samples.centre));
+  return Cutter(whole, lattice)
+      .take(leaf.is_split, lattice.is_defined(leaf.samples.centre),
+            has_opposite_gaps(leaf, lattice));
 }
 
 std::uint32_t count_outline(const Leaf& leaf, const Lattice& lattice) {
@@ -259,13 +273,13 @@ std::optional<bool> side_of_crease_along_u(const Leaf& leaf, const Lattice& latt
   return std::nullopt;
 }
 
-bool has_pole(const Leaf& leaf, const Lattice& lattice) {
-  bool has_pole = false;
+bool has_cut(Cut kind, const Leaf& leaf, const Lattice& lattice) {
+  bool has_cut = false;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
     const std::optional<Crossing> crossing = lattice.crossing(a, b);
-    has_pole = has_pole || (crossing && crossing->kind == Cut::Pole);
+    has_cut = has_cut || (crossing && crossing->kind == kind);
   });
-  return has_pole;
+  return has_cut;
 }
 
 bool is_cusp(std::uint32_t a, std::uint32_t b, const Lattice& lattice) {

@@ -52,8 +52,8 @@ std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice);
 /// that is a side along u.
 std::optional<bool> side_of_crease_along_u(const Leaf& leaf, const Lattice& lattice);
 
-/// Whether the surface goes to infinity on a side of the leaf.
-bool has_pole(const Leaf& leaf, const Lattice& lattice);
+/// Whether a side of the leaf is cut like this.
+bool has_cut(Cut kind, const Leaf& leaf, const Lattice& lattice);
 
 /// What may cut a leaf.
 struct CutCount {

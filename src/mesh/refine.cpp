@@ -185,7 +185,8 @@ class Refiner {
     for (const Judged& rim : rims) {
       Leaf leaf = rim.candidate.leaf;
       leaf.on_rim = true;
-      const bool goes_far = options_.clip && !judge_.is_outside(leaf) && has_pole(leaf, lattice_);
+      const bool goes_far =
+          options_.clip && !judge_.is_outside(leaf) && has_cut(Cut::Pole, leaf, lattice_);
       judge_cut(rim, leaf, judge_.splits_rim_u(leaf),
                 goes_far || is_torn(leaf.samples) ? kMostCutHalvings : rim_halvings(leaf));
     }
@@ -206,7 +207,8 @@ class Refiner {
     return std::min(kRimHalvings + std::ilogb(leaf.strictness), most_rim_halvings(leaf));
   }
   int most_rim_halvings(const Leaf& leaf) const {
-    return has_pole(leaf, lattice_) ? kMostCutHalvings : kMostRimHalvings;
+    const bool goes_far = has_cut(Cut::Pole, leaf, lattice_) || has_cut(Cut::Face, leaf, lattice_);
+    return goes_far ? kMostCutHalvings : kMostRimHalvings;
   }
 
   /// Whether a leaf's sides are to be looked at.
@@ -236,7 +238,7 @@ class Refiner {
   }
 
   CrossingOptions crossing_options() const {
-    return {options_.tolerance, false, options_.threads, options_.max_triangles};
+    return {options_.tolerance, false, options_.threads, options_.clip, options_.max_triangles};
   }
 
   /// An arc that is no small one may jump; only normals that are opposed, or never agree, tell of a

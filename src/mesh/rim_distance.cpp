@@ -105,9 +105,9 @@ void RimDistance::measure_chords(std::vector<Found>& found) {
   std::vector<Line> ways;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const auto& [leaf, triangles, ends, middle, inside, beyond] = chords_[k];
-    ways.push_back(is_finite(at_middle[k].position) ? Line{middle, beyond} : Line{inside, middle});
+    ways.push_back(is_seen(at_middle[k].position) ? Line{middle, beyond} : Line{inside, middle});
   }
-  const std::vector<dvec2> rim = last_defined(surface_, ways, kRimHalvings, threads_);
+  const std::vector<dvec2> rim = last_defined(surface_, ways, kRimHalvings, threads_, clip_);
   const std::vector<SurfacePoint> at_rim = evaluate(surface_, rim, threads_);
   evaluations_ += chords_.size() * (2 + kRimHalvings);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
@@ -115,7 +115,7 @@ void RimDistance::measure_chords(std::vector<Found>& found) {
     const auto off = [&](const dvec2& uv, const SurfacePoint& point) {
       return distance_from(grid_, chord.triangles, uv, point.position);
     };
-    if (is_finite(at_middle[k].position)) {
+    if (is_seen(at_middle[k].position)) {
       found.push_back({chord.leaf, off(chord.middle, at_middle[k])});
       found.push_back({chord.leaf, off(rim[k], at_rim[k])});
     } else {
@@ -131,7 +131,7 @@ void RimDistance::measure_holes(std::vector<Found>& found) {
   const std::vector<SurfacePoint> points = evaluate(surface_, in_holes_, threads_);
   evaluations_ += points.size();
   for (std::size_t k = 0; k < points.size(); k += kGroup) {
-    if (!is_finite(points[k].position)) continue;
+    if (!is_seen(points[k].position)) continue;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t way = 1; way < kGroup; ++way) {
       const dvec3& beside = points[k + way].position;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,8 +13,10 @@ namespace saddle {
 
 class RimDistance {
  public:
-  RimDistance(const Surface& surface, const Grid& grid, const Lattice& lattice, unsigned threads)
-      : surface_(surface), grid_(grid), lattice_(lattice), threads_(threads) {}
+  /// What is outside of `clip` does not count.
+  RimDistance(const Surface& surface, const Grid& grid, const Lattice& lattice,
+              const std::optional<Bounds>& clip, unsigned threads)
+      : surface_(surface), grid_(grid), lattice_(lattice), clip_(clip), threads_(threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this; one off the rim is left out.
   void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
@@ -41,11 +44,15 @@ class RimDistance {
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
   void measure_chords(std::vector<Found>& found);
   void measure_holes(std::vector<Found>& found);
+  bool is_seen(const dvec3& position) const {
+    return is_finite(position) && (!clip_ || clip_->contains(position));
+  }
   double distance_from_chord(const Chord& chord, const dvec3& position) const;
 
   const Surface& surface_;
   const Grid& grid_;
   const Lattice& lattice_;
+  const std::optional<Bounds>& clip_;
   unsigned threads_;
   std::vector<Chord> chords_;
   std::vector<std::size_t> holes_;  ///< leaves that have no triangles

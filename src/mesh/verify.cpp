@@ -423,7 +423,7 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
   evaluations_ += peaks.evaluations();
   measure_beside_creases(mesh, which, triangles, others);
   for (const std::size_t k : others) add_left_out(mesh, which[k], triangles.of(k));
-  RimDistance rims(surface_, grid_, lattice_, threads_);
+  RimDistance rims(surface_, grid_, lattice_, clip_, threads_);
   for (const std::size_t k : others) {
     if (!crosses_box(triangles.of(k))) rims.add(mesh.leaves[which[k]], which[k], triangles.of(k));
   }

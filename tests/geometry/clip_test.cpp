@@ -8,6 +8,7 @@
 
 #include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
+#include "mesh/topology.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 
@@ -127,6 +128,24 @@ TEST(Clip, KeepsTheToleranceBesidePoles) {
     const Surface surface = height_field(z, {-half, half, -half, half});
     const GridMesh result = mesh_within_tolerance(surface, options).value();
     EXPECT_LE(result.report.max_error, tolerance) << z;
+  }
+}
+
+/// At a rim beside which it goes to infinity slowly, cells of any size reach through the face.
+TEST(Clip, EndsWhatGoesToInfinityAtARimOnTheFace) {
+  const struct {
+    const char* z;
+    std::size_t parts;
+  } cases[] = {{"ln(u+v)", 1}, {"ln(u*v)", 2}, {"ln(1-u^2-v^2)", 1}};
+  for (const auto& [z, parts] : cases) {
+    AdaptiveOptions options = within_length(1e-2);
+    options.clip = Bounds{dvec3(-1, -1, -7.8), dvec3(1, 1, 9)};
+    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    EXPECT_LE(result.report.max_error, 1e-2) << z;
+    EXPECT_EQ(topology(result.mesh).components, parts) << z;
+    EXPECT_EQ(result.mesh.bounds.low.z, -7.8) << z;
+    EXPECT_GT(result.report.pole_count, 0U) << z;
+    EXPECT_LT(result.mesh.triangles.size(), 6000U) << z;
   }
 }
 
