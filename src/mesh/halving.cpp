@@ -186,10 +186,17 @@ bool Halving::crosses_box(const Leaf& leaf) const {
 double Halving::width(const Leaf& leaf) const {
   if (leaf.on_rim) {
     Bounds bounds;
-    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t) {
-      if (lattice_.is_defined(a)) bounds.add(grid_.mesh.position[a]);
-    });
-    return bounds.diagonal();
+    double area = 0;
+    for (const Polygon& piece : pieces(leaf, lattice_)) {
+      const dvec3& first = grid_.mesh.position[piece[0].corner];
+      for (std::size_t k = 1; k + 1 < piece.size(); ++k) {
+        const dvec3 a = grid_.mesh.position[piece[k].corner] - first;
+        const dvec3 b = grid_.mesh.position[piece[k + 1].corner] - first;
+        area += glm::length(glm::cross(a, b)) / 2;
+      }
+      for (const PolygonCorner& corner : piece) bounds.add(grid_.mesh.position[corner.corner]);
+    }
+    return area > 0 ? area / bounds.diagonal() : 0;
   }
   return thickness(grid_.mesh, leaf.samples.corner);
 }
