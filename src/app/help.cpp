@@ -61,7 +61,7 @@ Mesh
       --tolerance T     largest distance of mesh and surface: 0.5px, or 1e-3 of the diagonal of the
                         bounding box (default: 0.5px for pictures, 1e-3 for meshes; the stricter)
       --normal-tolerance DEG  largest angle of interpolated and true normal, 0 to 180 (default 3)
-      --max-triangles N stop refining there and say so (default 4000000; 500000 if no --tolerance)
+      --max-triangles N stop refining there and say so (default 4000000; 1000000 if no --tolerance)
       --clip BOX        X0:X1,Y0:Y1,Z0:Z1, off, or auto: where the surface goes to infinity, the
                         box that most of it is in (default auto)
       --samples MxN     a uniform grid of M cells in u by N in v instead (default: off)

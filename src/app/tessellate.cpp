@@ -39,7 +39,7 @@ constexpr int kMaxDefaultCells = 1000;
 /// Triangles at most; and where no tolerance is asked for, unless the picture has more pixels. Each
 /// takes 3 to 7 microseconds and 1 kB.
 constexpr std::size_t kMostTriangles = 4'000'000;
-constexpr std::size_t kEnoughTriangles = 500'000;
+constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// A mesh that was made before another, to find poles, or the faces of the box that they need,
 /// leaves the next one so much of what is allowed at least.
 constexpr double kLeastShare = 0.25;

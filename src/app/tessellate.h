@@ -24,7 +24,7 @@ struct Tessellation {
 };
 
 /// Triangles at most: what --max-triangles says; 4000000 for whoever asks for a tolerance, or for
-/// cells; else about as many as the picture has pixels, from 500000 to 4000000, which is more than
+/// cells; else about as many as the picture has pixels, from 1000000 to 4000000, which is more than
 /// can be told apart in it.
 std::size_t most_triangles(const Scene& scene);
 

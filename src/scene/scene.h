@@ -159,7 +159,7 @@ struct ToleranceValue {
 struct MeshSettings {
   std::optional<ToleranceValue> tolerance;  ///< default: of a picture or of a mesh
   double normal_tolerance = 3;              ///< degrees
-  /// Default: 4000000; without a tolerance one per pixel, 500000 at least.
+  /// Default: 4000000; without a tolerance one per pixel, 1000000 at least.
   std::optional<int> max_triangles;
   std::optional<GridSize> samples;  ///< a uniform grid of so many cells instead
 };

@@ -192,7 +192,7 @@ def weierstrass(t):
 def ends_in_time(run):
     """Says that work has ended, and where the mesh is off."""
     return ("stopped refinement" in run.said and "as at u = " in run.said
-            and not run.within() and 0 < len(run.triangles) <= 500000)
+            and not run.within() and 0 < len(run.triangles) <= 1000000)
 
 
 CASES = [

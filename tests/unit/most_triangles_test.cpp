@@ -19,8 +19,8 @@ TEST(MostTriangles, AreAsManyAsThePictureHasPixels) {
 }
 
 TEST(MostTriangles, AreEnoughForAThumbnailAndBoundedForAPoster) {
-  EXPECT_EQ(most_triangles(picture_of(64, 48)), 500'000U);
-  EXPECT_EQ(most_triangles(picture_of(800, 600)), 500'000U);
+  EXPECT_EQ(most_triangles(picture_of(64, 48)), 1'000'000U);
+  EXPECT_EQ(most_triangles(picture_of(800, 600)), 1'000'000U);
   EXPECT_EQ(most_triangles(picture_of(16000, 12000)), 4'000'000U);
 }
 
