@@ -48,7 +48,7 @@ class Halving {
   bool is_clipped(const Leaf& leaf) const;
   /// Whether a part of a leaf is beyond a face of the box that a mesh is clipped to.
   bool crosses_box(const Leaf& leaf) const;
-  /// How wide a leaf is where it is narrow; on the rim, what of it there is, which may stand upright.
+  /// How wide a leaf is where it is narrow; of one on the rim what of it is defined.
   double width(const Leaf& leaf) const;
 
   /// What is to be said of the way here.
