@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "eval/batch.h"
+#include "mesh/find_seams.h"
 #include "mesh/place_lines.h"
 
 namespace saddle {
@@ -30,10 +31,6 @@ constexpr int kRatios = 6;
 /// Every fourth sample of a column or row, next to those of its neighbours on a slant, is enough to
 /// tell which ratio is best.
 constexpr std::size_t kEveryForRatio = 4;
-/// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
-constexpr double kSeam = 1e-9;
-/// Where they are compared, in parts of their length.
-constexpr std::array kPlaces = {0.07, 0.19, 0.41, 0.83};
 /// Times that cells are given a shape, at first the ratio's.
 constexpr int kPasses = 3;
 /// A cell that is off by so many tolerances at a sample is no cell that most of a line is good for:
@@ -153,13 +150,7 @@ Probe::Probe(const Surface& surface, unsigned threads)
     island_ = find_island(surface, threads);
   }
   if (island_) std::ranges::for_each(island_->positions, [&](const dvec3& p) { bounds_.add(p); });
-  seams_.u = find_seam(surface, true);
-  seams_.v = find_seam(surface, false);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto end = static_cast<double>(k);
-    seams_.folded_u[k] = !seams_.u.closed && is_folded(surface, true, end);
-    seams_.folded_v[k] = !seams_.v.closed && is_folded(surface, false, end);
-  }
+  seams_ = find_seams(surface, bounds_.diagonal());
 }
 
 void Probe::keep_within(const Bounds& box) {
@@ -168,12 +159,12 @@ void Probe::keep_within(const Bounds& box) {
     if (box.contains(sample.position)) kept.add(sample.position);
   };
   std::ranges::for_each(samples_, add);
-  std::ranges::for_each(edges_u_, add);
-  std::ranges::for_each(edges_v_, add);
+  std::ranges::for_each(edges_along_u_, add);
+  std::ranges::for_each(edges_along_v_, add);
   if (kept.empty() || island_) return;
   const auto is_outside = [&](const EdgeSample& edge) { return !box.contains(edge.position); };
-  std::erase_if(edges_u_, is_outside);
-  std::erase_if(edges_v_, is_outside);
+  std::erase_if(edges_along_u_, is_outside);
+  std::erase_if(edges_along_v_, is_outside);
   for (Sample& sample : samples_) {
     if (box.contains(sample.position)) continue;
     sample.position = dvec3(std::numeric_limits<double>::quiet_NaN());
@@ -227,12 +218,12 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
       const dvec3 bend = second.vector(6 * axis, i);
       const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
       if (!is_finite(position) || !std::isfinite(across)) continue;
-      auto& edges = along_u ? edges_u_ : edges_v_;
+      auto& edges = along_u ? edges_along_u_ : edges_along_v_;
       edges.push_back({along_u ? i % u.size() : i / u.size(), position, across});
     }
     const std::array<double, 2> largest = largest_areas(first, u.size(), v.size());
     for (std::size_t end = 0; end < 2; ++end) {
-      (along_u ? singular_v_ : singular_u_)[end] =
+      (along_u ? singular_ends_v_ : singular_ends_u_)[end] =
           largest[end] <= kNoArea * area_beside(along_u, end);
     }
   };
@@ -254,7 +245,7 @@ double Probe::radius(const dvec3& centre) const {
   for (const Sample& s : samples_) {
     if (is_finite(s.position)) largest = std::max(largest, glm::distance(s.position, centre));
   }
-  for (const auto& edges : {edges_u_, edges_v_}) {
+  for (const auto& edges : {edges_along_u_, edges_along_v_}) {
     for (const EdgeSample& e : edges) {
       largest = std::max(largest, glm::distance(e.position, centre));
     }
@@ -271,50 +262,9 @@ std::vector<dvec3> Probe::positions() const {
   return positions;
 }
 
-Seam Probe::find_seam(const Surface& surface, bool along_v) const {
-  std::vector<dvec2> uv;
-  const auto add = [&](double end, double along) {
-    uv.push_back(place(along_v ? dvec2(end, along) : dvec2(along, end)));
-  };
-  for (const double along : kPlaces) {
-    add(0, along);
-    for (const Seam& seam : kSeams) add(1, seam.partner(along, 1.0));
-  }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
-  for (std::size_t kind = 0; kind < kSeams.size(); ++kind) {
-    const auto meets = [&](std::size_t place) {
-      const std::size_t first = place * (1 + kSeams.size());
-      return is_near(points[first].position, points[first + 1 + kind].position);
-    };
-    if (meets(0) && meets(1) && meets(2) && meets(3)) return kSeams[kind];
-  }
-  return {};
-}
-
-/// Whether each half of an edge lies on the other. An edge that is a point is not folded.
-bool Probe::is_folded(const Surface& surface, bool along_v, double end) const {
-  std::vector<dvec2> uv;
-  for (const double along : kPlaces) {
-    for (const double at : {along, kFold.partner(along, 1.0)}) {
-      uv.push_back(place(along_v ? dvec2(end, at) : dvec2(at, end)));
-    }
-  }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
-  bool is_point = true;
-  for (std::size_t k = 0; k < points.size(); k += 2) {
-    if (!is_near(points[k].position, points[k + 1].position)) return false;
-    is_point = is_point && is_near(points[k].position, points[0].position);
-  }
-  return !is_point;
-}
-
 /// Parameters from parts of the ranges.
 dvec2 Probe::place(const dvec2& part) const {
   return dvec2(domain_.u0, domain_.v0) * (1.0 - part) + dvec2(domain_.u1, domain_.v1) * part;
-}
-
-bool Probe::is_near(const dvec3& a, const dvec3& b) const {
-  return glm::distance(a, b) <= kSeam * bounds_.diagonal();  // not so for NaN
 }
 
 std::vector<Bend> Probe::bends(const Tolerance& tolerance) const {
@@ -343,7 +293,7 @@ Densities Probe::along_edges(const Tolerance& tolerance) const {
     }
     return densities;
   };
-  return {largest(u_.size(), edges_u_), largest(v_.size(), edges_v_)};
+  return {largest(u_.size(), edges_along_u_), largest(v_.size(), edges_along_v_)};
 }
 
 void Probe::complete(const Densities& along_edges, Densities& densities) const {
@@ -463,7 +413,7 @@ std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& 
 }
 
 bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
-  const std::array<bool, 2>& singular_ends = along_v ? singular_v_ : singular_u_;
+  const std::array<bool, 2>& singular_ends = along_v ? singular_ends_v_ : singular_ends_u_;
   if ((k < kDipReach && singular_ends[0]) || (k + kDipReach >= kProbes && singular_ends[1])) {
     return false;
   }
@@ -482,8 +432,8 @@ Dips Probe::dips() const {
   Dips dips{{}, {}, bounds_, {}, {}};
   for (std::size_t end = 0; end < 2; ++end) {
     const dvec2 corner = place(dvec2(static_cast<double>(end)));
-    if (singular_u_[end]) dips.edges_u.push_back(corner.x);
-    if (singular_v_[end]) dips.edges_v.push_back(corner.y);
+    if (singular_ends_u_[end]) dips.edges_u.push_back(corner.x);
+    if (singular_ends_v_[end]) dips.edges_v.push_back(corner.y);
   }
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     const std::size_t i = s % u_.size();

@@ -3,11 +3,8 @@
 // Source: D. Filip, R. Magedson, R. Markot, "Surface algorithms using bounds on derivatives", 1986.
 #pragma once
 
-#include <concepts>
-#include <functional>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "mesh/bends.h"
@@ -15,46 +12,10 @@
 #include "mesh/mesh.h"
 #include "mesh/seam.h"
 #include "mesh/singular.h"
+#include "mesh/tolerance.h"
 #include "surface/surface.h"
 
 namespace saddle {
-
-/// The largest distance of mesh and surface that is allowed, more than 0: near a place of the
-/// surface, within `reach` of it, where it may depend on the place. It must not grow by much over
-/// a part of the surface without being asked for it: what is allowed of a leaf is what is allowed
-/// everywhere in the ball around it.
-class Tolerance {
- public:
-  /// The same everywhere.
-  Tolerance(double same) : same_(same) {}
-
-  /// From a function of place and reach, or of the place alone.
-  template <std::invocable<const dvec3&, double> Function>
-  Tolerance(Function function) : near_(std::move(function)) {}
-  template <std::invocable<const dvec3&> Function>
-  Tolerance(Function function)
-      : near_([function = std::move(function)](const dvec3& place, double) {
-          return function(place);
-        }) {}
-
-  double operator()(const dvec3& place, double reach = 0) const {
-    return same_ ? *same_ : near_(place, reach);
-  }
-
-  bool is_same_everywhere() const { return same_.has_value(); }
-
-  /// So many times this tolerance.
-  Tolerance times(double factor) const {
-    if (same_) return factor * *same_;
-    return [factor, near = near_](const dvec3& place, double reach) {
-      return factor * near(place, reach);
-    };
-  }
-
- private:
-  std::optional<double> same_;
-  std::function<double(const dvec3&, double)> near_;
-};
 
 /// Parameters that a grid's lines must include: those of the lines that are drawn and the ends.
 struct FixedLines {
@@ -153,10 +114,7 @@ class Probe {
   /// The largest of them next to an edge along u or v.
   double area_beside(bool along_u, std::size_t end) const;
   bool is_dip(bool along_v, std::size_t line, std::size_t k) const;
-  Seam find_seam(const Surface& surface, bool along_v) const;
-  bool is_folded(const Surface& surface, bool along_v, double end) const;
   dvec2 place(const dvec2& part) const;
-  bool is_near(const dvec3& a, const dvec3& b) const;
   std::vector<Bend> bends(const Tolerance& tolerance) const;
   /// The error of the cell of these lines around a sample, in tolerances.
   struct SampledCell {
@@ -177,11 +135,11 @@ class Probe {
 
   std::vector<double> u_, v_;
   Domain domain_;
-  std::vector<Sample> samples_;      // v outer
-  std::vector<EdgeSample> edges_u_;  // of constant v
-  std::vector<EdgeSample> edges_v_;
-  std::array<bool, 2> singular_u_ = {};  // whether |r_u x r_v| is 0 all along the edges
-  std::array<bool, 2> singular_v_ = {};
+  std::vector<Sample> samples_;            // v outer
+  std::vector<EdgeSample> edges_along_u_;  // of constant v
+  std::vector<EdgeSample> edges_along_v_;
+  std::array<bool, 2> singular_ends_u_ = {};  // whether |r_u x r_v| is 0 all along u0, and u1
+  std::array<bool, 2> singular_ends_v_ = {};
   Seams seams_;
   Bounds bounds_;
   std::optional<Island> island_;

@@ -1,0 +1,50 @@
+// How far a mesh may be from the surface.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "base/vec.h"
+
+namespace saddle {
+
+/// The largest distance of mesh and surface that is allowed, more than 0: near a place of the
+/// surface, within `reach` of it, where it may depend on the place. It must not grow by much over
+/// a part of the surface without being asked for it: what is allowed of a leaf is what is allowed
+/// everywhere in the ball around it.
+class Tolerance {
+ public:
+  /// The same everywhere.
+  Tolerance(double same) : same_(same) {}
+
+  /// From a function of place and reach, or of the place alone.
+  template <std::invocable<const dvec3&, double> Function>
+  Tolerance(Function function) : near_(std::move(function)) {}
+  template <std::invocable<const dvec3&> Function>
+  Tolerance(Function function)
+      : near_([function = std::move(function)](const dvec3& place, double) {
+          return function(place);
+        }) {}
+
+  double operator()(const dvec3& place, double reach = 0) const {
+    return same_ ? *same_ : near_(place, reach);
+  }
+
+  bool is_same_everywhere() const { return same_.has_value(); }
+
+  /// So many times this tolerance.
+  Tolerance times(double factor) const {
+    if (same_) return factor * *same_;
+    return [factor, near = near_](const dvec3& place, double reach) {
+      return factor * near(place, reach);
+    };
+  }
+
+ private:
+  std::optional<double> same_;
+  std::function<double(const dvec3&, double)> near_;
+};
+
+}  // namespace saddle
