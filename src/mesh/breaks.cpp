@@ -196,11 +196,18 @@ void measure_ends(const Surface& surface, std::span<Search> searches,
   }
 }
 
-/// `value`: the vector that may jump, of a point of the surface. `height`: what changes its sign
-/// where that does, of a search and a point; smooth if anything is.
+/// What is followed.
 template <class F, class H>
-std::vector<Found> follow(const Surface& surface, std::vector<Search> searches, double delta,
-                          unsigned threads, F value, H height, std::size_t& work) {
+struct Followed {
+  F value;       ///< the vector that may jump, of a point of the surface
+  H height;      ///< what changes its sign where that does, of a search and a point; smooth if any
+  double delta;  ///< a gap that is smaller is none
+};
+
+template <class F, class H>
+std::vector<Found> follow(const Surface& surface, std::vector<Search> searches,
+                          const Followed<F, H>& followed, unsigned threads, std::size_t& work) {
+  const auto& [value, height, delta] = followed;
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < searches.size(); ++k) {
     if (!searches[k].done) open.push_back(k);
@@ -242,7 +249,8 @@ std::vector<Found> follow_positions(const Surface& surface, std::span<const Line
   const auto position = [](const SurfacePoint& point) { return point.position; };
   const auto unknown = [](const Search&, const SurfacePoint&) { return kUnknown; };
   work += uv.size();
-  return follow(surface, std::move(searches), delta, threads, position, unknown, work);
+  const Followed<decltype(position), decltype(unknown)> positions = {position, unknown, delta};
+  return follow(surface, std::move(searches), positions, threads, work);
 }
 
 /// Where bounds leave room for breaks beside those that were found. A line with a pole is cut away
@@ -437,6 +445,7 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
   const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
   const std::vector<std::size_t> open = unproved_normals(surface, lines, work);
   std::vector<Search> searches;
+  searches.reserve(open.size());
   for (const std::size_t k : open) searches.push_back(begin(lines[k], normals[k]));
   const auto normal = [](const SurfacePoint& point) {
     return normal_direction(point).value_or(dvec3(kUnknown));
@@ -444,8 +453,8 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
   const auto height = [&](const Search& search, const SurfacePoint& point) {
     return glm::dot(glm::cross(point.r_u, point.r_v), search.at_ends[0] - search.at_ends[1]);
   };
-  const std::vector<Found> found =
-      follow(surface, std::move(searches), chord, threads, normal, height, work);
+  const Followed<decltype(normal), decltype(height)> turning = {normal, height, chord};
+  const std::vector<Found> found = follow(surface, std::move(searches), turning, threads, work);
   std::vector<Found> result(lines.size());
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
   return result;

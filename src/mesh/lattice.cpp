@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include <glm/common.hpp>
 
@@ -24,6 +26,23 @@ constexpr double kAgree = 1e-4;
 /// A place between two vertices that is this near to one of them, beside their distance, counts as
 /// the same: what lies between is a sliver made of rounding.
 constexpr double kBeside = 1e-9;
+
+/// The nearest points around a vertex: two along u, and two along v.
+constexpr std::size_t kNearest = 4;
+
+/// The middle of those pairs that are both defined: 0/0 may run along one axis; on the other it is
+/// looked at from both sides.
+std::optional<dvec3> middle_of_pairs(std::span<const SurfacePoint, kNearest> points) {
+  dvec3 sum(0);
+  double count = 0;
+  for (std::size_t k = 0; k < kNearest; k += 2) {
+    if (!is_finite(points[k].position) || !is_finite(points[k + 1].position)) continue;
+    sum += points[k].position + points[k + 1].position;
+    count += 2;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
 
 }  // namespace
 
@@ -333,7 +352,6 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
       dvec2(0, -step.y),      2.0 * dvec2(step.x, 0),  2.0 * dvec2(-step.x, 0),
       2.0 * dvec2(0, step.y), 2.0 * dvec2(0, -step.y), step,
       dvec2(-step.x, step.y)};
-  constexpr std::size_t kNearest = 4;
   const auto look = [&](std::span<const dvec2> where) {
     std::vector<dvec2> uv;
     for (const std::uint32_t vertex : vertices) {
@@ -353,28 +371,16 @@ void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threa
   const std::vector<SurfacePoint> points = look(ways);
   std::vector<std::uint32_t> holes;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const auto at = [&](std::size_t way) -> const dvec3& {
-      return points[k * ways.size() + way].position;
-    };
-    Bounds around;
-    bool is_defined_near = false;
-    for (std::size_t w = 0; w < ways.size(); ++w) {
-      if (!is_finite(at(w))) continue;
-      around.add(at(w));
-      is_defined_near = true;
+    const auto around = std::span(points).subspan(k * ways.size(), ways.size());
+    Bounds bounds;
+    for (const SurfacePoint& point : around) {
+      if (is_finite(point.position)) bounds.add(point.position);
     }
-    // 0/0 may run along one axis: on the other it is looked at from both sides.
-    dvec3 sum(0);
-    double count = 0;
-    for (std::size_t w = 0; w < kNearest; w += 2) {
-      if (!is_finite(at(w)) || !is_finite(at(w + 1))) continue;
-      sum += at(w) + at(w + 1);
-      count += 2;
-    }
-    const bool agree = count > 0 && around.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
-    if (!agree && is_defined_near) holes.push_back(vertices[k]);
+    const std::optional<dvec3> middle = middle_of_pairs(around.first<kNearest>());
+    const bool agree = middle && bounds.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
+    if (!agree && !bounds.empty()) holes.push_back(vertices[k]);
     if (!agree) continue;
-    grid_.mesh.position[vertices[k]] = sum / count;
+    grid_.mesh.position[vertices[k]] = *middle;
     defined_[vertices[k]] = 1;
     make_singular(vertices[k]);
   }
