@@ -262,11 +262,6 @@ std::vector<dvec3> Probe::positions() const {
   return positions;
 }
 
-/// Parameters from parts of the ranges.
-dvec2 Probe::place(const dvec2& part) const {
-  return dvec2(domain_.u0, domain_.v0) * (1.0 - part) + dvec2(domain_.u1, domain_.v1) * part;
-}
-
 std::vector<Bend> Probe::bends(const Tolerance& tolerance) const {
   std::vector<Bend> bends;
   bends.reserve(samples_.size());
@@ -431,7 +426,7 @@ bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
 Dips Probe::dips() const {
   Dips dips{{}, {}, bounds_, {}, {}};
   for (std::size_t end = 0; end < 2; ++end) {
-    const dvec2 corner = place(dvec2(static_cast<double>(end)));
+    const dvec2 corner = domain_.at(dvec2(static_cast<double>(end)));
     if (singular_ends_u_[end]) dips.edges_u.push_back(corner.x);
     if (singular_ends_v_[end]) dips.edges_v.push_back(corner.y);
   }

@@ -114,7 +114,6 @@ class Probe {
   /// The largest of them next to an edge along u or v.
   double area_beside(bool along_u, std::size_t end) const;
   bool is_dip(bool along_v, std::size_t line, std::size_t k) const;
-  dvec2 place(const dvec2& part) const;
   std::vector<Bend> bends(const Tolerance& tolerance) const;
   /// The error of the cell of these lines around a sample, in tolerances.
   struct SampledCell {

@@ -11,11 +11,6 @@ constexpr double kSeam = 1e-9;
 /// Where they are compared, in parts of their length.
 constexpr std::array kPlaces = {0.07, 0.19, 0.41, 0.83};
 
-/// Parameters from parts of the ranges.
-dvec2 parameters(const Domain& d, const dvec2& part) {
-  return dvec2(d.u0, d.v0) * (1.0 - part) + dvec2(d.u1, d.v1) * part;
-}
-
 bool is_near(const dvec3& a, const dvec3& b, double diagonal) {
   return glm::distance(a, b) <= kSeam * diagonal;  // not so for NaN
 }
@@ -23,7 +18,7 @@ bool is_near(const dvec3& a, const dvec3& b, double diagonal) {
 Seam find_seam(const Surface& surface, double diagonal, bool along_v) {
   std::vector<dvec2> uv;
   const auto add = [&](double end, double along) {
-    uv.push_back(parameters(surface.domain, along_v ? dvec2(end, along) : dvec2(along, end)));
+    uv.push_back(surface.domain.at(along_v ? dvec2(end, along) : dvec2(along, end)));
   };
   for (const double along : kPlaces) {
     add(0, along);
@@ -45,7 +40,7 @@ bool is_folded(const Surface& surface, double diagonal, bool along_v, double end
   std::vector<dvec2> uv;
   for (const double along : kPlaces) {
     for (const double at : {along, kFold.partner(along, 1.0)}) {
-      uv.push_back(parameters(surface.domain, along_v ? dvec2(end, at) : dvec2(at, end)));
+      uv.push_back(surface.domain.at(along_v ? dvec2(end, at) : dvec2(at, end)));
     }
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);

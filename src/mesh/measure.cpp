@@ -242,22 +242,17 @@ Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, cons
   return best;
 }
 
-dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv) {
-  const Below below = triangle_below(grid, triangles, uv);
-  const Triangle& own = *below.triangle;
-  const dvec3 weights = glm::clamp(below.weights, 0.0, 1.0);
-  const auto& p = grid.mesh.position;
-  return weights.x * p[own[0]] + weights.y * p[own[1]] + weights.z * p[own[2]];
-}
-
 Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
              std::span<const Triangle> triangles, const dvec2& uv, const dvec3& position) {
   if (!clip) return {true, !triangles.empty()};
   Seen seen{clip->contains(position), false};
   if (triangles.empty()) return seen;
-  const dvec3 weights = triangle_below(grid, triangles, uv).weights;
-  seen.triangles = std::min({weights.x, weights.y, weights.z}) >= -kRounding &&
-                   clip->contains(position_on(grid, triangles, uv));
+  const auto& [below, weights] = triangle_below(grid, triangles, uv);
+  if (!(std::min({weights.x, weights.y, weights.z}) >= -kRounding)) return seen;
+  const dvec3 inside = glm::clamp(weights, 0.0, 1.0);
+  const Triangle& t = *below;
+  const auto& p = grid.mesh.position;
+  seen.triangles = clip->contains(inside.x * p[t[0]] + inside.y * p[t[1]] + inside.z * p[t[2]]);
   return seen;
 }
 

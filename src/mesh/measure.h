@@ -46,9 +46,6 @@ struct Foreseen {
 Foreseen foresee(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                  const SurfacePoint& point, bool flip);
 
-/// The point of the triangles at (u, v); of the one that it is least outside of, if of none.
-dvec3 position_on(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);
-
 /// Whether a surface, which is at `position` at (u, v), and its triangles are seen there: what is
 /// outside of a box is cut away. Of no triangles nothing is.
 struct Seen {

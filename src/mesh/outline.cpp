@@ -46,6 +46,7 @@ bool is_straight(const Polygon& polygon) {
   return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
 }
 
+/// Whether a leaf is defined in two opposite corners, and not in the others.
 bool has_opposite_gaps(const Leaf& leaf, const Lattice& lattice) {
   std::array<bool, 4> is_defined{};
   for (std::size_t k = 0; k < 4; ++k) is_defined[k] = lattice.is_defined(leaf.samples.corner[k]);
@@ -67,8 +68,7 @@ class Cutter {
   }
 
   /// `folded`: a crease goes through the leaf, from crossing to crossing or singular point.
-  /// `has_middle`: the surface is defined in the leaf's middle. `has_opposite_gaps`: it is not in
-  /// two opposite corners, and is in the others.
+  /// `has_middle`: the surface is defined in the leaf's middle. `has_opposite_gaps`: of the leaf.
   std::vector<Polygon> take(bool folded, bool has_middle, bool has_opposite_gaps) {
     // A crease that ends here leaves the leaf whole; a jump or a pole that does would be a wall.
     if (cuts_ == 1 && creases_.empty()) return {};

@@ -1,9 +1,6 @@
 #include "mesh/peaks.h"
 
 #include <algorithm>
-#include <array>
-
-#include "mesh/clip.h"
 
 namespace saddle {
 

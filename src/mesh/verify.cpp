@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "base/random.h"
-#include "mesh/clip.h"
 #include "mesh/crease_distance.h"
 #include "mesh/measure_many.h"
 #include "mesh/rim_distance.h"

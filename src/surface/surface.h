@@ -16,6 +16,9 @@ namespace saddle {
 struct Domain {
   double u0 = -1, u1 = 1;
   double v0 = -1, v1 = 1;
+
+  /// The parameters that are these parts of the ranges away from their first ends.
+  dvec2 at(const dvec2& part) const { return dvec2(u0, v0) * (1.0 - part) + dvec2(u1, v1) * part; }
 };
 
 /// One of the two ranges runs backwards, which turns the rectangle over.
