@@ -100,6 +100,18 @@ TEST(Derivative, OfTheBranchThatIsNotTakenDoesNotMatter) {
   EXPECT_EQ(testing::value("diff(if(u<0, u^2, ln(u)), u)", -3), -6);
 }
 
+TEST(Derivative, OfAConstantBranchIsZeroWhateverIsTakenOfIt) {
+  for (const char* of : {"sqrt(max(0,u))", "cbrt(max(0,u))", "max(0,u)^0.3", "-asin(-max(-1,u))",
+                         "acos(min(1,-u))", "abs(min(1,max(0,u)))^0.5", "sqrt(if(u<0,0,u))",
+                         "sqrt(cbrt(max(0,u)))", "sqrt(if(u>0,u,if(u<-1,0,0)))"}) {
+    EXPECT_EQ(testing::value("diff(" + std::string(of) + ",u)", -1.5), 0) << of;
+    EXPECT_EQ(testing::value("diff(diff(" + std::string(of) + ",u),u)", -1.5), 0) << of;
+  }
+  // A derivative that happens to be 0 at a place says nothing about what is taken of it.
+  EXPECT_TRUE(std::isnan(testing::value("diff(sqrt(u^2),u)", 0)));
+  EXPECT_DOUBLE_EQ(testing::value("diff(sqrt(max(0,u)),u)", 0.25), 1);
+}
+
 TEST(Derivative, WithRespectToAnArgumentIsTakenBeforeTheCall) {
   Graph graph;
   const Definition f = {"f", "diff(sin(s),s)", {"s"}, true};
