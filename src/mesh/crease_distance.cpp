@@ -10,11 +10,20 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a line on the way to its cusp: a four thousandth of it is enough for a distance,
-/// which is of second order.
+/// Halvings of a line on the way to where it crosses a crease: a four thousandth of it is enough
+/// for a distance that is of second order. Where the surface is upright it moves far while its
+/// parameters hardly do: there it is to have moved by no more than that part, too.
 constexpr int kHalvings = 12;
-/// Across a cusp normals are opposite, but for how they turn on the way: their cosine is less.
+constexpr double kArrived = 1.0 / 4096;
+/// Doubles have no digits for more.
+constexpr int kMostHalvings = 52;
+/// Across a cusp normals are opposite, but for how they turn on the way: their cosine is less. They
+/// turn by more than 60 degrees to where the surface is upright.
 constexpr double kOpposite = -0.7;
+constexpr double kUpright = 0.5;
+/// It is not upright if those halvings have it move by no more than this part of what it did: a
+/// root moves by a 64th, what has slopes on both sides by little more than kArrived.
+constexpr double kPlain = 1.0 / 512;
 /// Steps to the nearest point; and the share of the normal equations' diagonal that is added to it
 /// at first, and is ten times as much after a step in vain, a tenth after another.
 constexpr int kSteps = 12;
@@ -28,6 +37,55 @@ std::vector<dvec2> ends_of(std::span<const Line> lines, std::size_t end) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) uv.push_back(line[end]);
   return uv;
+}
+
+dvec2 middle_of(const Line& line) {
+  return 0.5 * (line[0] + line[1]);
+}
+
+/// A line across a crease on its way there.
+struct CreaseSearch {
+  std::size_t number;             ///< of the line
+  Line left;                      ///< what is left of it
+  std::array<dvec3, 2> position;  ///< of its ends
+  std::array<dvec3, 2> normal;    ///< at the ends of the line
+  bool is_cusp;
+  double first_way = 0;  ///< by how much the surface moves along the line
+  double way = 0;        ///< by how much along what is left
+  int halvings = 0;
+
+  /// Neither a cusp, nor is the surface upright.
+  bool is_plain() const { return !is_cusp && halvings == kHalvings && way <= kPlain * first_way; }
+  bool is_done() const { return halvings >= kHalvings && !(way > kArrived * first_way); }
+};
+
+std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Line> lines,
+                                      unsigned threads) {
+  const std::vector<SurfacePoint> first = evaluate(surface, ends_of(lines, 0), threads);
+  const std::vector<SurfacePoint> last = evaluate(surface, ends_of(lines, 1), threads);
+  std::vector<CreaseSearch> searches;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::array normal = {glm::normalize(area_of(first[k])), glm::normalize(area_of(last[k]))};
+    const double cosine = glm::dot(normal[0], normal[1]);
+    if (!(cosine < kUpright)) continue;
+    const std::array position = {first[k].position, last[k].position};
+    searches.push_back({k, lines[k], position, normal, cosine < kOpposite});
+  }
+  return searches;
+}
+
+/// Goes on with the half that the crease is in.
+void narrow(CreaseSearch& search, const dvec2& middle, const SurfacePoint& at_middle) {
+  search.way = glm::distance(search.position[0], at_middle.position) +
+               glm::distance(at_middle.position, search.position[1]);
+  if (search.halvings == 0) search.first_way = search.way;
+  const dvec3 area = area_of(at_middle);
+  const double to_first = glm::dot(area, search.normal[0]);
+  const double to_last = glm::dot(area, search.normal[1]);
+  const std::size_t end = to_first >= to_last ? 0 : 1;
+  search.left[end] = middle;
+  search.position[end] = at_middle.position;
+  ++search.halvings;
 }
 
 /// A point of the mesh on its way down to the surface.
@@ -50,27 +108,23 @@ dvec2 step(const Descent& d, const dvec3& from) {
 
 }  // namespace
 
-std::vector<dvec2> cusp_places(const Surface& surface, std::span<const Line> lines,
-                               unsigned threads) {
-  std::vector<Line> left(lines.begin(), lines.end());
-  const std::vector<SurfacePoint> first = evaluate(surface, ends_of(lines, 0), threads);
-  const std::vector<SurfacePoint> second = evaluate(surface, ends_of(lines, 1), threads);
-  std::vector<dvec2> middles(lines.size());
-  for (int halving = 0; halving < kHalvings; ++halving) {
-    for (std::size_t k = 0; k < left.size(); ++k) middles[k] = 0.5 * (left[k][0] + left[k][1]);
-    const std::vector<SurfacePoint> points = evaluate(surface, middles, threads);
-    for (std::size_t k = 0; k < left.size(); ++k) {
-      const dvec3 area = area_of(points[k]);
-      const double to_first = glm::dot(area, glm::normalize(area_of(first[k])));
-      const double to_second = glm::dot(area, glm::normalize(area_of(second[k])));
-      left[k][to_first >= to_second ? 0 : 1] = middles[k];
-    }
-  }
+std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
+                                 unsigned threads) {
   std::vector<dvec2> places;
-  for (std::size_t k = 0; k < left.size(); ++k) {
-    const double cosine =
-        glm::dot(glm::normalize(area_of(first[k])), glm::normalize(area_of(second[k])));
-    places.push_back(cosine < kOpposite ? left[k][0] : 0.5 * (lines[k][0] + lines[k][1]));
+  for (const Line& line : lines) places.push_back(middle_of(line));
+  std::vector<CreaseSearch> searches = searches_on(surface, lines, threads);
+  std::vector<dvec2> middles;
+  while (!searches.empty()) {
+    middles.clear();
+    for (const CreaseSearch& search : searches) middles.push_back(middle_of(search.left));
+    const std::vector<SurfacePoint> points = evaluate(surface, middles, threads);
+    for (std::size_t k = 0; k < searches.size(); ++k) narrow(searches[k], middles[k], points[k]);
+    std::erase_if(searches, [](const CreaseSearch& search) { return search.is_plain(); });
+    std::erase_if(searches, [&](const CreaseSearch& search) {
+      const bool is_done = search.is_done() || search.halvings == kMostHalvings;
+      if (is_done) places[search.number] = search.left[0];
+      return is_done;
+    });
   }
   return places;
 }

@@ -10,9 +10,10 @@
 
 namespace saddle {
 
-/// Where cusps cross lines in the (u, v) plane; the middle of a line that none crosses.
-std::vector<dvec2> cusp_places(const Surface& surface, std::span<const Line> lines,
-                               unsigned threads);
+/// Where lines in the (u, v) plane are crossed by cusps, or by creases at which the surface is
+/// upright; the middle of a line that none crosses.
+std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
+                                 unsigned threads);
 
 /// A point of the mesh.
 struct MeshPoint {

@@ -207,15 +207,16 @@ void Verifier::append_singular_sides(const Measured& mesh, std::span<const std::
   }
 }
 
-/// Samples on chords of cusps go to where the cusp is: it runs beside its chord, and how far the
-/// surface is from the cusp makes up for that in part.
-void Verifier::move_onto_cusps(std::vector<Sample>& samples) const {
+/// Samples on chords of cusps, and of creases at which the surface is upright, go to where those
+/// are: they run beside their chords, and how far the surface is from them makes up for that in
+/// part.
+void Verifier::move_onto_creases(std::vector<Sample>& samples) const {
   std::vector<Line> lines;
   for (const Sample& sample : samples) {
     if (sample.crease) lines.push_back({sample.uv - sample.across, sample.uv + sample.across});
   }
   if (lines.empty()) return;
-  const std::vector<dvec2> places = cusp_places(surface_, lines, threads_);
+  const std::vector<dvec2> places = crease_places(surface_, lines, threads_);
   std::size_t next = 0;
   for (Sample& sample : samples) {
     if (sample.crease) sample.uv = places[next++];
@@ -415,7 +416,7 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
     const std::vector<Sample> more = measure_several(mesh, which, some, triangles, peaks);
     rest.insert(rest.end(), more.begin(), more.end());
   }
-  move_onto_cusps(rest);
+  move_onto_creases(rest);
   append_singular_sides(mesh, which, rest);
   measure_one_by_one(mesh, which, triangles, rest);
   peaks.climb(mesh);

@@ -40,7 +40,7 @@ class Verifier {
     const Triangle* triangle = nullptr;  ///< it is in; unknown
     bool beside_cut = false;             ///< the normal may be that of the other side
     std::optional<Chord> crease = {};    ///< whose chord it is on
-    dvec2 across{0};                     ///< from there across the chord, where a cusp may be
+    dvec2 across{0};                     ///< from there across the chord, where the crease may be
   };
   /// Measures the leaves that are as most are. Returns the numbers in `which` of the others.
   std::vector<std::size_t> measure_plain(Measured& mesh, std::span<const std::size_t> which,
@@ -63,7 +63,7 @@ class Verifier {
                      std::vector<Sample>& samples) const;
   void append_singular_sides(const Measured& mesh, std::span<const std::size_t> which,
                              std::vector<Sample>& samples) const;
-  void move_onto_cusps(std::vector<Sample>& samples) const;
+  void move_onto_creases(std::vector<Sample>& samples) const;
   void measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
                               const LeafTriangles& triangles, std::span<const std::size_t> others);
   void add_left_out(Measured& mesh, std::size_t number, std::span<const Triangle> triangles) const;

@@ -157,6 +157,19 @@ TEST(Creases, MayBeCurved) {
   EXPECT_EQ(euler_number(result.mesh), 1);
 }
 
+TEST(Creases, AtWhichTheSurfaceIsUprightKeepTheTolerance) {
+  for (const char* z : {"sqrt(max(0,0.5-u^2-v^2))", "cbrt(max(0,0.5-u^2-v^2))", "abs(u-v^2)^0.3",
+                        "abs(u-0.1)^0.4"}) {
+    const GridMesh result = mesh_of(z);
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+    EXPECT_EQ(std::ranges::count(result.report.singular_points, false, &SingularPoint::has_limit),
+              0)
+        << z;
+    EXPECT_LT(result.mesh.triangles.size(), 20000U) << z;
+    EXPECT_EQ(euler_number(result.mesh), 1) << z;
+  }
+}
+
 TEST(Cusps, HaveTheOneSidedLimitsOfTheirNormals) {
   const GridMesh result = mesh_of("u", "(v-0.1)^2", "(v-0.1)^3", {-1, 1, -1, 1});
   const auto exact = [](const dvec2& uv, const dvec2& inside) {

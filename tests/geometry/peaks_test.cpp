@@ -61,13 +61,24 @@ TEST(Rise, IsNoneInAHollow) {
 TEST(CreaseDistance, FindsACuspAndTheNearestPoint) {
   const Surface surface = surface_from_text("u", "v^2", "v^3", {-1, 1, -1, 1}, {}, Order::Second);
   const Line across = {dvec2(0.3, -0.1), dvec2(0.3, 0.25)};
-  EXPECT_NEAR(cusp_places(surface, std::span(&across, 1), 1)[0].y, 0, 1e-3);
+  EXPECT_NEAR(crease_places(surface, std::span(&across, 1), 1)[0].y, 0, 1e-3);
   const Line beside = {dvec2(0.3, 0.2), dvec2(0.3, 0.22)};
-  EXPECT_NEAR(cusp_places(surface, std::span(&beside, 1), 1)[0].y, 0.21, 1e-12);
+  EXPECT_NEAR(crease_places(surface, std::span(&beside, 1), 1)[0].y, 0.21, 1e-12);
   // 0.1 from the surface at v = 0.5 along its normal, with parameters that are somewhat off.
   const dvec3 normal = glm::normalize(dvec3(0, -0.75, 1));
   const MeshPoint point{dvec3(0.2, 0.25, 0.125) + 0.1 * normal, {0.25, 0.4}, {0.5, 0.5}};
   EXPECT_NEAR(distances_from_surface(surface, std::span(&point, 1), 1)[0], 0.1, 1e-6);
+}
+
+TEST(CreaseDistance, FindsWhereTheSurfaceIsUprightAsNearAsItsHeightNeeds) {
+  const Line across = {dvec2(-0.02, 0), dvec2(0.05, 0)};
+  for (const char* z : {"cbrt(abs(u))", "abs(u)^0.25", "cbrt(max(0,u))"}) {
+    const Surface root = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+    const std::vector<dvec2> places = crease_places(root, std::span(&across, 1), 1);
+    EXPECT_NEAR(evaluate(root, places, 1)[0].position.z, 0, 1e-3) << z;
+  }
+  const Surface roof = surface_from_text("u", "v", "abs(u)", {-1, 1, -1, 1}, {}, Order::Second);
+  EXPECT_NEAR(crease_places(roof, std::span(&across, 1), 1)[0].x, 0.015, 1e-12) << "not upright";
 }
 
 struct Case {
