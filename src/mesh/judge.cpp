@@ -309,6 +309,12 @@ double Judge::diameter(const Corners& corner) const {
                   glm::distance(p[corner[1]], p[corner[3]]));
 }
 
+bool Judge::is_too_small_to_see(const Leaf& leaf) const {
+  Bounds bounds;
+  for (const dvec3& position : defined_positions(leaf.samples)) bounds.add(position);
+  return bounds.diagonal() <= allowed(leaf);
+}
+
 bool Judge::is_seen(const Leaf& leaf, std::size_t side) const {
   const auto is_among = [](std::uint32_t place, std::span<const std::uint8_t> lines) {
     return place % kCellUnit == 0 && lines[place / kCellUnit] != 0;

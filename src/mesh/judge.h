@@ -65,6 +65,10 @@ class Judge {
   /// Of a leaf all of whose samples are defined.
   Verdict score(const Leaf& leaf) const;
 
+  /// Whether the samples of a leaf are all within what may be missing of each other: whatever cuts
+  /// it, nobody sees how.
+  bool is_too_small_to_see(const Leaf& leaf) const;
+
   /// Whether a leaf that passes its tests misses the surface at a witness.
   bool misses(const Leaf& leaf, const Witness& witness) const;
   /// Which way to halve it then: the one along which the surface bends more at the witness.

@@ -264,10 +264,14 @@ class Refiner {
       leaf.is_split = cuts.crossings > 0 || (doubtful[k].verdict.is_folded && cuts.is_through());
     }
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
-      const Leaf& leaf = doubtful[k].candidate.leaf;
-      if (leaf.is_split) {
+      Leaf& leaf = doubtful[k].candidate.leaf;
+      const bool is_clear = cuts_of[k].is_through();
+      if (leaf.is_split && !is_clear && judge_.is_too_small_to_see(leaf)) {
+        leaf.given_up = true;
+        result_.leaves.push_back(leaf);
+      } else if (leaf.is_split) {
         judge_cut(doubtful[k], leaf, cuts_of[k].is_parted_across_u(leaf),
-                  cuts_of[k].is_through() ? 0 : kMostCutHalvings);
+                  is_clear ? 0 : kMostCutHalvings);
       } else {
         settle(doubtful[k]);
       }

@@ -147,6 +147,23 @@ TEST(Creases, OnLinesOfTheMeshLeaveNoCracks) {
   }
 }
 
+TEST(Creases, ThatEndWhereNobodySeesThemTakeNoTriangles) {
+  // Through the centre, where r changes its sign, go creases that are one point of space.
+  const std::string r = "(sin(4*v)^3+cos(2*v)^3+sin(6*u)^2+cos(6*u)^4)";
+  const Surface surface =
+      surface_from_text(r + "*sin(v)*cos(u)", r + "*cos(v)", r + "*sin(v)*sin(u)",
+                        {0, 2 * kPi, 0, kPi}, {}, Order::Second);
+  const GridMesh result = mesh_within_tolerance(surface, within_share(0.01)).value();
+  const auto& p = result.mesh.position;
+  const auto is_small = [&](const Triangle& t) {
+    const double longest = std::max({glm::distance(p[t[0]], p[t[1]]), glm::distance(p[t[1]], p[t[2]]),
+                                     glm::distance(p[t[2]], p[t[0]])});
+    return longest < 0.25 * result.report.tolerance.value();
+  };
+  const auto& all = result.mesh.triangles;
+  EXPECT_LT(std::ranges::count_if(all, is_small), std::ssize(all) / 100);
+}
+
 TEST(Creases, MayBeCurved) {
   const GridMesh result = mesh_of("abs(u^2+v^2-0.5)");
   const auto exact = [](const dvec2& uv, const dvec2& inside) {
