@@ -117,9 +117,10 @@ void flip_shared_chords(const Grid& grid, LeafTriangles& triangles) {
     }
   }
   for (const std::size_t leaf : shared.leaves()) {
-    const auto& [first, count, expected, is_plain] = triangles.ranges[leaf];
-    for (std::size_t i = first; i < first + count; ++i) {
-      for (std::size_t j = i + 1; j < first + count; ++j) {
+    const LeafTriangles::Range& range = triangles.ranges[leaf];
+    const std::size_t end = range.first + range.count;
+    for (std::size_t i = range.first; i < end; ++i) {
+      for (std::size_t j = i + 1; j < end; ++j) {
         flip(grid, sides, triangles.all[i], triangles.all[j]);
       }
     }

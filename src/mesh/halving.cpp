@@ -297,10 +297,12 @@ bool Halving::measure_singular() {
 bool Halving::splits_u(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_far = mesh_.off(number) > 1;
-  if (const auto along_u = side_of_crease_along_u(leaf, lattice_)) return *along_u;
+  if (mesh_.triangles.ranges[number].has_flat_piece && leaf.is_split) {
+    if (const auto along_u = flat_piece_along_u(leaf, lattice_)) return *along_u;
+  }
   if (is_far && mesh_.deviations[number].on_crease) return is_cut_along_u(leaf, lattice_);
   if (leaf.on_rim) return judge_.splits_rim_u(leaf);
-  if (is_cut_unclearly(leaf)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
+  if (is_cut_unclearly(number)) return count_cuts(leaf, lattice_).is_parted_across_u(leaf);
   const Verdict verdict = judge_.score(leaf);
   const Scores scores = is_far ? verdict.distance : verdict.turn;
   constexpr double kTells = 0.5;  // of the tolerance
@@ -323,10 +325,11 @@ bool Halving::has_singular_side(const Samples& samples, std::size_t along) const
 
 /// Whether a leaf is cut by more than one jump, or by one that ends in it: its pieces do not tell.
 /// Or a side of it is a piece of its own, with vertices that the others do not have.
-bool Halving::is_cut_unclearly(const Leaf& leaf) const {
+bool Halving::is_cut_unclearly(std::size_t number) const {
+  const Leaf& leaf = mesh_.leaves[number];
   if (!leaf.is_split || leaf.given_up) return false;
   const CutCount cuts = count_cuts(leaf, lattice_);
-  if (cuts.only_creases) return side_of_crease_along_u(leaf, lattice_).has_value();
+  if (cuts.only_creases) return mesh_.triangles.ranges[number].has_flat_piece;
   return !cuts.is_through();
 }
 
@@ -378,7 +381,7 @@ std::vector<Leaf> Halving::take_failed() {
     if (mesh_.is_near(k) && !mesh_.leaves[k].is_split && !is_turned(k)) continue;
     const double off = mesh_.off(k);
     const double turned = turn(k);
-    if (!(off > 1) && !(turned > 1) && !is_cut_unclearly(mesh_.leaves[k])) continue;
+    if (!(off > 1) && !(turned > 1) && !is_cut_unclearly(k)) continue;
     Leaf& leaf = mesh_.leaves[k];
     if (stays(leaf, hopeless)) continue;
     const auto both = halve(leaf, splits_u(k), lattice_);

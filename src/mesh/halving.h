@@ -75,7 +75,7 @@ class Halving {
   bool splits_u(std::size_t number);
   bool has_singular_side(const Samples& samples, std::size_t along) const;
   bool has_lasting_triangles(std::size_t number) const;
-  bool is_cut_unclearly(const Leaf& leaf) const;
+  bool is_cut_unclearly(std::size_t number) const;
   bool is_turned(std::size_t number) const;
   double turn(std::size_t number);
   Oscillation oscillation() const;

@@ -352,6 +352,7 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     } else {
       std::vector<Polygon> polygons = pieces(leaves[which[k]], lattice);
       for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
+        range.has_flat_piece = range.has_flat_piece || is_flat(polygons[piece]);
         points.clear();
         for (PolygonCorner& corner : polygons[piece]) {
           choose_corner(which[k], piece, corner.corner);

@@ -16,8 +16,9 @@ struct LeafTriangles {
   struct Range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
-    std::uint32_t expected = 0;  ///< if none were without area
-    bool is_plain = false;       ///< of a leaf that nothing cuts, and two triangles
+    std::uint32_t expected = 0;   ///< if none were without area
+    bool is_plain = false;        ///< of a leaf that nothing cuts, and two triangles
+    bool has_flat_piece = false;  ///< one of the pieces that cuts left of it is a side of the leaf
   };
   Array<Triangle> all;
   std::vector<Range> ranges;

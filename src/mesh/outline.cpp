@@ -40,12 +40,6 @@ Bounds box_around(const Polygon& polygon) {
   return box;
 }
 
-/// Whether corners are on one line of constant u or v, but for rounding.
-bool is_straight(const Polygon& polygon) {
-  const Bounds box = box_around(polygon);
-  return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
-}
-
 /// Whether a leaf is defined in two opposite corners, and not in the others.
 bool has_opposite_gaps(const Leaf& leaf, const Lattice& lattice) {
   std::array<bool, 4> is_defined{};
@@ -93,7 +87,7 @@ class Cutter {
     for (std::size_t k = 0; k < creases_.size(); ++k) {
       polygon.push_back(creases_[k]);
       Polygon& run = runs_[(k + 1) % runs_.size()].polygon;
-      if (!is_straight(run)) continue;
+      if (!is_flat(run)) continue;
       for (std::size_t i = 1; i + 1 < run.size(); ++i) polygon.push_back(run[i]);
       run.clear();
     }
@@ -199,7 +193,7 @@ class Cutter {
     };
     polygon.erase(std::unique(polygon.begin(), polygon.end(), same), polygon.end());
     while (polygon.size() > 1 && same(polygon.front(), polygon.back())) polygon.pop_back();
-    const bool is_side = cuts_ > 0 && cuts_ == rims_ && is_straight(polygon);
+    const bool is_side = cuts_ > 0 && cuts_ == rims_ && is_flat(polygon);
     if (polygon.size() >= 3 && !is_side) result.push_back(std::move(polygon));
   }
 
@@ -263,10 +257,14 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf,
   return corners;
 }
 
-std::optional<bool> side_of_crease_along_u(const Leaf& leaf, const Lattice& lattice) {
-  if (!leaf.is_split) return std::nullopt;
+bool is_flat(const Polygon& piece) {
+  const Bounds box = box_around(piece);
+  return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
+}
+
+std::optional<bool> flat_piece_along_u(const Leaf& leaf, const Lattice& lattice) {
   for (const Polygon& piece : pieces(leaf, lattice)) {
-    if (!is_straight(piece)) continue;
+    if (!is_flat(piece)) continue;
     const dvec3 size = box_around(piece).size();
     return size.x > size.y;
   }

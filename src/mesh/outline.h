@@ -48,9 +48,12 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, cons
 /// is what is undefined, goes to infinity, or has a jump that ends inside of the leaf.
 std::vector<Polygon> pieces(const Leaf& leaf, const Lattice& lattice);
 
-/// Where a crease is a side of a leaf but for rounding, and neighbours have vertices on it: whether
-/// that is a side along u.
-std::optional<bool> side_of_crease_along_u(const Leaf& leaf, const Lattice& lattice);
+/// Whether a piece is a side of its leaf, but for rounding: a crease goes along it, on which
+/// neighbours have vertices.
+bool is_flat(const Polygon& piece);
+
+/// Whether the flat piece of a leaf, if there is one, is a side along u.
+std::optional<bool> flat_piece_along_u(const Leaf& leaf, const Lattice& lattice);
 
 /// Whether a side of the leaf is cut like this.
 bool has_cut(Cut kind, const Leaf& leaf, const Lattice& lattice);

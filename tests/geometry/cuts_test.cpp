@@ -156,8 +156,9 @@ TEST(Creases, ThatEndWhereNobodySeesThemTakeNoTriangles) {
   const GridMesh result = mesh_within_tolerance(surface, within_share(0.01)).value();
   const auto& p = result.mesh.position;
   const auto is_small = [&](const Triangle& t) {
-    const double longest = std::max({glm::distance(p[t[0]], p[t[1]]), glm::distance(p[t[1]], p[t[2]]),
-                                     glm::distance(p[t[2]], p[t[0]])});
+    const double longest =
+        std::max({glm::distance(p[t[0]], p[t[1]]), glm::distance(p[t[1]], p[t[2]]),
+                  glm::distance(p[t[2]], p[t[0]])});
     return longest < 0.25 * result.report.tolerance.value();
   };
   const auto& all = result.mesh.triangles;
