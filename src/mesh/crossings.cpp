@@ -24,17 +24,29 @@ class Finder {
  public:
   Finder(const CrossingOptions& options, Lattice& lattice) : options_(options), lattice_(lattice) {}
 
-  /// Cuts sides that are known to lead to poles. The last vertices on either side tell where the
-  /// surface goes; they are no part of the mesh.
+  /// Cuts sides that are known to lead to poles: where the surface leaves the clip box on its way
+  /// there from either end. Without a box the last vertices on either side of the pole tell where
+  /// the surface goes; they are no part of the mesh.
   void cut_poles(std::span<const Side> sides) {
     if (sides.empty()) return;
     std::vector<Between> places;
+    std::vector<PoleWay> ways;
     for (const auto& [a, b] : sides) {
-      for (const dvec2& end : lattice_.pole_between(a, b)) places.push_back({a, b, end});
+      const auto& [beside_a, beside_b] = lattice_.pole_between(a, b);
+      places.push_back({a, b, beside_a});
+      places.push_back({a, b, beside_b});
+      ways.push_back({a, beside_a});
+      ways.push_back({b, beside_b});
+    }
+    const bool to_faces = options_.clip && has_room();
+    if (to_faces) {
+      const std::vector<dvec2> faces = leave_box(ways);
+      for (std::size_t k = 0; k < faces.size(); ++k) places[k].uv = faces[k];
     }
     std::uint32_t next = lattice_.add_between(places, options_.threads);
     for (const auto& [a, b] : sides) {
-      lattice_.set_crossing(a, b, Crossing{Cut::Pole, a, next, next + 1});
+      const Cut kind = to_faces ? Cut::Face : Cut::Pole;
+      lattice_.set_crossing(a, b, Crossing{kind, a, next, next + 1});
       next += 2;
     }
   }
@@ -105,6 +117,11 @@ class Finder {
     return {lattice_.mesh().uv[side[0]], lattice_.mesh().uv[side[1]]};
   }
 
+  /// Whether there may be more triangles: leaves that are cut at a face have twice as many.
+  bool has_room() const {
+    return options_.max_triangles == 0 || !lattice_.has_many(options_.max_triangles);
+  }
+
   /// Fits sides of which one end is defined to the rim.
   void fit_rims(std::span<const Side> sides) {
     std::vector<Line> ends;
@@ -119,7 +136,7 @@ class Finder {
       places.push_back({sides[k][0], sides[k][1], uv[k]});
     }
     const std::vector<bool> goes_far = diverge_at(places);
-    const std::vector<bool> at_face = stay_in_box(goes_far, ends, places);
+    const std::vector<bool> at_face = end_at_faces(goes_far, places);
     const std::uint32_t first = lattice_.add_between(places, options_.threads);
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const auto rim = static_cast<std::uint32_t>(first + k);
@@ -133,32 +150,51 @@ class Finder {
     }
   }
 
-  /// Ends sides at which the surface goes to infinity where it leaves the clip box on its way from
-  /// their defined ends, or there, if those are outside. Which ones it did that with.
-  std::vector<bool> stay_in_box(const std::vector<bool>& goes_far, std::span<const Line> ways,
-                                std::span<Between> rims) {
+  /// Ends sides at which the surface goes to infinity at the rim on a face of the clip box. Which
+  /// ones it did that with.
+  std::vector<bool> end_at_faces(const std::vector<bool>& goes_far, std::span<Between> rims) {
     std::vector<bool> at_face(rims.size(), false);
     if (!options_.clip) return at_face;
-    std::vector<Line> inside;
-    std::vector<std::size_t> numbers;
+    std::vector<PoleWay> ways;
     for (std::size_t k = 0; k < rims.size(); ++k) {
-      Between& rim = rims[k];
+      const Between& rim = rims[k];
       const bool first = lattice_.is_defined(rim.a);
       const auto [end, other] = first ? std::pair(rim.a, rim.b) : std::pair(rim.b, rim.a);
       if (!goes_far[k] || lattice_.hole(other) == Hole::Kind::NoLimit) continue;
       at_face[k] = true;
-      lattice_.add_pole_beyond_face(rim.uv);
-      if (options_.clip->contains(lattice_.mesh().position[end])) {
-        inside.push_back({ways[k][0], rim.uv});
-        numbers.push_back(k);
-      } else {
-        rim.uv = ways[k][0];
-      }
+      lattice_.add_pole_beyond_face({rim.uv, rim.uv});
+      ways.push_back({end, rim.uv});
+    }
+    const std::vector<dvec2> faces = leave_box(ways);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < rims.size(); ++k) {
+      if (at_face[k]) rims[k].uv = faces[next++];
+    }
+    return at_face;
+  }
+
+  /// A way from a vertex to infinity.
+  struct PoleWay {
+    std::uint32_t from;
+    dvec2 pole;  ///< the last place before it
+  };
+
+  /// Where ways leave the clip box; those that begin outside of it, at once.
+  std::vector<dvec2> leave_box(std::span<const PoleWay> ways) const {
+    std::vector<dvec2> places;
+    std::vector<Line> inside;
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      const auto& [from, pole] = ways[k];
+      places.push_back(lattice_.mesh().uv[from]);
+      if (!options_.clip->contains(lattice_.mesh().position[from])) continue;
+      inside.push_back({places.back(), pole});
+      numbers.push_back(k);
     }
     const auto faces =
         last_defined(lattice_.surface(), inside, kHalvings, options_.threads, options_.clip);
-    for (std::size_t i = 0; i < faces.size(); ++i) rims[numbers[i]].uv = faces[i];
-    return at_face;
+    for (std::size_t i = 0; i < faces.size(); ++i) places[numbers[i]] = faces[i];
+    return places;
   }
 
   /// Whether the surface goes to infinity at each rim.
@@ -203,7 +239,7 @@ class Finder {
           poles.push_back(sides[k]);
       }
     }
-    if (options_.poles) cut_poles(poles);
+    if (options_.poles || (options_.clip && has_room())) cut_poles(poles);
     add_pairs(Cut::Jump, jumping, jumps);
   }
 
@@ -300,7 +336,7 @@ bool is_crossed(const Leaf& leaf, const Lattice& lattice) {
   bool is_crossed = false;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
     const std::optional<Crossing> crossing = lattice.crossing(a, b);
-    is_crossed = is_crossed || (crossing && !is_rim(crossing->kind));
+    is_crossed = is_crossed || (crossing && !crossing->is_rim());
   });
   return is_crossed;
 }
@@ -329,7 +365,10 @@ void find_jumps(std::span<const Side> sides, const CrossingOptions& options, Lat
 }
 
 void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
-  Finder(options, lattice).cut_poles(sides);
+  for (std::size_t begin = 0; begin < sides.size(); begin += kSidesAtATime) {
+    const std::size_t count = std::min(sides.size() - begin, kSidesAtATime);
+    Finder(options, lattice).cut_poles(sides.subspan(begin, count));
+  }
 }
 
 void find_poles_beside_cuts(std::span<const Side> sides, const CrossingOptions& options,
@@ -355,6 +394,7 @@ std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::s
       leaf.followed = now;
       if (!leaf.is_split && lattice.may_be_crossed(leaf) && is_crossed(leaf, lattice)) {
         leaf.is_split = true;
+        leaf.leads_to_pole = count_cuts(leaf, lattice).leads_to_pole;
         split.push_back(k);
       }
       if (!leaf.on_rim && !leaf.is_split) continue;

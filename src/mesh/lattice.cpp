@@ -219,7 +219,10 @@ void Lattice::use(std::uint32_t vertex) {
 void Lattice::use_middle(const Leaf& leaf, std::size_t k) {
   const auto& [corner, side, centre] = leaf.samples;
   beside_middle_[corner[k]] = beside_middle_[corner[(k + 1) % 4]] = 1;
-  if (!is_used(side[k])) put_into_use(side[k]);
+  if (is_used(side[k])) return;
+  const auto cut = crossing(corner[k], corner[(k + 1) % 4]);
+  if (cut) between_count_ -= cut->count_new_vertices();
+  put_into_use(side[k]);
 }
 
 /// Marks the ends of the sides of which a place may be the middle, along u and along v: as far away
@@ -416,12 +419,15 @@ void Lattice::set_crossing(std::uint32_t a, std::uint32_t b, std::optional<Cross
   const auto [at, is_new] =
       sides_.insert(pair_of(a, b), static_cast<std::uint32_t>(searched_.size()));
   if (is_new) searched_.push_back({{std::min(a, b), std::max(a, b)}, {}});
-  searched_[at].crossing = crossing;
+  std::optional<Crossing>& filed = searched_[at].crossing;
+  if (filed) between_count_ -= filed->count_new_vertices();
+  if (crossing) between_count_ += crossing->count_new_vertices();
+  filed = crossing;
 }
 
 std::vector<std::array<dvec2, 2>> Lattice::poles() const {
   std::vector<std::array<dvec2, 2>> poles = pole_ends_;
-  for (const dvec2& uv : poles_beyond_faces_) poles.push_back({uv, uv});
+  poles.insert(poles.end(), poles_beyond_faces_.begin(), poles_beyond_faces_.end());
   for (const auto& [side, crossing] : searched_) {
     if (!crossing || crossing->kind != Cut::Pole) continue;
     poles.push_back(

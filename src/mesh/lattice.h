@@ -78,7 +78,7 @@ enum class Cut : std::uint8_t {
   Pole,    ///< it goes to infinity
   Crease,  ///< its normal jumps
   Torn,    ///< one of them is a point that has no limit: Hole::Kind::NoLimit
-  Face,    ///< it leaves the clip box, on its way to infinity at the rim
+  Face,    ///< it leaves the clip box, on its way to infinity
 };
 
 /// Whether what is between such a cut and the corners of a leaf is left out with it.
@@ -86,14 +86,9 @@ inline bool leaves_out(Cut kind) {
   return kind == Cut::Pole || kind == Cut::Torn;
 }
 
-/// Whether the mesh ends at such a cut.
-inline bool is_rim(Cut kind) {
-  return kind == Cut::Rim || kind == Cut::Face;
-}
-
-/// Where a side is cut, and the last vertices on either side of the cut. At a rim, or a face of the
-/// box, they are one; at a pole they are on the way to infinity; at a crease they are one point,
-/// and differ in their normals.
+/// Where a side is cut, and the last vertices on either side of the cut. At a rim they are one; at
+/// a pole they are on the way to infinity, or where that leaves the box; at a crease they are one
+/// point, and differ in their normals.
 struct Crossing {
   Cut kind;
   std::uint32_t first;  ///< the neighbour with the smaller number
@@ -101,6 +96,15 @@ struct Crossing {
 
   std::uint32_t beside(std::uint32_t neighbour) const {
     return neighbour == first ? beside_first : beside_second;
+  }
+  /// Vertices of the mesh that a side has for it beside its ends.
+  std::size_t count_new_vertices() const {
+    if (leaves_out(kind)) return 0;
+    return beside_first == beside_second ? 1 : 2;
+  }
+  /// Whether the surface ends here, with nothing beyond.
+  bool is_rim() const {
+    return (kind == Cut::Rim || kind == Cut::Face) && beside_first == beside_second;
   }
 };
 
@@ -208,8 +212,11 @@ class Lattice {
   /// The same with the middle of the k-th side of a leaf.
   void use_middle(const Leaf& leaf, std::size_t k);
   /// Whether one more halving, which takes up to two vertices into use, could make more triangles
-  /// than are allowed: a mesh has fewer than twice as many as vertices (Euler).
-  bool has_many(std::size_t triangles) const { return 2 * (used_count_ + 2) > triangles; }
+  /// than are allowed: a mesh has fewer than twice as many as vertices (Euler), and one for each of
+  /// those along which it is cut.
+  bool has_many(std::size_t triangles) const {
+    return 2 * (used_count_ + 2) + between_count_ > triangles;
+  }
   /// The same, or that all the effort was made that is worth so many.
   bool is_full(std::size_t max_triangles) const {
     return has_many(max_triangles) || is_tired(max_triangles);
@@ -273,7 +280,9 @@ class Lattice {
   void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(pair_of(a, b)); }
   /// Whether the surface is known to go to infinity somewhere.
   /// Files a pole that is beyond a Cut::Face.
-  void add_pole_beyond_face(const dvec2& uv) { poles_beyond_faces_.push_back(uv); }
+  void add_pole_beyond_face(const std::array<dvec2, 2>& ends) {
+    poles_beyond_faces_.push_back(ends);
+  }
   bool has_poles() const { return has_poles_ || !pole_ends_.empty(); }
   /// The ends, in parameters, of what is known to lead to poles or was cut there, in an order that
   /// is always the same.
@@ -448,7 +457,7 @@ class Lattice {
   std::map<std::uint32_t, Hole> holes_;
   PairTable pole_sides_;  // their places in the next
   std::vector<std::array<dvec2, 2>> pole_ends_;
-  std::vector<dvec2> poles_beyond_faces_;
+  std::vector<std::array<dvec2, 2>> poles_beyond_faces_;
   PairTable crowded_sides_;
   PairTable continuous_sides_;
   bool has_crossings_ = false;
@@ -458,7 +467,8 @@ class Lattice {
   CellMarks changed_cells_;  // when
   std::uint32_t now_ = 1;
   std::size_t used_count_;
-  std::size_t evaluated_;  // vertices that have been computed
+  std::size_t between_count_ = 0;  // vertices that cut sides which are not halved
+  std::size_t evaluated_;          // vertices that have been computed
   std::size_t evaluations_ = 0;
   Effort effort_;
 };

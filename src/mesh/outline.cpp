@@ -66,9 +66,10 @@ class Cutter {
   std::vector<Polygon> take(bool folded, bool has_middle, bool has_opposite_gaps) {
     // A crease that ends here leaves the leaf whole; a jump or a pole that does would be a wall.
     if (cuts_ == 1 && creases_.empty()) return {};
+    if (cuts_ > rims_ && faces_ % 2 == 1) return {};  // so would a pole that leaves unseen
     if (cuts_ > 0) join_ends();
-    const bool may_cross = leaves_box_ && has_opposite_gaps;
-    if (has_middle && cuts_ == rims_ && !may_cross) join_runs();
+    const bool is_parted = lines_ > 1 || (faces_ > 0 && has_opposite_gaps);
+    if (has_middle && cuts_ == rims_ && !is_parted) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
     if (creases_.size() >= 3) add(middle(), result);
@@ -112,6 +113,7 @@ class Cutter {
     } else {
       cut();
       ++rims_;
+      if (lattice_.hole(a) == Hole::Kind::Line) ++lines_;
     }
     const std::optional<Crossing> crossing = lattice_.crossing(a, b);
     if (!crossing) return;
@@ -120,8 +122,8 @@ class Cutter {
       runs_.back().goes_far = runs_.back().goes_far || far;
       if (!far) append(crossing->beside(a));
     }
-    if (is_rim(crossing->kind)) ++rims_;
-    leaves_box_ = leaves_box_ || crossing->kind == Cut::Face;
+    if (crossing->is_rim()) ++rims_;
+    if (crossing->kind == Cut::Face && lattice_.is_defined(a)) ++faces_;
     if (crossing->kind == Cut::Crease) creases_.push_back({crossing->beside(a), place(*crossing)});
     cut();
     if (lattice_.is_defined(b)) {
@@ -144,8 +146,8 @@ class Cutter {
     first.goes_far = first.goes_far || last.goes_far;
   }
 
-  /// Rims that leave the middle whole cut corners off, and no more. Of those at infinity two may
-  /// cross there.
+  /// Rims that leave the middle whole cut corners off, and no more. But a line on which it is not
+  /// defined goes from one of its places to the next, and of rims at infinity two may cross there.
   void join_runs() {
     Polygon& whole = runs_.front().polygon;
     for (std::size_t k = 1; k < runs_.size(); ++k) {
@@ -202,8 +204,9 @@ class Cutter {
   std::vector<Run> runs_{1};
   Polygon creases_;  // where creases cross the sides
   std::size_t cuts_ = 0;
-  std::size_t rims_ = 0;     // of the cuts, with what is not defined between them
-  bool leaves_box_ = false;  // at one of them
+  std::size_t rims_ = 0;   // of the cuts, with what is not defined between them
+  std::size_t lines_ = 0;  // places on lines where it is not defined
+  std::size_t faces_ = 0;  // times that the surface leaves the box on its way around the leaf
 };
 
 }  // namespace
@@ -306,9 +309,11 @@ CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
   std::vector<std::uint32_t> singular;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_point(a, lattice, singular);
-    count.leads_to_pole = count.leads_to_pole || lattice.leads_to_pole(a, b);
     const std::optional<Crossing> crossing = lattice.crossing(a, b);
+    count.leads_to_pole = count.leads_to_pole || lattice.leads_to_pole(a, b);
     if (!crossing) return;
+    // A pole that leaves through a vertex at which it is not defined leaves once.
+    if (crossing->kind == Cut::Face && !lattice.is_defined(a)) return;
     const bool on_side_of_u = lattice.place_between(a).x == lattice.place_between(b).x;
     const std::size_t crossings = lattice.has_more(a, b) ? 2 : 1;
     count.crossings += crossings;

@@ -64,7 +64,7 @@ struct CutCount {
   std::size_t on_sides_of_u = 0;  ///< crossings on the two sides of constant u
   std::size_t singular_points = 0;
   bool only_creases = true;    ///< of the crossings
-  bool leads_to_pole = false;  ///< across a side that is not cut
+  bool leads_to_pole = false;  ///< across a side
 
   /// Which way to halve a leaf that more than one line cuts: lines that cross its sides of constant
   /// u are parted along v. One that ends in it may do so anywhere.

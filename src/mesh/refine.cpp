@@ -185,6 +185,7 @@ class Refiner {
     for (const Judged& rim : rims) {
       Leaf leaf = rim.candidate.leaf;
       leaf.on_rim = true;
+      leaf.is_split = leaf.leads_to_pole = false;  // what cut the whole may be its rim
       const bool goes_far =
           options_.clip && !judge_.is_outside(leaf) && has_cut(Cut::Pole, leaf, lattice_);
       judge_cut(rim, leaf, judge_.splits_rim_u(leaf),
@@ -209,6 +210,12 @@ class Refiner {
   int most_rim_halvings(const Leaf& leaf) const {
     const bool goes_far = has_cut(Cut::Pole, leaf, lattice_) || has_cut(Cut::Face, leaf, lattice_);
     return goes_far ? kMostCutHalvings : kMostRimHalvings;
+  }
+
+  /// Halvings of a leaf that is cut. A pole is cut like a rim.
+  static int wanted_halvings(const CutCount& cuts) {
+    if (!cuts.is_through()) return kMostCutHalvings;
+    return cuts.leads_to_pole ? kRimHalvings : 0;
   }
 
   /// Whether a leaf's sides are to be looked at.
@@ -271,7 +278,7 @@ class Refiner {
         result_.leaves.push_back(leaf);
       } else if (leaf.is_split) {
         judge_cut(doubtful[k], leaf, cuts_of[k].is_parted_across_u(leaf),
-                  is_clear ? 0 : kMostCutHalvings);
+                  wanted_halvings(cuts_of[k]));
       } else {
         settle(doubtful[k]);
       }

@@ -149,5 +149,39 @@ TEST(Clip, EndsWhatGoesToInfinityAtARimOnTheFace) {
   }
 }
 
+/// Between the corners of a cell, however large, the sheets on both sides of a pole end on a face.
+TEST(Clip, EndsBothSidesOfAPoleOnTheFace) {
+  constexpr double kHalf = 7.8;  // of the box's height
+  const struct {
+    const char* z;
+    std::size_t parts;
+    std::size_t triangles;  // at most
+  } cases[] = {{"ln(abs(u^2+v^2-0.5))", 2, 7000}, {"ln(abs(u-0.3*v))", 2, 5000},
+               {"ln(abs(u^2-v^2))", 4, 20'000},   {"1/(u-v^2)", 2, 3000},
+               {"tan(3*(u+v))", 5, 9000},         {"cot(3*u*v)", 4, 4000}};
+  for (const auto& [z, parts, triangles] : cases) {
+    AdaptiveOptions options = within_length(1e-2);
+    options.clip = Bounds{dvec3(-1, -1, -kHalf), dvec3(1, 1, kHalf)};
+    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    EXPECT_LE(result.report.max_error, 1e-2) << z;
+    EXPECT_EQ(topology(result.mesh).components, parts) << z;
+    EXPECT_EQ(result.mesh.bounds.low.z, -kHalf) << z;
+    EXPECT_GT(result.report.pole_count, 0U) << z;
+    EXPECT_LT(result.mesh.triangles.size(), triangles) << z;
+  }
+}
+
+/// Cells that are cut have twice as many triangles, and those count.
+TEST(Clip, KeepsTheLimitOfTrianglesWherePolesEndOnFaces) {
+  AdaptiveOptions options = within_length(1e-3);
+  options.clip = Bounds{dvec3(-3, -3, -5), dvec3(3, 3, 5)};
+  options.max_triangles = 10'000;
+  const Surface surface = height_field("tan(3*u*v)", {-3, 3, -3, 3});
+  const GridMesh result = mesh_within_tolerance(surface, options).value();
+  EXPECT_TRUE(result.report.reached_limit);
+  EXPECT_LE(result.mesh.triangles.size(), options.max_triangles);
+  EXPECT_GT(result.mesh.triangles.size(), options.max_triangles / 2);
+}
+
 }  // namespace
 }  // namespace saddle
