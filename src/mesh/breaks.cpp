@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include <glm/common.hpp>
 
@@ -196,18 +197,23 @@ void measure_ends(const Surface& surface, std::span<Search> searches,
   }
 }
 
+/// Where normals can only jump to their opposites, unit normals that are nearer to each other have
+/// no cusp between them, unless the surface turns back by as much as 166 degrees.
+constexpr double kNearOpposites = 0.25;
+
 /// What is followed.
 template <class F, class H>
 struct Followed {
-  F value;       ///< the vector that may jump, of a point of the surface
-  H height;      ///< what changes its sign where that does, of a search and a point; smooth if any
-  double delta;  ///< a gap that is smaller is none
+  F value;        ///< the vector that may jump, of a point of the surface
+  H height;       ///< what changes its sign where that does, of a search and a point; smooth if any
+  double delta;   ///< a gap that is smaller is none
+  double beyond;  ///< ends of breaks go on outward to what is this far from them
 };
 
 template <class F, class H>
 std::vector<Found> follow(const Surface& surface, std::vector<Search> searches,
                           const Followed<F, H>& followed, unsigned threads, std::size_t& work) {
-  const auto& [value, height, delta] = followed;
+  const auto& [value, height, delta, beyond] = followed;
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < searches.size(); ++k) {
     if (!searches[k].done) open.push_back(k);
@@ -230,7 +236,7 @@ std::vector<Found> follow(const Surface& surface, std::vector<Search> searches,
     std::erase_if(open, [&](std::size_t k) { return searches[k].done; });
   }
   for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], delta));
-  look_outward(surface, searches, delta, threads, value);
+  look_outward(surface, searches, beyond, threads, value);
   std::vector<Found> result(searches.size());
   std::ranges::transform(searches, result.begin(), &Search::found);
   return result;
@@ -249,7 +255,8 @@ std::vector<Found> follow_positions(const Surface& surface, std::span<const Line
   const auto position = [](const SurfacePoint& point) { return point.position; };
   const auto unknown = [](const Search&, const SurfacePoint&) { return kUnknown; };
   work += uv.size();
-  const Followed<decltype(position), decltype(unknown)> positions = {position, unknown, delta};
+  const Followed<decltype(position), decltype(unknown)> positions = {position, unknown, delta,
+                                                                     delta};
   return follow(surface, std::move(searches), positions, threads, work);
 }
 
@@ -439,11 +446,23 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
   return result;
 }
 
+namespace {
+
+std::vector<std::size_t> all_of(std::span<const Line> lines) {
+  std::vector<std::size_t> all(lines.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+}  // namespace
+
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
                                 std::span<const std::array<dvec3, 2>> normals, unsigned threads,
                                 std::size_t& work) {
   const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
-  const std::vector<std::size_t> open = unproved_normals(surface, lines, work);
+  const bool only_cusps = has_continuous_tangents(surface, lines, work);
+  const std::vector<std::size_t> open =
+      only_cusps ? all_of(lines) : unproved_normals(surface, lines, work);
   std::vector<Search> searches;
   searches.reserve(open.size());
   for (const std::size_t k : open) searches.push_back(begin(lines[k], normals[k]));
@@ -453,7 +472,8 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
   const auto height = [&](const Search& search, const SurfacePoint& point) {
     return glm::dot(glm::cross(point.r_u, point.r_v), search.at_ends[0] - search.at_ends[1]);
   };
-  const Followed<decltype(normal), decltype(height)> turning = {normal, height, chord};
+  const Followed<decltype(normal), decltype(height)> turning = {
+      normal, height, only_cusps ? kNearOpposites : chord, chord};
   const std::vector<Found> found = follow(surface, std::move(searches), turning, threads, work);
   std::vector<Found> result(lines.size());
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];

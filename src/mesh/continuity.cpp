@@ -26,6 +26,14 @@ constexpr double kBesideBreak = 1.0 / 1024;
 /// A box, by two opposite corners.
 using Box = Line;
 
+Box box_around(std::span<const LinePart> lines) {
+  Box box = {lines[0].part[0], lines[0].part[0]};
+  for (const LinePart& line : lines) {
+    for (const dvec2& end : line.part) box = {glm::min(box[0], end), glm::max(box[1], end)};
+  }
+  return box;
+}
+
 /// Whether tall boxes around lines are to be cut along u rather than along v: beside the lines
 /// themselves, whose units differ.
 bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
@@ -39,14 +47,9 @@ bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
 template <class Few, class IsProved, class Leave>
 void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leave leave) {
   if (lines.size() <= few()) return leave(lines);
-  dvec2 low = lines[0].part[0];
-  dvec2 high = low;
-  for (const LinePart& line : lines) {
-    low = glm::min(low, glm::min(line.part[0], line.part[1]));
-    high = glm::max(high, glm::max(line.part[0], line.part[1]));
-  }
-  if (is_proved(Box{low, high}, lines.size())) return;
-  const int axis = is_wider_along_u(lines, high - low) ? 0 : 1;
+  const Box box = box_around(lines);
+  if (is_proved(box, lines.size())) return;
+  const int axis = is_wider_along_u(lines, box[1] - box[0]) ? 0 : 1;
   const auto place = [&](const LinePart& line) { return line.part[0][axis] + line.part[1][axis]; };
   const std::size_t half = lines.size() / 2;
   std::ranges::nth_element(lines, lines.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
@@ -130,11 +133,14 @@ class NormalProver {
  public:
   explicit NormalProver(const Surface& surface) : enclosure_(surface.bounds, kOutputs) {}
 
-  bool is_proved(const Box& box) {
+  bool has_continuous_tangents(const Box& box) {
     enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), outputs_);
-    for (const Interval& a : outputs_) {
-      if (a.defined != Defined::Yes || !a.continuous) return false;
-    }
+    return std::ranges::all_of(
+        outputs_, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
+  }
+
+  bool is_proved(const Box& box) {
+    if (!has_continuous_tangents(box)) return false;
     const Interval* const r_u = &outputs_[3];
     const Interval* const r_v = &outputs_[6];
     const double least = kDegenerateCross * longest(r_u) * longest(r_v);
@@ -162,6 +168,14 @@ class NormalProver {
   std::array<Interval, kOutputs> outputs_;
 };
 
+/// Lines by their numbers, whole.
+std::vector<LinePart> whole_lines(std::span<const Line> lines) {
+  std::vector<LinePart> all;
+  all.reserve(lines.size());
+  for (std::size_t k = 0; k < lines.size(); ++k) all.push_back({k, lines[k]});
+  return all;
+}
+
 }  // namespace
 
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
@@ -182,8 +196,7 @@ std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<cons
   /// that was proved: looking at a line takes twice as long as one.
   constexpr std::size_t kInVain = 64;
   constexpr std::size_t kInVainPerLine = 2;
-  std::vector<LinePart> all;
-  for (std::size_t k = 0; k < lines.size(); ++k) all.push_back({k, lines[k]});
+  std::vector<LinePart> all = whole_lines(lines);
   std::vector<std::size_t> result;
   NormalProver prover(surface);
   std::size_t in_vain = 0;
@@ -200,6 +213,13 @@ std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<cons
   });
   std::ranges::sort(result);
   return result;
+}
+
+bool has_continuous_tangents(const Surface& surface, std::span<const Line> lines,
+                             std::size_t& boxes) {
+  if (lines.empty()) return true;
+  ++boxes;
+  return NormalProver(surface).has_continuous_tangents(box_around(whole_lines(lines)));
 }
 
 }  // namespace saddle

@@ -42,4 +42,9 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
 std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines,
                                           std::size_t& boxes);
 
+/// Whether bounds prove that the tangents are continuous in a box around the lines. A crease is
+/// then where r_u x r_v goes through 0, and the normal turns to its opposite. Adds 1 to `boxes`.
+bool has_continuous_tangents(const Surface& surface, std::span<const Line> lines,
+                             std::size_t& boxes);
+
 }  // namespace saddle

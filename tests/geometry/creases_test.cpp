@@ -10,14 +10,17 @@
 namespace saddle {
 namespace {
 
-/// What is found on a line.
-Found find_crease(const Surface& surface, const Line& line) {
+/// What is found on a line. Adds to `work` the points and boxes that were looked at.
+Found find_crease(const Surface& surface, const Line& line, std::size_t& work) {
   std::array<dvec3, 2> normals{};
   for (std::size_t end = 0; end < 2; ++end) {
     normals[end] = *normal_direction(evaluate(surface, std::array{line[end]})[0]);
   }
-  std::size_t work = 0;
   return find_creases(surface, std::span(&line, 1), std::span(&normals, 1), 1, work)[0];
+}
+Found find_crease(const Surface& surface, const Line& line) {
+  std::size_t work = 0;
+  return find_crease(surface, line, work);
 }
 
 /// How many doubles there are from a to b, a being the smaller one; 9 if there are more.
@@ -70,6 +73,17 @@ TEST(CreaseSearch, WorksAtScalesFarFromOne) {
 TEST(CreaseSearch, FindsNoneWhereASmoothSurfaceTurns) {
   const Surface bend = height_field("tanh(1000*(u-0.3))", {-1, 2, -1, 1});
   EXPECT_EQ(find_crease(bend, {dvec2(-1, 0.3), dvec2(2, 0.3)}).kind, Break::None);
+}
+
+TEST(CreaseSearch, EndsSoonWhereOnlyCuspsCanBe) {
+  // The same turn of normals, once with tangents that bounds prove to be continuous.
+  const auto work_of = [](const char* z) {
+    std::size_t work = 0;
+    find_crease(height_field(z, {-1, 2, -1, 1}), {dvec2(-1, 0.3), dvec2(2, 0.3)}, work);
+    return work;
+  };
+  EXPECT_LT(work_of("0.4*u^2"), 8U);
+  EXPECT_GT(work_of("0.4*u^2+1e-9*abs(u-0.5)"), 10U);
 }
 
 }  // namespace

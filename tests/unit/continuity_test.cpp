@@ -101,6 +101,25 @@ TEST(Continuity, OfNormalsIsProvedButWhereTheyMayJump) {
   EXPECT_EQ(std::ranges::count(lines_without_normals(cusp), kAt), 1);
 }
 
+TEST(Continuity, OfTangentsIsProvedInOneBox) {
+  std::vector<Line> lines;
+  for (const LinePart& line : lines_along_u()) lines.push_back(line.part);
+  const auto is_proved = [&](const Surface& surface) {
+    std::size_t boxes = 0;
+    const bool is = has_continuous_tangents(surface, lines, boxes);
+    EXPECT_EQ(boxes, 1U);
+    return is;
+  };
+  for (const char* z : {"sin(300*u*v)", "tanh(1e5*u)", "(u-0.33)^5"}) {
+    EXPECT_TRUE(is_proved(height_field(z))) << z;
+  }
+  EXPECT_TRUE(is_proved(
+      surface_from_text("(u-0.33)^2", "v", "(u-0.33)^3", {-1, 1, -1, 1}, {}, Order::Second)));
+  for (const char* z : {"abs(u-0.33)", "max(u,v)", "floor(u)", "1/(u-0.33)", "sqrt(u+1)"}) {
+    EXPECT_FALSE(is_proved(height_field(z))) << z;
+  }
+}
+
 TEST(Continuity, OfNormalsIsNotProvedByRounding) {
   // On v = 2 pi there is no normal, but for the digits that 2 pi lacks.
   const Surface surface = surface_from_text("u*sin(v)", "cos(v)", "u^2*sin(v)",
