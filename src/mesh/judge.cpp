@@ -215,11 +215,14 @@ Verdict Judge::score(const Leaf& leaf) const {
   judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
   verdict.distance.centre =
       std::max(verdict.distance.centre, bulge_of_triangles(leaf.samples, first) / eps);
-  for (double Scores::*const part : {&Scores::along_u, &Scores::along_v, &Scores::centre}) {
-    verdict.turn.*part = turn_score(turn.*part);
-  }
+  verdict.turn = turn_scores(turn);
   verdict.is_folded = is_visible && is_opposed;
   return verdict;
+}
+
+Scores Judge::turn_scores(const Scores& squares_of_tangents) const {
+  const auto& [along_u, along_v, centre] = squares_of_tangents;
+  return {turn_score(along_u), turn_score(along_v), turn_score(centre)};
 }
 
 double Judge::allowed(const Leaf& leaf) const {

@@ -65,6 +65,9 @@ class Judge {
   /// Of a leaf all of whose samples are defined.
   Verdict score(const Leaf& leaf) const;
 
+  /// Of angles, by the squares of their tangents.
+  Scores turn_scores(const Scores& squares_of_tangents) const;
+
   /// Whether the samples of a leaf are all within what may be missing of each other: whatever cuts
   /// it, nobody sees how.
   bool is_too_small_to_see(const Leaf& leaf) const;

@@ -1,6 +1,6 @@
-// Tells which of many leaves surely pass the tests of mesh/judge.cpp: smooth, far from folded, near
-// enough at all samples. This file is compiled once for each CPU level, with SADDLE_LEVEL naming
-// the level's function; it may use nothing but plain arithmetic (see eval/kernel_loops.cpp).
+// Judges many leaves as mesh/judge.cpp does one, and tells of which that holds: they are smooth,
+// and far from folded. This file is compiled once for each CPU level, with SADDLE_LEVEL naming the
+// level's function; it may use nothing but plain arithmetic (see eval/kernel_loops.cpp).
 #include <math.h>
 
 #include "mesh/leaf_loops.h"
@@ -34,10 +34,11 @@ struct Chord {
   LoopVector n_a, n_b, n;
 };
 
-/// What a chord's sample says: its distance and, at least 0, that the arc is a small one on which
-/// normals turn by less than allowed.
+/// What a chord's sample says: its distance, how far its normal is from between those of the ends
+/// and, at least 0, that the arc is a small one whose normals face the same way.
 struct Said {
   double distance;
+  double square_of_tangent;
   double is_plain;
 };
 
@@ -46,15 +47,7 @@ static inline double height_at(double s, double a, double b, double c) {
   return magnitude(s * (1 - s) * (a + s * (b + s * c)));
 }
 
-/// At least 0: the middle of two normals is within the allowed angle of the one between them.
-static inline double turn_left(LoopVector a, LoopVector b, LoopVector between,
-                               double largest_sine) {
-  const LoopVector sum = plus(a, b);
-  const LoopVector turned = cross(sum, between);
-  return largest_sine * dot(sum, sum) - dot(turned, turned);
-}
-
-static inline Said test(const Chord& chord, double seen, double largest_sine, double turn_counts) {
+static inline Said test(const Chord& chord, double seen, double turn_counts) {
   const LoopVector along = minus(chord.b, chord.a);
   const LoopVector off = minus(chord.sample, times(0.5, plus(chord.a, chord.b)));
   const double square = dot(along, along);
@@ -76,12 +69,15 @@ static inline Said test(const Chord& chord, double seen, double largest_sine, do
   const double bulge = larger_of(outer, inner);
   const double facing = smaller_of(smaller_of(first, last) - kSteep, kAside - magnitude(part));
   const double along_normal = larger_of(magnitude(height), choose(facing, bulge, 0.0));
-  const double beside = sqrt(larger_of(square_off - part * part * square, 0.0));
-  const double turn = turn_left(chord.n_a, chord.n_b, chord.n, largest_sine);
-  const double facing_sample = dot(plus(chord.n_a, chord.n_b), chord.n);
-  const double agree = smaller_of(facing_sample, choose(turn_counts, turn, 0.0));
+  const LoopVector aside = minus(off, times(part, along));
+  const double beside = sqrt(dot(aside, aside));
+  const LoopVector sum = plus(chord.n_a, chord.n_b);
+  const LoopVector sine = cross(sum, chord.n);
+  const double cosine = dot(sum, chord.n);
+  const double square_of_tangent = dot(sine, sine) / (cosine * cosine);
   const double is_small = kSmallArc * kSmallArc * square - square_off;
-  return {choose(seen, beside, along_normal), smaller_of(is_small, agree)};
+  return {choose(seen, beside, along_normal), choose(turn_counts, square_of_tangent, 0.0),
+          smaller_of(is_small, smaller_of(first, last))};
 }
 
 static inline Chord side(const LeafSamples& leaves, size_t k, size_t i) {
@@ -98,17 +94,18 @@ static inline double square_of_side(const LeafSamples& leaves, size_t k, size_t 
 }
 
 static void judge_side(const LeafSamples& leaves, size_t k, size_t count, LeafVerdicts& verdicts) {
+  LeafNumbers& farthest = k % 2 == 0 ? verdicts.distance.along_u : verdicts.distance.along_v;
+  LeafNumbers& largest =
+      k % 2 == 0 ? verdicts.square_of_tangent.along_u : verdicts.square_of_tangent.along_v;
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
     const double is_long = square_of_side(leaves, k, i) - leaves.seen_turn[i] * leaves.seen_turn[i];
     const double turn_counts = smaller_of(is_long, verdicts.turn_counts_on_sides[i]);
-    const Said said =
-        test(side(leaves, k, i), leaves.seen[k][i], leaves.largest_sine[i], turn_counts);
+    const Said said = test(side(leaves, k, i), leaves.seen[k][i], turn_counts);
     const double counts = leaves.counts[k][i];
-    const double distance = choose(counts, said.distance, 0.0);
-    verdicts.distance[i] = larger_of(verdicts.distance[i], distance);
-    const double passes = said.is_plain >= 0 ? verdicts.passes[i] : 0.0;
-    verdicts.passes[i] = choose(counts, passes, verdicts.passes[i]);
+    farthest[i] = larger_of(farthest[i], choose(counts, said.distance, 0.0));
+    largest[i] = larger_of(largest[i], choose(counts, said.square_of_tangent, 0.0));
+    verdicts.is_plain[i] = said.is_plain >= 0 ? verdicts.is_plain[i] : 0.0;
   }
 }
 
@@ -141,7 +138,7 @@ static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& 
     const double second = other < first * kNearlyOne ? 1.0 : 0.0;
     const Chord diagonal = {choose(second, p1, p0), choose(second, p3, p2), c,
                             choose(second, n1, n0), choose(second, n3, n2), n};
-    const Said said = test(diagonal, 0, leaves.largest_sine[i], verdicts.turn_counts_at_centre[i]);
+    const Said said = test(diagonal, 0, verdicts.turn_counts_at_centre[i]);
     const double h0 = dot(minus(position(side[0], i), times(0.5, plus(p0, p1))), n);
     const double h1 = dot(minus(position(side[1], i), times(0.5, plus(p1, p2))), n);
     const double h2 = dot(minus(position(side[2], i), times(0.5, plus(p2, p3))), n);
@@ -149,12 +146,12 @@ static void judge_middle(const LeafSamples& leaves, size_t count, LeafVerdicts& 
     const double middle = dot(minus(c, times(0.5, plus(diagonal.a, diagonal.b))), n);
     const double one = bulge(choose(second, h1, h0), choose(second, h2, h1), middle);
     const double two = bulge(choose(second, h3, h2), choose(second, h0, h3), middle);
-    const double distance = larger_of(said.distance, larger_of(one, two));
-    const double least =
-        smaller_of(smaller_of(dot(n0, n1), dot(n0, n2)), smaller_of(dot(n0, n3), dot(n1, n3)));
-    verdicts.distance[i] = larger_of(verdicts.distance[i], distance);
-    const double is_plain = smaller_of(said.is_plain, least);
-    verdicts.passes[i] = is_plain >= 0 ? verdicts.passes[i] : 0.0;
+    double least = said.is_plain;
+    for (size_t k = 0; k < 4; ++k) least = smaller_of(least, dot(normal(side[k], i), n));
+    verdicts.gap_at_centre[i] = said.distance;
+    verdicts.distance.centre[i] = larger_of(said.distance, larger_of(one, two));
+    verdicts.square_of_tangent.centre[i] = said.square_of_tangent;
+    verdicts.is_plain[i] = least >= 0 ? verdicts.is_plain[i] : 0.0;
   }
 }
 
@@ -171,8 +168,9 @@ static void begin(const LeafSamples& leaves, size_t count, LeafVerdicts& verdict
       const LoopVector on_side = normal(side[k], i);
       least = smaller_of(least, smaller_of(dot(at_corner, at_corner), dot(on_side, on_side)));
     }
-    verdicts.distance[i] = 0;
-    verdicts.passes[i] = least > 0.5 ? 1.0 : 0.0;
+    verdicts.distance.along_u[i] = verdicts.distance.along_v[i] = 0;
+    verdicts.square_of_tangent.along_u[i] = verdicts.square_of_tangent.along_v[i] = 0;
+    verdicts.is_plain[i] = least > 0.5 ? 1.0 : 0.0;
   }
 }
 
@@ -200,10 +198,6 @@ void SADDLE_LEVEL(const LeafSamples& leaves, size_t count, LeafVerdicts& verdict
   look_at_turns(leaves, count, verdicts);
   for (size_t k = 0; k < 4; ++k) judge_side(leaves, k, count, verdicts);
   judge_middle(leaves, count, verdicts);
-  for (size_t i = 0; i < count; ++i) {
-    const bool is_near = verdicts.distance[i] <= leaves.largest_distance[i];
-    verdicts.passes[i] = is_near ? verdicts.passes[i] : 0.0;
-  }
 }
 
 }  // namespace saddle

@@ -1,6 +1,8 @@
 #include "mesh/judge_many.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -11,70 +13,82 @@ namespace saddle {
 
 namespace {
 
-/// The square of the sine of an angle in degrees; from a right angle on, 1.
-double square_of_sine(double degrees) {
-  if (!(degrees < 90)) return 1;
-  const double sine = std::sin(degrees * std::numbers::pi / 180);
-  return sine * sine;
-}
-
 void take(const Mesh& mesh, std::uint32_t vertex, std::size_t i, LeafVertices& to) {
   put_vertex(mesh.position[vertex], mesh.normal[vertex], i, to);
 }
 
-class Gatherer {
- public:
-  Gatherer(const RefineOptions& options, const Judge& judge, const Lattice& lattice)
-      : options_(options),
-        judge_(judge),
-        lattice_(lattice),
-        sine_(square_of_sine(options.normal_tolerance)) {}
-
-  /// Takes a leaf in as the i-th; returns its tolerance.
-  double take_leaf(const Leaf& leaf, std::size_t i, LeafSamples& to) const {
-    const Samples& samples = leaf.samples;
-    const Mesh& mesh = lattice_.mesh();
-    for (std::size_t k = 0; k < 4; ++k) {
-      take(mesh, samples.corner[k], i, to.corner[k]);
-      take(mesh, samples.side[k], i, to.side[k]);
-      to.counts[k][i] = lattice_.is_used(samples.side[k]) ? 0 : 1;
-      to.seen[k][i] = judge_.is_seen(leaf, k) ? 1 : 0;
-    }
-    take(mesh, samples.centre, i, to.centre);
-    const double eps = judge_.allowed(leaf);
-    // Scores are to be 1 / strictness; that of an angle is its square.
-    const double strictness = leaf.turn_strictness;
-    to.largest_distance[i] = eps / leaf.strictness;
-    to.largest_sine[i] =
-        strictness == 1 ? sine_ : square_of_sine(options_.normal_tolerance / std::sqrt(strictness));
-    to.seen_turn[i] = kSeenTurn * eps;
-    return eps;
+/// Takes a leaf in as the i-th.
+void take_leaf(const Leaf& leaf, const Judge& judge, const Lattice& lattice, double eps,
+               std::size_t i, LeafSamples& to) {
+  const Samples& samples = leaf.samples;
+  const Mesh& mesh = lattice.mesh();
+  for (std::size_t k = 0; k < 4; ++k) {
+    take(mesh, samples.corner[k], i, to.corner[k]);
+    take(mesh, samples.side[k], i, to.side[k]);
+    to.counts[k][i] = lattice.is_used(samples.side[k]) ? 0 : 1;
+    to.seen[k][i] = judge.is_seen(leaf, k) ? 1 : 0;
   }
+  take(mesh, samples.centre, i, to.centre);
+  to.seen_turn[i] = kSeenTurn * eps;
+}
 
- private:
-  const RefineOptions& options_;
-  const Judge& judge_;
-  const Lattice& lattice_;
-  double sine_;
-};
+/// Whether normals of samples are limits, which say nothing of the leaf.
+bool has_limits(const Samples& samples, const Lattice& lattice) {
+  const auto is_limit = [&](std::uint32_t vertex) { return !lattice.is_regular(vertex); };
+  return lattice.has_singular() &&
+         (is_limit(samples.centre) || std::ranges::any_of(samples.corner, is_limit) ||
+          std::ranges::any_of(samples.side, is_limit));
+}
+
+Scores take(const LeafScores& scores, std::size_t i) {
+  return {scores.along_u[i], scores.along_v[i], scores.centre[i]};
+}
+
+/// The square of a tangent whose angle has the score 1.
+double square_of_tangent(double degrees) {
+  if (!(degrees < 90)) return std::numeric_limits<double>::infinity();
+  const double tangent = std::tan(degrees * std::numbers::pi / 180);
+  return tangent * tangent;
+}
 
 }  // namespace
 
-std::vector<float> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
-                              const Judge& judge, const Lattice& lattice) {
-  std::vector<float> result(leaves.size(), kUnknown);
+std::vector<Glance> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
+                               const Judge& judge, const Lattice& lattice) {
+  std::vector<Glance> result(leaves.size());
   const auto block = std::make_unique_for_overwrite<LeafSamples>();
   const auto verdicts = std::make_unique_for_overwrite<LeafVerdicts>();
   const JudgeLeaves loop = judge_loop(cpu_level());
-  const Gatherer gatherer(options, judge, lattice);
+  const double allowed_turn = square_of_tangent(options.normal_tolerance);
   std::array<std::size_t, kLeafBlock> which;
   LeafNumbers tolerance;
   std::size_t count = 0;
+  const auto file = [&](std::size_t i) {
+    const Leaf& leaf = leaves[which[i]];
+    Glance glance{true, false, {}};
+    Scores& distance = glance.verdict.distance;
+    distance = take(verdicts->distance, i);
+    for (double* const score : {&distance.along_u, &distance.along_v, &distance.centre}) {
+      *score /= tolerance[i];
+    }
+    glance.verdict.gap = {distance.along_u, distance.along_v,
+                          verdicts->gap_at_centre[i] / tolerance[i]};
+    const Scores turn = take(verdicts->square_of_tangent, i);
+    const double strictness = leaf.turn_strictness;
+    const double allowed =
+        strictness == 1 ? allowed_turn
+                        : square_of_tangent(options.normal_tolerance / std::sqrt(strictness));
+    glance.passes = distance.worst() * leaf.strictness <= 1 && turn.worst() <= allowed;
+    if (!glance.passes) {
+      if (options.clip || has_limits(leaf.samples, lattice)) return;
+      glance.verdict.turn = judge.turn_scores(turn);
+    }
+    result[which[i]] = glance;
+  };
   const auto flush = [&] {
     loop(*block, count, *verdicts);
     for (std::size_t i = 0; i < count; ++i) {
-      if (verdicts->passes[i] > 0)
-        result[which[i]] = static_cast<float>(verdicts->distance[i] / tolerance[i]);
+      if (verdicts->is_plain[i] > 0) file(i);
     }
     count = 0;
   };
@@ -82,7 +96,8 @@ std::vector<float> judge_many(std::span<const Leaf> leaves, const RefineOptions&
     const Leaf& leaf = leaves[k];
     if (leaf.on_rim || leaf.is_split || leaf.leads_to_pole) continue;
     which[count] = k;
-    tolerance[count] = gatherer.take_leaf(leaf, count, *block);
+    tolerance[count] = judge.allowed(leaf);
+    take_leaf(leaf, judge, lattice, tolerance[count], count, *block);
     if (++count == kLeafBlock) flush();
   }
   if (count > 0) flush();

@@ -8,13 +8,16 @@
 
 namespace saddle {
 
-/// What is not said of a leaf by judge_many().
-inline constexpr float kUnknown = -1;
+/// What is seen of a leaf at a glance.
+struct Glance {
+  bool is_known = false;  ///< else Judge::score() is to be asked, which may say anything
+  bool passes = false;    ///< all tests, by the leaf's strictness
+  Verdict verdict = {};   ///< as Judge::score() says; the turn of a leaf that passes is left out
+};
 
-/// How far off leaves are that surely pass all tests of Judge::score(), in tolerances; kUnknown of
-/// the others, which may pass, too. Leaves that something cuts, or that a pole is beside, are left
-/// to others as well.
-std::vector<float> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
-                              const Judge& judge, const Lattice& lattice);
+/// Judges leaves whose samples are known. Not known is what folds, bends too much for arcs or is
+/// not smooth, what something cuts or a pole is beside; with a clip box, all that does not pass.
+std::vector<Glance> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
+                               const Judge& judge, const Lattice& lattice);
 
 }  // namespace saddle

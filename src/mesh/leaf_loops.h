@@ -28,14 +28,19 @@ struct LeafSamples {
   LeafVertices centre;
   std::array<LeafNumbers, 4> counts;  ///< 1: a side is an edge of the mesh; 0: its halves are
   std::array<LeafNumbers, 4> seen;    ///< 1: its distance counts in any direction
-  LeafNumbers largest_distance;       ///< that is allowed, in units of length
-  LeafNumbers largest_sine;           ///< of the angle between normals, squared
   LeafNumbers seen_turn;              ///< how normals turn along no more than this does not count
 };
 
+/// What is found along u, along v and at the centre, as Scores of mesh/judge.h are.
+struct LeafScores {
+  LeafNumbers along_u, along_v, centre;
+};
+
 struct LeafVerdicts {
-  LeafNumbers distance;  ///< the largest
-  LeafNumbers passes;    ///< 1: surely; else a closer look may still find so
+  LeafScores distance;           ///< in units of length
+  LeafNumbers gap_at_centre;     ///< the distance from the diagonal alone
+  LeafScores square_of_tangent;  ///< of the angle that normals are off
+  LeafNumbers is_plain;          ///< 1: that holds; 0: a closer look is to be taken
   /// More than 0: how normals turn there counts.
   LeafNumbers turn_counts_on_sides, turn_counts_at_centre;
 };

@@ -87,18 +87,19 @@ class Refiner {
       leaves.push_back(candidate.leaf);
     }
     lattice_.evaluate(options_.threads);
-    const std::vector<float> known = judge_many(leaves, options_, judge_, lattice_);
+    const std::vector<Glance> glances = judge_many(leaves, options_, judge_, lattice_);
     next_.clear();
     oscillation_.clear();
     std::vector<Judged> rims;
     std::vector<Judged> doubtful;
     std::vector<Judged> others;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (known[k] != kUnknown && candidates[k].witnesses.empty()) {
-        keep_good(leaves[k], known[k]);
+      const Glance& glance = glances[k];
+      if (glance.passes && candidates[k].witnesses.empty()) {
+        keep_good(leaves[k], static_cast<float>(glance.verdict.distance.worst()));
         continue;
       }
-      const int defined = count_defined(lattice_, leaves[k]);
+      const int defined = glance.is_known ? 9 : count_defined(lattice_, leaves[k]);
       if (defined == 0) {
         seek(candidates[k]);
         continue;
@@ -107,7 +108,7 @@ class Refiner {
         rims.push_back({candidates[k], {}});
         continue;
       }
-      const Judged judged = judge(candidates[k]);
+      const Judged judged = judge(candidates[k], glance);
       const Leaf& leaf = judged.candidate.leaf;
       if (!leaf.leads_to_pole) {
         oscillation_.add(leaf, judged.verdict.distance, lattice_);
@@ -286,11 +287,11 @@ class Refiner {
   }
 
   /// What the samples say of a leaf.
-  Judged judge(const Candidate& candidate) const {
-    Judged judged{candidate, {}};
+  Judged judge(const Candidate& candidate, const Glance& glance) const {
+    Judged judged{candidate, glance.verdict};
     Leaf& leaf = judged.candidate.leaf;
     if (judge_.is_clipped(leaf)) return judged;
-    judged.verdict = judge_.score(leaf);
+    if (!glance.is_known || glance.passes) judged.verdict = judge_.score(leaf);
     if (leaf.leads_to_pole) judged.verdict.distance = judged.verdict.gap;
     const double distance = judged.verdict.distance.worst() * leaf.strictness;
     const double turn = judged.verdict.turn.worst() * leaf.turn_strictness;

@@ -179,9 +179,7 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
       sample.crease = Chord{a, b};
       sample.across = kBesideCrease * size * dvec2(-along.y, along.x);
     }
-    // Only creases themselves, rims and jumps turn so fast along a chord that its middle misses it.
-    const bool may_turn = leaf.is_split && (on_crease || !is_creased);
-    for (const double share : may_turn ? kOnChord : kInMiddle) {
+    for (const double share : on_crease ? kOnChord : kInMiddle) {
       sample.uv = glm::mix(at[a], at[b], share);
       samples.push_back(sample);
     }

@@ -55,12 +55,21 @@ RefineOptions options_for(double tolerance, double degrees) {
   return options;
 }
 
-std::size_t count_known(const std::vector<float>& known) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(known, [](float distance) { return distance != kUnknown; }));
+std::vector<Glance> glances_at(const Subject& subject) {
+  return judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
 }
 
-TEST(ManyLeaves, PassIfTheyPassOneByOne) {
+std::size_t count_known(const std::vector<Glance>& glances) {
+  return static_cast<std::size_t>(std::ranges::count_if(glances, &Glance::is_known));
+}
+
+void expect_near(const Scores& a, const Scores& b, std::size_t leaf) {
+  for (const auto part : {&Scores::along_u, &Scores::along_v, &Scores::centre}) {
+    EXPECT_NEAR(a.*part, b.*part, 1e-9 * std::max(1.0, b.*part)) << leaf;
+  }
+}
+
+TEST(ManyLeaves, AreJudgedAsOneByOne) {
   for (const double strictness : {1.0, 1.5}) {
     const Surface surface = waves();
     Subject subject(surface, options_for(0.02, 9));
@@ -68,22 +77,46 @@ TEST(ManyLeaves, PassIfTheyPassOneByOne) {
       leaf.strictness = static_cast<float>(strictness);
       leaf.turn_strictness = static_cast<float>(2 * strictness);
     }
-    const std::vector<float> known =
-        judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
+    const std::vector<Glance> glances = glances_at(subject);
     std::size_t good = 0;
-    for (std::size_t k = 0; k < known.size(); ++k) {
+    std::size_t unknown = 0;
+    for (std::size_t k = 0; k < glances.size(); ++k) {
       const Verdict verdict = subject.judge.score(subject.leaves[k]);
-      const double distance = verdict.distance.worst();
-      const bool passes = strictness * std::max(distance, 2 * verdict.turn.worst()) <= 1;
-      ASSERT_EQ(known[k] != kUnknown, passes) << k;
-      if (passes) {
-        ASSERT_NEAR(known[k], distance, 1e-6) << k;
+      const bool passes =
+          strictness * std::max(verdict.distance.worst(), 2 * verdict.turn.worst()) <= 1;
+      if (!glances[k].is_known) {
+        EXPECT_FALSE(passes) << k;
+        ++unknown;
+        continue;
       }
+      EXPECT_EQ(glances[k].passes, passes) << k;
+      expect_near(glances[k].verdict.distance, verdict.distance, k);
+      expect_near(glances[k].verdict.gap, verdict.gap, k);
+      if (!passes) expect_near(glances[k].verdict.turn, verdict.turn, k);
       good += passes ? 1 : 0;
     }
-    EXPECT_GT(good, known.size() / 10);
-    EXPECT_LT(good, known.size() * 9 / 10);
+    EXPECT_GT(good, glances.size() / 10);
+    EXPECT_LT(good, glances.size() * 9 / 10);
+    EXPECT_LT(unknown, glances.size() / 50);  // bent too much
   }
+}
+
+TEST(ManyLeaves, ThatFailLeaveClippingAndLimitsToACloserLook) {
+  const Surface surface = waves();
+  const Subject whole(surface, options_for(0.02, 9));
+  RefineOptions clipped = whole.options;
+  clipped.clip = Bounds{dvec3(-9), dvec3(9)};
+  const std::vector<Glance> of_whole = glances_at(whole);
+  const std::vector<Glance> of_clipped = glances_at(Subject(surface, clipped));
+  for (std::size_t k = 0; k < of_whole.size(); ++k) {
+    EXPECT_EQ(of_clipped[k].passes, of_whole[k].passes);
+    EXPECT_EQ(of_clipped[k].is_known, of_whole[k].passes);
+  }
+  // On the cone's tip is no normal but the one that each leaf sees.
+  const Surface cone =
+      surface_from_text("v*cos(u)", "v*sin(u)", "v", {0, 6, 0, 1}, {}, Order::Second);
+  const std::vector<Glance> of_cone = glances_at(Subject(cone, options_for(1e-4, 9)));
+  for (std::size_t k = 0; k < of_cone.size(); ++k) EXPECT_EQ(of_cone[k].is_known, k >= 20) << k;
 }
 
 TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
@@ -91,17 +124,17 @@ TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
   constexpr double kThickness = 0.014;  // of all cells
   for (const double tolerance : {0.9 * kThickness, 1.2 * kThickness}) {
     const Subject subject(surface, options_for(tolerance, 3));
-    const std::vector<float> known =
-        judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
-    for (std::size_t k = 0; k < known.size(); ++k) {
+    const std::vector<Glance> glances = glances_at(subject);
+    for (std::size_t k = 0; k < glances.size(); ++k) {
       const Verdict verdict = subject.judge.score(subject.leaves[k]);
       ASSERT_LT(verdict.distance.worst(), 0.5);
       if (tolerance < kThickness) {
         ASSERT_GT(verdict.turn.worst(), 1);
-        ASSERT_EQ(known[k], kUnknown);
+        ASSERT_FALSE(glances[k].passes);
+        expect_near(glances[k].verdict.turn, verdict.turn, k);
       } else {
         ASSERT_EQ(verdict.turn.worst(), 0);
-        ASSERT_NE(known[k], kUnknown);
+        ASSERT_TRUE(glances[k].passes);
       }
     }
   }
@@ -110,32 +143,28 @@ TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
 TEST(ManyLeaves, LeaveFoldsToACloserLook) {
   const Surface surface = folded();
   Subject subject(surface, options_for(0.5, 180));
-  const std::vector<float> known =
-      judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
-  for (std::size_t k = 0; k < known.size(); ++k) {
+  const std::vector<Glance> glances = glances_at(subject);
+  for (std::size_t k = 0; k < glances.size(); ++k) {
     // The line u = 0.1 is that of the grid: the two columns beside it touch it.
     const std::size_t column = k % 20;
     if (column != 10 && column != 11) {
-      ASSERT_NE(known[k], kUnknown) << column;
+      ASSERT_TRUE(glances[k].is_known) << column;
     }
   }
   subject.leaves[0].is_split = subject.leaves[1].leads_to_pole = true;
-  EXPECT_EQ(
-      count_known(judge_many(subject.leaves, subject.options, subject.judge, subject.lattice)),
-      count_known(known) - 2);
+  EXPECT_EQ(count_known(glances_at(subject)), count_known(glances) - 2);
 }
 
 TEST(ManyLeaves, LeaveWhatIsUndefinedToACloserLook) {
   const Surface surface = height_field("sqrt(u)");
   Subject subject(surface, options_for(10, 180));
-  const std::vector<float> known =
-      judge_many(subject.leaves, subject.options, subject.judge, subject.lattice);
-  for (std::size_t k = 0; k < known.size(); ++k) {
+  const std::vector<Glance> glances = glances_at(subject);
+  for (std::size_t k = 0; k < glances.size(); ++k) {
     if (k % 20 < 11) {
-      ASSERT_EQ(known[k], kUnknown) << k;
+      ASSERT_FALSE(glances[k].is_known) << k;
     }
   }
-  EXPECT_GT(count_known(known), 17 * 7U);
+  EXPECT_GT(count_known(glances), 17 * 7U);
 }
 
 TEST(ManyLeaves, AreMeasuredAsOneByOne) {
@@ -255,19 +284,22 @@ TEST(ManyLeaves, AreJudgedAlikeOnEveryCpuLevel) {
       leaves->seen[k][i] = i % 3 == k ? 1 : 0;
     }
     put_bowl(x + 0.5 * h, 0.5 * h, i, leaves->centre);
-    leaves->largest_distance[i] = 3e-3;
-    leaves->largest_sine[i] = 0.1;
+    if (i % 5 == 2) leaves->centre.n_z[i] *= -1;
     leaves->seen_turn[i] = 0.02;
   }
   auto lowest = std::make_unique<LeafVerdicts>();
   auto verdicts = std::make_unique<LeafVerdicts>();
   judge_loop(CpuLevel::Sse2)(*leaves, kLeafBlock, *lowest);
-  EXPECT_GT(std::ranges::count(lowest->passes, 1.0), 20);
-  EXPECT_GT(std::ranges::count(lowest->passes, 0.0), 20);
+  EXPECT_GT(std::ranges::count(lowest->is_plain, 1.0), 20);
+  EXPECT_GT(std::ranges::count(lowest->is_plain, 0.0), 10);
   for (std::size_t level = 1; level < supported_level_count(); ++level) {
     judge_loop(static_cast<CpuLevel>(level))(*leaves, kLeafBlock, *verdicts);
-    EXPECT_EQ(verdicts->distance, lowest->distance);
-    EXPECT_EQ(verdicts->passes, lowest->passes);
+    EXPECT_EQ(verdicts->is_plain, lowest->is_plain);
+    for (const auto of : {&LeafVerdicts::distance, &LeafVerdicts::square_of_tangent}) {
+      EXPECT_EQ((*verdicts.*of).along_u, (*lowest.*of).along_u);
+      EXPECT_EQ((*verdicts.*of).along_v, (*lowest.*of).along_v);
+      EXPECT_EQ((*verdicts.*of).centre, (*lowest.*of).centre);
+    }
   }
 }
 
