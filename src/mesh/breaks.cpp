@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include <glm/common.hpp>
 
@@ -446,23 +445,11 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
   return result;
 }
 
-namespace {
-
-std::vector<std::size_t> all_of(std::span<const Line> lines) {
-  std::vector<std::size_t> all(lines.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
-
-}  // namespace
-
 std::vector<Found> find_creases(const Surface& surface, std::span<const Line> lines,
                                 std::span<const std::array<dvec3, 2>> normals, unsigned threads,
                                 std::size_t& work) {
   const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
-  const bool only_cusps = has_continuous_tangents(surface, lines, work);
-  const std::vector<std::size_t> open =
-      only_cusps ? all_of(lines) : unproved_normals(surface, lines, work);
+  const auto [open, only_cusps] = unproved_normals(surface, lines, work);
   std::vector<Search> searches;
   searches.reserve(open.size());
   for (const std::size_t k : open) searches.push_back(begin(lines[k], normals[k]));

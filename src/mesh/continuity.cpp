@@ -139,8 +139,10 @@ class NormalProver {
         outputs_, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
   }
 
-  bool is_proved(const Box& box) {
-    if (!has_continuous_tangents(box)) return false;
+  bool is_proved(const Box& box) { return has_continuous_tangents(box) && has_normals(); }
+
+  /// Whether r_u x r_v is not 0 in the last box.
+  bool has_normals() const {
     const Interval* const r_u = &outputs_[3];
     const Interval* const r_v = &outputs_[6];
     const double least = kDegenerateCross * longest(r_u) * longest(r_v);
@@ -168,14 +170,6 @@ class NormalProver {
   std::array<Interval, kOutputs> outputs_;
 };
 
-/// Lines by their numbers, whole.
-std::vector<LinePart> whole_lines(std::span<const Line> lines) {
-  std::vector<LinePart> all;
-  all.reserve(lines.size());
-  for (std::size_t k = 0; k < lines.size(); ++k) all.push_back({k, lines[k]});
-  return all;
-}
-
 }  // namespace
 
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
@@ -188,20 +182,30 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
   return result;
 }
 
-std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines,
-                                          std::size_t& boxes) {
-  /// So few lines are looked at in less time than proofs of each would take.
+UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
+                                 std::size_t& boxes) {
+  /// So few lines are looked at in less time than proofs of each would take; more of them where the
+  /// first look at each tells.
   constexpr std::size_t kFew = 4;
+  constexpr std::size_t kFewIfOnlyCusps = 64;
   /// Proofs of boxes around ever fewer lines that may be in vain to begin with, and for each line
   /// that was proved: looking at a line takes twice as long as one.
   constexpr std::size_t kInVain = 64;
   constexpr std::size_t kInVainPerLine = 2;
-  std::vector<LinePart> all = whole_lines(lines);
-  std::vector<std::size_t> result;
+  UnprovedNormals result;
+  if (lines.empty()) return result;
+  std::vector<LinePart> all;
+  for (std::size_t k = 0; k < lines.size(); ++k) all.push_back({k, lines[k]});
   NormalProver prover(surface);
+  ++boxes;
+  result.only_cusps = prover.has_continuous_tangents(box_around(all));
+  if (result.only_cusps && prover.has_normals()) return result;
   std::size_t in_vain = 0;
   std::size_t proved = 0;
-  const auto few = [&] { return in_vain > kInVain + kInVainPerLine * proved ? all.size() : kFew; };
+  const auto few = [&] {
+    const bool is_vain = in_vain > kInVain + kInVainPerLine * proved;
+    return is_vain ? all.size() : result.only_cusps ? kFewIfOnlyCusps : kFew;
+  };
   const auto is_proved = [&](const Box& box, std::size_t count) {
     ++boxes;
     const bool is = prover.is_proved(box);
@@ -209,17 +213,10 @@ std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<cons
     return is;
   };
   prove_together(std::span(all), few, is_proved, [&](std::span<const LinePart> left) {
-    for (const LinePart& line : left) result.push_back(line.line);
+    for (const LinePart& line : left) result.lines.push_back(line.line);
   });
-  std::ranges::sort(result);
+  std::ranges::sort(result.lines);
   return result;
-}
-
-bool has_continuous_tangents(const Surface& surface, std::span<const Line> lines,
-                             std::size_t& boxes) {
-  if (lines.empty()) return true;
-  ++boxes;
-  return NormalProver(surface).has_continuous_tangents(box_around(whole_lines(lines)));
 }
 
 }  // namespace saddle

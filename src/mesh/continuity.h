@@ -36,15 +36,18 @@ inline constexpr int kAllHalvings = 100;
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
                                std::size_t& boxes, int halvings = kAllHalvings);
 
-/// The numbers of the lines, in order, along which it is not proved that the tangents are
-/// continuous and r_u x r_v is not 0: elsewhere there are no creases, nor cusps. Where proofs are
-/// in vain most lines are not tried. Adds to `boxes` how many were.
-std::vector<std::size_t> unproved_normals(const Surface& surface, std::span<const Line> lines,
-                                          std::size_t& boxes);
+/// Lines on which there may be creases.
+struct UnprovedNormals {
+  std::vector<std::size_t> lines;  ///< their numbers, in order
+  /// Tangents are continuous in a box around all lines: a crease is where r_u x r_v goes through 0,
+  /// and the normal turns to its opposite.
+  bool only_cusps = false;
+};
 
-/// Whether bounds prove that the tangents are continuous in a box around the lines. A crease is
-/// then where r_u x r_v goes through 0, and the normal turns to its opposite. Adds 1 to `boxes`.
-bool has_continuous_tangents(const Surface& surface, std::span<const Line> lines,
-                             std::size_t& boxes);
+/// The lines along which it is not proved that the tangents are continuous and r_u x r_v is not 0:
+/// elsewhere there are no creases, nor cusps. Where proofs are in vain, or cost more than a look at
+/// the lines, most of these are not tried. Adds to `boxes` how many proofs were.
+UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
+                                 std::size_t& boxes);
 
 }  // namespace saddle

@@ -79,6 +79,11 @@ def cross(a, b, c):
     return [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
 
 
+def count(things):
+    """How many, to three digits: where work ends at a bound, the others change with every mesh."""
+    return int(float(f"{len(things):.3g}"))
+
+
 def number(x):
     return f"{x:.3g}"
 
@@ -199,7 +204,7 @@ CASES = [
     ("a slope without end", ["z=sin(1/u)"],
      lambda: f"off by {number(chord_error(lambda u: math.sin(1 / u), U1))}, without a word",
      lambda r: "the mesh is off by up to" in r.said and len(r.triangles) <= 100000,
-     lambda r: f"{len(r.triangles)} triangles: leaves waves alone that are finer than its tolerance, "
+     lambda r: f"{count(r.triangles)} triangles: leaves waves alone that are finer than its tolerance, "
                "and says how far off that is"),
     ("poles", ["z=tan(u)", "u=-5:5"],
      lambda: str(sum(min(c) < -1 and max(c) > 1 for c in cells(
@@ -383,16 +388,16 @@ CASES = [
     ("noise", ["z=mod(sin(u*12.9898+v*78.233)*43758,1)"],
      lambda: f"{walls(noise, U1, U1, 0.5)} of {N * N} cells are walls, without a word",
      ends_in_time,
-     lambda r: f"{len(r.triangles)} triangles: its work ends at a bound, and it says so, where it is "
+     lambda r: f"{count(r.triangles)} triangles: its work ends at a bound, and it says so, where it is "
                "off, and by how much"),
     ("steps without end", ["z=floor(1/u)+floor(1/v)"],
      lambda: f"{dropped(steps, U1, U1)} cells dropped, {walls(steps, U1, U1, 0.5)} are walls",
      lambda r: ends_in_time(r) and r.surface["poles_count"] > 0 and r.surface["jumps_count"] > 0,
-     lambda r: f"the same, with {len(r.triangles)} triangles; clipped to {number(r.extent(2))} high"),
+     lambda r: f"the same, with {count(r.triangles)} triangles; clipped to {number(r.extent(2))} high"),
     ("waves on waves", [f"f(t)={WEIERSTRASS}", "z=f(u)*f(v)"],
      lambda: f"off by {number(chord_error(weierstrass, U1))} along u alone, without a word",
      ends_in_time,
-     lambda r: f"the same, with {len(r.triangles)} triangles, off by {number(r.surface['max_error'])}"),
+     lambda r: f"the same, with {count(r.triangles)} triangles, off by {number(r.surface['max_error'])}"),
     ("an edge that is folded", ["x=cos(u)", "y=cos(v)", "z=sin(u)*sin(v)/2", "u=0:pi", "v=-pi:pi"],
      lambda: f"{6 * N} open edges: the halves of u = 0 and of u = pi lie on each other unjoined",
      lambda r: r.within() and r.open_edges() == 0 and near(r.volume(), math.pi**2 / 4),
