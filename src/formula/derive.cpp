@@ -1,5 +1,8 @@
 #include "formula/derive.h"
 
+#include <limits>
+#include <span>
+
 #include "formula/tangent.h"
 
 namespace saddle {
@@ -8,6 +11,36 @@ namespace {
 constexpr double kLn2 = 0.693147180559945309417232;
 constexpr double kLn10 = 2.302585092994045684017991;
 constexpr double kTwoOverSqrtPi = 1.128379167095512573896159;
+
+/// Whether an operation exceeds the largest of doubles at arguments that people give it. Of cosh
+/// and sinh, beyond 710, nobody does, and surfaces that are divided by them would all pay for it.
+bool outgrows_doubles(const Graph& graph, const Node& node) {
+  switch (node.op) {
+    case Op::Exp:
+    case Op::Gamma:
+      return true;
+    case Op::Pow:
+      return !graph.is_constant(node.args[1]);
+    default:
+      return false;
+  }
+}
+
+/// Whether the value of a node may be too large for a double at arguments that are not.
+bool may_outgrow_doubles(const Expression& of) {
+  const std::vector<bool> parts = reachable(*of.graph, std::span(&of.id, 1));
+  for (NodeId id = 0; id < parts.size(); ++id) {
+    if (parts[id] && outgrows_doubles(*of.graph, (*of.graph)[id])) return true;
+  }
+  return false;
+}
+
+/// `t`, but 0 by structure where `of` is infinite. What is bounded then does not change any more in
+/// doubles: 1/(1+exp(1000*u)) is 0 from where exp overflows, and its derivative not inf*0.
+Tangent unless_infinite(Expression of, Tangent t) {
+  if (!t.slope || !may_outgrow_doubles(of)) return t;
+  return select(abs(of) > std::numeric_limits<double>::max(), Tangent{}, t);
+}
 
 /// The chain rule for one node: its arguments, their tangents and the node itself.
 struct ChainRule {

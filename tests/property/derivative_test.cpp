@@ -112,6 +112,15 @@ TEST(Derivative, OfAConstantBranchIsZeroWhateverIsTakenOfIt) {
   EXPECT_DOUBLE_EQ(testing::value("diff(sqrt(max(0,u)),u)", 0.25), 1);
 }
 
+TEST(Derivative, OfWhatIsBoundedIsZeroWhereItsPartsAreBeyondDoubles) {
+  for (const char* of : {"1/(1+exp(1000*u))", "atan(exp(1000*u))", "tanh(exp(1000*u))",
+                         "erf(exp(1000*u))", "sqrt(1/(1+exp(1000*u)))", "1/(1+9^(1000*u))"}) {
+    EXPECT_EQ(testing::value("diff(" + std::string(of) + ",u)", 1), 0) << of;
+    EXPECT_EQ(testing::value("diff(diff(" + std::string(of) + ",u),u)", 1), 0) << of;
+  }
+  EXPECT_DOUBLE_EQ(testing::value("diff(1/(1+exp(u)),u)", 0), -0.25);
+}
+
 TEST(Derivative, WithRespectToAnArgumentIsTakenBeforeTheCall) {
   Graph graph;
   const Definition f = {"f", "diff(sin(s),s)", {"s"}, true};
