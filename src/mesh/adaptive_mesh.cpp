@@ -166,7 +166,7 @@ class Finisher {
     PlaceList poles(grid_.range, report.poles, report.pole_count);
     std::vector<dvec2> ends;
     for (const std::array<dvec2, 2>& pole : lattice_.poles()) {
-      poles.add(pole[0]);
+      poles.add(0.5 * (pole[0] + pole[1]));  // beyond doubles they are apart
       ends.insert(ends.end(), pole.begin(), pole.end());
     }
     for_holes(Hole::Kind::Pole, [&](const dvec2& uv, const Hole& hole) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include <glm/common.hpp>
 
@@ -23,6 +24,13 @@ constexpr int kMaxHalvings = 100;
 constexpr double kPoleGrowth = 50;
 /// A gap that has shrunk to this part with its line is no jump, however steep the surface is.
 constexpr double kVanishing = 1e-9;
+/// A gap that is still shrinking after so many halvings, to less than this part until the last
+/// digits, is none: 1/ln(u) comes to 0 ever more slowly, and those end before it does.
+constexpr int kEarly = 24;
+constexpr double kShrinks = 0.8;
+/// Positions at the ends of a line are as nothing beside one between them if they differ by less
+/// than this part of what that differs from them.
+constexpr double kAlike = 1.0 / 4096;
 /// Where lines are halved: a little off their middles, which are the places where a formula for
 /// half of a range has its cusps, and no normal.
 constexpr double kShare = 0.498;
@@ -59,6 +67,7 @@ struct Search {
   Line ends;
   std::array<dvec3, 2> at_ends;
   double first_gap = 0;
+  double early_gap = 0;  ///< after kEarly halvings, of positions
   bool done = false;
   Found found = {};
   /// What changes its sign where the line is broken, at its ends; NaN where nobody knows.
@@ -74,9 +83,14 @@ dvec2 between(const Line& ends) {
   return ends[0] + kShare * (ends[1] - ends[0]);
 }
 
+/// How far apart two values are, also where squares of that would overflow.
+double gap_between(const dvec3& a, const dvec3& b) {
+  return safe_length(a - b);
+}
+
 Search begin(const Line& line, const std::array<dvec3, 2>& at_ends) {
   Search search{line, at_ends};
-  search.first_gap = glm::distance(at_ends[0], at_ends[1]);
+  search.first_gap = gap_between(at_ends[0], at_ends[1]);
   search.done = !is_finite(at_ends[0]) || !is_finite(at_ends[1]);
   return search;
 }
@@ -88,7 +102,8 @@ void finish(Search& search, Break kind) {
 
 /// What a gap is that no halving has closed.
 Break at_last_digits(const Search& search, double delta) {
-  const double gap = glm::distance(search.at_ends[0], search.at_ends[1]);
+  const double gap = gap_between(search.at_ends[0], search.at_ends[1]);
+  if (gap < kShrinks * search.early_gap) return Break::None;
   if (gap < std::max(delta, kVanishing * search.first_gap)) return Break::None;
   return gap > kPoleGrowth * search.first_gap ? Break::Pole : Break::Jump;
 }
@@ -120,28 +135,50 @@ double next_share(const Search& search) {
   return std::clamp(0.5 - side * std::min(inward, farthest), least, 1 - least);
 }
 
-/// Goes on with the part whose gap is larger.
-void advance(Search& search, const dvec2& middle, const dvec3& at_middle, double height,
-             double delta) {
-  if (middle == search.ends[0] || middle == search.ends[1]) {
+/// What is known of the place at which a line is looked at.
+struct Look {
+  dvec2 uv;
+  dvec3 value;
+  double height;
+  std::optional<dvec3> slope;  ///< along the line; nothing of normals
+};
+
+/// Whether to go on with the part of a line that ends where it is looked at: the one with the
+/// larger gap. Beside a pole both gaps may be the same to rounding, the ends being as nothing
+/// beside what is between them: then with the part into which the surface goes on moving away.
+bool is_in_first_part(const Search& search, const Look& look, double first_gap, double last_gap) {
+  const double ends = gap_between(search.at_ends[0], search.at_ends[1]);
+  if (look.slope && ends < kAlike * std::min(first_gap, last_gap)) {
+    const double away = glm::dot(*look.slope / safe_length(*look.slope),
+                                 (look.value - search.at_ends[0]) / first_gap);
+    if (away != 0 && std::isfinite(away)) return away < 0;
+  }
+  return first_gap >= last_gap;
+}
+
+/// Goes on with one of the parts.
+void advance(Search& search, const Look& look, double delta) {
+  if (look.uv == search.ends[0] || look.uv == search.ends[1]) {
     return finish(search, at_last_digits(search, delta));
   }
-  if (!is_finite(at_middle)) {
+  if (!is_finite(look.value)) {
     if (search.misses == kMostMisses) return finish(search, Break::Pole);
     ++search.misses;
     search.is_missed = true;
     return;
   }
   search.is_missed = false;
-  const double first = glm::distance(search.at_ends[0], at_middle);
-  const double second = glm::distance(at_middle, search.at_ends[1]);
+  const double first = gap_between(search.at_ends[0], look.value);
+  const double second = gap_between(look.value, search.at_ends[1]);
   if (std::max(first, second) < delta) return finish(search, Break::None);
-  const std::size_t replaced = first >= second ? 1 : 0;
-  search.ends[replaced] = middle;
-  search.at_ends[replaced] = at_middle;
-  search.heights[replaced] = height;
+  const std::size_t replaced = is_in_first_part(search, look, first, second) ? 1 : 0;
+  search.ends[replaced] = look.uv;
+  search.at_ends[replaced] = look.value;
+  search.heights[replaced] = look.height;
   search.width *= replaced == 1 ? search.share : 1 - search.share;
   ++search.steps;
+  // Normals may turn slowly into a crease.
+  if (look.slope && search.steps == kEarly) search.early_gap = std::max(first, second);
 }
 
 /// At the very place of a jump a formula may have a value of its own, as sign(0) is 0. It belongs
@@ -169,7 +206,7 @@ void look_outward(const Surface& surface, std::span<Search> searches, double del
       for (std::size_t step = 0; step < kOutward.size(); ++step) {
         const std::size_t next = 2 * (k * kOutward.size() + step) + end;
         const dvec3 outward = value(points[next]);
-        if (glm::distance(outward, before) >= delta) {
+        if (is_finite(outward) && gap_between(outward, before) >= delta) {
           jumps[k]->found.ends[end] = uv[next];
           if (step + 1 == kOutward.size()) jumps[k]->found.kind = Break::Pole;
         }
@@ -207,12 +244,13 @@ struct Followed {
   H height;       ///< what changes its sign where that does, of a search and a point; smooth if any
   double delta;   ///< a gap that is smaller is none
   double beyond;  ///< ends of breaks go on outward to what is this far from them
+  bool are_positions;
 };
 
 template <class F, class H>
 std::vector<Found> follow(const Surface& surface, std::vector<Search> searches,
                           const Followed<F, H>& followed, unsigned threads, std::size_t& work) {
-  const auto& [value, height, delta, beyond] = followed;
+  const auto& [value, height, delta, beyond, are_positions] = followed;
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < searches.size(); ++k) {
     if (!searches[k].done) open.push_back(k);
@@ -230,7 +268,11 @@ std::vector<Found> follow(const Surface& surface, std::vector<Search> searches,
     work += uv.size();
     for (std::size_t i = 0; i < open.size(); ++i) {
       Search& search = searches[open[i]];
-      advance(search, uv[i], value(points[i]), height(search, points[i]), delta);
+      const SurfacePoint& point = points[i];
+      const dvec2 way = search.ends[1] - search.ends[0];
+      Look look{uv[i], value(point), height(search, point), std::nullopt};
+      if (are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
+      advance(search, look, delta);
     }
     std::erase_if(open, [&](std::size_t k) { return searches[k].done; });
   }
@@ -255,7 +297,7 @@ std::vector<Found> follow_positions(const Surface& surface, std::span<const Line
   const auto unknown = [](const Search&, const SurfacePoint&) { return kUnknown; };
   work += uv.size();
   const Followed<decltype(position), decltype(unknown)> positions = {position, unknown, delta,
-                                                                     delta};
+                                                                     delta, true};
   return follow(surface, std::move(searches), positions, threads, work);
 }
 
@@ -273,6 +315,18 @@ std::vector<LinePart> suspects(const Surface& surface, std::span<const Line> lin
     }
   }
   return unproved(surface, std::move(parts), delta, work);
+}
+
+/// Whether values between the ends of a gap are not undefined but beyond the largest of doubles, as
+/// those of exp(-1/u) before it comes to 0. Then the ends are put where that begins.
+bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
+  const dvec2 middle = between(ends);
+  const dvec3 value = evaluate(surface, std::array{middle}, 1)[0].position;
+  if (is_finite(value) || glm::any(glm::isnan(value))) return false;
+  const std::array<Line, 2> ways = {Line{ends[0], middle}, Line{ends[1], middle}};
+  const std::vector<dvec2> last = last_defined(surface, ways, kMaxHalvings, threads);
+  ends = {last[0], last[1]};
+  return true;
 }
 
 /// What there is at suspects. At a pole of even order, where the surface comes back from where it
@@ -295,7 +349,10 @@ std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
     if (found[i].kind == Break::None) found[i].ends = parts[i];
     // A place where the surface is not defined is no pole: sin(1/u) goes nowhere.
     if (is_pole) found[i].kind = Break::Pole;
-    if (!is_pole && found[i].kind == Break::Pole) found[i].kind = Break::None;
+    if (!is_pole && found[i].kind == Break::Pole &&
+        !is_beyond_doubles(surface, threads, found[i].ends)) {
+      found[i].kind = Break::None;
+    }
   }
   return found;
 }
@@ -314,7 +371,8 @@ void verify_poles(const Surface& surface, std::span<const Line> lines, double de
   const std::vector<bool> far = diverge(surface, ways, delta, threads);
   for (std::size_t i = 0; i < poles.size(); ++i) {
     if (far[2 * i] || far[2 * i + 1]) continue;
-    const Line& ends = found[poles[i]].ends;
+    Line& ends = found[poles[i]].ends;
+    if (is_beyond_doubles(surface, threads, ends)) continue;
     const dvec2 middle = between(ends);
     const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
     const bool is_gap = (middle == ends[0] || middle == ends[1]) &&
@@ -460,7 +518,7 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
     return glm::dot(glm::cross(point.r_u, point.r_v), search.at_ends[0] - search.at_ends[1]);
   };
   const Followed<decltype(normal), decltype(height)> turning = {
-      normal, height, only_cusps ? kNearOpposites : chord, chord};
+      normal, height, only_cusps ? kNearOpposites : chord, chord, false};
   const std::vector<Found> found = follow(surface, std::move(searches), turning, threads, work);
   std::vector<Found> result(lines.size());
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "adaptive_options.h"
 #include "mesh/adaptive_mesh.h"
+#include "mesh/breaks.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 
@@ -240,6 +242,21 @@ TEST(Poles, OfEveryOrderAreCutAlongTheirLine) {
   }
 }
 
+TEST(Poles, ThatExceedDoublesBeforeTheSurfaceComesBackAreNoJumps) {
+  // Infinite from u = -0.0014 on, and 0 at 0.
+  const Surface surface = height_field("exp(-1/u)");
+  for (const auto& [from, to] :
+       {std::pair{-0.07, 0.07}, {-0.1, 0.08}, {-0.07, 0.0}, {0.0, -0.01}}) {
+    std::size_t work = 0;
+    const Line line = {dvec2(from, 0), dvec2(to, 0)};
+    const Found found = find_breaks(surface, std::span(&line, 1), 1e-2, 1, work)[0];
+    EXPECT_EQ(found.kind, Break::Pole) << from;
+    const auto [low, high] = std::minmax(found.ends[0].x, found.ends[1].x);
+    EXPECT_NEAR(low, -1 / std::log(std::numeric_limits<double>::max()), 1e-9) << from;
+    EXPECT_NEAR(high, 0, 1e-30) << from;
+  }
+}
+
 TEST(Poles, AreNotWhatOscillates) {
   EXPECT_EQ(mesh_of("sin(1/u)").report.pole_count, 0U);
 }
@@ -269,6 +286,19 @@ TEST(Jumps, AreNotSteepSlopesAndKinks) {
 }
 
 /// At (0, 0) the height of the jump changes from pi to -pi.
+TEST(Jumps, AreNotWhereASurfaceComesToItsValueEverMoreSlowly) {
+  // 1/ln(u) comes to 0 at u = 0, but at the least of doubles it is still 0.001 away.
+  const GridMesh result = mesh_of("u", "v", "1/ln(u/9)", {0, 1, -1, 1});
+  EXPECT_EQ(result.report.jump_count, 0U);
+  EXPECT_LE(result.report.max_error, *result.report.tolerance);
+}
+
+TEST(Jumps, HaveNormalsWhereTheFormulaIsBeyondDoubles) {
+  const GridMesh result = mesh_of("1/(1+exp(1/u))");
+  EXPECT_GT(result.report.jump_count, 0U);
+  EXPECT_EQ(result.report.singular_point_count, 0U);
+}
+
 TEST(Jumps, ThatMeetInAPointWithoutALimitTakeNoDenseMeshAroundIt) {
   for (const char* z : {"atan(v/u)", "atan(u/v)", "2*u*v/(u^2+v^2)+sign(u)"}) {
     const GridMesh result = mesh_of(z);
