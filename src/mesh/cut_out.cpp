@@ -1,9 +1,12 @@
 #include "mesh/cut_out.h"
 
 #include <algorithm>
+#include <limits>
+#include <set>
 
 #include <glm/common.hpp>
 
+#include "mesh/breaks.h"
 #include "mesh/clip.h"
 
 namespace saddle {
@@ -215,6 +218,41 @@ Sides sort_sides(const RefineOptions& options, const Lattice& lattice, const Mea
   return result;
 }
 
+/// Vertices that are on poles, at a finite place by rounding alone, of leaves that are off.
+std::set<std::uint32_t> vertices_on_poles(const RefineOptions& options, const Lattice& lattice,
+                                          const Measured& mesh) {
+  std::vector<Line> ways;
+  std::vector<std::uint32_t> vertices;
+  double delta = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    if (leaf.is_left_out || !is_off(mesh, k)) continue;
+    delta = std::min(delta, mesh.allowed[k]);
+    for (std::size_t c = 0; c < 4; ++c) {
+      vertices.push_back(leaf.samples.corner[c]);
+      const std::uint32_t across = leaf.samples.corner[(c + 2) % 4];
+      ways.push_back({lattice.mesh().uv[vertices.back()], lattice.mesh().uv[across]});
+    }
+  }
+  const std::vector<bool> on_pole = diverge(lattice.surface(), ways, delta, options.threads);
+  std::set<std::uint32_t> result;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (on_pole[k]) result.insert(vertices[k]);
+  }
+  return result;
+}
+
+/// Nothing clips the needles to such vertices.
+void leave_out_needles(const RefineOptions& options, const Lattice& lattice, Measured& mesh) {
+  const std::set<std::uint32_t> on_poles = vertices_on_poles(options, lattice, mesh);
+  if (on_poles.empty()) return;
+  for (Leaf& leaf : mesh.leaves) {
+    for_sides(leaf, lattice, [&](std::uint32_t vertex, std::uint32_t) {
+      leaf.is_left_out = leaf.is_left_out || on_poles.contains(vertex);
+    });
+  }
+}
+
 }  // namespace
 
 bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const Lattice& lattice) {
@@ -252,6 +290,7 @@ std::vector<PlacedHole> leave_out_holes(const Surface& surface, const RefineOpti
 void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Measured& mesh) {
   const CrossingOptions with_poles{options.tolerance, true, options.threads, options.clip,
                                    options.max_triangles};
+  if (!options.clip && lattice.has_poles()) leave_out_needles(options, lattice, mesh);
   Sides sides = sort_sides(options, lattice, mesh);
   cut_poles(sides.lead_to_poles, with_poles, lattice);
   if (search) find_jumps(sides.unsearched, with_poles, lattice);
