@@ -186,7 +186,8 @@ class Refiner {
     for (const Judged& rim : rims) {
       Leaf leaf = rim.candidate.leaf;
       leaf.on_rim = true;
-      leaf.is_split = leaf.leads_to_pole = false;  // what cut the whole may be its rim
+      // A pole that cut the whole may be its rim.
+      if (leaf.leads_to_pole) leaf.is_split = leaf.leads_to_pole = false;
       const bool goes_far =
           options_.clip && !judge_.is_outside(leaf) && has_cut(Cut::Pole, leaf, lattice_);
       judge_cut(rim, leaf, judge_.splits_rim_u(leaf),
