@@ -17,6 +17,7 @@
 #include "mesh/color_mesh.h"
 #include "mesh/effort.h"
 #include "mesh/grid_mesh.h"
+#include "mesh/robust_box.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh/tidy.h"
 #include "mesh/topology.h"
@@ -176,7 +177,9 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
   pay(scene, mesh, options);
   if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
     const MeshReport known = std::move(mesh->report);
-    options.clip = clip_box(around, positions);
+    const std::vector<dvec3> balanced = balanced_positions(surface, threads);
+    // Of a small part of a surface the probe knows more.
+    options.clip = clip_box(around, balanced.size() > positions.size() ? balanced : positions);
     mesh = mesh_clipped(known, scene, purpose, surface, options);
     options.clip = std::nullopt;
     if (!mesh) mesh = mesh_for(scene, purpose, surface, options);

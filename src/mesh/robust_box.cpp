@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/random.h"
+
 namespace saddle {
 
 double quantile(std::span<double> numbers, double share) {
@@ -29,6 +31,10 @@ constexpr double kApart = 1.0 / 16;
 /// Windows that are tried begin or end at every so many-th of the points: each moves by less than
 /// what a tail is.
 constexpr std::size_t kTries = 256;
+/// Lines each way through the middles of even stretches of a domain, moved by up to so much of one
+/// so that waves do not keep step with them: a twentieth of what is along one of them is six.
+constexpr std::size_t kLines = 128;
+constexpr double kJitter = 0.4;
 
 /// An interval on a line.
 struct Stretch {
@@ -89,14 +95,19 @@ Stretch fairest_window(Numbers sorted, double length) {
   std::pair<double, std::size_t> most = {0, 0};
   const std::size_t step = std::max<std::size_t>(sorted.size() / kTries, 1);
   for (std::size_t k = 0; k < sorted.size(); k += step) {
-    for (const double low : {sorted[k], sorted[k] - length}) {
+    for (const double low : {sorted[k], sorted[sorted.size() - 1 - k] - length}) {
       const auto found = worth({low, low + length});
       if (found > most) best.clear();
       most = std::max(most, found);
       if (found == most) best.push_back(low);
     }
   }
-  const double low = quantile(best, 0.5);
+  // Halfway between the first and the last, if that is as good but for the steps of the tries: so
+  // it is where all is symmetric.
+  const auto [first, last] = std::ranges::minmax(best);
+  const double middle = 0.5 * (first + last);
+  const bool is_good = worth({middle, middle + length}).first >= most.first - 1.0 / kTries;
+  const double low = is_good ? middle : quantile(best, 0.5);
   return {low, low + length};
 }
 
@@ -116,6 +127,28 @@ Bounds robust_box(std::span<const dvec3> points, const dvec3& longest) {
     box.high[k] = kept.high;
   }
   return box;
+}
+
+std::vector<dvec3> balanced_positions(const Surface& surface, unsigned threads) {
+  std::vector<double> parts(kLines);
+  for (std::size_t i = 0; i < kLines / 2; ++i) {
+    const double shift = kJitter * (2 * random_unit(i) - 1);
+    parts[i] = (static_cast<double>(i) + 0.5 + shift) / kLines;
+    parts[kLines - 1 - i] = 1 - parts[i];
+  }
+  const auto lines = [&](double first, double last) {
+    std::vector<double> at(kLines);
+    std::ranges::transform(parts, at.begin(),
+                           [&](double part) { return first * (1 - part) + last * part; });
+    return at;
+  };
+  const Domain& d = surface.domain;
+  std::vector<dvec3> positions;
+  for (const SurfacePoint& point :
+       evaluate_on_grid(surface, lines(d.u0, d.u1), lines(d.v0, d.v1), threads)) {
+    if (is_finite(point.position)) positions.push_back(point.position);
+  }
+  return positions;
 }
 
 }  // namespace saddle

@@ -3,8 +3,10 @@
 
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "mesh/mesh.h"
+#include "surface/surface.h"
 
 namespace saddle {
 
@@ -18,5 +20,9 @@ double quantile(std::span<double> numbers, double share);
 /// points are finite; of none the box is empty.
 Bounds robust_box(std::span<const dvec3> points,
                   const dvec3& longest = dvec3(std::numeric_limits<double>::infinity()));
+
+/// Finite positions spread over a surface, alike on all sides of the middle of its domain: of what
+/// changes its sign with those of u and v, or where they are exchanged, as many up as down.
+std::vector<dvec3> balanced_positions(const Surface& surface, unsigned threads);
 
 }  // namespace saddle

@@ -299,6 +299,20 @@ TEST_F(GraphCommand, ClipsAPoleOnlyWhereTheSurfaceGoes) {
   }
 }
 
+TEST_F(GraphCommand, ClipsAsMuchAboveAsBelowOfWhatIsOdd) {
+  for (const std::vector<std::string>& formula :
+       std::vector<std::vector<std::string>>{{"z=1/sin(u)", "u=-7:7"},
+                                             {"z=csc(u)+cot(v)", "u=-5:5", "v=-5:5"},
+                                             {"z=(u+v)/(u-v)", "u=-2:2", "v=-2:2"}}) {
+    std::vector<std::string> arguments = formula;
+    arguments.insert(arguments.end(), {"--report", "-"});
+    const Json bounds = Json::parse(saddle(arguments).out)["surfaces"][0]["bounds"];
+    const auto low = bounds[0][2].get<double>();
+    const auto high = bounds[1][2].get<double>();
+    EXPECT_NEAR(-low, high, 1e-3 * high) << formula[0];
+  }
+}
+
 TEST_F(GraphCommand, FindsWavesThatKeepStepWithEvenGrids) {
   const Outcome run = saddle({"z=sin(60*u)/10", "u=0:tau", "--report", "-"});
   const Json waves = Json::parse(run.out)["surfaces"][0];
