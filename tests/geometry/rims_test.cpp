@@ -198,5 +198,12 @@ TEST(Rims, ThatComeNearALineOfSamplesDrawNoDenseLines) {
   EXPECT_LT(result.mesh.triangles.size(), 10'000U);
 }
 
+TEST(Rims, KeepTheToleranceWhereAJumpMeetsThem) {
+  const GridMesh result =
+      mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)*sign(u-v)"), within_length(1.4e-3))
+          .value();
+  EXPECT_LE(result.report.max_error, 1.4e-3);
+}
+
 }  // namespace
 }  // namespace saddle
