@@ -1,7 +1,6 @@
 #include "formula/derive.h"
 
 #include <limits>
-#include <span>
 
 #include "formula/tangent.h"
 
@@ -15,30 +14,56 @@ constexpr double kTwoOverSqrtPi = 1.128379167095512573896159;
 /// Whether an operation exceeds the largest of doubles at arguments that people give it. Of cosh
 /// and sinh, beyond 710, nobody does, and surfaces that are divided by them would all pay for it.
 bool outgrows_doubles(const Graph& graph, const Node& node) {
+  return node.op == Op::Exp || (node.op == Op::Pow && !graph.is_constant(node.args[1]));
+}
+
+/// Whether an operation may be infinite where its arguments are not, though it does not outgrow
+/// doubles: at a pole.
+bool has_poles(const Graph& graph, const Node& node) {
   switch (node.op) {
-    case Op::Exp:
-    case Op::Gamma:
-      return true;
-    case Op::Pow:
+    case Op::Div:
       return !graph.is_constant(node.args[1]);
+    case Op::Pow:
+      return graph[node.args[1]].value < 0;  // a constant
+    case Op::Log:
+    case Op::Log2:
+    case Op::Log10:
+    case Op::Tan:
+    case Op::Atanh:
+    case Op::Gamma:
+    case Op::Lgamma:
+    case Op::Polygamma:
+      return true;
     default:
       return false;
   }
 }
 
-/// Whether the value of a node may be too large for a double at arguments that are not.
-bool may_outgrow_doubles(const Expression& of) {
-  const std::vector<bool> parts = reachable(*of.graph, std::span(&of.id, 1));
-  for (NodeId id = 0; id < parts.size(); ++id) {
-    if (parts[id] && outgrows_doubles(*of.graph, (*of.graph)[id])) return true;
+/// Whether the value of a node may be infinite because doubles end, and for no other reason: at the
+/// pole of exp(u)/v its reciprocal goes through 0 with a slope. What is in an exponent does not
+/// matter: exp(1/u) has outgrown doubles before.
+bool only_outgrows_doubles(const Expression& of) {
+  const Graph& graph = *of.graph;
+  std::vector<bool> is_part(of.id + 1, false);
+  is_part[of.id] = true;
+  bool outgrows = false;
+  for (NodeId id = of.id + 1; id-- > 0;) {
+    if (!is_part[id]) continue;
+    const Node& node = graph[id];
+    if (outgrows_doubles(graph, node)) {
+      outgrows = true;
+      continue;
+    }
+    if (has_poles(graph, node)) return false;
+    for (int k = 0; k < arity(node.op); ++k) is_part[node.args[static_cast<std::size_t>(k)]] = true;
   }
-  return false;
+  return outgrows;
 }
 
 /// `t`, but 0 by structure where `of` is infinite. What is bounded then does not change any more in
 /// doubles: 1/(1+exp(1000*u)) is 0 from where exp overflows, and its derivative not inf*0.
 Tangent unless_infinite(Expression of, Tangent t) {
-  if (!t.slope || !may_outgrow_doubles(of)) return t;
+  if (!t.slope || !only_outgrows_doubles(of)) return t;
   return select(abs(of) > std::numeric_limits<double>::max(), Tangent{}, t);
 }
 
