@@ -256,11 +256,18 @@ class Finisher {
     std::map<std::uint32_t, Bounds> result;
     for_crossings(Cut::Rim, [&](const Side& side, const Crossing& cut) {
       for (const std::uint32_t end : side) {
-        if (lattice_.hole(end) == Hole::Kind::Line)
+        if (lattice_.hole(end) == Hole::Kind::Line && is_same_place(end, cut.beside_first))
           result[end].add(grid_.mesh.position[cut.beside_first]);
       }
     });
     return result;
+  }
+
+  /// Whether parameters of vertices are the same to rounding. Along a line on which it is rounding
+  /// whether a formula is defined, rims are anywhere.
+  bool is_same_place(std::uint32_t a, std::uint32_t b) const {
+    const dvec2 apart = glm::abs(grid_.mesh.uv[a] - grid_.mesh.uv[b]);
+    return glm::all(glm::lessThanEqual(apart, kSamePlace * glm::abs(grid_.range)));
   }
 
   /// Calls f(side, crossing) for each side of a leaf that is cut like this.

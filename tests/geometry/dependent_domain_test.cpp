@@ -46,6 +46,14 @@ TEST(DependentDomain, HasTheUsersParametersExactNormalsAndVerticesOnItsEnds) {
   EXPECT_LE(wave.report.mesh.max_error, *wave.report.mesh.tolerance);
 }
 
+TEST(DependentDomain, DoesNotJumpWhereRoundingDecidesWhetherItIsDefined) {
+  // On the ends of v, where all that is under the root is rounding, 1/0 and ln(0) alike.
+  for (const char* z : {"z=sqrt(1-u^2-v^2)", "z=ln(1-u^2-v^2)", "z=1/(1-u^2-v^2)"}) {
+    const Tessellation disc = mesh_of({z, "u=-1:1", "v=-sqrt(1-u^2):sqrt(1-u^2)"});
+    EXPECT_EQ(disc.report.mesh.jump_count, 0U) << z;
+  }
+}
+
 TEST(DependentDomain, IsAPointWhereItsEndsMeet) {
   const Tessellation leaf = mesh_of({"z=u*v", "u=0:pi", "v=0:sin(u)"});
   EXPECT_EQ(leaf.report.facts->topology.euler_number, 1);
