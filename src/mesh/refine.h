@@ -16,11 +16,11 @@ namespace saddle {
 /// looks for jumps and folds in it.
 inline constexpr double kVisible = 2;
 
-/// How normals turn along what is no longer than so many tolerances does not matter, nor across
-/// what is no thicker. At a point where sheets meet they turn however often a leaf is halved, and
-/// at the shoulder of a front within a width that no picture shows. Twice as much shows on waves of
-/// five pixels.
-inline constexpr double kSeenTurn = 1;
+/// How normals turn along what is no longer than so many tolerances, a pixel of a picture, does not
+/// matter, nor across what is no thicker. At a point where sheets meet they turn however often a
+/// leaf is halved, and at the shoulder of a front within a width that no picture shows. Of waves
+/// that are five pixels long a picture shows no more with half as much.
+inline constexpr double kSeenTurn = 2;
 
 /// An angle between normals but for their signs: across a cusp the normal jumps to its opposite
 /// while the tangent plane goes on, and no halving mends that.

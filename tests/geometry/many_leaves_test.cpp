@@ -122,13 +122,13 @@ TEST(ManyLeaves, ThatFailLeaveClippingAndLimitsToACloserLook) {
 TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
   const Surface surface = ridges();
   constexpr double kThickness = 0.014;  // of all cells
-  for (const double tolerance : {0.9 * kThickness, 1.2 * kThickness}) {
-    const Subject subject(surface, options_for(tolerance, 3));
+  for (const double seen : {0.9 * kThickness, 1.2 * kThickness}) {
+    const Subject subject(surface, options_for(seen / kSeenTurn, 3));
     const std::vector<Glance> glances = glances_at(subject);
     for (std::size_t k = 0; k < glances.size(); ++k) {
       const Verdict verdict = subject.judge.score(subject.leaves[k]);
       ASSERT_LT(verdict.distance.worst(), 0.5);
-      if (tolerance < kThickness) {
+      if (seen < kThickness) {
         ASSERT_GT(verdict.turn.worst(), 1);
         ASSERT_FALSE(glances[k].passes);
         expect_near(glances[k].verdict.turn, verdict.turn, k);
