@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "adaptive_options.h"
+#include "base/random.h"
 #include "mesh/adaptive_mesh.h"
+#include "mesh/breaks.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
@@ -112,6 +114,26 @@ TEST(Poles, ThatMeetARimAreCutThere) {
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       EXPECT_EQ(walls(meshes[k].mesh, c.denominator), 0U) << c.z << ' ' << k;
     }
+  }
+}
+
+TEST(Poles, AreNoneWhereBoundsKeepTheSurfaceNear) {
+  std::vector<Line> ways;  // to places on both axes
+  for (std::uint64_t k = 0; k < 40000; ++k) {
+    const double place = 2 * random_unit(2 * k) - 1;
+    const double way = 0.1 * random_unit(2 * k + 1);
+    ways.push_back({dvec2(0, place), dvec2(way, place + way)});
+    ways.push_back({dvec2(place, 0), dvec2(place, way)});
+  }
+  const auto count = [&](const char* z) {
+    return std::ranges::count(diverge(height_field(z), ways, 2e-3, 1), true);
+  };
+  // Six looks at what oscillates may well seem to go somewhere.
+  for (const char* z : {"cos(1/(u*v))", "sin(1/u)*sin(1/v)", "atan(1/v)*sin(1/u)"}) {
+    EXPECT_EQ(count(z), 0) << z;
+  }
+  for (const char* z : {"1/(u*v)", "ln(abs(u*v))", "abs(u*v)^(-0.05)"}) {
+    EXPECT_EQ(count(z), static_cast<long>(ways.size())) << z;
   }
 }
 
