@@ -91,12 +91,15 @@ GridMesh mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surfa
   return result;
 }
 
-/// The box, open at the faces that the surface does not go through on its way to its poles.
+/// The box, open at the faces that the surface does not go through on its way to its poles, or to
+/// a place nearby, as exp(1/u) does on one side of its own.
 Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
   constexpr double kNoFace = std::numeric_limits<double>::infinity();
+  constexpr double kNearby = 0.25;  // of the box: even ln goes twice as far as one on its way
+  const dvec3 near = kNearby * box.size();
   for (int k = 0; k < 3; ++k) {
-    if (!(beside_poles.low[k] < box.low[k])) box.low[k] = -kNoFace;
-    if (!(beside_poles.high[k] > box.high[k])) box.high[k] = kNoFace;
+    if (!(beside_poles.low[k] < box.low[k] - near[k])) box.low[k] = -kNoFace;
+    if (!(beside_poles.high[k] > box.high[k] + near[k])) box.high[k] = kNoFace;
   }
   return box;
 }
@@ -175,6 +178,8 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
   auto mesh = mesh_for(scene, purpose, surface, options);
   options.until_poles = false;
   pay(scene, mesh, options);
+  Bounds whole = around;  // what a mesh follows between the samples may go much farther
+  if (mesh) whole.add(mesh->mesh.bounds);
   if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
     const MeshReport known = std::move(mesh->report);
     const std::vector<dvec3> balanced = balanced_positions(surface, threads);
@@ -183,7 +188,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
     mesh = mesh_clipped(known, scene, purpose, surface, options);
     options.clip = std::nullopt;
     if (!mesh) mesh = mesh_for(scene, purpose, surface, options);
-  } else if (scene.clip.automatic && (options.clip = readable_box(around, positions))) {
+  } else if (scene.clip.automatic && (options.clip = readable_box(whole, positions))) {
     if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
     if (mesh) mesh->report.clip = options.clip;
   }

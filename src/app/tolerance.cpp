@@ -258,13 +258,25 @@ Bounds box_without_far_edges(const Bounds& all, std::span<const dvec3> points) {
   return box;
 }
 
+/// Whether a box leaves some of each side of a surface that has any: of a peak that no sample has
+/// met it leaves none.
+bool shows_some(const Bounds& box, const Bounds& whole) {
+  const dvec3 seen = glm::min(box.high, whole.high) - glm::max(box.low, whole.low);
+  bool shows = true;
+  for (int k = 0; k < 3; ++k) shows = shows && (seen[k] > 0 || !(whole.size()[k] > 0));
+  return shows;
+}
+
 }  // namespace
 
 std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> points) {
   if (points.empty()) return std::nullopt;
   const Bounds all = bounds_of(points);
   const dvec3 beyond = whole.size() - kNeedle * all.diagonal();
-  if (std::max({beyond.x, beyond.y, beyond.z}) > 0) return box_without_far_edges(whole, points);
+  if (std::max({beyond.x, beyond.y, beyond.z}) > 0) {
+    const Bounds box = box_without_far_edges(whole, points);
+    return shows_some(box, whole) ? std::optional(box) : std::nullopt;
+  }
   const int axis = longest_axis(all.size());
   double usual = next_longest(all.size(), axis);
   if (!(all.size()[axis] > kNeedle * usual)) return std::nullopt;

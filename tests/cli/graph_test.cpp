@@ -299,6 +299,20 @@ TEST_F(GraphCommand, ClipsAPoleOnlyWhereTheSurfaceGoes) {
   }
 }
 
+TEST_F(GraphCommand, ClipsWhatOutgrowsItsSamplesBetweenThem) {
+  // No pole in double precision: 1-cos(u) is 0 for |u| < 1e-8, and exp(1/u) overflows on one side.
+  for (const char* z : {"z=1/(1-cos(u))", "z=exp(1/u)"}) {
+    const Outcome run = saddle({z, "u=-5:5", "v=-5:5", "--report", "-"});
+    EXPECT_TRUE(contains(run.err, "clipped to z up to")) << run.err;
+    const Json surface = Json::parse(run.out)["surfaces"][0];
+    EXPECT_LT(surface["bounds"][1][2], 100) << z;
+    EXPECT_LE(surface["max_error"], surface["tolerance"]) << z;
+  }
+  // A box of samples would leave nothing of what none of them has met.
+  const Json peak = report_of({"z=1e6*exp(-1e6*(u^2+v^2))"})["surfaces"][0];
+  EXPECT_EQ(peak["bounds"][1][2], 1e6);
+}
+
 TEST_F(GraphCommand, ClipsAsMuchAboveAsBelowOfWhatIsOdd) {
   for (const std::vector<std::string>& formula :
        std::vector<std::vector<std::string>>{{"z=1/sin(u)", "u=-7:7"},
