@@ -42,6 +42,7 @@ constexpr double kDip = 0.7;
 constexpr std::size_t kDipReach = 2;
 /// Lines through singular points that a grid takes each way, for them to be vertices.
 constexpr std::size_t kMostLines = 16;
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 /// |r_u x r_v| is 0 along an edge if it is less than this part of what it is beside it.
 constexpr double kNoArea = 1e-6;
 
@@ -188,9 +189,13 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
     const dvec3 normal = vector(kNormalColumn, i);
     Sample sample{};
     sample.position = vector(0, i);
-    sample.L = glm::dot(second.vector(0, i), normal);
-    sample.M = glm::dot(second.vector(3, i), normal);
-    sample.N = glm::dot(second.vector(6, i), normal);
+    const dvec3 r_uu = second.vector(0, i);
+    const dvec3 r_uv = second.vector(3, i);
+    const dvec3 r_vv = second.vector(6, i);
+    sample.L = glm::dot(r_uu, normal);
+    sample.M = glm::dot(r_uv, normal);
+    sample.N = glm::dot(r_vv, normal);
+    sample.bends = {glm::length(r_uu), glm::length(r_vv)};
     const double gauss = second.number(9, i);
     const double area = first[kAreaColumn][i];
     sample.area = std::isfinite(area) && is_finite(sample.position)
@@ -404,6 +409,17 @@ std::vector<Witness> Probe::witnesses(const FixedLines& lines, const Tolerance& 
                       {std::fabs(bent[s].L), std::fabs(bent[s].N)},
                       cell.j * (lines.u.size() - 1) + cell.i});
   });
+  return result;
+}
+
+Departures Probe::departures(const dvec2& size, const Tolerance& tolerance) const {
+  Departures result{u_, v_, {}};
+  result.values.reserve(samples_.size());
+  for (const Sample& sample : samples_) {
+    const dvec2 departure = size * size * sample.bends / 8.0;
+    result.values.push_back(is_finite(sample.position) ? departure / tolerance(sample.position)
+                                                       : dvec2(kNotKnown));
+  }
   return result;
 }
 

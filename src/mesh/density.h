@@ -31,6 +31,13 @@ struct Witness {
   std::size_t cell;  ///< its number, of whatever it is a witness against
 };
 
+/// How far the surface departs from its linear approximation along the sides of cells of some size,
+/// in tolerances, by second derivatives at places in columns and rows.
+struct Departures {
+  std::vector<double> u, v;   ///< of the columns, of the rows, in the domain's direction
+  std::vector<dvec2> values;  ///< along u and along v; v outer; NaN where not known
+};
+
 /// What becomes of a grid's cells, by the probe's samples.
 struct Outlook {
   double worst = 0;        ///< the largest error of a cell, in tolerances
@@ -73,6 +80,10 @@ class Probe {
   /// The samples beside which a cell of these lines is far too large; `cell` counts with u inner.
   std::vector<Witness> witnesses(const FixedLines& lines, const Tolerance& tolerance) const;
 
+  /// Of cells of this size in u and v. Not along the normal, as errors are: waves that a cell holds
+  /// many of are steep wherever they are not at a crest.
+  Departures departures(const dvec2& size, const Tolerance& tolerance) const;
+
   /// Samples beside which |r_u x r_v| may be 0, but for those beside edges at which it is.
   Dips dips() const;
 
@@ -94,6 +105,7 @@ class Probe {
   struct Sample {
     dvec3 position;
     double L, M, N;  // second derivatives along the unit normal
+    dvec2 bends;     // |r_uu| and |r_vv|
     double area;     // |r_u x r_v|; infinite where it is not known
     double sqrt_k;   // sqrt|K| |r_u x r_v|
     bool saddle;     // K < 0

@@ -60,6 +60,7 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
       lattice_(surface, grid_, options.threads),
       judge_(refining_, grid_, lattice_),
       verifier_(surface, grid_, lattice_, refining_),
+      foreseen_(foresee(plan)),
       budget_(surface.bounds) {}
 
 void Halving::run(std::vector<Witness> witnesses) {
@@ -297,6 +298,7 @@ bool Halving::measure_singular() {
 bool Halving::splits_u(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_far = mesh_.off(number) > 1;
+  if (const auto foreseen = foreseen_.splits_foreseen_u(leaf, lattice_)) return *foreseen;
   if (mesh_.triangles.ranges[number].has_flat_piece && leaf.is_split) {
     if (const auto along_u = flat_piece_along_u(leaf, lattice_)) return *along_u;
   }
@@ -349,9 +351,16 @@ double Halving::turn(std::size_t number) {
   return 0;
 }
 
+/// Where leaves will be hopeless.
+Oscillation Halving::foresee(const MeshPlan& plan) const {
+  Oscillation oscillation(grid_, refining_.share);
+  oscillation.foresee(plan.probe.departures(oscillation.narrow_size(), plan.tolerance));
+  return oscillation;
+}
+
 /// Where leaves are hopeless.
 Oscillation Halving::oscillation() const {
-  Oscillation oscillation(grid_, refining_.share);
+  Oscillation oscillation = foreseen_;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     if (!oscillates_ && mesh_.is_near(k)) continue;
     const Leaf& leaf = mesh_.leaves[k];

@@ -78,6 +78,7 @@ class Halving {
   bool is_cut_unclearly(std::size_t number) const;
   bool is_turned(std::size_t number) const;
   double turn(std::size_t number);
+  Oscillation foresee(const MeshPlan& plan) const;
   Oscillation oscillation() const;
   bool stays(Leaf& leaf, const Oscillation& oscillation);
   std::vector<Leaf> take_failed();
@@ -93,6 +94,7 @@ class Halving {
   Lattice lattice_;
   Judge judge_;
   Verifier verifier_;
+  Oscillation foreseen_;
   Measured mesh_;
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
   std::vector<PlacedHole> holes_;

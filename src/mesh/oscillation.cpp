@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
+
+#include <glm/vector_relational.hpp>
 
 namespace saddle {
 
@@ -11,6 +14,9 @@ namespace {
 /// A leaf is narrow that is so many tolerances wide, or two pixels: no wave within it shows. Ranges
 /// are taken for as long as the surface's diagonal.
 constexpr double kNarrow = 4;
+/// A leaf that is foreseen to be hopeless is narrow enough if it is so many times as wide: cells of
+/// a root grid that are about as narrow as they may be need not be halved.
+constexpr double kForeseenWidth = 1.5;
 /// In ranges: about half a pixel.
 constexpr double kSliver = 1.0 / 2048;
 /// It is hopeless if errors that fall with the square of its width would have it narrower by this
@@ -39,6 +45,15 @@ Oscillation::Oscillation(const Grid& grid, double tolerance)
       size_u_(block_size(grid.cells_u, narrow_)),
       size_v_(block_size(grid.cells_v, narrow_)) {}
 
+void Oscillation::foresee(Departures departures) {
+  forecast_ = Forecast(std::move(departures), kHopeless);
+}
+
+glm::bvec2 Oscillation::foreseen(const Leaf& leaf, const Lattice& lattice) const {
+  if (!forecast_.any()) return glm::bvec2(false);
+  return forecast_.at(lattice.parameters(leaf.middle()));
+}
+
 void Oscillation::add(const Leaf& leaf, const Scores& distance, const Lattice& lattice) {
   if (!(distance.worst() > 1)) return;
   const dvec2 size = size_of(leaf, lattice);
@@ -65,6 +80,7 @@ void Oscillation::add(const Leaf& leaf) {
 }
 
 bool Oscillation::contains(const Leaf& leaf, const Lattice& lattice) const {
+  if (glm::any(foreseen(leaf, lattice))) return !splits_foreseen_u(leaf, lattice);
   const auto block = blocks_.find(block_of(leaf));
   if (block == blocks_.end()) return false;
   const auto& [area, length] = block->second;
@@ -72,6 +88,16 @@ bool Oscillation::contains(const Leaf& leaf, const Lattice& lattice) const {
   // A leaf that is narrow in one direction would be halved in the other as well, whenever its
   // samples happen to be alike.
   return (area > kOscillatingShare || length > kMostLines) && std::min(size.x, size.y) <= 1;
+}
+
+std::optional<bool> Oscillation::splits_foreseen_u(const Leaf& leaf, const Lattice& lattice) const {
+  const glm::bvec2 is_foreseen = foreseen(leaf, lattice);
+  if (!glm::any(is_foreseen)) return std::nullopt;
+  const dvec2 size = size_of(leaf, lattice);
+  const bool is_wide_u = is_foreseen.x && size.x > kForeseenWidth;
+  const bool is_wide_v = is_foreseen.y && size.y > kForeseenWidth;
+  if (!is_wide_u && !is_wide_v) return std::nullopt;
+  return is_wide_u && (!is_wide_v || size.x >= size.y);
 }
 
 bool Oscillation::is_sliver(const Leaf& leaf, const Lattice& lattice) const {

@@ -105,7 +105,7 @@ class Refiner {
         continue;
       }
       if (defined < 9) {
-        rims.push_back({candidates[k], {}});
+        if (!keep_oscillating_rim(leaves[k])) rims.push_back({candidates[k], {}});
         continue;
       }
       const Judged judged = judge(candidates[k], glance);
@@ -118,7 +118,7 @@ class Refiner {
     }
     std::erase_if(doubtful, [&](const Judged& judged) {
       const Leaf& leaf = judged.candidate.leaf;
-      const bool is_hopeless = oscillates(leaf);
+      const bool is_hopeless = oscillates(leaf) || known_.splits_foreseen_u(leaf, lattice_);
       if (is_hopeless) others.push_back(judged);
       return is_hopeless;
     });
@@ -171,6 +171,22 @@ class Refiner {
       half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
       push(half, candidate, candidate.parent_distance, candidate.parent_turn);
     }
+  }
+
+  /// Keeps a leaf that waves are foreseen to cut more often than it could show. False if it is
+  /// none.
+  bool keep_oscillating_rim(Leaf leaf) {
+    if (!known_.contains(leaf, lattice_)) return false;
+    leaf.on_rim = true;
+    note_oscillation(leaf);
+    result_.leaves.push_back(leaf);
+    return true;
+  }
+
+  void note_oscillation(Leaf& leaf) {
+    leaf.oscillates = true;
+    known_.add(leaf);
+    if (!result_.oscillates) result_.oscillates = lattice_.parameters(leaf.middle());
   }
 
   /// Leaves on the rim. Where the surface goes to infinity there, they are halved until what is cut
@@ -340,12 +356,12 @@ class Refiner {
 
   /// Nothing where the limit is reached, or the surface oscillates.
   std::optional<std::array<Leaf, 2>> halves_of(Leaf& leaf, bool across_u) {
-    leaf.oscillates = oscillates(leaf);
-    if (leaf.oscillates) known_.add(leaf);
-    if (leaf.oscillates && !result_.oscillates) {
-      result_.oscillates = lattice_.parameters(leaf.middle());
+    leaf.oscillates = false;
+    if (oscillates(leaf)) {
+      note_oscillation(leaf);
+      return std::nullopt;
     }
-    return leaf.oscillates ? std::nullopt : halve_if_allowed(leaf, across_u);
+    return halve_if_allowed(leaf, known_.splits_foreseen_u(leaf, lattice_).value_or(across_u));
   }
 
   /// Nothing where the limit is reached.
