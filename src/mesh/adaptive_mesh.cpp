@@ -350,6 +350,7 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   name_singular(singular, surface.domain, report);
   halving.complete(report);
   Grid& grid = halving.grid();
+  report.evaluations += halving.reach_extremes();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines = leaf_lines(grid, halving.lattice(), halving.measured().leaves, options.lines_u,
                                options.lines_v);

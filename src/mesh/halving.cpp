@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesh/degenerate.h"
+#include "mesh/envelope.h"
 #include "mesh/flip.h"
 #include "mesh/islands.h"
 #include "mesh/refine.h"
@@ -98,6 +99,14 @@ LeafTriangles Halving::triangulate(MeshReport& report) {
   LeafTriangles triangles = mesh_.all_triangles();
   if (meets_itself_ || seams_.has_folds()) flip_shared_chords(grid_, triangles);
   return triangles;
+}
+
+std::size_t Halving::reach_extremes() {
+  if (!oscillates_) return 0;
+  const Oscillation hopeless = oscillation();
+  const auto oscillates = [&](const Leaf& leaf) { return hopeless.contains(leaf, lattice_); };
+  return saddle::reach_extremes(surface_, mesh_.leaves, oscillates, options_.threads, lattice_,
+                                grid_);
 }
 
 /// Whether a leaf would be cut into the same triangles as when it was measured.

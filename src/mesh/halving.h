@@ -51,6 +51,10 @@ class Halving {
   /// How wide a leaf is where it is narrow; of one on the rim what of it is defined.
   double width(const Leaf& leaf) const;
 
+  /// Has vertices where the surface oscillates too fast reach its extremes, once nothing is
+  /// measured any more. Returns how many places of the surface that took.
+  std::size_t reach_extremes();
+
   /// What is to be said of the way here.
   void complete(MeshReport& report);
 

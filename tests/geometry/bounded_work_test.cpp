@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -83,6 +84,33 @@ TEST(BoundedWork, FollowsWavesBesideThoseThatItCannot) {
     gap = std::max(gap, std::fabs(middle.z - std::sin(rate * middle.y)) / std::hypot(1, slope));
   }
   EXPECT_LT(gap, 1.1 * *result.report.tolerance);  // a straight line up to the surface is longer
+}
+
+TEST(BoundedWork, FillsWhatWavesSweepThatItCannotFollow) {
+  const Mesh mesh = mesh_within_tolerance(height_field("sin(1e6*u)"), thousandth()).value().mesh;
+  constexpr std::size_t kStrips = 50;
+  std::array<Bounds, kStrips> strips;
+  for (const dvec3& p : mesh.position) {
+    EXPECT_NEAR(p.z, std::sin(1e6 * p.x), 1e-9);
+    const auto strip = static_cast<std::size_t>((p.x + 1) / 2 * kStrips);
+    strips[std::min(strip, kStrips - 1)].add(p);
+  }
+  for (const Bounds& strip : strips) {
+    EXPECT_GT(strip.high.z, 0.99);
+    EXPECT_LT(strip.low.z, -0.99);
+  }
+  // Its edges are where they were, and no triangle is turned over.
+  EXPECT_EQ(mesh.bounds.low.x, -1);
+  EXPECT_EQ(mesh.bounds.high.x, 1);
+  EXPECT_EQ(mesh.bounds.low.y, -1);
+  EXPECT_EQ(mesh.bounds.high.y, 1);
+  std::size_t turned = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const dvec2 along = mesh.uv[b] - mesh.uv[a];
+    const dvec2 across = mesh.uv[c] - mesh.uv[a];
+    if (!(along.x * across.y - along.y * across.x > 0)) ++turned;
+  }
+  EXPECT_EQ(turned, 0U) << mesh.triangles.size();
 }
 
 TEST(BoundedWork, TakesRangesOfFewDoubles) {
