@@ -1,5 +1,6 @@
 #include "formula/derive.h"
 
+#include <array>
 #include <limits>
 
 #include "formula/tangent.h"
@@ -24,7 +25,7 @@ bool has_poles(const Graph& graph, const Node& node) {
     case Op::Div:
       return !graph.is_constant(node.args[1]);
     case Op::Pow:
-      return graph[node.args[1]].value < 0;  // a constant
+      return graph.is_constant(node.args[1]) && graph[node.args[1]].value < 0;
     case Op::Log:
     case Op::Log2:
     case Op::Log10:
@@ -37,6 +38,17 @@ bool has_poles(const Graph& graph, const Node& node) {
     default:
       return false;
   }
+}
+
+/// Whether the value of a node may be infinite where the parameters are not.
+bool may_be_infinite(const Expression& of) {
+  const Graph& graph = *of.graph;
+  const std::vector<bool> is_part = reachable(graph, std::array{of.id});
+  for (NodeId id = 0; id < is_part.size(); ++id) {
+    if (is_part[id] && (outgrows_doubles(graph, graph[id]) || has_poles(graph, graph[id])))
+      return true;
+  }
+  return false;
 }
 
 /// Whether the value of a node may be infinite because doubles end, and for no other reason: at the
@@ -60,11 +72,20 @@ bool only_outgrows_doubles(const Expression& of) {
   return outgrows;
 }
 
-/// `t`, but 0 by structure where `of` is infinite. What is bounded then does not change any more in
-/// doubles: 1/(1+exp(1000*u)) is 0 from where exp overflows, and its derivative not inf*0.
+/// `t`, but 0 by structure where `of` is infinite.
 Tangent unless_infinite(Expression of, Tangent t) {
-  if (!t.slope || !only_outgrows_doubles(of)) return t;
   return select(abs(of) > std::numeric_limits<double>::max(), Tangent{}, t);
+}
+
+/// The same where doubles end. What is bounded then does not change any more: 1/(1+exp(1000*u)) is
+/// 0 from where exp overflows, and its derivative not inf*0.
+Tangent unless_beyond_doubles(Expression of, Tangent t) {
+  return t.slope && only_outgrows_doubles(of) ? unless_infinite(of, t) : t;
+}
+
+/// The same at poles, too: what settles as fast as tanh has no slope left there.
+Tangent unless_settled(Expression of, Tangent t) {
+  return t.slope && may_be_infinite(of) ? unless_infinite(of, t) : t;
 }
 
 /// The chain rule for one node: its arguments, their tangents and the node itself.

@@ -119,6 +119,9 @@ TEST(Derivative, OfWhatIsBoundedIsZeroWhereItsPartsAreBeyondDoubles) {
     EXPECT_EQ(testing::value("diff(diff(" + std::string(of) + ",u),u)", 1), 0) << of;
   }
   EXPECT_DOUBLE_EQ(testing::value("diff(1/(1+exp(u)),u)", 0), -0.25);
+  for (const char* of : {"tanh(u/v)", "erf(u/v)", "sqrt(1-tanh(u/v))"}) {
+    EXPECT_EQ(testing::value("diff(" + std::string(of) + ",v)", 1, 0), 0) << of;
+  }
   // A pole is no end of doubles: v*exp(-u) has a slope where v = 0, which is no number here.
   for (const char* of : {"1/(exp(u)/v)", "atan(exp(u)/v)", "1/(exp(u)+ln(v))"}) {
     EXPECT_FALSE(testing::value("diff(" + std::string(of) + ",v)", 1, 0) == 0) << of;
