@@ -42,6 +42,8 @@ constexpr int kProofHalvings = 3;
 
 /// Halvings after which most lines are done, so that the others are worth more than halvings.
 constexpr int kPlainHalvings = 8;
+/// The same where there are only cusps: the first one tells most lines.
+constexpr int kPlainHalvingsOfCusps = 1;
 /// Places nearer to an end than so many doubles may be that end.
 constexpr double kLeastStep = 2;
 /// A good guess is the very place of a cusp, which has no normal: then it is looked at beside it,
@@ -246,19 +248,20 @@ struct Followed {
   double delta;   ///< a gap that is smaller is none
   double beyond;  ///< ends of breaks go on outward to what is this far from them
   bool are_positions;
+  int plain;  ///< halvings before heights are known
 };
 
 template <class F, class H>
 std::vector<Found> follow(const Surface& surface, std::vector<Search> searches,
                           const Followed<F, H>& followed, unsigned threads, std::size_t& work) {
-  const auto& [value, height, delta, beyond, are_positions] = followed;
+  const auto& [value, height, delta, beyond, are_positions, plain] = followed;
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < searches.size(); ++k) {
     if (!searches[k].done) open.push_back(k);
   }
   std::vector<dvec2> uv;
   for (int halving = 0; halving < kMaxHalvings && !open.empty(); ++halving) {
-    if (halving == kPlainHalvings) measure_ends(surface, searches, open, threads, height);
+    if (halving == plain) measure_ends(surface, searches, open, threads, height);
     uv.clear();
     for (const std::size_t k : open) {
       searches[k].share = next_share(searches[k]);
@@ -297,8 +300,8 @@ std::vector<Found> follow_positions(const Surface& surface, std::span<const Line
   const auto position = [](const SurfacePoint& point) { return point.position; };
   const auto unknown = [](const Search&, const SurfacePoint&) { return kUnknown; };
   work += uv.size();
-  const Followed<decltype(position), decltype(unknown)> positions = {position, unknown, delta,
-                                                                     delta, true};
+  const Followed<decltype(position), decltype(unknown)> positions = {
+      position, unknown, delta, delta, true, kPlainHalvings};
   return follow(surface, std::move(searches), positions, threads, work);
 }
 
@@ -546,10 +549,14 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
     return glm::dot(glm::cross(point.r_u, point.r_v), search.at_ends[0] - search.at_ends[1]);
   };
   const Followed<decltype(normal), decltype(height)> turning = {
-      normal, height, only_cusps ? kNearOpposites : chord, chord, false};
+      normal, height, only_cusps ? kNearOpposites : chord,
+      chord,  false,  only_cusps ? kPlainHalvingsOfCusps : kPlainHalvings};
   const std::vector<Found> found = follow(surface, std::move(searches), turning, threads, work);
   std::vector<Found> result(lines.size());
-  for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    result[open[i]] = found[i];
+    result[open[i]].is_cusp = only_cusps && found[i].kind != Break::None;
+  }
   return result;
 }
 

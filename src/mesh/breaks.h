@@ -21,6 +21,7 @@ struct Found {
   Break kind = Break::None;
   Line ends{dvec2(0), dvec2(0)};  ///< the first is the one nearer to the line's first end
   bool has_more = false;          ///< there are others on the line
+  bool is_cusp = false;           ///< the normal goes to its opposite: the tangents do not jump
 };
 
 /// Follows the larger half of the gap between the positions at the ends of each line until both

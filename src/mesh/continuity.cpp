@@ -187,7 +187,7 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
   /// So few lines are looked at in less time than proofs of each would take; more of them where the
   /// first look at each tells.
   constexpr std::size_t kFew = 4;
-  constexpr std::size_t kFewIfOnlyCusps = 64;
+  constexpr std::size_t kFewIfOnlyCusps = 128;
   /// Proofs of boxes around ever fewer lines that may be in vain to begin with, and for each line
   /// that was proved: looking at a line takes twice as long as one.
   constexpr std::size_t kInVain = 64;

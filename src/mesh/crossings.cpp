@@ -269,19 +269,29 @@ class Finder {
     add_pairs(Cut::Crease, creased, creases);
   }
 
+  /// A vertex beside a cut, and the end of the side that it is on the way from.
+  struct Beside {
+    std::uint32_t neighbour;
+    bool is_opposite;  ///< its normal is the opposite of the one before
+  };
+
   /// Beside a cusp the normal's digits are rounding: it takes the one-sided limit along the side.
-  /// `places`: those of the vertices from number `first`.
-  void approach(std::span<const Between> places, const std::vector<bool>& is_beside_a,
-                std::uint32_t first) {
+  /// `vertices`: from number `first`.
+  void approach(std::span<const Beside> vertices, std::uint32_t first) {
+    const Mesh& mesh = lattice_.mesh();
     std::vector<Approach> approaches;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const std::uint32_t neighbour = is_beside_a[k] ? places[k].a : places[k].b;
-      approaches.push_back({places[k].uv, lattice_.mesh().uv[neighbour]});
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      if (vertices[k].is_opposite) continue;
+      approaches.push_back({mesh.uv[first + k], mesh.uv[vertices[k].neighbour]});
     }
     const auto limits = limit_normals(lattice_.surface(), approaches, options_.threads);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (limits[k].normal)
-        lattice_.set_normal(static_cast<std::uint32_t>(first + k), *limits[k].normal);
+    std::optional<dvec3> normal;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      normal = !vertices[k].is_opposite ? limits[next++].normal
+               : normal                 ? std::optional(-*normal)
+                                        : std::nullopt;
+      if (normal) lattice_.set_normal(static_cast<std::uint32_t>(first + k), *normal);
     }
   }
 
@@ -289,16 +299,18 @@ class Finder {
   void add_pairs(Cut kind, std::span<const Side> sides, std::span<const Found> found) {
     const auto& uv = lattice_.mesh().uv;
     std::vector<Between> places;
-    std::vector<bool> is_beside_a;
+    std::vector<Beside> vertices;
     for (std::size_t k = 0; k < sides.size(); ++k) {
+      bool is_second = false;
       for (std::size_t end = 0; end < 2; ++end) {
         if (found[k].ends[end] == uv[sides[k][end]]) continue;
         places.push_back({sides[k][0], sides[k][1], found[k].ends[end]});
-        is_beside_a.push_back(end == 0);
+        vertices.push_back({sides[k][end], is_second && found[k].is_cusp});
+        is_second = true;
       }
     }
     const std::uint32_t first = lattice_.add_between(places, options_.threads);
-    if (kind == Cut::Crease) approach(places, is_beside_a, first);
+    if (kind == Cut::Crease) approach(vertices, first);
     std::uint32_t next = first;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       std::array<std::uint32_t, 2> beside{};

@@ -174,10 +174,20 @@ class Finder {
       }
     }
     const std::vector<bool> are = are_zeros(places);
-    const std::vector<bool> are_even = are_zeros(even);
     Places zeros;
+    Places evened;
+    std::vector<std::size_t> numbers;  // of those, among the zeros
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (are[k]) zeros.push_back(are_even[k] ? even[k] : places[k]);
+      if (!are[k]) continue;
+      if (even[k] != places[k]) {
+        evened.push_back(even[k]);
+        numbers.push_back(zeros.size());
+      }
+      zeros.push_back(places[k]);
+    }
+    const std::vector<bool> are_even = are_zeros(evened);
+    for (std::size_t i = 0; i < evened.size(); ++i) {
+      if (are_even[i]) zeros[numbers[i]] = evened[i];
     }
     return zeros;
   }
