@@ -108,13 +108,13 @@ class Refiner {
         if (!keep_oscillating_rim(leaves[k])) rims.push_back({candidates[k], {}});
         continue;
       }
-      const Judged judged = judge(candidates[k], glance);
+      Judged judged = judge(std::move(candidates[k]), glance);
       const Leaf& leaf = judged.candidate.leaf;
       if (!leaf.leads_to_pole) {
         oscillation_.add(leaf, judged.verdict.distance, lattice_);
       }
       const bool is_open = judged.verdict.is_folded || judged.verdict.may_jump || is_doubtful(leaf);
-      (is_open ? doubtful : others).push_back(judged);
+      (is_open ? doubtful : others).push_back(std::move(judged));
     }
     std::erase_if(doubtful, [&](const Judged& judged) {
       const Leaf& leaf = judged.candidate.leaf;
@@ -304,16 +304,17 @@ class Refiner {
   }
 
   /// What the samples say of a leaf.
-  Judged judge(const Candidate& candidate, const Glance& glance) const {
-    Judged judged{candidate, glance.verdict};
+  Judged judge(Candidate candidate, const Glance& glance) const {
+    Judged judged{std::move(candidate), glance.verdict};
     Leaf& leaf = judged.candidate.leaf;
     if (judge_.is_clipped(leaf)) return judged;
     if (!glance.is_known || glance.passes) judged.verdict = judge_.score(leaf);
     if (leaf.leads_to_pole) judged.verdict.distance = judged.verdict.gap;
     const double distance = judged.verdict.distance.worst() * leaf.strictness;
     const double turn = judged.verdict.turn.worst() * leaf.turn_strictness;
-    leaf.in_vain = count_in_vain(leaf.in_vain, distance, candidate.parent_distance);
-    leaf.turned_in_vain = count_in_vain(leaf.turned_in_vain, turn, candidate.parent_turn);
+    const auto& [whole, witnesses, parent_distance, parent_turn] = judged.candidate;
+    leaf.in_vain = count_in_vain(leaf.in_vain, distance, parent_distance);
+    leaf.turned_in_vain = count_in_vain(leaf.turned_in_vain, turn, parent_turn);
     return judged;
   }
 

@@ -29,6 +29,8 @@ constexpr std::span<const double> kInMiddle = std::span(kOnChord).subspan(1, 1);
 /// Leaves of several triangles that are measured together, on some ten samples each: what is known
 /// of these (170 bytes) stays in the second-level cache.
 constexpr std::size_t kAtATime = 400;
+/// Samples of most of them.
+constexpr std::size_t kSamples = 8;
 
 /// How far from its chord a crease is looked for, in chords.
 constexpr double kBesideCrease = 0.3;
@@ -70,6 +72,20 @@ std::optional<std::uint32_t> apex_beyond(std::span<const Triangle> triangles, st
     }
   }
   return std::nullopt;
+}
+
+/// Whether a chord in a leaf is told of by another triangle: a diagonal is a side of two, and so is
+/// the chord of a crease, of one in each piece with corners of its own.
+bool is_other_side(const Grid& grid, std::span<const Triangle> triangles, std::uint32_t a,
+                   std::uint32_t b, bool on_crease) {
+  if (!on_crease) return a > b;
+  const auto& point = grid.mesh.point;
+  return point[a] > point[b] && std::ranges::any_of(triangles, [&](const Triangle& t) {
+           for (std::size_t k = 0; k < 3; ++k) {
+             if (point[t[k]] == point[b] && point[t[(k + 1) % 3]] == point[a]) return true;
+           }
+           return false;
+         });
 }
 
 /// Triangles from the front that are connected; those of a leaf's pieces follow each other.
@@ -172,7 +188,7 @@ void Verifier::append_chords(std::size_t number, const Leaf& leaf,
     const bool inside = is_inside((0.5 * (at[a] + at[b]) - low) / size);
     if (!inside && !is_creased) return;
     const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
-    if (a > b && inside && !on_crease) return;  // a diagonal is a side of two triangles
+    if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
     Sample sample{number, {}, &t, leaf.is_split};
     if (on_crease) {
       const dvec2 along = (at[b] - at[a]) / size;
@@ -294,6 +310,8 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
   std::vector<Sample> rest;
   std::vector<Sample> samples;
   std::vector<PlaceOnTriangle> places;
+  samples.reserve(kSamples * others.size());
+  places.reserve(kSamples * others.size());
   for (const std::size_t k : others) {
     const Leaf& leaf = mesh.leaves[which[k]];
     const std::span<const Triangle> of_leaf = triangles.of(k);
