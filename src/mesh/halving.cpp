@@ -176,8 +176,8 @@ CrossingOptions Halving::crossing_options(bool poles) const {
   return {refining_.tolerance, poles, options_.threads, options_.clip, options_.max_triangles};
 }
 
-/// Whether one more halving could exceed the limit of triangles.
-bool Halving::is_full() {
+/// Stops, and remembers it, if one more halving could exceed the limit of triangles.
+bool Halving::stop_if_full() {
   const bool full = lattice_.is_full(options_.max_triangles);
   reached_limit_ = reached_limit_ || full;
   return full;
@@ -383,9 +383,9 @@ Oscillation Halving::oscillation() const {
   return oscillation;
 }
 
-/// Whether a leaf that deviates too much is not to be halved any more.
-bool Halving::stays(Leaf& leaf, const Oscillation& oscillation) {
-  if (leaf.given_up || leaf.oscillates || is_clipped(leaf) || is_full()) return true;
+/// Stops at a leaf that deviates too much but is not to be halved any more, and tells it why.
+bool Halving::stop_if_done(Leaf& leaf, const Oscillation& oscillation) {
+  if (leaf.given_up || leaf.oscillates || is_clipped(leaf) || stop_if_full()) return true;
   leaf.oscillates = oscillation.contains(leaf, lattice_);
   if (leaf.oscillates && !oscillates_) oscillates_ = lattice_.parameters(leaf.middle());
   return leaf.oscillates;
@@ -405,7 +405,7 @@ std::vector<Leaf> Halving::take_failed() {
     const double turned = turn(k);
     if (!(off > 1) && !(turned > 1) && !is_cut_unclearly(k)) continue;
     Leaf& leaf = mesh_.leaves[k];
-    if (stays(leaf, hopeless)) continue;
+    if (stop_if_done(leaf, hopeless)) continue;
     const auto both = halve(leaf, splits_u(k), lattice_);
     if (!both) continue;
     failed.push_back(k);
@@ -420,7 +420,7 @@ std::vector<Leaf> Halving::take_failed() {
   mesh_.remove(failed);
   // A neighbour was halved, and the side that both share turns out to be defined.
   const auto is_no_more = [this](const Leaf& leaf) {
-    return has_defined_corner(leaf, lattice_) && !is_full();
+    return has_defined_corner(leaf, lattice_) && !stop_if_full();
   };
   std::ranges::copy_if(empty_, std::back_inserter(halves), is_no_more);
   std::erase_if(empty_, is_no_more);
@@ -437,7 +437,7 @@ Halving::Failed Halving::take_islands(std::size_t& boxes) {
   Failed failed;
   std::vector<Leaf> kept;
   for (std::size_t k = 0; k < where.size(); ++k) {
-    if (!found[k] || is_full()) {
+    if (!found[k] || stop_if_full()) {
       kept.push_back(empty_[k]);
       continue;
     }
@@ -479,7 +479,7 @@ Halving::Failed Halving::take_suspects() {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Suspect& suspect = proof.suspects[k];
     if (!(distances[k] > mesh_.allowed[suspect.leaf]) ||
-        stays(mesh_.leaves[suspect.leaf], hopeless)) {
+        stop_if_done(mesh_.leaves[suspect.leaf], hopeless)) {
       continue;
     }
     guilty.insert(suspect.leaf);

@@ -70,7 +70,7 @@ class Halving {
   void name_doubts(MeshReport& report);
   Seams weld_if_two_dimensional(const Probe& probe);
   CrossingOptions crossing_options(bool poles) const;
-  bool is_full();
+  bool stop_if_full();
   void add(const Failed& failed);
   void take(const Refinement& refinement);
   bool remeasure();
@@ -84,7 +84,7 @@ class Halving {
   double turn(std::size_t number);
   Oscillation foresee(const MeshPlan& plan) const;
   Oscillation oscillation() const;
-  bool stays(Leaf& leaf, const Oscillation& oscillation);
+  bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
   std::vector<Leaf> take_failed();
   Failed take_islands(std::size_t& boxes);
   Failed take_suspects();
