@@ -35,9 +35,8 @@ void take_leaf(const Leaf& leaf, const Judge& judge, const Lattice& lattice, dou
 /// Whether normals of samples are limits, which say nothing of the leaf.
 bool has_limits(const Samples& samples, const Lattice& lattice) {
   const auto is_limit = [&](std::uint32_t vertex) { return !lattice.is_regular(vertex); };
-  return lattice.has_singular() &&
-         (is_limit(samples.centre) || std::ranges::any_of(samples.corner, is_limit) ||
-          std::ranges::any_of(samples.side, is_limit));
+  return is_limit(samples.centre) || std::ranges::any_of(samples.corner, is_limit) ||
+         std::ranges::any_of(samples.side, is_limit);
 }
 
 Scores take(const LeafScores& scores, std::size_t i) {
