@@ -23,6 +23,9 @@ constexpr double kSliver = 1.0 / 2048;
 /// factor, which is a quarter of a tolerance, to be within tolerance.
 constexpr double kMostNarrowing = 16;
 constexpr double kHopeless = kMostNarrowing * kMostNarrowing;
+/// Before a mesh is made, so many times as much: the largest of a few samples stand for a whole
+/// neighbourhood, of which a part may be within reach yet.
+constexpr double kForeseenHopeless = 4 * kHopeless;
 /// Hopeless leaves are an oscillation if they cover this share of a block, which is about so many
 /// times as wide as a narrow leaf, or if laid end to end they cross it so many times. Along a line
 /// to which the surface is ever steeper, as sqrt and ln are, some ten leaves side by side are still
@@ -46,7 +49,7 @@ Oscillation::Oscillation(const Grid& grid, double tolerance)
       size_v_(block_size(grid.cells_v, narrow_)) {}
 
 void Oscillation::foresee(Departures departures) {
-  forecast_ = Forecast(std::move(departures), kHopeless);
+  forecast_ = Forecast(std::move(departures), kForeseenHopeless);
 }
 
 glm::bvec2 Oscillation::foreseen(const Leaf& leaf, const Lattice& lattice) const {
