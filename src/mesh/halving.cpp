@@ -278,7 +278,6 @@ void Halving::measure(std::span<const std::size_t> which, const SingularCorners&
   verifier_.measure(mesh_, which, triangles);
   lattice_.effort().add_places(verifier_.evaluations() - before);
   mesh_.put(which, triangles, now);
-  fresh_.insert(fresh_.end(), which.begin(), which.end());
   for (const std::size_t k : which) {
     if (is_turned(k) && width(mesh_.leaves[k]) <= kSeenTurn * mesh_.allowed[k]) {
       mesh_.deviations[k].degrees = 0;
@@ -391,15 +390,14 @@ bool Halving::stop_if_done(Leaf& leaf, const Oscillation& oscillation) {
   return leaf.oscillates;
 }
 
-/// Halves of the leaves that deviate too much, among those that were measured since the last time:
-/// what stayed then stays.
+/// Halves of the leaves that deviate too much, among those that were measured since the last time,
+/// since what stayed then stays; and of those that new crossings on their sides cut unclearly.
 std::vector<Leaf> Halving::take_failed() {
   const Oscillation hopeless = oscillation();
-  std::ranges::sort(fresh_);
-  fresh_.erase(std::unique(fresh_.begin(), fresh_.end()), fresh_.end());
   std::vector<std::size_t> failed;
   std::vector<Leaf> halves;
-  for (const std::size_t k : fresh_) {
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    if (mesh_.leaves[k].measured <= taken_ && !mesh_.leaves[k].is_split) continue;
     if (mesh_.is_near(k) && !mesh_.leaves[k].is_split && !is_turned(k)) continue;
     const double off = mesh_.off(k);
     const double turned = turn(k);
@@ -416,7 +414,7 @@ std::vector<Leaf> Halving::take_failed() {
       halves.push_back(half);
     }
   }
-  fresh_.clear();
+  taken_ = lattice_.next_moment();
   mesh_.remove(failed);
   // A neighbour was halved, and the side that both share turns out to be defined.
   const auto is_no_more = [this](const Leaf& leaf) {

@@ -100,7 +100,7 @@ class Halving {
   Verifier verifier_;
   Oscillation foreseen_;
   Measured mesh_;
-  std::vector<std::size_t> fresh_;  // measured, and not looked at by take_failed() yet
+  std::uint32_t taken_ = 0;  // when take_failed() last looked: Lattice::next_moment()
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
   std::vector<PlacedHole> holes_;
   ProofBudget budget_;
