@@ -374,7 +374,7 @@ Oscillation Halving::oscillation() const {
     if (!oscillates_ && mesh_.is_near(k)) continue;
     const Leaf& leaf = mesh_.leaves[k];
     if (leaf.oscillates) {
-      oscillation.add(leaf);
+      oscillation.add(leaf, lattice_);
     } else if (!leaf.leads_to_pole && !mesh_.is_near(k)) {
       oscillation.add(leaf, {.centre = mesh_.off(k)}, lattice_);
     }

@@ -33,6 +33,9 @@ constexpr double kForeseenHopeless = 4 * kHopeless;
 constexpr double kOscillatingShare = 0.4;
 constexpr double kBlock = 16;
 constexpr double kMostLines = 16;
+/// Lines of a mesh that are dense make blocks as narrow as leaves: across what is narrow, one leaf
+/// counts for no more of a block than this, so that a row of them, along a pole, is no area.
+constexpr double kMostOfOne = 0.25;
 
 /// The side of a block in units: root cells, of which a range has so many, halved or doubled.
 std::uint32_t block_size(std::size_t cells, double narrow) {
@@ -70,13 +73,16 @@ void Oscillation::add(const Leaf& leaf, const Scores& distance, const Lattice& l
   const auto [narrower, wider] = std::minmax(size.x, size.y);
   if (is_hopeless(distance.along_u, size.x) || is_hopeless(distance.along_v, size.y) ||
       is_hopeless(distance.centre, wider <= 1 ? wider : narrower)) {
-    add(leaf);
+    add(leaf, lattice);
   }
 }
 
-void Oscillation::add(const Leaf& leaf) {
-  const double along_u = std::min(1.0, static_cast<double>(leaf.size_u()) / size_u_);
-  const double along_v = std::min(1.0, static_cast<double>(leaf.size_v()) / size_v_);
+void Oscillation::add(const Leaf& leaf, const Lattice& lattice) {
+  double along_u = std::min(1.0, static_cast<double>(leaf.size_u()) / size_u_);
+  double along_v = std::min(1.0, static_cast<double>(leaf.size_v()) / size_v_);
+  const dvec2 size = size_of(leaf, lattice);
+  double& across = size.x < size.y ? along_u : along_v;
+  across = std::min(across, kMostOfOne);
   Block& block = blocks_[block_of(leaf)];
   block.length += std::max(along_u, along_v);
   block.area += along_u * along_v;

@@ -27,7 +27,7 @@ class Oscillation {
   /// Counts a leaf that is off by so many tolerances, if it is hopeless.
   void add(const Leaf& leaf, const Scores& distance, const Lattice& lattice);
   /// Counts a hopeless leaf.
-  void add(const Leaf& leaf);
+  void add(const Leaf& leaf, const Lattice& lattice);
   /// Whether a leaf, narrow as well, is part of an oscillation, as far as leaves have been counted.
   /// There is no use in looking for what cuts it, either: jumps would be too many.
   bool contains(const Leaf& leaf, const Lattice& lattice) const;

@@ -185,7 +185,7 @@ class Refiner {
 
   void note_oscillation(Leaf& leaf) {
     leaf.oscillates = true;
-    known_.add(leaf);
+    known_.add(leaf, lattice_);
     if (!result_.oscillates) result_.oscillates = lattice_.parameters(leaf.middle());
   }
 

@@ -131,6 +131,17 @@ TEST(Clip, KeepsTheToleranceBesidePoles) {
   }
 }
 
+/// A cell along a pole, between dense lines, is no area full of waves.
+TEST(Clip, FindsNoOscillationAlongAPole) {
+  AdaptiveOptions options = within_length(0.0116);
+  options.normal_tolerance = 3;
+  options.clip = Bounds{dvec3(-5, -5, -5.007), dvec3(5, 5, 5.007)};
+  const Surface surface = height_field("u/v", {-5, 5, -5, 5});
+  const GridMesh result = mesh_within_tolerance(surface, options).value();
+  EXPECT_FALSE(result.report.oscillates);
+  EXPECT_LE(result.report.max_error, 0.0116);
+}
+
 /// At a rim beside which it goes to infinity slowly, cells of any size reach through the face.
 TEST(Clip, EndsWhatGoesToInfinityAtARimOnTheFace) {
   const struct {
