@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include <glm/common.hpp>
@@ -55,6 +56,9 @@ constexpr std::array kApproach = {0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1p-28, 0
 /// From one of those to the next it moves by less than this part of what it did before, or goes to
 /// infinity: a root of order 12 moves by 0.79 of it, ln by all of it.
 constexpr double kArrives = 0.8;
+/// What moves on by the same again and again, as ln does, makes so many of those steps until
+/// doubles run out beside 0.
+constexpr double kStepsLeft = 256;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -523,7 +527,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       const std::size_t first = begin + i;
       return points[first + 1].position / size - points[first].position / size;
     };
-    bool goes_on = glm::length(way(kApproach.size() - 2)) > delta / size;
+    bool goes_on = kStepsLeft * glm::length(way(kApproach.size() - 2)) > delta / size;
     for (std::size_t i = 0; i + 2 < kApproach.size(); ++i) {
       const double before = glm::length(way(i));
       goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;
@@ -563,18 +567,26 @@ std::vector<Found> find_creases(const Surface& surface, std::span<const Line> li
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box) {
   std::vector<Line> ends(lines.begin(), lines.end());
-  std::vector<dvec2> middles(lines.size());
-  for (int halving = 0; halving < halvings; ++halving) {
-    std::ranges::transform(ends, middles.begin(),
-                           [](const Line& l) { return 0.5 * l[0] + 0.5 * l[1]; });
+  std::vector<std::size_t> open(lines.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  std::vector<dvec2> middles;
+  for (int halving = 0; halving < halvings && !open.empty(); ++halving) {
+    middles.clear();
+    for (const std::size_t k : open) middles.push_back(0.5 * ends[k][0] + 0.5 * ends[k][1]);
     const auto points = evaluate(surface, middles, threads);
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      const dvec3& p = points[k].position;
-      ends[k][is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middles[k];
+    std::vector<std::size_t> rest;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Line& line = ends[open[i]];
+      const bool is_last = middles[i] == line[0] || middles[i] == line[1];  // no doubles between
+      const dvec3& p = points[i].position;
+      line[is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middles[i];
+      if (!is_last) rest.push_back(open[i]);
     }
+    open = std::move(rest);
   }
-  std::ranges::transform(ends, middles.begin(), [](const Line& l) { return l[0]; });
-  return middles;
+  std::vector<dvec2> last;
+  for (const Line& line : ends) last.push_back(line[0]);
+  return last;
 }
 
 }  // namespace saddle

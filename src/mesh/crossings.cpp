@@ -16,6 +16,9 @@ namespace {
 /// Bisections of a side that the rim crosses: a side is at most 2^10 times as long as its distance
 /// from 0, so that doubles between its ends run out.
 constexpr int kHalvings = 62;
+/// Bisections toward a pole at 0, beside which doubles go down to 2^-1074: the logarithm of these
+/// is -744, and -43 that of what kHalvings lead to.
+constexpr int kHalvingsToLeast = 1100;
 /// Sides that are looked at together, before anybody asks whether that was enough: some
 /// milliseconds if each one takes hundreds of looks.
 constexpr std::size_t kSidesAtATime = 512;
@@ -35,8 +38,9 @@ class Finder {
       const auto& [beside_a, beside_b] = lattice_.pole_between(a, b);
       places.push_back({a, b, beside_a});
       places.push_back({a, b, beside_b});
-      ways.push_back({a, beside_a});
-      ways.push_back({b, beside_b});
+      const dvec2 pole = place_of_pole(beside_a, beside_b);
+      ways.push_back({a, beside_a, pole});
+      ways.push_back({b, beside_b, pole});
     }
     const bool to_faces = options_.clip && has_room();
     if (to_faces) {
@@ -163,7 +167,7 @@ class Finder {
       if (!goes_far[k] || lattice_.hole(other) == Hole::Kind::NoLimit) continue;
       at_face[k] = true;
       lattice_.add_pole_beyond_face({rim.uv, rim.uv});
-      ways.push_back({end, rim.uv});
+      ways.push_back({end, rim.uv, lattice_.mesh().uv[other]});
     }
     const std::vector<dvec2> faces = leave_box(ways);
     std::size_t next = 0;
@@ -176,23 +180,37 @@ class Finder {
   /// A way from a vertex to infinity.
   struct PoleWay {
     std::uint32_t from;
-    dvec2 pole;  ///< the last place before it
+    dvec2 last;    ///< the last known place before the pole
+    dvec2 beyond;  ///< the pole, or a place beyond it: doubles may go on to there
   };
+
+  /// Of a pole between two places, where the search for it ended: between their signs is 0.
+  static dvec2 place_of_pole(const dvec2& a, const dvec2& b) {
+    dvec2 place = 0.5 * a + 0.5 * b;
+    for (int k = 0; k < 2; ++k) {
+      if (std::signbit(a[k]) != std::signbit(b[k])) place[k] = 0;
+    }
+    return place;
+  }
 
   /// Where ways leave the clip box; those that begin outside of it, at once.
   std::vector<dvec2> leave_box(std::span<const PoleWay> ways) const {
+    std::vector<dvec2> last;
+    for (const PoleWay& way : ways) last.push_back(way.last);
+    const auto at_last = evaluate(lattice_.surface(), last, options_.threads);
     std::vector<dvec2> places;
     std::vector<Line> inside;
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < ways.size(); ++k) {
-      const auto& [from, pole] = ways[k];
-      places.push_back(lattice_.mesh().uv[from]);
-      if (!options_.clip->contains(lattice_.mesh().position[from])) continue;
-      inside.push_back({places.back(), pole});
+      const PoleWay& way = ways[k];
+      places.push_back(lattice_.mesh().uv[way.from]);
+      if (!options_.clip->contains(lattice_.mesh().position[way.from])) continue;
+      const bool goes_on = options_.clip->contains(at_last[k].position);
+      inside.push_back(goes_on ? Line{way.last, way.beyond} : Line{places.back(), way.last});
       numbers.push_back(k);
     }
     const auto faces =
-        last_defined(lattice_.surface(), inside, kHalvings, options_.threads, options_.clip);
+        last_defined(lattice_.surface(), inside, kHalvingsToLeast, options_.threads, options_.clip);
     for (std::size_t i = 0; i < faces.size(); ++i) places[numbers[i]] = faces[i];
     return places;
   }

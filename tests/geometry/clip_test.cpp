@@ -131,6 +131,27 @@ TEST(Clip, KeepsTheToleranceBesidePoles) {
   }
 }
 
+/// Beside 0 doubles go down to 2^-1074: u ln(v) leaves the box there for all but the least of u,
+/// and what goes on by less than the tolerance from one power of 2 to the next is a pole as well.
+TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
+  const struct {
+    const char* z;
+    Domain domain;
+    double half;  // of the box's height
+    double tolerance;
+  } cases[] = {{"u*ln(abs(v))", {0, 2, 0, 2}, 8.3, 7.6e-3},
+               {"u*ln(abs(v))", {-10, 10, -10, 10}, 40, 0.057},
+               {"ln(abs(u))*ln(abs(v))", {-5, 5, -5, 5}, 2, 0.0106}};
+  for (const auto& [z, domain, half, tolerance] : cases) {
+    AdaptiveOptions options = within_length(tolerance);
+    options.normal_tolerance = 3;
+    options.clip = Bounds{dvec3(-10, -10, -half), dvec3(10, 10, half)};
+    const Surface surface = height_field(z, domain);
+    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    EXPECT_LE(result.report.max_error, tolerance) << z << ' ' << domain.u0;
+  }
+}
+
 /// A cell along a pole, between dense lines, is no area full of waves.
 TEST(Clip, FindsNoOscillationAlongAPole) {
   AdaptiveOptions options = within_length(0.0116);
