@@ -6,6 +6,7 @@
 
 #include "mesh/breaks.h"
 #include "mesh/measure.h"
+#include "mesh/outline.h"
 
 namespace saddle {
 
@@ -13,6 +14,9 @@ namespace {
 
 /// Halvings of the way across a leaf to its rim: a millionth of it is enough for a distance.
 constexpr int kRimHalvings = 20;
+/// To a face of the box beside a pole, where a millionth of the way is as far off as the first
+/// half: as many as there are in doubles.
+constexpr int kFaceHalvings = 1100;
 
 /// Where a leaf without triangles is looked at, in sides of the leaf, and in which directions from
 /// there its border is.
@@ -56,6 +60,7 @@ void RimDistance::add_chords(const Leaf& leaf, std::size_t number,
                              std::span<const Triangle> triangles) {
   const dvec2 low = lattice_.parameters(leaf.low);
   const dvec2 size = lattice_.parameters(leaf.high) - low;
+  const bool is_at_face = has_cut(Cut::Face, leaf, lattice_);
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   for (const Triangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -74,7 +79,8 @@ void RimDistance::add_chords(const Leaf& leaf, std::size_t number,
                          {a, b},
                          low + size * middle,
                          grid_.mesh.uv[opposite],
-                         low + size * border(middle, outward)});
+                         low + size * border(middle, outward),
+                         is_at_face});
     }
   }
 }
@@ -96,6 +102,21 @@ double RimDistance::distance_from_chord(const Chord& chord, const dvec3& positio
   return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
 }
 
+/// Where the surface, or what is in the box, ends on ways across chords.
+std::vector<dvec2> RimDistance::ends_of(std::span<const Line> ways) const {
+  std::vector<dvec2> ends = last_defined(surface_, ways, kRimHalvings, threads_, clip_);
+  std::vector<Line> to_faces;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (chords_[k].is_at_face) to_faces.push_back({ends[k], ways[k][1]});
+  }
+  const auto faces = last_defined(surface_, to_faces, kFaceHalvings, threads_, clip_);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (chords_[k].is_at_face) ends[k] = faces[next++];
+  }
+  return ends;
+}
+
 /// The surface's rim may be on either side of its chord: on this side the mesh has too much, on the
 /// other too little, and all that is between chord and rim is off.
 void RimDistance::measure_chords(std::vector<Found>& found) {
@@ -104,10 +125,10 @@ void RimDistance::measure_chords(std::vector<Found>& found) {
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
   std::vector<Line> ways;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const auto& [leaf, triangles, ends, middle, inside, beyond] = chords_[k];
+    const auto& [leaf, triangles, ends, middle, inside, beyond, is_at_face] = chords_[k];
     ways.push_back(is_seen(at_middle[k].position) ? Line{middle, beyond} : Line{inside, middle});
   }
-  const std::vector<dvec2> rim = last_defined(surface_, ways, kRimHalvings, threads_, clip_);
+  const std::vector<dvec2> rim = ends_of(ways);
   const std::vector<SurfacePoint> at_rim = evaluate(surface_, rim, threads_);
   evaluations_ += chords_.size() * (2 + kRimHalvings);
   for (std::size_t k = 0; k < chords_.size(); ++k) {

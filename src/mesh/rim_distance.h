@@ -38,10 +38,12 @@ class RimDistance {
     std::span<const Triangle> triangles;
     std::array<std::uint32_t, 2> ends;
     dvec2 middle;
-    dvec2 inside;  ///< the corner of the triangle across from the chord
-    dvec2 beyond;  ///< on the leaf's border, on the other side
+    dvec2 inside;     ///< the corner of the triangle across from the chord
+    dvec2 beyond;     ///< on the leaf's border, on the other side
+    bool is_at_face;  ///< of a leaf that ends on the box beside a pole
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
   void measure_chords(std::vector<Found>& found);
   void measure_holes(std::vector<Found>& found);
   bool is_seen(const dvec3& position) const {

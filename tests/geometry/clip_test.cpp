@@ -141,6 +141,7 @@ TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
     double tolerance;
   } cases[] = {{"u*ln(abs(v))", {0, 2, 0, 2}, 8.3, 7.6e-3},
                {"u*ln(abs(v))", {-10, 10, -10, 10}, 40, 0.057},
+               {"u*ln(v)", {-2, 2, -2, 2}, 1.6185, 4.3e-3},
                {"ln(abs(u))*ln(abs(v))", {-5, 5, -5, 5}, 2, 0.0106}};
   for (const auto& [z, domain, half, tolerance] : cases) {
     AdaptiveOptions options = within_length(tolerance);
