@@ -584,8 +584,8 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
     }
     open = std::move(rest);
   }
-  std::vector<dvec2> last;
-  for (const Line& line : ends) last.push_back(line[0]);
+  std::vector<dvec2> last(ends.size());
+  std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
   return last;
 }
 
