@@ -34,6 +34,10 @@ std::size_t nearest(std::span<const double> values, double parameter) {
 
 Forecast::Forecast(Departures departures, double hopeless)
     : u_(std::move(departures.u)), v_(std::move(departures.v)) {
+  const auto is_beyond = [&](const dvec2& departure) {
+    return glm::any(glm::greaterThan(departure, dvec2(hopeless)));
+  };
+  if (std::ranges::none_of(departures.values, is_beyond)) return;  // as of most surfaces
   const std::size_t columns = u_.size();
   std::vector<glm::bvec2> flags;
   flags.reserve(departures.values.size());
