@@ -43,6 +43,11 @@ Scores take(const LeafScores& scores, std::size_t i) {
   return {scores.along_u[i], scores.along_v[i], scores.centre[i]};
 }
 
+Scores in_tolerances(const Scores& distances, double tolerance) {
+  return {distances.along_u / tolerance, distances.along_v / tolerance,
+          distances.centre / tolerance};
+}
+
 /// The square of a tangent whose angle has the score 1.
 double square_of_tangent(double degrees) {
   if (!(degrees < 90)) return std::numeric_limits<double>::infinity();
@@ -52,9 +57,9 @@ double square_of_tangent(double degrees) {
 
 }  // namespace
 
-std::vector<Glance> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
-                               const Judge& judge, const Lattice& lattice) {
-  std::vector<Glance> result(leaves.size());
+Glances judge_many(std::span<const Leaf> leaves, const RefineOptions& options, const Judge& judge,
+                   const Lattice& lattice) {
+  Glances result{std::vector<Glance>(leaves.size()), {}};
   const auto block = std::make_unique_for_overwrite<LeafSamples>();
   const auto verdicts = std::make_unique_for_overwrite<LeafVerdicts>();
   const JudgeLeaves loop = judge_loop(cpu_level());
@@ -64,25 +69,27 @@ std::vector<Glance> judge_many(std::span<const Leaf> leaves, const RefineOptions
   std::size_t count = 0;
   const auto file = [&](std::size_t i) {
     const Leaf& leaf = leaves[which[i]];
-    Glance glance{true, false, {}};
-    Scores& distance = glance.verdict.distance;
-    distance = take(verdicts->distance, i);
-    for (double* const score : {&distance.along_u, &distance.along_v, &distance.centre}) {
-      *score /= tolerance[i];
-    }
-    glance.verdict.gap = {distance.along_u, distance.along_v,
-                          verdicts->gap_at_centre[i] / tolerance[i]};
+    Glance& glance = result.leaves[which[i]];
+    const Scores distance = take(verdicts->distance, i);
     const Scores turn = take(verdicts->square_of_tangent, i);
     const double strictness = leaf.turn_strictness;
     const double allowed =
         strictness == 1 ? allowed_turn
                         : square_of_tangent(options.normal_tolerance / std::sqrt(strictness));
-    glance.passes = distance.worst() * leaf.strictness <= 1 && turn.worst() <= allowed;
-    if (!glance.passes) {
-      if (options.clip || has_limits(leaf.samples, lattice)) return;
-      glance.verdict.turn = judge.turn_scores(turn);
+    const double worst = distance.worst() / tolerance[i];
+    if (worst * leaf.strictness <= 1 && turn.worst() <= allowed) {
+      glance.is_known = glance.passes = true;
+      glance.distance = static_cast<float>(worst);
+      return;
     }
-    result[which[i]] = glance;
+    if (options.clip || has_limits(leaf.samples, lattice)) return;
+    glance.is_known = true;
+    glance.verdict = static_cast<std::uint32_t>(result.verdicts.size());
+    Verdict& verdict = result.verdicts.emplace_back();
+    verdict.distance = in_tolerances(distance, tolerance[i]);
+    verdict.gap = verdict.distance;
+    verdict.gap.centre = verdicts->gap_at_centre[i] / tolerance[i];
+    verdict.turn = judge.turn_scores(turn);
   };
   const auto flush = [&] {
     loop(*block, count, *verdicts);

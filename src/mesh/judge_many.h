@@ -1,6 +1,7 @@
 // Many leaves judged at a time: most of them are smooth and near enough.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,14 +11,22 @@ namespace saddle {
 
 /// What is seen of a leaf at a glance.
 struct Glance {
-  bool is_known = false;  ///< else Judge::score() is to be asked, which may say anything
-  bool passes = false;    ///< all tests, by the leaf's strictness
-  Verdict verdict = {};   ///< as Judge::score() says; the turn of a leaf that passes is left out
+  bool is_known = false;      ///< else Judge::score() is to be asked, which may say anything
+  bool passes = false;        ///< all tests, by the leaf's strictness
+  float distance = 0;         ///< how far off it is at most, in tolerances, if it passes
+  std::uint32_t verdict = 0;  ///< the number of what Judge::score() says, if it does not
+};
+struct Glances {
+  std::vector<Glance> leaves;
+  std::vector<Verdict> verdicts;  ///< of the few that fail
+
+  /// Of a leaf that is known not to pass.
+  const Verdict& verdict(const Glance& glance) const { return verdicts[glance.verdict]; }
 };
 
 /// Judges leaves whose samples are known. Not known is what folds, bends too much for arcs or is
 /// not smooth, what something cuts or a pole is beside; with a clip box, all that does not pass.
-std::vector<Glance> judge_many(std::span<const Leaf> leaves, const RefineOptions& options,
-                               const Judge& judge, const Lattice& lattice);
+Glances judge_many(std::span<const Leaf> leaves, const RefineOptions& options, const Judge& judge,
+                   const Lattice& lattice);
 
 }  // namespace saddle

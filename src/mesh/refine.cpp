@@ -87,16 +87,16 @@ class Refiner {
       leaves.push_back(candidate.leaf);
     }
     lattice_.evaluate(options_.threads);
-    const std::vector<Glance> glances = judge_many(leaves, options_, judge_, lattice_);
+    const Glances glances = judge_many(leaves, options_, judge_, lattice_);
     next_.clear();
     oscillation_.clear();
     std::vector<Judged> rims;
     std::vector<Judged> doubtful;
     std::vector<Judged> others;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      const Glance& glance = glances[k];
+      const Glance& glance = glances.leaves[k];
       if (glance.passes && candidates[k].witnesses.empty()) {
-        keep_good(leaves[k], static_cast<float>(glance.verdict.distance.worst()));
+        keep_good(leaves[k], glance.distance);
         continue;
       }
       const int defined = glance.is_known ? 9 : count_defined(lattice_, leaves[k]);
@@ -108,7 +108,8 @@ class Refiner {
         if (!keep_oscillating_rim(leaves[k])) rims.push_back({candidates[k], {}});
         continue;
       }
-      Judged judged = judge(std::move(candidates[k]), glance);
+      const bool fails = glance.is_known && !glance.passes;
+      Judged judged = judge(std::move(candidates[k]), fails ? &glances.verdict(glance) : nullptr);
       const Leaf& leaf = judged.candidate.leaf;
       if (!leaf.leads_to_pole) {
         oscillation_.add(leaf, judged.verdict.distance, lattice_);
@@ -303,12 +304,12 @@ class Refiner {
     }
   }
 
-  /// What the samples say of a leaf.
-  Judged judge(Candidate candidate, const Glance& glance) const {
-    Judged judged{std::move(candidate), glance.verdict};
+  /// What the samples say of a leaf. `known`: that, or nullptr.
+  Judged judge(Candidate candidate, const Verdict* known) const {
+    Judged judged{std::move(candidate), {}};
     Leaf& leaf = judged.candidate.leaf;
     if (judge_.is_clipped(leaf)) return judged;
-    if (!glance.is_known || glance.passes) judged.verdict = judge_.score(leaf);
+    judged.verdict = known != nullptr ? *known : judge_.score(leaf);
     if (leaf.leads_to_pole) judged.verdict.distance = judged.verdict.gap;
     const double distance = judged.verdict.distance.worst() * leaf.strictness;
     const double turn = judged.verdict.turn.worst() * leaf.turn_strictness;
