@@ -20,8 +20,10 @@ struct Glances {
   std::vector<Glance> leaves;
   std::vector<Verdict> verdicts;  ///< of the few that fail
 
-  /// Of a leaf that is known not to pass.
-  const Verdict& verdict(const Glance& glance) const { return verdicts[glance.verdict]; }
+  /// What is known of a leaf that does not pass; nullptr of others.
+  const Verdict* verdict(const Glance& glance) const {
+    return glance.is_known && !glance.passes ? &verdicts[glance.verdict] : nullptr;
+  }
 };
 
 /// Judges leaves whose samples are known. Not known is what folds, bends too much for arcs or is

@@ -108,8 +108,7 @@ class Refiner {
         if (!keep_oscillating_rim(leaves[k])) rims.push_back({candidates[k], {}});
         continue;
       }
-      const bool fails = glance.is_known && !glance.passes;
-      Judged judged = judge(std::move(candidates[k]), fails ? &glances.verdict(glance) : nullptr);
+      Judged judged = judge(std::move(candidates[k]), glances.verdict(glance));
       const Leaf& leaf = judged.candidate.leaf;
       if (!leaf.leads_to_pole) {
         oscillation_.add(leaf, judged.verdict.distance, lattice_);

@@ -95,9 +95,9 @@ TEST(ManyLeaves, AreJudgedAsOneByOne) {
         ++good;
         continue;
       }
-      expect_near(glances.verdict(glances.leaves[k]).distance, verdict.distance, k);
-      expect_near(glances.verdict(glances.leaves[k]).gap, verdict.gap, k);
-      expect_near(glances.verdict(glances.leaves[k]).turn, verdict.turn, k);
+      expect_near(glances.verdict(glances.leaves[k])->distance, verdict.distance, k);
+      expect_near(glances.verdict(glances.leaves[k])->gap, verdict.gap, k);
+      expect_near(glances.verdict(glances.leaves[k])->turn, verdict.turn, k);
     }
     EXPECT_GT(good, glances.leaves.size() / 10);
     EXPECT_LT(good, glances.leaves.size() * 9 / 10);
@@ -135,7 +135,7 @@ TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
       if (seen < kThickness) {
         ASSERT_GT(verdict.turn.worst(), 1);
         ASSERT_FALSE(glances.leaves[k].passes);
-        expect_near(glances.verdict(glances.leaves[k]).turn, verdict.turn, k);
+        expect_near(glances.verdict(glances.leaves[k])->turn, verdict.turn, k);
       } else {
         ASSERT_EQ(verdict.turn.worst(), 0);
         ASSERT_TRUE(glances.leaves[k].passes);
