@@ -118,7 +118,8 @@ class Refiner {
     }
     std::erase_if(doubtful, [&](const Judged& judged) {
       const Leaf& leaf = judged.candidate.leaf;
-      const bool is_hopeless = oscillates(leaf) || known_.splits_foreseen_u(leaf, lattice_);
+      const bool is_hopeless =
+          oscillates(leaf) || known_.splits_foreseen_u(leaf, lattice_).has_value();
       if (is_hopeless) others.push_back(judged);
       return is_hopeless;
     });

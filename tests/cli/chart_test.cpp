@@ -13,10 +13,6 @@
 namespace saddle {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// A row's cells by column.
 using Row = std::map<std::string, std::string>;
 

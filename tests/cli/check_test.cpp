@@ -34,9 +34,6 @@ class CheckCommand : public ProgramTest {
     std::ifstream in(path(name));
     return Json::parse(in);
   }
-  static bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-  }
 };
 
 TEST_F(CheckCommand, SaysWhatIsTrueOfASphere) {

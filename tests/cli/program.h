@@ -39,6 +39,11 @@ class ProgramTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// Whether a part occurs in what a run said.
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// Standard error of a run that must end with `status` and leave standard output empty.
 std::string error_of(const Outcome& run, int status);
 

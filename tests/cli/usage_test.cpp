@@ -9,10 +9,6 @@
 namespace saddle {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 class Usage : public ProgramTest {
  protected:
   /// The message of a wrong command line, which leaves no file behind.
