@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "mesh/approach.h"
 #include "mesh/breaks.h"
 #include "surface/normal.h"
 

@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/breaks.h"
+#include "mesh/approach.h"
 #include "mesh/clip.h"
 
 namespace saddle {

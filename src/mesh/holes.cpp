@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 
 #include "eval/enclose.h"
-#include "mesh/breaks.h"
+#include "mesh/approach.h"
 
 namespace saddle {
 

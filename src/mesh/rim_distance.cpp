@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/breaks.h"
+#include "mesh/approach.h"
 #include "mesh/measure.h"
 #include "mesh/outline.h"
 

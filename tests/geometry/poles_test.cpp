@@ -10,7 +10,7 @@
 #include "adaptive_options.h"
 #include "base/random.h"
 #include "mesh/adaptive_mesh.h"
-#include "mesh/breaks.h"
+#include "mesh/approach.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
