@@ -304,6 +304,33 @@ bool is_cut_along_u(const Leaf& leaf, const Lattice& lattice) {
   return along_u >= along_v;
 }
 
+namespace {
+
+/// Whether a side from or to a vertex is cut in the place of that vertex, but not at a crease:
+/// there it belongs to both sides.
+bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const Lattice& lattice) {
+  const std::optional<Crossing> crossing = lattice.crossing(vertex, other);
+  return crossing && crossing->kind == Cut::Jump &&
+         lattice.place_between(crossing->beside(other)) == lattice.place_between(vertex);
+}
+
+/// The vertices in whose place both sides are cut that meet there.
+std::size_t count_cut_vertices(const Leaf& leaf, const Lattice& lattice) {
+  std::size_t count = 0;
+  std::optional<bool> leaves_first;  // whether the first side is cut where it begins
+  bool arrives = false;              // whether the side before is where it ends
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+    const bool leaves = is_cut_at(a, b, lattice);
+    if (!leaves_first) leaves_first = leaves;
+    if (arrives && leaves) ++count;
+    arrives = is_cut_at(b, a, lattice);
+  });
+  if (arrives && leaves_first.value_or(false)) ++count;
+  return count;
+}
+
+}  // namespace
+
 CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
   CutCount count;
   std::vector<std::uint32_t> singular;
@@ -321,6 +348,7 @@ CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
     if (crossing->kind != Cut::Crease) count.only_creases = false;
   });
   count.singular_points = singular.size();
+  if (count.crossings > 2) count.at_vertices = count_cut_vertices(leaf, lattice);
   return count;
 }
 

@@ -62,6 +62,7 @@ bool has_cut(Cut kind, const Leaf& leaf, const Lattice& lattice);
 struct CutCount {
   std::size_t crossings = 0;
   std::size_t on_sides_of_u = 0;  ///< crossings on the two sides of constant u
+  std::size_t at_vertices = 0;    ///< pairs of them, on either side of a vertex and in its place
   std::size_t singular_points = 0;
   bool only_creases = true;    ///< of the crossings
   bool leads_to_pole = false;  ///< across a side
@@ -74,9 +75,12 @@ struct CutCount {
     return on_sides_of_v > on_sides_of_u;
   }
 
-  /// Whether pieces() cuts a leaf that is split into two.
+  /// Whether pieces() cuts a leaf that is split into two. A vertex on a jump may have a value of
+  /// its own, as sign(0) is 0: both sides that meet there are then cut by the line that goes
+  /// through it.
   bool is_through() const {
-    return crossings == 2 || (only_creases && crossings < 2 && crossings + singular_points == 2);
+    return crossings == 2 || crossings - at_vertices == 2 ||
+           (only_creases && crossings < 2 && crossings + singular_points == 2);
   }
 };
 /// Whether all of a side between neighbours may be singular without being one point.
