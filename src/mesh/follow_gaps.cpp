@@ -37,8 +37,9 @@ constexpr int kMostMisses = 2;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Places beyond the ends of a jump, in its widths: adjacent doubles.
-constexpr std::array kOutward = {1.0, 2.0, 4.0, 8.0};
+/// Places beyond the ends of a jump, in its widths: adjacent doubles. Where sums and squares are
+/// rounded, u^2 + v^2 - 1 is 0 for thousands of them.
+constexpr std::array kOutward = {1.0, 0x1p3, 0x1p6, 0x1p9, 0x1p12, 0x1p15, 0x1p18};
 
 /// A line on its way.
 struct Search {
@@ -156,9 +157,9 @@ void advance(Search& search, const Look& look, double delta) {
 }
 
 /// At the very place of a jump a formula may have a value of its own, as sign(0) is 0. It belongs
-/// to neither side, and rounding may give it to some doubles: an end that is far from what is a few
+/// to neither side, and rounding may give it to some doubles: an end that is far from what is some
 /// places outward goes there. If the last two of those are far from each other, too, the surface
-/// goes to infinity.
+/// goes to infinity, and the ends stay where they are.
 void look_outward(const Surface& surface, std::span<Search> searches, const Followed& followed,
                   unsigned threads) {
   std::vector<Search*> jumps;
@@ -174,18 +175,20 @@ void look_outward(const Surface& surface, std::span<Search> searches, const Foll
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   for (std::size_t k = 0; k < jumps.size(); ++k) {
+    Line ends = jumps[k]->ends;
     for (std::size_t end = 0; end < 2; ++end) {
       dvec3 before = jumps[k]->at_ends[end];
       for (std::size_t step = 0; step < kOutward.size(); ++step) {
         const std::size_t next = 2 * (k * kOutward.size() + step) + end;
         const dvec3 outward = followed.value(points[next]);
         if (is_finite(outward) && gap_between(outward, before) >= followed.beyond) {
-          jumps[k]->found.ends[end] = uv[next];
+          ends[end] = uv[next];
           if (step + 1 == kOutward.size()) jumps[k]->found.kind = Break::Pole;
         }
         before = outward;
       }
     }
+    if (jumps[k]->found.kind == Break::Jump) jumps[k]->found.ends = ends;
   }
 }
 
