@@ -12,7 +12,9 @@ namespace saddle {
 /// Leaves per round: what is known of them stays in the first or second-level cache.
 inline constexpr std::size_t kLeafBlock = 128;
 
-using LeafNumbers = std::array<double, kLeafBlock>;
+/// One cache line more than a block has: columns that are a power of two apart share a few sets of
+/// the first-level cache, and what is written leaf by leaf to 60 of them drives the others out.
+using LeafNumbers = std::array<double, kLeafBlock + 8>;
 
 /// One vertex of each leaf.
 struct LeafVertices {
