@@ -78,9 +78,12 @@ Tolerance inside(const std::optional<Bounds>& clip, const Tolerance& tolerance) 
 /// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
 /// than are allowed.
 void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
-  const Tolerance aim = inside(options.clip, plan.aim);
-  plan.ratio = plan.probe.best_ratio(plan.fixed, aim);
-  plan.lines = plan.probe.place_lines(plan.fixed, aim, plan.ratio);
+  plan.densities = plan.probe.densities(plan.fixed, inside(options.clip, plan.aim));
+  // For a tolerance that is larger by a factor.
+  const auto place = [&plan](double factor) {
+    plan.lines = plan.probe.place_lines(plan.fixed, plan.densities, 1 / std::sqrt(factor));
+  };
+  place(1);
   const double most = std::max(kMostRootLines / share_of_diagonal(plan),
                                static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
   const auto lines = [&] {
@@ -89,14 +92,14 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
   double factor = 1;
   while (lines() > most && factor < kCoarsest) {
     factor *= lines() > 2 * most ? kMuchCoarser : kCoarser;
-    plan.lines = plan.probe.place_lines(plan.fixed, aim.times(factor));
+    place(factor);
   }
   const auto is_too_fine = [&] {
     return 2 * cells(plan.lines) > options.max_triangles && cells(plan.lines) > cells(plan.fixed);
   };
   for (factor *= 2; is_too_fine(); factor *= 2) {
     plan.is_limited = true;
-    plan.lines = plan.probe.place_lines(plan.fixed, aim.times(factor));
+    place(factor);
   }
   if (const auto& island = plan.probe.island()) {
     const auto [low, high] = island->where;
@@ -374,6 +377,7 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions&
                 tolerance,
                 tolerance.times(kAim),
                 drawn_lines(surface.domain, options),
+                {},
                 {},
                 {},
                 {}};

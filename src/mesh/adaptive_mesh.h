@@ -38,7 +38,7 @@ struct MeshPlan {
   SingularSet singular;     ///< where a root line goes, if they are few
   FixedLines fixed;         ///< lines that the root grid must have: Probe::fixed_lines()
   FixedLines lines;         ///< of the root grid
-  double ratio = 1;         ///< that they were placed for: Probe::best_ratio()
+  Densities densities;      ///< that they were placed for
   bool is_limited = false;  ///< they are farther apart than the tolerance asks for: max_triangles
 };
 

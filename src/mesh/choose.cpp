@@ -56,7 +56,7 @@ class Chooser {
       // Errors grow with areas. That bounds the search, too: lines need not come closer at once,
       // nor ever, where it is one place that misses.
       if (!is_cheaper(cells_of(plan_.lines) * std::sqrt(stricter))) return std::nullopt;
-      lines = plan_.probe.place_lines(plan_.fixed, plan_.aim.times(1 / stricter), plan_.ratio);
+      lines = plan_.probe.place_lines(plan_.fixed, plan_.densities, std::sqrt(stricter));
       worst = plan_.probe.outlook(lines, plan_.aim).worst;
     }
   }

@@ -277,13 +277,6 @@ std::vector<Bend> Probe::bends(const Tolerance& tolerance) const {
   return bends;
 }
 
-SampledBends Probe::sampled_bends(const Tolerance& tolerance, std::size_t every) const {
-  std::vector<std::uint8_t> regular;
-  regular.reserve(samples_.size());
-  for (const Sample& s : samples_) regular.push_back(s.regular ? 1 : 0);
-  return {bends(tolerance), regular, u_.size(), v_.size(), every};
-}
-
 Densities Probe::along_edges(const Tolerance& tolerance) const {
   const auto largest = [&](std::size_t lines, std::span<const EdgeSample> edges) {
     std::vector<double> densities(lines, 0.0);
@@ -326,13 +319,12 @@ FixedLines Probe::fixed_lines(const FixedLines& drawn, const SingularSet& singul
           with(drawn.v, through(1, singular.lines_v), seams_.u, seams_.folded_u)};
 }
 
-double Probe::best_ratio(const FixedLines& fixed, const Tolerance& tolerance) const {
+double Probe::best_ratio(const FixedLines& fixed, const Densities& along_edges,
+                         SampledBends bent) const {
   const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
-  SampledBends bent = sampled_bends(tolerance, kEveryForRatio);
-  const Densities edges = along_edges(tolerance);
   const auto cells = [&](int power) {
     Densities d = bent.densities(std::ldexp(own_ratio, power), nullptr);
-    complete(edges, d);
+    complete(along_edges, d);
     return total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), fixed.u) *
            total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), fixed.v);
   };
@@ -354,21 +346,32 @@ double Probe::best_ratio(const FixedLines& fixed, const Tolerance& tolerance) co
   return std::ldexp(own_ratio, best);
 }
 
-FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance) const {
-  return place_lines(fixed, tolerance, best_ratio(fixed, tolerance));
+Densities Probe::densities(const FixedLines& fixed, const Tolerance& tolerance) const {
+  const std::vector<Bend> bent = bends(tolerance);
+  std::vector<std::uint8_t> regular;
+  regular.reserve(samples_.size());
+  for (const Sample& s : samples_) regular.push_back(s.regular ? 1 : 0);
+  const Densities edges = along_edges(tolerance);
+  const double ratio =
+      best_ratio(fixed, edges, SampledBends(bent, regular, u_.size(), v_.size(), kEveryForRatio));
+  SampledBends all(bent, regular, u_.size(), v_.size(), 1);
+  Densities densities;
+  for (int k = 0; k < kPasses; ++k) {
+    densities = all.densities(ratio, k > 0 ? &densities : nullptr);
+    complete(edges, densities);
+  }
+  return densities;
 }
 
-FixedLines Probe::place_lines(const FixedLines& fixed, const Tolerance& tolerance,
-                              double ratio) const {
-  SampledBends bent = sampled_bends(tolerance, 1);
-  const Densities edges = along_edges(tolerance);
-  Densities d;
-  for (int k = 0; k < kPasses; ++k) {
-    d = bent.densities(ratio, k > 0 ? &d : nullptr);
-    complete(edges, d);
-  }
-  return {place_between(Cumulative(d.of_u, domain_.u0, domain_.u1), fixed.u, seams_.v),
-          place_between(Cumulative(d.of_v, domain_.v0, domain_.v1), fixed.v, seams_.u)};
+FixedLines Probe::place_lines(const FixedLines& fixed, const Densities& densities,
+                              double times) const {
+  const auto closer = [times](std::vector<double> lines) {
+    for (double& density : lines) density *= times;
+    return lines;
+  };
+  return {
+      place_between(Cumulative(closer(densities.of_u), domain_.u0, domain_.u1), fixed.u, seams_.v),
+      place_between(Cumulative(closer(densities.of_v), domain_.v0, domain_.v1), fixed.v, seams_.u)};
 }
 
 template <class F>

@@ -69,13 +69,14 @@ class Probe {
   /// singular, if they are few, and those that these meet across a seam.
   FixedLines fixed_lines(const FixedLines& drawn, const SingularSet& singular) const;
 
-  /// Where the lines of a tensor grid go, so that most of its cells are within the tolerance: local
-  /// peaks are left to local refinement.
-  FixedLines place_lines(const FixedLines& fixed, const Tolerance& tolerance) const;
-  /// The same for cells whose sides, in v and in u, have this ratio where nothing else decides.
-  FixedLines place_lines(const FixedLines& fixed, const Tolerance& tolerance, double ratio) const;
-  /// The ratio for which there are the fewest cells.
-  double best_ratio(const FixedLines& fixed, const Tolerance& tolerance) const;
+  /// How close the lines of a tensor grid with the fixed ones are to be at each column and row of
+  /// samples, so that most of its cells are within the tolerance: local peaks are left to local
+  /// refinement. The cells have the shape for which there are the fewest.
+  Densities densities(const FixedLines& fixed, const Tolerance& tolerance) const;
+  /// Where lines of so many times these densities go. Errors fall with the square of that: for a
+  /// tolerance four times as large, half the densities.
+  FixedLines place_lines(const FixedLines& fixed, const Densities& densities,
+                         double times = 1) const;
 
   /// The samples beside which a cell of these lines is far too large; `cell` counts with u inner.
   std::vector<Witness> witnesses(const FixedLines& lines, const Tolerance& tolerance) const;
@@ -127,6 +128,8 @@ class Probe {
   double area_beside(bool along_u, std::size_t end) const;
   bool is_dip(bool along_v, std::size_t line, std::size_t k) const;
   std::vector<Bend> bends(const Tolerance& tolerance) const;
+  /// The ratio of cells' sides, in v and in u, for which there are the fewest.
+  double best_ratio(const FixedLines& fixed, const Densities& along_edges, SampledBends bent) const;
   /// The error of the cell of these lines around a sample, in tolerances.
   struct SampledCell {
     std::size_t i, j;  // of the cell
@@ -136,8 +139,6 @@ class Probe {
   /// Calls f(sample, cell) for all samples.
   template <class F>
   void for_sampled_cells(const FixedLines& lines, std::span<const Bend> bends, F f) const;
-  /// Every so many samples of each column and row; see SampledBends.
-  SampledBends sampled_bends(const Tolerance& tolerance, std::size_t every) const;
   /// What the edges ask for: along them the mesh must follow the edge itself, with all of the
   /// tolerance.
   Densities along_edges(const Tolerance& tolerance) const;

@@ -88,7 +88,8 @@ class Study {
  private:
   void try_grids(const MeshPlan& plan, double planning, Renderer& renderer) {
     for (double scale = 1;; scale /= kStep) {
-      const FixedLines lines = plan.probe.place_lines(plan.fixed, plan.aim.times(scale));
+      const FixedLines lines =
+          plan.probe.place_lines(plan.fixed, plan.densities, 1 / std::sqrt(scale));
       if (static_cast<double>(lines.u.size() * lines.v.size()) > kMostCells) return;
       const GridTrial trial = try_grid(surface_, options_, plan, lines);
       if (trial.mesh) {

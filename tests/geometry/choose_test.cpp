@@ -60,7 +60,8 @@ class InGallery {
     if (!plan || options_.clip || !plan->tolerance.is_same_everywhere()) return std::nullopt;
     double scale = 1;
     for (int k = 0; k < kFinest; ++k, scale /= kFiner) {
-      const FixedLines lines = plan->probe.place_lines(plan->fixed, plan->aim.times(scale));
+      const FixedLines lines =
+          plan->probe.place_lines(plan->fixed, plan->densities, 1 / std::sqrt(scale));
       GridTrial trial = try_grid(subject_.surface, options_, *plan, lines);
       if (trial.mesh) return std::move(trial.mesh);
       if (trial.excess == 0) break;
