@@ -23,6 +23,7 @@ endfunction()
 
 add_kernel(eval/kernel_loops.cpp kernels sse2 sse2_without_fma avx2 avx512)
 add_kernel(eval/vector_loops.cpp vectors sse2 avx2 avx512)
+add_kernel(mesh/check_row.cpp check_row sse2 avx2 avx512)
 add_kernel(mesh/cut_cells.cpp cut_cells sse2 avx2 avx512)
 add_kernel(mesh/judge_leaves.cpp judge_leaves sse2 avx2 avx512)
 add_kernel(mesh/measure_leaves.cpp measure_leaves sse2 avx2 avx512)
