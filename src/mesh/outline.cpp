@@ -314,6 +314,13 @@ bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const Lattice& lattice
          lattice.place_between(crossing->beside(other)) == lattice.place_between(vertex);
 }
 
+bool is_at_corner(const Crossing& crossing, const Leaf& leaf, const Lattice& lattice) {
+  const dvec2 place = lattice.place_between(crossing.beside_first);
+  return std::ranges::any_of(leaf.corners(), [&](const LatticePlace& corner) {
+    return place == dvec2(corner.u, corner.v);
+  });
+}
+
 /// The vertices in whose place both sides are cut that meet there.
 std::size_t count_cut_vertices(const Leaf& leaf, const Lattice& lattice) {
   std::size_t count = 0;
@@ -344,7 +351,10 @@ CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
     const bool on_side_of_u = lattice.place_between(a).x == lattice.place_between(b).x;
     const std::size_t crossings = lattice.has_more(a, b) ? 2 : 1;
     count.crossings += crossings;
-    if (on_side_of_u) count.on_sides_of_u += crossings;
+    (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += crossings;
+    if (is_at_corner(*crossing, leaf, lattice)) {
+      ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
+    }
     if (crossing->kind != Cut::Crease) count.only_creases = false;
   });
   count.singular_points = singular.size();

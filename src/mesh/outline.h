@@ -61,18 +61,30 @@ bool has_cut(Cut kind, const Leaf& leaf, const Lattice& lattice);
 /// What may cut a leaf.
 struct CutCount {
   std::size_t crossings = 0;
-  std::size_t on_sides_of_u = 0;  ///< crossings on the two sides of constant u
-  std::size_t at_vertices = 0;    ///< pairs of them, on either side of a vertex and in its place
+  /// Crossings on the two sides of constant u, and on those of constant v.
+  std::size_t on_sides_of_u = 0, on_sides_of_v = 0;
+  /// Those of them that are at corners of the leaf: a line goes along the side from there.
+  std::size_t at_ends_of_u = 0, at_ends_of_v = 0;
+  std::size_t at_vertices = 0;  ///< pairs of them, on either side of a vertex and in its place
   std::size_t singular_points = 0;
   bool only_creases = true;    ///< of the crossings
   bool leads_to_pole = false;  ///< across a side
 
   /// Which way to halve a leaf that more than one line cuts: lines that cross its sides of constant
-  /// u are parted along v. One that ends in it may do so anywhere.
+  /// u are parted along v. One that ends in it may do so anywhere, as on a line along a side.
   bool is_parted_across_u(const Leaf& leaf) const {
-    const std::size_t on_sides_of_v = crossings - on_sides_of_u;
-    if (crossings <= 2 || on_sides_of_u == on_sides_of_v) return leaf.size_u() >= leaf.size_v();
+    if (crossings <= 2 || on_sides_of_u == on_sides_of_v || meets_line_along_side()) {
+      return leaf.size_u() >= leaf.size_v();
+    }
     return on_sides_of_v > on_sides_of_u;
+  }
+
+  /// Whether a line goes along a side, and others come from there.
+  bool meets_line_along_side() const {
+    const std::size_t inner_u = on_sides_of_u - at_ends_of_u;
+    const std::size_t inner_v = on_sides_of_v - at_ends_of_v;
+    return (at_ends_of_u > 0 && inner_u == 0 && inner_v > 0) ||
+           (at_ends_of_v > 0 && inner_v == 0 && inner_u > 0);
   }
 
   /// Whether pieces() cuts a leaf that is split into two. A vertex on a jump may have a value of
