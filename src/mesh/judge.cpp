@@ -180,6 +180,15 @@ double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) cons
                   bulge(sides[first + 2], sides[(first + 3) % 4], diagonal));
 }
 
+/// Of a leaf's centre, which may be far off the diagonal that starts from corner `first`, but near
+/// the triangles: where the surface is upright they are a wall, as it is.
+double Judge::distance_from_triangles(const Leaf& leaf, std::size_t first) const {
+  const auto& [corner, side, centre] = leaf.samples;
+  const auto at = [&](std::size_t k) { return corner[(first + k) % 4]; };
+  const std::array triangles = {Triangle{at(0), at(1), at(2)}, Triangle{at(2), at(3), at(0)}};
+  return distance_from(grid_, triangles, mesh_.uv[centre], mesh_.position[centre]);
+}
+
 Verdict Judge::score(const Leaf& leaf) const {
   const auto& [corner, side, centre] = leaf.samples;
   const double eps = allowed(leaf);
@@ -196,7 +205,10 @@ Verdict Judge::score(const Leaf& leaf) const {
     const dvec3 first = seen_position(a);
     const dvec3 last = seen_position(b);
     const ChordSample arc(first, last, seen_position(sample));
-    const double distance = distance_of_sample(arc, {a, b, sample}, border) / eps;
+    double distance = distance_of_sample(arc, {a, b, sample}, border) / eps;
+    if (part == &Scores::centre && !is_opposed && !arc.is_small_arc && distance > 1) {
+      distance = std::min(distance, distance_from_triangles(leaf, cut_from(corner)) / eps);
+    }
     verdict.distance.*part = std::max(verdict.distance.*part, distance);
     const double gap = arc.is_small_arc ? distance : arc.distance_of_middle / eps;
     verdict.gap.*part = std::max(verdict.gap.*part, gap);
