@@ -12,11 +12,10 @@ namespace {
 
 /// Halvings of a line on the way to where it crosses a crease: a four thousandth of it is enough
 /// for a distance that is of second order. Where the surface is upright it moves far while its
-/// parameters hardly do: there it is to have moved by no more than that part, too.
+/// parameters hardly do: there it is to have moved by no more than that part, too, for which it
+/// may take all doubles that there are beside 0.
 constexpr int kHalvings = 12;
 constexpr double kArrived = 1.0 / 4096;
-/// Doubles have no digits for more.
-constexpr int kMostHalvings = 52;
 /// Across a cusp normals are opposite, but for how they turn on the way: their cosine is less. They
 /// turn by more than 60 degrees to where the surface is upright.
 constexpr double kOpposite = -0.7;
@@ -43,6 +42,12 @@ dvec2 middle_of(const Line& line) {
   return 0.5 * (line[0] + line[1]);
 }
 
+/// Whether there are no doubles between its ends.
+bool has_no_middle(const Line& line) {
+  const dvec2 middle = middle_of(line);
+  return middle == line[0] || middle == line[1];
+}
+
 /// A line across a crease on its way there.
 struct CreaseSearch {
   std::size_t number;             ///< of the line
@@ -56,7 +61,9 @@ struct CreaseSearch {
 
   /// Neither a cusp, nor is the surface upright.
   bool is_plain() const { return !is_cusp && halvings == kHalvings && way <= kPlain * first_way; }
-  bool is_done() const { return halvings >= kHalvings && !(way > kArrived * first_way); }
+  bool is_done() const {
+    return (halvings >= kHalvings && !(way > kArrived * first_way)) || has_no_middle(left);
+  }
 };
 
 std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Line> lines,
@@ -106,6 +113,66 @@ dvec2 step(const Descent& d, const dvec3& from) {
   return std::isfinite(way.x + way.y) ? way : dvec2(0);
 }
 
+/// Goes down to the surface from its places at some parameters.
+std::vector<double> distances_from(std::vector<dvec2> uv, const Surface& surface,
+                                   std::span<const MiddleOfChord> chords, unsigned threads) {
+  std::vector<Descent> descents;
+  for (const dvec2& place : uv)
+    descents.push_back({place, {}, std::numeric_limits<double>::infinity()});
+  for (int round = 0; round <= kSteps; ++round) {
+    const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
+    for (std::size_t k = 0; k < chords.size(); ++k) {
+      Descent& d = descents[k];
+      const dvec3 from = chords[k].middle();
+      const double distance = glm::distance(there[k].position, from);
+      if (distance < d.distance) {
+        d = {uv[k], there[k], distance, 0.1 * d.damping};
+      } else {
+        d.damping *= 10;
+      }
+      const dvec2 begin = middle_of(chords[k].ends);
+      const dvec2 off = d.uv + step(d, from) - begin;
+      uv[k] = begin + glm::clamp(off, -chords[k].reach, chords[k].reach);
+    }
+  }
+  std::vector<double> distances;
+  distances.reserve(descents.size());
+  for (const Descent& d : descents) distances.push_back(std::isfinite(d.distance) ? d.distance : 0);
+  return distances;
+}
+
+/// Where the surface is straight above the middles, on the way from one end to the other.
+std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOfChord> chords,
+                                unsigned threads) {
+  struct Search {
+    std::size_t number;
+    Line left;
+  };
+  std::vector<dvec2> places;
+  std::vector<Search> searches;
+  for (const MiddleOfChord& chord : chords) {
+    searches.push_back({places.size(), chord.ends});
+    places.push_back(middle_of(chord.ends));
+  }
+  std::vector<dvec2> middles;
+  while (!searches.empty()) {
+    middles.clear();
+    for (const Search& search : searches) middles.push_back(middle_of(search.left));
+    const std::vector<SurfacePoint> there = evaluate(surface, middles, threads);
+    for (std::size_t k = 0; k < searches.size(); ++k) {
+      auto& [number, left] = searches[k];
+      const MiddleOfChord& chord = chords[number];
+      const dvec3 along = chord.positions[1] - chord.positions[0];
+      const double beyond = glm::dot(there[k].position - chord.middle(), along);
+      places[number] = middles[k];
+      left[beyond < 0 ? 0 : 1] = middles[k];
+      if (std::fabs(beyond) <= kArrived * glm::dot(along, along)) left = {middles[k], middles[k]};
+    }
+    std::erase_if(searches, [](const Search& search) { return has_no_middle(search.left); });
+  }
+  return places;
+}
+
 }  // namespace
 
 std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
@@ -121,39 +188,33 @@ std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> l
     for (std::size_t k = 0; k < searches.size(); ++k) narrow(searches[k], middles[k], points[k]);
     std::erase_if(searches, [](const CreaseSearch& search) { return search.is_plain(); });
     std::erase_if(searches, [&](const CreaseSearch& search) {
-      const bool is_done = search.is_done() || search.halvings == kMostHalvings;
-      if (is_done) places[search.number] = search.left[0];
-      return is_done;
+      if (search.is_done()) places[search.number] = search.left[0];
+      return search.is_done();
     });
   }
   return places;
 }
 
 std::vector<double> distances_from_surface(const Surface& surface,
-                                           std::span<const MeshPoint> points, unsigned threads) {
-  std::vector<Descent> descents;
-  std::vector<dvec2> uv;
-  for (const MeshPoint& point : points) {
-    descents.push_back({point.uv, {}, std::numeric_limits<double>::infinity()});
-    uv.push_back(point.uv);
+                                           std::span<const MiddleOfChord> chords,
+                                           unsigned threads) {
+  std::vector<dvec2> middles(chords.size());
+  std::ranges::transform(chords, middles.begin(), [](const auto& c) { return middle_of(c.ends); });
+  std::vector<double> distances = distances_from(std::move(middles), surface, chords, threads);
+  // Where a surface is ever steeper on its way to a cusp, as abs(u)^0.2, steps leap from one side
+  // of that to the other.
+  std::vector<MiddleOfChord> rest;
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < chords.size(); ++k) {
+    if (distances[k] <= chords[k].allowed) continue;
+    rest.push_back(chords[k]);
+    numbers.push_back(k);
   }
-  for (int round = 0; round <= kSteps; ++round) {
-    const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      Descent& d = descents[k];
-      const double distance = glm::distance(there[k].position, points[k].position);
-      if (distance < d.distance) {
-        d = {uv[k], there[k], distance, 0.1 * d.damping};
-      } else {
-        d.damping *= 10;
-      }
-      const dvec2 off = d.uv + step(d, points[k].position) - points[k].uv;
-      uv[k] = points[k].uv + glm::clamp(off, -points[k].reach, points[k].reach);
-    }
+  const std::vector<double> others =
+      distances_from(places_above(surface, rest, threads), surface, rest, threads);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    distances[numbers[i]] = std::min(distances[numbers[i]], others[i]);
   }
-  std::vector<double> distances;
-  distances.reserve(descents.size());
-  for (const Descent& d : descents) distances.push_back(std::isfinite(d.distance) ? d.distance : 0);
   return distances;
 }
 

@@ -2,6 +2,7 @@
 // is not what is at its parameters.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,15 +16,18 @@ namespace saddle {
 std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
                                  unsigned threads);
 
-/// A point of the mesh.
-struct MeshPoint {
-  dvec3 position;
-  dvec2 uv;     ///< parameters that the mesh has there
-  dvec2 reach;  ///< how far away the nearest point of the surface is looked for
+/// The middle of a chord of the mesh.
+struct MiddleOfChord {
+  std::array<dvec3, 2> positions;  ///< of the chord's ends
+  Line ends;                       ///< their parameters
+  dvec2 reach;                     ///< how far away the nearest point of the surface is looked for
+  double allowed;                  ///< a distance of no more need not be known
+
+  dvec3 middle() const { return 0.5 * (positions[0] + positions[1]); }
 };
-/// The distances of points of the mesh from the surface near their parameters, or a little more.
+/// The distances of middles of chords from the surface near their parameters, or a little more.
 /// Source: D. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963.
 std::vector<double> distances_from_surface(const Surface& surface,
-                                           std::span<const MeshPoint> points, unsigned threads);
+                                           std::span<const MiddleOfChord> chords, unsigned threads);
 
 }  // namespace saddle

@@ -380,7 +380,7 @@ void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> w
 void Verifier::measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
                                       const LeafTriangles& triangles,
                                       std::span<const std::size_t> others) {
-  std::vector<MeshPoint> points;
+  std::vector<MiddleOfChord> chords;
   std::vector<std::size_t> leaves;  // of each
   const Mesh& of = grid_.mesh;
   for (const std::size_t k : others) {
@@ -393,14 +393,16 @@ void Verifier::measure_beside_creases(Measured& mesh, std::span<const std::size_
         const std::uint32_t a = t[i];
         const std::uint32_t b = t[(i + 1) % 3];
         if (a > b || !apex_beyond(triangles.of(k), b, a)) continue;
-        points.push_back(
-            {0.5 * (of.position[a] + of.position[b]), 0.5 * (of.uv[a] + of.uv[b]), glm::abs(size)});
+        chords.push_back({{of.position[a], of.position[b]},
+                          {of.uv[a], of.uv[b]},
+                          glm::abs(size),
+                          mesh.allowed[which[k]]});
         leaves.push_back(which[k]);
       }
     }
   }
-  const std::vector<double> distances = distances_from_surface(surface_, points, threads_);
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
+  for (std::size_t k = 0; k < chords.size(); ++k) {
     mesh.add(leaves[k], distances[k]);
   }
 }

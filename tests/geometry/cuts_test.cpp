@@ -135,6 +135,18 @@ TEST(Creases, GoThroughVerticesOfTheMesh) {
   }
 }
 
+TEST(Creases, AtWhichTheSurfaceIsEverSteeperKeepTheTolerance) {
+  // Walls: what is nearest to a place of theirs is far from its parameters in height.
+  for (const char* z : {"abs(u)^0.2", "abs(u)^0.1"}) {
+    const GridMesh result = mesh_of(z);
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+    EXPECT_LT(result.mesh.triangles.size(), 2000U) << z;
+  }
+  const GridMesh rim = mesh_of("u", "v", "u^0.05", {0, 1, -1, 1});
+  EXPECT_LE(rim.report.max_error, *rim.report.tolerance);
+  EXPECT_LT(rim.mesh.triangles.size(), 1500U);
+}
+
 TEST(Creases, ThatCrossLeaveNoCracks) {
   // At a point that is no vertex of the root grid; many at one; at a corner of a cell.
   for (const char* z : {"max(u,v)+abs(u+v)", "abs(u+v)+abs(u-v)", "max(u,v)+abs(u-2*v)",

@@ -64,10 +64,24 @@ TEST(CreaseDistance, FindsACuspAndTheNearestPoint) {
   EXPECT_NEAR(crease_places(surface, std::span(&across, 1), 1)[0].y, 0, 1e-3);
   const Line beside = {dvec2(0.3, 0.2), dvec2(0.3, 0.22)};
   EXPECT_NEAR(crease_places(surface, std::span(&beside, 1), 1)[0].y, 0.21, 1e-12);
-  // 0.1 from the surface at v = 0.5 along its normal, with parameters that are somewhat off.
-  const dvec3 normal = glm::normalize(dvec3(0, -0.75, 1));
-  const MeshPoint point{dvec3(0.2, 0.25, 0.125) + 0.1 * normal, {0.25, 0.4}, {0.5, 0.5}};
-  EXPECT_NEAR(distances_from_surface(surface, std::span(&point, 1), 1)[0], 0.1, 1e-6);
+  // Its middle is 0.1 from the surface at v = 0.5 along its normal, its parameters are somewhat
+  // off.
+  const dvec3 middle = dvec3(0.2, 0.25, 0.125) + 0.1 * glm::normalize(dvec3(0, -0.75, 1));
+  const dvec3 aside(0.1, 0, 0);
+  const MiddleOfChord chord{
+      {middle - aside, middle + aside}, {dvec2(0.15, 0.4), dvec2(0.35, 0.4)}, {0.5, 0.5}, 1};
+  EXPECT_NEAR(distances_from_surface(surface, std::span(&chord, 1), 1)[0], 0.1, 1e-6);
+}
+
+TEST(CreaseDistance, FindsTheNearestPointWhereTheSurfaceIsEverSteeper) {
+  // Nowhere farther than the chord is long along u.
+  for (const char* z : {"abs(u)^0.2", "abs(u)^0.1"}) {
+    const Surface surface = surface_from_text("u", "v", z, {-1, 1, -1, 1}, {}, Order::Second);
+    const std::array ends = {dvec2(1e-30, 0.1), dvec2(1e-4, 0.2)};
+    const auto at_ends = evaluate(surface, ends, 1);
+    const MiddleOfChord chord{{at_ends[0].position, at_ends[1].position}, ends, {2e-4, 0.1}, 1e-3};
+    EXPECT_LT(distances_from_surface(surface, std::span(&chord, 1), 1)[0], 1e-4) << z;
+  }
 }
 
 TEST(CreaseDistance, FindsWhereTheSurfaceIsUprightAsNearAsItsHeightNeeds) {
