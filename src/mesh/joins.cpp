@@ -54,26 +54,23 @@ std::vector<SeamSide> crossed_seam_sides(const Seams& seams, const Grid& grid,
                                          const Lattice& lattice) {
   std::vector<SeamSide> result;
   for (const Side& side : lattice.crossed_sides()) {
-    SeamSide both{side, {}};
     const LatticePlace a = lattice.place(side[0]);
     const LatticePlace b = lattice.place(side[1]);
     if (a.u != b.u && a.v != b.v) continue;
-    bool is_on_seam = true;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto place = partner(seams, grid, lattice.place(side[k]));
-      const auto vertex = place ? lattice.used_vertex(*place) : std::nullopt;
-      is_on_seam = is_on_seam && vertex;
-      if (vertex) both.other[k] = *vertex;
-    }
+    const auto place_c = partner(seams, grid, a);
+    const auto place_d = place_c ? partner(seams, grid, b) : std::nullopt;
+    if (!place_d) continue;
+    const auto vertex_c = lattice.used_vertex(*place_c);
+    const auto vertex_d = lattice.used_vertex(*place_d);
+    if (!vertex_c || !vertex_d) continue;
     // Both ends are on a seam; the side is, if its partners are as far apart.
-    const LatticePlace c = lattice.place(both.other[0]);
-    const LatticePlace d = lattice.place(both.other[1]);
     const bool along_u = a.v == b.v;
     const auto length = [&](const LatticePlace& p, const LatticePlace& q) {
       const auto [low, high] = along_u ? std::minmax(p.u, q.u) : std::minmax(p.v, q.v);
       return high - low;
     };
-    if (is_on_seam && length(a, b) == length(c, d)) result.push_back(both);
+    if (length(a, b) == length(*place_c, *place_d))
+      result.push_back({side, {*vertex_c, *vertex_d}});
   }
   return result;
 }
