@@ -113,27 +113,40 @@ dvec2 step(const Descent& d, const dvec3& from) {
   return std::isfinite(way.x + way.y) ? way : dvec2(0);
 }
 
+/// Stays at a place, if it is nearer, or is to take a shorter step.
+void arrive(const dvec2& uv, const SurfacePoint& there, const dvec3& from, Descent& d) {
+  const double distance = glm::distance(there.position, from);
+  if (distance < d.distance) {
+    d = {uv, there, distance, 0.1 * d.damping};
+  } else {
+    d.damping *= 10;
+  }
+}
+
+dvec2 next_place(const Descent& d, const MiddleOfChord& chord) {
+  const dvec2 begin = middle_of(chord.ends);
+  const dvec2 off = d.uv + step(d, chord.middle()) - begin;
+  return begin + glm::clamp(off, -chord.reach, chord.reach);
+}
+
 /// Goes down to the surface from its places at some parameters.
-std::vector<double> distances_from(std::vector<dvec2> uv, const Surface& surface,
+std::vector<double> distances_from(std::span<const dvec2> places, const Surface& surface,
                                    std::span<const MiddleOfChord> chords, unsigned threads) {
   std::vector<Descent> descents;
-  for (const dvec2& place : uv)
+  std::vector<std::size_t> active;  // numbers of those that are still on their way
+  for (const dvec2& place : places) {
+    active.push_back(descents.size());
     descents.push_back({place, {}, std::numeric_limits<double>::infinity()});
-  for (int round = 0; round <= kSteps; ++round) {
+  }
+  std::vector<dvec2> uv(places.begin(), places.end());
+  for (int round = 0; round <= kSteps && !active.empty(); ++round) {
     const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
-    for (std::size_t k = 0; k < chords.size(); ++k) {
-      Descent& d = descents[k];
-      const dvec3 from = chords[k].middle();
-      const double distance = glm::distance(there[k].position, from);
-      if (distance < d.distance) {
-        d = {uv[k], there[k], distance, 0.1 * d.damping};
-      } else {
-        d.damping *= 10;
-      }
-      const dvec2 begin = middle_of(chords[k].ends);
-      const dvec2 off = d.uv + step(d, from) - begin;
-      uv[k] = begin + glm::clamp(off, -chords[k].reach, chords[k].reach);
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      arrive(uv[i], there[i], chords[active[i]].middle(), descents[active[i]]);
     }
+    std::erase_if(active, [&](std::size_t k) { return descents[k].distance <= chords[k].known; });
+    uv.clear();
+    for (const std::size_t k : active) uv.push_back(next_place(descents[k], chords[k]));
   }
   std::vector<double> distances;
   distances.reserve(descents.size());
@@ -200,7 +213,7 @@ std::vector<double> distances_from_surface(const Surface& surface,
                                            unsigned threads) {
   std::vector<dvec2> middles(chords.size());
   std::ranges::transform(chords, middles.begin(), [](const auto& c) { return middle_of(c.ends); });
-  std::vector<double> distances = distances_from(std::move(middles), surface, chords, threads);
+  std::vector<double> distances = distances_from(middles, surface, chords, threads);
   // Where a surface is ever steeper on its way to a cusp, as abs(u)^0.2, steps leap from one side
   // of that to the other.
   std::vector<MiddleOfChord> rest;

@@ -21,7 +21,8 @@ struct MiddleOfChord {
   std::array<dvec3, 2> positions;  ///< of the chord's ends
   Line ends;                       ///< their parameters
   dvec2 reach;                     ///< how far away the nearest point of the surface is looked for
-  double allowed;                  ///< a distance of no more need not be known
+  double allowed;                  ///< no second way is tried to come nearer than that
+  double known = 0;                ///< nor is any, to come nearer than that
 
   dvec3 middle() const { return 0.5 * (positions[0] + positions[1]); }
 };

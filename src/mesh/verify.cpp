@@ -11,6 +11,7 @@
 #include "mesh/crease_distance.h"
 #include "mesh/measure_many.h"
 #include "mesh/rim_distance.h"
+#include "mesh/sharp_bends.h"
 
 namespace saddle {
 
@@ -375,6 +376,19 @@ void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> w
   }
 }
 
+/// Leaves that nothing cuts, once more where the surface turns sharply in them.
+void Verifier::measure_bends(Measured& mesh, std::span<const std::size_t> which,
+                             const LeafTriangles& triangles) {
+  SharpBends bends(surface_, grid_, lattice_, threads_);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (leaf.is_split || leaf.on_rim || clip_) continue;
+    bends.add(mesh, which[k], triangles.of(k));
+  }
+  bends.measure(mesh);
+  evaluations_ += bends.evaluations();
+}
+
 /// How far triangles beside creases are off the surface, from the middles of diagonals: beside a
 /// cusp the surface turns too much for heights along its normals.
 void Verifier::measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
@@ -396,7 +410,8 @@ void Verifier::measure_beside_creases(Measured& mesh, std::span<const std::size_
         chords.push_back({{of.position[a], of.position[b]},
                           {of.uv[a], of.uv[b]},
                           glm::abs(size),
-                          mesh.allowed[which[k]]});
+                          mesh.allowed[which[k]],
+                          mesh.deviations[which[k]].distance});
         leaves.push_back(which[k]);
       }
     }
@@ -446,6 +461,7 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
   measure_one_by_one(mesh, which, triangles, rest);
   peaks.climb(mesh);
   evaluations_ += peaks.evaluations();
+  measure_bends(mesh, which, triangles);
   measure_beside_creases(mesh, which, triangles, others);
   for (const std::size_t k : others) add_left_out(mesh, which[k], triangles.of(k));
   RimDistance rims(surface_, grid_, lattice_, clip_, threads_);

@@ -64,6 +64,8 @@ class Verifier {
   void append_singular_sides(const Measured& mesh, std::span<const std::size_t> which,
                              std::vector<Sample>& samples) const;
   void move_onto_creases(std::vector<Sample>& samples) const;
+  void measure_bends(Measured& mesh, std::span<const std::size_t> which,
+                     const LeafTriangles& triangles);
   void measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
                               const LeafTriangles& triangles, std::span<const std::size_t> others);
   void add_left_out(Measured& mesh, std::size_t number, std::span<const Triangle> triangles) const;
