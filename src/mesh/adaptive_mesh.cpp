@@ -10,6 +10,7 @@
 
 #include "mesh/clip.h"
 #include "mesh/corners.h"
+#include "mesh/facing.h"
 #include "mesh/halving.h"
 #include "mesh/leaf_mesh.h"
 #include "mesh/rough.h"
@@ -357,6 +358,7 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines = leaf_lines(grid, halving.lattice(), halving.measured().leaves, options.lines_u,
                                options.lines_v);
+  report.evaluations += face_own_triangles(surface, options.threads, grid.mesh);
   if (options.clip) {
     clip_mesh(*options.clip, grid.mesh);
     keep_singular_points_within(*options.clip, surface, options.threads, report);

@@ -101,11 +101,15 @@ std::size_t VertexCorners::find_or_add(const dvec3& normal) {
   for (std::size_t corner = first_new_; corner < mesh_.normal.size(); ++corner) {
     if (agrees(corner)) return corner;
   }
-  mesh_.position.push_back(dvec3(mesh_.position[vertex_]));
-  mesh_.normal.push_back(normal);
-  mesh_.uv.push_back(dvec2(mesh_.uv[vertex_]));
-  mesh_.point.push_back(std::uint32_t{mesh_.point[vertex_]});
-  return mesh_.normal.size() - 1;
+  return add_corner(mesh_, vertex_, normal);
+}
+
+std::uint32_t add_corner(Mesh& mesh, std::size_t like, const dvec3& normal) {
+  mesh.position.push_back(dvec3(mesh.position[like]));
+  mesh.normal.push_back(normal);
+  mesh.uv.push_back(dvec2(mesh.uv[like]));
+  mesh.point.push_back(std::uint32_t{mesh.point[like]});
+  return static_cast<std::uint32_t>(mesh.position.size() - 1);
 }
 
 void add_singular_point(const dvec2& uv, MeshReport& report) {

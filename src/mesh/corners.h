@@ -33,6 +33,9 @@ class VertexCorners {
   std::size_t first_new_ = 0;
 };
 
+/// A new corner of the same point as another one, with a normal of its own: its number.
+std::uint32_t add_corner(Mesh& mesh, std::size_t like, const dvec3& normal);
+
 /// Counts a singular point and lists it, if the list is not full.
 void add_singular_point(const dvec2& uv, MeshReport& report);
 /// The normal has no limit at the point that was added last.

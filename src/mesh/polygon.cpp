@@ -1,7 +1,8 @@
 #include "mesh/polygon.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "mesh/triangulate.h"
@@ -92,41 +93,66 @@ bool has_pole(const Mesh& mesh, std::span<const PolygonCorner> polygon) {
   return false;
 }
 
-/// The ear to cut off: its tip's index. Its chord is none of `taken`, and passes over no corner, if
-/// that can be.
+/// Whether the triangle at an ear's tip faces away from the front that the normals of its corners
+/// tell, as where the polygon is bent so that the tip is beyond the chord.
+bool faces_away(const Grid& grid, const PolygonCorner& a, const PolygonCorner& tip,
+                const PolygonCorner& b) {
+  const auto& [position, normal] = std::tie(grid.mesh.position, grid.mesh.normal);
+  const dvec3& first = position[a.corner];
+  const dvec3 area = glm::cross(position[tip.corner] - first, position[b.corner] - first);
+  const double front = glm::dot(area, normal[a.corner] + normal[tip.corner] + normal[b.corner]);
+  return grid.mirrored ? front > 0 : front < 0;
+}
+
+/// A triangle that may be cut off a polygon, and how good its chord is.
+struct Ear {
+  std::size_t tip;
+  double sagitta;  ///< of the arc above the chord
+  double length;   ///< of the chord, squared
+  int flaws = 0;
+
+  bool is_nearer(const Ear& other) const {
+    if (is_smaller(sagitta, other.sagitta)) return true;
+    return !is_smaller(other.sagitta, sagitta) && is_smaller(length, other.length);
+  }
+};
+
+/// What an ear is spoiled by, the worst counting most: its chord is one of `taken`, or passes over
+/// a corner; it faces away.
+int flaws_of(const Grid& grid, std::span<const PolygonCorner> polygon, std::size_t tip,
+             bool is_at_pole, std::span<const PointPair> taken) {
+  const PolygonCorner& before = polygon[(tip + polygon.size() - 1) % polygon.size()];
+  const PolygonCorner& after = polygon[(tip + 1) % polygon.size()];
+  const bool is_taken =
+      (!taken.empty() && std::ranges::count(taken, points_of(grid.mesh, before, after)) > 0) ||
+      (is_at_pole && passes_over_corner(grid, polygon, tip));
+  return (is_taken ? 2 : 0) + (faces_away(grid, before, polygon[tip], after) ? 1 : 0);
+}
+
+/// The ear to cut off: its tip's index. It is the one of those with the fewest flaws whose chord is
+/// nearest to the surface.
 std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, bool is_at_pole,
                      std::span<const PointPair> taken) {
   const double whole = doubled_area(polygon);
   const double rounding = rounding_of_area(polygon);
   const Mesh& mesh = grid.mesh;
-  std::size_t best = 0;
-  double best_sagitta = std::numeric_limits<double>::infinity();
-  double best_length = std::numeric_limits<double>::infinity();
-  bool is_found = false;
-  bool best_is_taken = false;
+  std::optional<Ear> best;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const PolygonCorner& before = polygon[(k + polygon.size() - 1) % polygon.size()];
     const PolygonCorner& after = polygon[(k + 1) % polygon.size()];
-    const double ear = doubled_area(before.place, polygon[k].place, after.place);
+    const double area = doubled_area(before.place, polygon[k].place, after.place);
     // What is left must have area too: corners on one straight side are no polygon.
-    if (ear <= rounding || ear >= whole - rounding) continue;
+    if (area <= rounding || area >= whole - rounding) continue;
     const dvec3& a = mesh.position[before.corner];
     const dvec3& b = mesh.position[after.corner];
-    const double arc = sagitta(a, mesh.normal[before.corner], b, mesh.normal[after.corner]);
-    const double length = glm::dot(b - a, b - a);
-    const bool is_taken =
-        (!taken.empty() && std::ranges::count(taken, points_of(mesh, before, after)) > 0) ||
-        (is_at_pole && passes_over_corner(grid, polygon, k));
-    const bool better = is_smaller(arc, best_sagitta) ||
-                        (!is_smaller(best_sagitta, arc) && is_smaller(length, best_length));
-    if (is_taken == best_is_taken ? !better && is_found : is_taken && is_found) continue;
-    is_found = true;
-    best = k;
-    best_is_taken = is_taken;
-    best_sagitta = arc;
-    best_length = length;
+    Ear ear{k, sagitta(a, mesh.normal[before.corner], b, mesh.normal[after.corner]),
+            glm::dot(b - a, b - a)};
+    const bool is_nearer = !best || ear.is_nearer(*best);
+    if (!is_nearer && best->flaws == 0) continue;
+    ear.flaws = flaws_of(grid, polygon, k, is_at_pole, taken);
+    if (!best || ear.flaws < best->flaws || (ear.flaws == best->flaws && is_nearer)) best = ear;
   }
-  return best;
+  return best ? best->tip : 0;
 }
 
 void append(const Grid& grid, const PolygonCorner& a, const PolygonCorner& b,
