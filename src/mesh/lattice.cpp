@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "eval/batch.h"
+#include "mesh/removable.h"
 #include "mesh/singular.h"
 #include "mesh/weld.h"
 #include "surface/normal.h"
@@ -17,32 +18,9 @@ namespace saddle {
 
 namespace {
 
-/// Around a position that is not defined it is looked at so near, in ranges of the parameters; what
-/// is found must agree to this part of the diagonal. A smooth surface moves by 1e-6 of its size,
-/// and the mean is off by its square.
-constexpr double kNear = 1e-6;
-constexpr double kAgree = 1e-4;
-
 /// A place between two vertices that is this near to one of them, beside their distance, counts as
 /// the same: what lies between is a sliver made of rounding.
 constexpr double kBeside = 1e-9;
-
-/// The nearest points around a vertex: two along u, and two along v.
-constexpr std::size_t kNearest = 4;
-
-/// The middle of those pairs that are both defined: 0/0 may run along one axis; on the other it is
-/// looked at from both sides.
-std::optional<dvec3> middle_of_pairs(std::span<const SurfacePoint, kNearest> points) {
-  dvec3 sum(0);
-  double count = 0;
-  for (std::size_t k = 0; k < kNearest; k += 2) {
-    if (!is_finite(points[k].position) || !is_finite(points[k + 1].position)) continue;
-    sum += points[k].position + points[k + 1].position;
-    count += 2;
-  }
-  if (count == 0) return std::nullopt;
-  return sum / count;
-}
 
 }  // namespace
 
@@ -144,6 +122,10 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
       effort_(surface) {
   sub_grids_[0] = {0, static_cast<std::uint32_t>(grid.u.size())};
   for (const std::size_t vertex : grid.singular) make_singular(static_cast<std::uint32_t>(vertex));
+  std::vector<dvec2> uv;
+  for (const std::size_t vertex : grid.singular) uv.push_back(grid.uv(vertex));
+  note_rounding(grid.singular, saddle::evaluate(surface, uv, threads));
+  replace_rounding(threads);
   if (grid.left_out_count == 0) return;
   std::vector<std::uint32_t> undefined;
   for (std::uint32_t vertex = 0; vertex < grid.vertex_count(); ++vertex) {
@@ -308,6 +290,16 @@ void Lattice::take_known_normals(std::span<const std::size_t> vertices) {
     const auto normal = known_normal(points[k], surface_.flip);
     if (normal && !are_zeros[k]) set_normal(static_cast<std::uint32_t>(vertices[k]), *normal);
   }
+  note_rounding(vertices, points);
+}
+
+void Lattice::note_rounding(std::span<const std::size_t> vertices,
+                            std::span<const SurfacePoint> points) {
+  const Mesh& mesh = grid_.mesh;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!is_rounding(points[k], mesh.uv[vertices[k]], mesh.bounds.diagonal())) continue;
+    rounded_.push_back(static_cast<std::uint32_t>(vertices[k]));
+  }
 }
 
 void Lattice::append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads) {
@@ -342,52 +334,48 @@ void Lattice::finish_new(unsigned threads) {
   }
   evaluated_ = used_.size();
   fill_removable(undefined, threads);
+  replace_rounding(threads);
 }
 
-void Lattice::fill_removable(std::vector<std::uint32_t> vertices, unsigned threads) {
-  if (vertices.empty()) return;
-  const Domain& d = surface_.domain;
-  const dvec2 step = kNear * dvec2(d.u1 - d.u0, d.v1 - d.v0);
-  // Twice as far, too: from all sides alike, 1/(u^2+v^2) goes to infinity.
-  // And aslant: along the axes u*v/(u^2+v^2) is 0.
-  const std::array<dvec2, 10> ways = {
-      dvec2(step.x, 0),       dvec2(-step.x, 0),       dvec2(0, step.y),
-      dvec2(0, -step.y),      2.0 * dvec2(step.x, 0),  2.0 * dvec2(-step.x, 0),
-      2.0 * dvec2(0, step.y), 2.0 * dvec2(0, -step.y), step,
-      dvec2(-step.x, step.y)};
-  const auto look = [&](std::span<const dvec2> where) {
-    std::vector<dvec2> uv;
-    for (const std::uint32_t vertex : vertices) {
-      for (const dvec2& way : where) uv.push_back(grid_.mesh.uv[vertex] + way);
-    }
-    evaluations_ += uv.size();
-    effort_.add_places(uv.size());
-    return saddle::evaluate(surface_, uv, threads);
-  };
-  // In the midst of what is undefined one look tells; aslant, since 1/v is undefined along an axis.
-  std::vector<std::uint32_t> beside_defined;
-  const std::vector<SurfacePoint> beside = look(std::array{dvec2(step.x, 0.37 * step.y)});
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    if (is_finite(beside[k].position)) beside_defined.push_back(vertices[k]);
-  }
-  vertices = std::move(beside_defined);
-  const std::vector<SurfacePoint> points = look(ways);
+void Lattice::fill_removable(std::span<const std::uint32_t> undefined, unsigned threads) {
+  const std::vector<Beside> beside = look_beside(undefined, threads);
   std::vector<std::uint32_t> holes;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const auto around = std::span(points).subspan(k * ways.size(), ways.size());
-    Bounds bounds;
-    for (const SurfacePoint& point : around) {
-      if (is_finite(point.position)) bounds.add(point.position);
+  for (std::size_t k = 0; k < undefined.size(); ++k) {
+    if (beside[k].limit) {
+      fill(undefined[k], *beside[k].limit);
+    } else if (beside[k].is_defined) {
+      holes.push_back(undefined[k]);
     }
-    const std::optional<dvec3> middle = middle_of_pairs(around.first<kNearest>());
-    const bool agree = middle && bounds.diagonal() <= kAgree * grid_.mesh.bounds.diagonal();
-    if (!agree && !bounds.empty()) holes.push_back(vertices[k]);
-    if (!agree) continue;
-    grid_.mesh.position[vertices[k]] = *middle;
-    defined_[vertices[k]] = 1;
-    make_singular(vertices[k]);
   }
   find_holes(holes, threads);
+}
+
+/// Vertices whose positions are rounding keep these where nothing better is known.
+void Lattice::replace_rounding(unsigned threads) {
+  std::vector<std::uint32_t> vertices;
+  std::swap(vertices, rounded_);
+  const std::vector<Beside> beside = look_beside(vertices, threads);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (beside[k].limit) fill(vertices[k], *beside[k].limit);
+  }
+}
+
+std::vector<Beside> Lattice::look_beside(std::span<const std::uint32_t> vertices,
+                                         unsigned threads) {
+  if (vertices.empty()) return {};
+  std::vector<dvec2> places;
+  for (const std::uint32_t vertex : vertices) places.push_back(grid_.mesh.uv[vertex]);
+  std::size_t looks = 0;
+  auto beside = saddle::look_beside(surface_, places, grid_.mesh.bounds.diagonal(), threads, looks);
+  evaluations_ += looks;
+  effort_.add_places(looks);
+  return beside;
+}
+
+void Lattice::fill(std::uint32_t vertex, const dvec3& limit) {
+  grid_.mesh.position[vertex] = limit;
+  defined_[vertex] = 1;
+  make_singular(vertex);
 }
 
 void Lattice::find_holes(std::span<const std::uint32_t> vertices, unsigned threads) {

@@ -14,6 +14,7 @@
 #include "mesh/grid.h"
 #include "mesh/holes.h"
 #include "mesh/pair_table.h"
+#include "mesh/removable.h"
 
 namespace saddle {
 
@@ -418,7 +419,13 @@ class Lattice {
   std::uint32_t number(LatticePlace place);
   /// Joins the vertices that are computed last to poles, and gives them limits.
   void finish_new(unsigned threads);
-  void fill_removable(std::vector<std::uint32_t> vertices, unsigned threads);
+  void fill_removable(std::span<const std::uint32_t> undefined, unsigned threads);
+  /// Files the vertices whose positions are rounding: is_rounding().
+  void note_rounding(std::span<const std::size_t> vertices, std::span<const SurfacePoint> points);
+  void replace_rounding(unsigned threads);
+  std::vector<Beside> look_beside(std::span<const std::uint32_t> vertices, unsigned threads);
+  /// Gives a vertex the limit of the positions around it.
+  void fill(std::uint32_t vertex, const dvec3& limit);
   void find_holes(std::span<const std::uint32_t> vertices, unsigned threads);
   /// A vertex between two root vertices that are one point, on the grid's line through them, is
   /// that point: its tangent along the line is rounding.
@@ -449,6 +456,7 @@ class Lattice {
   std::vector<std::uint32_t> newly_used_;
   std::vector<std::uint8_t> regular_;
   std::vector<std::uint8_t> defined_;
+  std::vector<std::uint32_t> rounded_;  ///< whose positions are rounding, and not replaced yet
   PairTable sides_;  // that were searched: by their ends, their places in the next
   std::vector<SearchedSide> searched_;
   std::vector<std::uint8_t> beside_cut_;     ///< of vertices: whether a side that ends there is cut

@@ -142,6 +142,20 @@ TEST(Holes, AlongDiagonalsOfCellsThatHaveLimitsAreRegular) {
             10U);
 }
 
+TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
+  // Where both ranges have lines that are as good as the same, u - v is one digit.
+  for (const char* z : {"(u^3-v^3)/(u-v)", "(exp(u)-exp(v))/(u-v)"}) {
+    for (const double end : {0.7, 1.0}) {
+      AdaptiveOptions options = within_share(1e-3, 3);
+      options.lines_u = options.lines_v = 15;
+      const GridMesh result =
+          mesh_within_tolerance(height_field(z, {0, end, 0, 2 * end}), options).value();
+      EXPECT_LE(result.report.max_error, *result.report.tolerance) << z << ' ' << end;
+      EXPECT_EQ(result.report.jump_count, 0U) << z << ' ' << end;
+    }
+  }
+}
+
 TEST(Holes, ThatHaveALimitAreFilled) {
   AdaptiveOptions options = within_share(1e-3, 3);
   options.lines_u = options.lines_v = 17;  // one each through the middle
