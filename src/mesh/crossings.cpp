@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include "mesh/approach.h"
@@ -407,17 +406,22 @@ void find_poles_beside_cuts(std::span<const Side> sides, const CrossingOptions& 
   Finder(options, lattice).find_poles_beside_cuts(sides);
 }
 
-std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice) {
-  std::vector<Side> sides = sides_of(leaf, lattice);
-  std::erase_if(sides, [&](const Side& side) { return lattice.is_searched(side[0], side[1]); });
-  return sides;
+void append_unsearched(const Leaf& leaf, const Lattice& lattice, std::vector<Side>& sides) {
+  for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
+    if (!lattice.is_searched(a, b)) sides.push_back({std::min(a, b), std::max(a, b)});
+  });
+}
+
+void sort_sides(std::vector<Side>& sides) {
+  std::ranges::sort(sides);
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
 }
 
 std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::span<Leaf> leaves,
                                           Lattice& lattice) {
   std::vector<std::size_t> split;
   while (true) {
-    std::set<Side> sides;
+    std::vector<Side> sides;
     const std::uint32_t now = lattice.next_moment();
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       Leaf& leaf = leaves[k];
@@ -429,10 +433,11 @@ std::vector<std::size_t> follow_crossings(const CrossingOptions& options, std::s
         split.push_back(k);
       }
       if (!leaf.on_rim && !leaf.is_split) continue;
-      for (const Side& side : unsearched_sides(leaf, lattice)) sides.insert(side);
+      append_unsearched(leaf, lattice, sides);
     }
     if (sides.empty() || lattice.is_tired(options.max_triangles)) return split;
-    find_crossings(std::vector<Side>(sides.begin(), sides.end()), options, lattice);
+    sort_sides(sides);
+    find_crossings(sides, options, lattice);
   }
 }
 

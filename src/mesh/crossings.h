@@ -37,8 +37,10 @@ void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Latt
 void find_poles_beside_cuts(std::span<const Side> sides, const CrossingOptions& options,
                             Lattice& lattice);
 
-/// The sides of a leaf that have not been looked at.
-std::vector<Side> unsearched_sides(const Leaf& leaf, const Lattice& lattice);
+/// Appends the sides of a leaf that have not been looked at.
+void append_unsearched(const Leaf& leaf, const Lattice& lattice, std::vector<Side>& sides);
+/// Puts sides in order, each once.
+void sort_sides(std::vector<Side>& sides);
 
 /// Looks at all sides of leaves that are on the rim, or that a crossing leads into, so that what is
 /// cut is cut through. Returns the numbers of the leaves that this has split.

@@ -393,17 +393,20 @@ bool Halving::stop_if_done(Leaf& leaf, const Oscillation& oscillation) {
 /// Halves of the leaves that deviate too much, among those that were measured since the last time,
 /// since what stayed then stays; and of those that new crossings on their sides cut unclearly.
 std::vector<Leaf> Halving::take_failed() {
-  const Oscillation hopeless = oscillation();
+  const std::uint32_t now = lattice_.next_moment();
+  std::optional<Oscillation> hopeless;  // known once it is asked for
   std::vector<std::size_t> failed;
   std::vector<Leaf> halves;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-    if (mesh_.leaves[k].measured <= taken_ && !mesh_.leaves[k].is_split) continue;
-    if (mesh_.is_near(k) && !mesh_.leaves[k].is_split && !is_turned(k)) continue;
+    Leaf& leaf = mesh_.leaves[k];
+    const bool is_cut_anew = leaf.is_split && lattice_.has_changed(leaf, taken_);
+    if (leaf.measured <= taken_ && !is_cut_anew) continue;
+    if (mesh_.is_near(k) && !leaf.is_split && !is_turned(k)) continue;
     const double off = mesh_.off(k);
     const double turned = turn(k);
     if (!(off > 1) && !(turned > 1) && !is_cut_unclearly(k)) continue;
-    Leaf& leaf = mesh_.leaves[k];
-    if (stop_if_done(leaf, hopeless)) continue;
+    if (!hopeless) hopeless.emplace(oscillation());
+    if (stop_if_done(leaf, *hopeless)) continue;
     const auto both = halve(leaf, splits_u(k), lattice_);
     if (!both) continue;
     failed.push_back(k);
@@ -414,7 +417,7 @@ std::vector<Leaf> Halving::take_failed() {
       halves.push_back(half);
     }
   }
-  taken_ = lattice_.next_moment();
+  taken_ = now;
   mesh_.remove(failed);
   // A neighbour was halved, and the side that both share turns out to be defined.
   const auto is_no_more = [this](const Leaf& leaf) {

@@ -254,12 +254,8 @@ class Refiner {
 
   std::vector<Side> unsearched(std::span<const Leaf> leaves) const {
     std::vector<Side> sides;
-    for (const Leaf& leaf : leaves) {
-      const std::vector<Side> more = unsearched_sides(leaf, lattice_);
-      sides.insert(sides.end(), more.begin(), more.end());
-    }
-    std::ranges::sort(sides);
-    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+    for (const Leaf& leaf : leaves) append_unsearched(leaf, lattice_, sides);
+    sort_sides(sides);
     return sides;
   }
 
