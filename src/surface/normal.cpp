@@ -69,9 +69,16 @@ std::optional<ScaledCross> scaled_cross(const SurfacePoint& point) {
 /// The entry of Richardson's tableau that agrees best with the two it was made from.
 struct Extrapolation {
   dvec3 value{0};
-  double change = std::numeric_limits<double>::infinity();
+  double square = std::numeric_limits<double>::infinity();  ///< of the change from those
   std::size_t last = 0;  ///< the path's last normal that it was made from
 };
+
+double square_of(double x) {
+  return x * x;
+}
+double square_of_distance(const dvec3& a, const dvec3& b) {
+  return glm::dot(a - b, a - b);
+}
 
 /// Whether the normals approach the limit that was found from them.
 bool is_approached(std::span<const dvec3> normals, const dvec3& limit) {
@@ -87,27 +94,26 @@ bool is_approached(std::span<const dvec3> normals, const dvec3& limit) {
 /// The limit of the normals along a path, or nothing.
 std::optional<dvec3> extrapolate(std::span<const SurfacePoint> path) {
   Extrapolation best;
-  std::vector<dvec3> normals;
+  std::array<dvec3, kSteps> normals;
   std::array<dvec3, kHighestPower + 1> previous{};
   std::array<dvec3, kHighestPower + 1> row{};
-  for (std::size_t i = 0; i < path.size() && best.change > kConverged; ++i) {
+  for (std::size_t i = 0; i < path.size() && best.square > square_of(kConverged); ++i) {
     const std::optional<dvec3> normal = normal_direction(path[i]);
     if (!normal) break;
-    normals.push_back(*normal);
-    row[0] = *normal;
+    normals[i] = row[0] = *normal;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k <= std::min(i, kHighestPower); ++k) {
       const double power = static_cast<double>(1U << k);
       row[k] = row[k - 1] + (row[k - 1] - previous[k - 1]) / (power - 1);
-      const double change =
-          std::max(glm::distance(row[k], row[k - 1]), glm::distance(row[k], previous[k - 1]));
-      least = std::min(least, change);
-      if (change < best.change) best = {row[k], change, i};
+      const double square = std::max(square_of_distance(row[k], row[k - 1]),
+                                     square_of_distance(row[k], previous[k - 1]));
+      least = std::min(least, square);
+      if (square < best.square) best = {row[k], square, i};
     }
-    if (best.change <= kSettled && least > kLost) break;
+    if (best.square <= square_of(kSettled) && least > square_of(kLost)) break;
     previous = row;
   }
-  if (!(best.change <= kSettled)) return std::nullopt;
+  if (!(best.square <= square_of(kSettled))) return std::nullopt;
   if (!is_approached(std::span(normals).first(best.last + 1), best.value)) return std::nullopt;
   return glm::normalize(best.value);
 }
