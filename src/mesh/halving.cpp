@@ -88,7 +88,7 @@ void Halving::run(std::vector<Witness> witnesses) {
 
 LeafTriangles Halving::triangulate(MeshReport& report) {
   const auto& leaves = mesh_.leaves;
-  const SingularCorners singular(surface_, leaves, lattice_, options_.threads, grid_, report);
+  const SingularCorners singular(leaves, lattice_, options_.threads, limits_, grid_, report);
   measure(singular.leaves(), singular);
   std::vector<std::size_t> stale;
   for (std::size_t k = 0; k < leaves.size(); ++k) {
@@ -292,7 +292,7 @@ bool Halving::measure_singular() {
   Mesh& mesh = grid_.mesh;
   const std::size_t count = mesh.position.size();
   MeshReport unused;
-  const SingularCorners singular(surface_, mesh_.leaves, lattice_, options_.threads, grid_, unused);
+  const SingularCorners singular(mesh_.leaves, lattice_, options_.threads, limits_, grid_, unused);
   measure(singular.leaves(), singular);
   for (const std::size_t k : singular.leaves()) mesh_.made[k] = 0;  // their corners go away
   mesh.position.resize(count);

@@ -11,6 +11,7 @@
 #include "mesh/cut_out.h"
 #include "mesh/joins.h"
 #include "mesh/judge.h"
+#include "mesh/leaf_mesh.h"
 #include "mesh/oscillation.h"
 #include "mesh/points.h"
 #include "mesh/verify.h"
@@ -100,6 +101,7 @@ class Halving {
   Verifier verifier_;
   Oscillation foreseen_;
   Measured mesh_;
+  LastLimits limits_;
   std::uint32_t taken_ = 0;  // when take_failed() last looked: Lattice::next_moment()
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
   std::vector<PlacedHole> holes_;

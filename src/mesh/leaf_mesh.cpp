@@ -10,7 +10,6 @@
 #include "mesh/polygon.h"
 #include "mesh/triangulate.h"
 #include "mesh/vertex_columns.h"
-#include "surface/normal.h"
 
 namespace saddle {
 
@@ -272,16 +271,30 @@ std::vector<std::size_t> indices(const std::vector<double>& lines, int count) {
 
 }  // namespace
 
-SingularCorners::SingularCorners(const Surface& surface, std::span<const Leaf> leaves,
-                                 const Lattice& lattice, unsigned threads, Grid& grid,
+const std::vector<NormalLimit>& LastLimits::find(const Surface& surface,
+                                                 std::vector<Approach> approaches,
+                                                 unsigned threads) {
+  const auto is_same = [](const Approach& a, const Approach& b) {
+    return a.corner == b.corner && a.inside == b.inside;
+  };
+  if (!std::ranges::equal(approaches, approaches_, is_same)) {
+    limits_ = limits_in_cells(surface, approaches, threads);
+    approaches_ = std::move(approaches);
+  }
+  return limits_;
+}
+
+SingularCorners::SingularCorners(std::span<const Leaf> leaves, const Lattice& lattice,
+                                 unsigned threads, LastLimits& last, Grid& grid,
                                  MeshReport& report) {
+  const Surface& surface = lattice.surface();
   const std::vector<View> views = singular_views(leaves, grid, lattice);
   std::vector<Approach> approaches;
   approaches.reserve(views.size());
   for (const View& view : views) {
     approaches.push_back({grid.mesh.uv[view.vertex], view.inside});
   }
-  const std::vector<NormalLimit> limits = limits_in_cells(surface, std::move(approaches), threads);
+  const std::vector<NormalLimit>& limits = last.find(surface, std::move(approaches), threads);
   const std::set<std::uint32_t> filled = filled_vertices(surface, views, grid, threads);
   VertexCorners corners(grid.mesh);
   for (std::size_t k = 0, end = 0; k < views.size(); k = end) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/outline.h"
+#include "surface/normal.h"
 
 namespace saddle {
 
@@ -29,6 +30,19 @@ struct LeafTriangles {
   std::size_t expected() const;
 };
 
+/// The limits of normals that were asked for last: most meshes do not change any more between the
+/// time that their leaves are measured with them and the time that they become theirs.
+class LastLimits {
+ public:
+  /// limits_in_cells().
+  const std::vector<NormalLimit>& find(const Surface& surface, std::vector<Approach> approaches,
+                                       unsigned threads);
+
+ private:
+  std::vector<Approach> approaches_;
+  std::vector<NormalLimit> limits_;
+};
+
 /// Corners that leaves have of their own at singular vertices; regular vertices are one corner.
 class SingularCorners {
  public:
@@ -36,8 +50,8 @@ class SingularCorners {
   /// Gives each singular vertex of each piece of a leaf the limit of the normal from inside the
   /// piece, or the normal of its face where there is none. Adds corners to grid.mesh, singular
   /// points and evaluations to `report`.
-  SingularCorners(const Surface& surface, std::span<const Leaf> leaves, const Lattice& lattice,
-                  unsigned threads, Grid& grid, MeshReport& report);
+  SingularCorners(std::span<const Leaf> leaves, const Lattice& lattice, unsigned threads,
+                  LastLimits& last, Grid& grid, MeshReport& report);
 
   /// `piece`: the number of one of the leaf's pieces().
   std::uint32_t corner(std::size_t leaf, std::size_t piece, std::uint32_t vertex) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/leaf_mesh.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -192,6 +193,21 @@ TEST(LimitNormals, AreThoseOfEachApproach) {
     EXPECT_EQ(limits[k].normal, alone.normal) << k;
     EXPECT_GT(limits[k].evaluations, 1) << k;
   }
+}
+
+TEST(LastLimits, AreFoundAnewForOtherCorners) {
+  const Surface cone = double_cone();
+  const std::vector<Approach> above = {{{0.5, 0}, {0.5, 0.1}}, {{1.5, 0}, {1.5, 0.1}}};
+  std::vector<Approach> aside = above;
+  aside[1].inside.y = -0.1;
+  LastLimits last;
+  for (const std::vector<Approach>& approaches : {above, above, aside, above}) {
+    const std::vector<NormalLimit> expected = limit_normals(cone, approaches, 1);
+    const std::vector<NormalLimit> limits = last.find(cone, approaches, 1);
+    ASSERT_EQ(limits.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(limits[k].normal, expected[k].normal) << k;
+  }
+  EXPECT_TRUE(last.find(cone, {}, 1).empty());
 }
 
 }  // namespace
