@@ -48,6 +48,7 @@ class Finder {
       for (std::size_t k = 0; k < faces.size(); ++k) places[k].uv = faces[k];
     }
     std::uint32_t next = lattice_.add_between(places, options_.threads);
+    lattice_.take_known_normals();
     for (const auto& [a, b] : sides) {
       const Cut kind = to_faces ? Cut::Face : Cut::Pole;
       lattice_.set_crossing(a, b, Crossing{kind, a, next, next + 1});
@@ -142,6 +143,7 @@ class Finder {
     const std::vector<bool> goes_far = diverge_at(places);
     const std::vector<bool> at_face = end_at_faces(goes_far, places);
     const std::uint32_t first = lattice_.add_between(places, options_.threads);
+    lattice_.take_known_normals();
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const auto rim = static_cast<std::uint32_t>(first + k);
       const auto [a, b] = sides[k];
@@ -329,6 +331,7 @@ class Finder {
     }
     const std::uint32_t first = lattice_.add_between(places, options_.threads);
     if (kind == Cut::Crease) approach(vertices, first);
+    lattice_.take_known_normals();
     std::uint32_t next = first;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       std::array<std::uint32_t, 2> beside{};

@@ -138,6 +138,18 @@ Lattice::Lattice(const Surface& surface, Grid& grid, unsigned threads)
   fill_removable(undefined, threads);
 }
 
+void Lattice::reserve(std::size_t count) {
+  Mesh& mesh = grid_.mesh;
+  mesh.position.reserve(count);
+  mesh.normal.reserve(count);
+  mesh.uv.reserve(count);
+  mesh.point.reserve(count);
+  places_.reserve(count - grid_.vertex_count());
+  for (auto* const marks : {&used_, &regular_, &defined_, &beside_cut_, &beside_middle_}) {
+    marks->reserve(count);
+  }
+}
+
 void Lattice::add_middles(unsigned threads) {
   struct Line {
     std::vector<double> parameters;
@@ -152,6 +164,7 @@ void Lattice::add_middles(unsigned threads) {
     }
     return line;
   };
+  reserve((2 * grid_.u.size() - 1) * (2 * grid_.v.size() - 1));
   for (std::size_t kind = 1; kind < sub_grids_.size(); ++kind) {
     const Line u = take(grid_.u, kind % 2 != 0);
     const Line v = take(grid_.v, kind / 2 != 0);
@@ -257,7 +270,6 @@ void Lattice::append(const NormalColumns& columns, std::size_t count, Function u
   mesh.normal.resize(first + count);
   mesh.uv.resize(first + count);
   mesh.point.resize(first + count);
-  std::vector<std::size_t> steep;  // tangents are as good as parallel
   for (std::size_t i = 0; i < count; ++i) {
     const dvec3 position(columns[0][i], columns[1][i], columns[2][i]);
     const dvec3 normal = front * dvec3(columns[kNormalColumn][i], columns[kNormalColumn + 1][i],
@@ -273,24 +285,35 @@ void Lattice::append(const NormalColumns& columns, std::size_t count, Function u
     mesh.point[vertex] = static_cast<std::uint32_t>(vertex);
     if (!regular) make_singular(static_cast<std::uint32_t>(vertex));
     defined_[vertex] = is_finite(position) ? 1 : 0;
-    if (!regular && is_finite(position) && is_finite(normal)) steep.push_back(vertex);
+    if (!regular && is_finite(position) && is_finite(normal)) steep_.push_back(vertex);
   }
   evaluations_ += count;
   effort_.add_samples(count);
-  take_known_normals(steep);
 }
 
-void Lattice::take_known_normals(std::span<const std::size_t> vertices) {
+void Lattice::take_known_normals() {
   std::vector<dvec2> uv;
-  for (const std::size_t vertex : vertices) uv.push_back(grid_.mesh.uv[vertex]);
+  for (const std::size_t vertex : steep_) uv.push_back(grid_.mesh.uv[vertex]);
   const std::vector<SurfacePoint> points = saddle::evaluate(surface_, uv, 1);
-  // What tangents are made of may itself be rounding: there is more around that.
-  const std::vector<bool> are_zeros = are_singular(surface_, uv, 1);
-  for (std::size_t k = 0; k < uv.size(); ++k) {
+  note_rounding(steep_, points);
+  std::vector<std::uint32_t> vertices;
+  std::vector<dvec2> places;
+  std::vector<dvec3> normals;
+  for (std::size_t k = 0; k < steep_.size(); ++k) {
+    const auto vertex = static_cast<std::uint32_t>(steep_[k]);
+    if (is_regular(vertex)) continue;
     const auto normal = known_normal(points[k], surface_.flip);
-    if (normal && !are_zeros[k]) set_normal(static_cast<std::uint32_t>(vertices[k]), *normal);
+    if (!normal) continue;
+    vertices.push_back(vertex);
+    places.push_back(uv[k]);
+    normals.push_back(*normal);
   }
-  note_rounding(vertices, points);
+  // What tangents are made of may itself be rounding: there is more around that.
+  const std::vector<bool> are_zeros = are_singular(surface_, places, 1);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!are_zeros[k]) set_normal(vertices[k], normals[k]);
+  }
+  steep_.clear();
 }
 
 void Lattice::note_rounding(std::span<const std::size_t> vertices,
@@ -327,6 +350,7 @@ void Lattice::evaluate(unsigned threads) {
 }
 
 void Lattice::finish_new(unsigned threads) {
+  take_known_normals();
   std::vector<std::uint32_t> undefined;
   for (auto vertex = static_cast<std::uint32_t>(evaluated_); vertex < used_.size(); ++vertex) {
     join_pole(vertex);

@@ -294,6 +294,9 @@ class Lattice {
   /// New vertices between neighbours, with consecutive numbers; the number of the first. All others
   /// that are numbered have been evaluated.
   std::uint32_t add_between(std::span<const Between> places, unsigned threads);
+  /// Gives new vertices at which tangents are as good as parallel, and that have no normal yet,
+  /// those that are known. To be called after add_between() and what sets limits there.
+  void take_known_normals();
   /// Makes the new vertex `to` one point with another, at its position.
   void join(std::uint32_t from, std::uint32_t to);
   /// Gives a vertex between neighbours, a few digits from another one, the same place.
@@ -410,11 +413,11 @@ class Lattice {
   void append(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
   /// The same on a grid, v outer.
   void append_grid(const std::vector<double>& u, const std::vector<double>& v, unsigned threads);
-  /// Gives vertices at which tangents are as good as parallel their normals where these are known.
-  void take_known_normals(std::span<const std::size_t> vertices);
   /// Appends what was computed at uv(i), whose vertices have their numbers.
   template <class Function>
   void append(const NormalColumns& columns, std::size_t count, Function uv);
+  /// Makes room for so many vertices.
+  void reserve(std::size_t count);
   /// The number of a new vertex that is no corner of leaves yet.
   std::uint32_t number(LatticePlace place);
   /// Joins the vertices that are computed last to poles, and gives them limits.
@@ -475,8 +478,9 @@ class Lattice {
   CellMarks changed_cells_;  // when
   std::uint32_t now_ = 1;
   std::size_t used_count_;
-  std::size_t between_count_ = 0;  // vertices that cut sides which are not halved
-  std::size_t evaluated_;          // vertices that have been computed
+  std::size_t between_count_ = 0;   // vertices that cut sides which are not halved
+  std::size_t evaluated_;           // vertices that have been computed
+  std::vector<std::size_t> steep_;  // of those, new ones of which tangents tell no normal
   std::size_t evaluations_ = 0;
   Effort effort_;
 };
