@@ -179,11 +179,14 @@ class Checker {
           for (std::size_t k = 0; k < stretch.count; ++k) {
             const std::size_t i = stretch.first + k;
             const Ends ends = side(i, j);
-            if (is_pole(ends)) continue;
-            of_rows[j].add(deviations->is_known[k] > 0
-                               ? Largest{deviations->distance[k], deviations->chord[k]}
-                               : measure(places, i, j));
-            if (is_seen(i, j)) of_rows[j].add({from_chord(ends, position(places, i, j)), 0});
+            if (deviations->is_known[k] > 0) {
+              of_rows[j].add({deviations->distance[k], deviations->chord[k]});
+            } else if (!is_pole(ends)) {
+              of_rows[j].add(measure(places, i, j));
+            }
+            if (is_seen(i, j) && !is_pole(ends)) {
+              of_rows[j].add({from_chord(ends, position(places, i, j)), 0});
+            }
           }
         }
       }

@@ -246,16 +246,17 @@ double Probe::area_beside(bool along_u, std::size_t end) const {
 }
 
 double Probe::radius(const dvec3& centre) const {
-  double largest = 0;
+  double largest = 0;  // square
+  const auto add = [&](const dvec3& position) {
+    const dvec3 off = position - centre;
+    largest = std::max(largest, glm::dot(off, off));
+  };
   for (const Sample& s : samples_) {
-    if (is_finite(s.position)) largest = std::max(largest, glm::distance(s.position, centre));
+    if (is_finite(s.position)) add(s.position);
   }
-  for (const auto& edges : {edges_along_u_, edges_along_v_}) {
-    for (const EdgeSample& e : edges) {
-      largest = std::max(largest, glm::distance(e.position, centre));
-    }
-  }
-  return largest;
+  for (const EdgeSample& e : edges_along_u_) add(e.position);
+  for (const EdgeSample& e : edges_along_v_) add(e.position);
+  return std::sqrt(largest);
 }
 
 std::vector<dvec3> Probe::positions() const {
@@ -432,11 +433,12 @@ bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
     return false;
   }
   const double own = area(along_v, line, k);
+  if (k > 0 && area(along_v, line, k - 1) < own) return false;  // as most are
+  if (k + 1 < kProbes && area(along_v, line, k + 1) < own) return false;
   double largest = 0;
   for (std::size_t at = k - std::min(k, kDipReach); at <= std::min(k + kDipReach, kProbes - 1);
        ++at) {
     const double other = area(along_v, line, at);
-    if (other < own && at + 1 >= k && at <= k + 1) return false;
     if (std::isfinite(other)) largest = std::max(largest, other);
   }
   return own < kDip * largest;

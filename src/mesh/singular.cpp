@@ -309,9 +309,24 @@ std::vector<double> shared_coordinates(const Places& places, int axis) {
   return shared;
 }
 
-/// The lines of zeros across `axis` among some places.
-std::vector<double> find_lines(const Finder& finder, int axis, const Places& places) {
+/// The places of which several share their coordinate `axis`, or may once they are at even ones.
+Places places_in_line(Places places, int axis) {
+  constexpr double kReach = 3 * kSame;  // each is moved by less than kSame
+  std::ranges::sort(places, {}, [axis](const dvec2& place) { return place[axis]; });
+  Places result;
+  for (std::size_t begin = 0, end = 1; begin < places.size(); begin = end++) {
+    while (end < places.size() && places[end][axis] - places[end - 1][axis] <= kReach) ++end;
+    if (end - begin < kFew) continue;
+    result.insert(result.end(), places.begin() + static_cast<std::ptrdiff_t>(begin),
+                  places.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return result;
+}
+
+/// The lines of zeros across `axis` among the ends of descents.
+std::vector<double> find_lines(const Finder& finder, int axis, const Places& ends) {
   std::vector<double> lines;
+  const Places places = finder.zeros(places_in_line(ends, axis));
   for (const double line : shared_coordinates(places, axis)) {
     Places on_line;
     for (std::size_t k = 0; k < kOnLine; ++k) {
@@ -362,11 +377,11 @@ SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<co
   const Finder finder(surface, dips.bounds, threads, even_u, even_v);
   // Across lines of zeros first: free descents are drawn along them to where they meet.
   Places places = finder.descend(finder.parts(dips.along_u), Along::U);
-  for (const double line : find_lines(finder, 0, finder.zeros(places))) {
+  for (const double line : find_lines(finder, 0, places)) {
     result.lines_u.push_back(finder.parameters({line, 0}).x);
   }
   const Places across_v = finder.descend(finder.parts(dips.along_v), Along::V);
-  for (const double line : find_lines(finder, 1, finder.zeros(across_v))) {
+  for (const double line : find_lines(finder, 1, across_v)) {
     result.lines_v.push_back(finder.parameters({0, line}).y);
   }
   places.insert(places.end(), across_v.begin(), across_v.end());
