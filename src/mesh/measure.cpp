@@ -79,9 +79,9 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
 dvec3 weights_at(const Grid& grid, const Triangle& t, const dvec2& uv) {
   const auto& at = grid.mesh.uv;
   const auto area = [](const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; };
-  const double whole = area(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
+  const double per_whole = 1 / area(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
   const auto weight = [&](std::size_t a, std::size_t b) {
-    return area(at[t[a]] - uv, at[t[b]] - uv) / whole;
+    return area(at[t[a]] - uv, at[t[b]] - uv) * per_whole;
   };
   return {weight(1, 2), weight(2, 0), weight(0, 1)};
 }
