@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
 
 #include "surface/normal.h"
 
@@ -12,12 +15,23 @@ namespace {
 /// Boxes that a proof of where the surface is defined may look at: some hundredths of a second.
 constexpr std::size_t kBoxes = 20'000;
 
+/// Limits are means of what is around them within some 1e-6 of the ranges: so many diagonals of the
+/// surface they may be off.
+constexpr double kKnown = 1e-5;
+
+/// A limit to the decimals that are known of it: at the apex of a cone the mean is beside it.
+dvec3 known_decimals(const dvec3& limit, double diagonal) {
+  const double unit = std::pow(10, std::ceil(std::log10(kKnown * diagonal)));
+  return std::isfinite(unit) && unit > 0 ? unit * glm::round(limit / unit) : limit;
+}
+
 /// Where the surface is at a place: where it is not defined, the limit that its mesh has there.
 dvec3 position_at(const SurfacePoint& point, const dvec2& uv, const Mesh& mesh) {
   if (is_finite(point.position)) return point.position;
   const auto at = std::ranges::find(mesh.uv, uv);
-  return at == mesh.uv.end() ? point.position
-                             : mesh.position[static_cast<std::size_t>(at - mesh.uv.begin())];
+  if (at == mesh.uv.end()) return point.position;
+  return known_decimals(mesh.position[static_cast<std::size_t>(at - mesh.uv.begin())],
+                        mesh.bounds.diagonal());
 }
 
 std::vector<SingularPlace> singular_places(const Surface& surface, const Mesh& mesh,
