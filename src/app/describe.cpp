@@ -34,12 +34,17 @@ std::string domain(const Facts& facts) {
 
 std::string defined(const SurfaceReport& s, const Mesh& mesh) {
   const DefinedShare& proved = s.facts->defined;
-  if (proved.everywhere) return "everywhere (proved)";
-  const std::string bounds = "proved: " + percent(proved.no) + " undefined, " +
-                             percent(proved.yes) + " defined, the rest undecided";
-  if (s.mesh.undefined_fraction == 0) return "everywhere that was looked at (" + bounds + ")";
-  return "not on " + percent(s.mesh.undefined_fraction) + " of the domain, " +
-         where_defined(mesh, s.facts->domain) + " (" + bounds + ")";
+  // A mesh that is cut along a box does not show where the surface is defined beyond it.
+  const std::string where = percent(s.mesh.undefined_fraction) + " of the domain" +
+                            (s.mesh.is_clipped ? "" : ", " + where_defined(mesh, s.facts->domain));
+  const std::string large = "larger than doubles can hold on " + where;
+  if (proved.everywhere) {
+    return std::string("everywhere (proved)") + (s.mesh.exceeds_doubles ? ", but " + large : "");
+  }
+  const std::string bounds = " (proved: " + percent(proved.no) + " undefined, " +
+                             percent(proved.yes) + " defined, the rest undecided)";
+  if (s.mesh.undefined_fraction == 0) return "everywhere that was looked at" + bounds;
+  return (s.mesh.exceeds_doubles ? large : "not on " + where) + bounds;
 }
 
 std::string edges(const std::string& name, double first, double last, const std::string& how,

@@ -94,6 +94,7 @@ void add_facts(const SurfaceReport& s, Json& json) {
                     {"v", ends(facts.domain.v0, facts.domain.v1)}};
   json["proved_defined_fraction"] = number(facts.defined.yes);
   json["proved_undefined_fraction"] = number(facts.defined.no);
+  json["exceeds_doubles"] = s.mesh.exceeds_doubles;
   json["folded"] = folded_edges(s);
   json["euler_number"] = t.euler_number;
   json["components"] = t.components;

@@ -22,6 +22,7 @@
 #include "mesh/tidy.h"
 #include "mesh/topology.h"
 #include "scene/prepare.h"
+#include "study/defined_share.h"
 
 namespace saddle {
 namespace {
@@ -281,6 +282,9 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   const auto begin = std::chrono::steady_clock::now();
   GridMesh mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
   mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
+  if (mesh.report.undefined_fraction > 0) {
+    mesh.report.exceeds_doubles = exceeds_doubles(surface, threads);
+  }
   if (!mesh.report.certified && mesh.report.doubts.empty()) {
     const Domain& d = surface.domain;
     mesh.report.doubts.push_back({Doubt::NotTried, {d.u0, d.v0}, {d.u1, d.v1}});

@@ -48,8 +48,10 @@ std::string clipped_range(const char* name, double low, double high) {
 /// A mesh that is cut along a box does not show where the surface is defined beyond it.
 std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
   const std::string percent = number(100 * grid_mesh.report.undefined_fraction);
-  std::string share = (percent == "100" ? "almost all" : percent + " %") +
-                      " of the domain is undefined and left out";
+  const std::string what =
+      grid_mesh.report.exceeds_doubles ? "larger than doubles can hold" : "undefined";
+  std::string share = (percent == "100" ? "almost all" : percent + " %") + " of the domain is " +
+                      what + " and left out";
   if (grid_mesh.report.is_clipped) return share;
   return share + ", " + where_defined(grid_mesh.mesh, domain);
 }

@@ -132,6 +132,7 @@ struct MeshReport {
   MeshWork work;                      ///< with that of grids that came to nothing
   std::optional<MeshChoice> choice;   ///< nothing: there was none
   double undefined_fraction = 0;      ///< share of the domain's cells that were left out
+  bool exceeds_doubles = false;       ///< because numbers there are too large, not undefined
   std::size_t flat_triangles = 0;     ///< without area in double precision: left out
   std::optional<double> tolerance;    ///< what max_error was to stay within
   double least_triangles = 0;         ///< that any mesh within it needs, about; 0: unknown

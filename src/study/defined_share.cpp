@@ -4,12 +4,18 @@
 #include <array>
 #include <deque>
 #include <span>
+#include <vector>
+
+#include <glm/common.hpp>
 
 #include "eval/enclose.h"
 
 namespace saddle {
 
 namespace {
+
+/// Places each way at which a surface is looked at.
+constexpr int kPlaces = 32;
 
 struct Box {
   dvec2 low, high;  ///< in parts of the domain
@@ -53,6 +59,28 @@ DefinedShare prove_defined(const Surface& surface, std::size_t boxes) {
   }
   share.everywhere = undecided.empty() && share.no == 0;
   return share;
+}
+
+bool exceeds_doubles(const Surface& surface, unsigned threads) {
+  const Domain& d = surface.domain;
+  std::vector<dvec2> uv;
+  for (int j = 0; j < kPlaces; ++j) {
+    for (int i = 0; i < kPlaces; ++i) {
+      const dvec2 share = (dvec2(i, j) + 0.5) / static_cast<double>(kPlaces);
+      uv.push_back(glm::mix(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1), share));
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  Enclosure enclosure(surface.bounds, 3);
+  std::array<Interval, 3> position;
+  bool exceeds = false;
+  for (std::size_t k = 0; k < uv.size(); ++k) {
+    if (is_finite(points[k].position)) continue;
+    enclosure(range_between(uv[k].x, uv[k].x), range_between(uv[k].y, uv[k].y), position);
+    if (defined(position) != Defined::Yes) return false;
+    exceeds = true;
+  }
+  return exceeds;
 }
 
 }  // namespace saddle

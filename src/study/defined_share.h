@@ -18,4 +18,8 @@ struct DefinedShare {
 /// For a surface of second order.
 DefinedShare prove_defined(const Surface& surface, std::size_t boxes);
 
+/// Whether the surface is not finite at some of the places that are spread over the domain, but
+/// proved to be defined at all of those: its numbers are too large for doubles.
+bool exceeds_doubles(const Surface& surface, unsigned threads);
+
 }  // namespace saddle

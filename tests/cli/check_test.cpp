@@ -77,6 +77,8 @@ TEST_F(CheckCommand, TellsSingularPointsFromLinesAndCurves) {
   says("bourke-harmonic", "singular    curves: u = 0:6.28319, v = 1.04");
   says("bent-horns",
        "v = 0 is the point (0, 0, 0) with a normal on each side. 8 points: u = -1.31");
+  // Of a limit as many decimals as are known.
+  says("z=1/3+(u^2+v^2)/hypot(u,v)", "v = 0 is the point (0, 0, 0.3333) with a normal on each way");
   // At a corner of the domain, too, it depends on the way.
   says("pillow", "singular    6 points: ");
   for (const Json& place : facts({"pillow"})["singular_points"]) {
@@ -210,6 +212,11 @@ TEST_F(CheckCommand, KnowsNoLeastNumberOfTrianglesOfAPart) {
 TEST_F(CheckCommand, SaysThatDoublesCannotHoldTheSurface) {
   EXPECT_TRUE(contains(error_of(saddle({"check", "z=u*1e300"}), 3), "in double precision"));
   EXPECT_TRUE(contains(error_of(saddle({"check", "z=1e150*u*v"}), 3), "as long along z"));
+  const std::vector<std::string> partly = {"z=exp(u^2)-exp(v^2)", "u=-30:30"};
+  EXPECT_TRUE(contains(
+      words(partly), "everywhere (proved), but larger than doubles can hold on 11.1942 % of the"));
+  EXPECT_TRUE(facts(partly)["exceeds_doubles"]);
+  EXPECT_FALSE(facts({"z=sqrt(u)+exp(u^2)", "u=-30:30"})["exceeds_doubles"]);
 }
 
 TEST_F(CheckCommand, SaysThatThereIsNothing) {

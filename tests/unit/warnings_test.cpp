@@ -33,6 +33,10 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
   EXPECT_EQ(mesh_warnings("s", part, kDomain),
             Warnings{"s: 12.35 % of the domain is undefined and left out, at least outside of "
                      "u = -0.5:1, v = 0.25:2"});
+  part.report.exceeds_doubles = true;
+  EXPECT_EQ(mesh_warnings("s", part, kDomain),
+            Warnings{"s: 12.35 % of the domain is larger than doubles can hold and left out, at "
+                     "least outside of u = -0.5:1, v = 0.25:2"});
 }
 
 TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
