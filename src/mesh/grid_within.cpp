@@ -48,8 +48,13 @@ bool has_poles_only(const Grid& grid, std::span<const std::size_t> opened) {
   });
 }
 
-/// Whether bounds find a place that is farther off than allowed; `certified`: they prove that there
-/// is none.
+/// Whether bounds leave room for a place that no triangle may lie across.
+bool may_be_broken(const DoubtfulPlace& place) {
+  return place.why == Doubt::Undefined || place.why == Doubt::Discontinuous;
+}
+
+/// Whether bounds find a place that is farther off than allowed, or none to be; `certified`: they
+/// prove that there is none.
 bool is_off(const Surface& surface, const Tolerance& aim, unsigned threads, Grid& grid,
             MeshReport& report) {
   const Lattice lattice(surface, grid, threads);
@@ -59,6 +64,8 @@ bool is_off(const Surface& surface, const Tolerance& aim, unsigned threads, Grid
   const Certification proof =
       certify(surface, grid, lattice, leaves, std::vector<double>(leaves.size(), allowed), budget);
   report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
+  // Jumps along the surface, as in a plane, are no distance off.
+  if (std::ranges::any_of(proof.doubts, may_be_broken)) return true;
   report.certified = proof.doubts.empty();
   report.doubts = merged(proof.doubts, surface.domain);
   std::vector<dvec2> uv;

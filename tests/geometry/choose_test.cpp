@@ -197,6 +197,21 @@ TEST(Choice, HalvesCellsWhereASurfaceIsNotSmooth) {
   }
 }
 
+TEST(Choice, HalvesCellsWhereASheetIsTornApartWithinItsPlane) {
+  // No point of a torn sheet is far from a triangle across the tear.
+  for (const char* const x : {"u<0.03?u:u+1", "u+floor(2*v+0.1)", "u+sign(u-v)"}) {
+    const Surface sheet = surface_from_text(x, "v", "0", {-1, 1, -1, 1}, {}, Order::Second);
+    const GridMesh mesh = chosen(sheet);
+    EXPECT_NE(why(mesh), Why::GridIsCheaper) << x;
+    EXPECT_GT(mesh.report.jump_count, 0U) << x;
+    for (const Triangle& t : mesh.mesh.triangles) {
+      const auto& p = mesh.mesh.position;
+      const dvec2 across = mesh.mesh.uv[t[1]] - mesh.mesh.uv[t[0]];
+      ASSERT_LE(glm::distance(p[t[0]], p[t[1]]), 1.001 * glm::length(across)) << x;
+    }
+  }
+}
+
 TEST(Choice, GivesAGridUpThatMissesWhatNobodySawBefore) {
   // Narrower than the probe's cells, and than the grid's.
   const GridMesh spike = chosen(height_field("0.3*exp(-1e6*((u-0.123)^2+(v+0.321)^2))+u^2/9"));
