@@ -70,15 +70,14 @@ void RimDistance::add_chords(const Leaf& leaf, std::size_t number,
       if (has_side(triangles, b, a)) continue;  // a diagonal
       const dvec2 middle = 0.5 * (place(a) + place(b));
       if (!(std::min(middle.x, middle.y) > 0 && std::max(middle.x, middle.y) < 1)) continue;
-      const dvec2 along = place(b) - place(a);
-      dvec2 outward(along.y, -along.x);
-      if (glm::dot(outward, place(opposite) - middle) > 0) outward = -outward;
+      const dvec2 outward = glm::mix(place(a), place(b), foot(a, b, opposite)) - place(opposite);
       if (outward == dvec2(0)) continue;
       chords_.push_back({number,
                          triangles,
                          {a, b},
                          low + size * middle,
                          grid_.mesh.uv[opposite],
+                         low + size * border(middle, -outward),
                          low + size * border(middle, outward),
                          is_at_face});
     }
@@ -102,6 +101,13 @@ double RimDistance::distance_from_chord(const Chord& chord, const dvec3& positio
   return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
 }
 
+/// The part of the way from one vertex to another at which a third is straight above it.
+double RimDistance::foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const {
+  const dvec3 edge = grid_.local(to) - grid_.local(from);
+  const double square = glm::dot(edge, edge);
+  return square > 0 ? glm::dot(grid_.local(above) - grid_.local(from), edge) / square : 0.5;
+}
+
 /// Where the surface, or what is in the box, ends on ways across chords.
 std::vector<dvec2> RimDistance::ends_of(std::span<const Line> ways) const {
   std::vector<dvec2> ends = last_defined(surface_, ways, kRimHalvings, threads_, clip_);
@@ -117,18 +123,30 @@ std::vector<dvec2> RimDistance::ends_of(std::span<const Line> ways) const {
   return ends;
 }
 
+/// Ways across chords on which the rim is: outward where the surface is seen in the middle of the
+/// chord, and else from inside to there.
+std::vector<Line> RimDistance::ways_to_rim(std::span<const SurfacePoint> at_middle) {
+  std::vector<dvec2> across;
+  for (const Chord& chord : chords_) across.push_back(chord.across);
+  const std::vector<SurfacePoint> at_across = evaluate(surface_, across, threads_);
+  evaluations_ += across.size();
+  std::vector<Line> ways;
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    const Chord& chord = chords_[k];
+    const dvec2 inside = is_seen(at_across[k].position) ? chord.across : chord.opposite;
+    ways.push_back(is_seen(at_middle[k].position) ? Line{chord.middle, chord.beyond}
+                                                  : Line{inside, chord.middle});
+  }
+  return ways;
+}
+
 /// The surface's rim may be on either side of its chord: on this side the mesh has too much, on the
 /// other too little, and all that is between chord and rim is off.
 void RimDistance::measure_chords(std::vector<Found>& found) {
   std::vector<dvec2> middles;
   for (const Chord& chord : chords_) middles.push_back(chord.middle);
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
-  std::vector<Line> ways;
-  for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const auto& [leaf, triangles, ends, middle, inside, beyond, is_at_face] = chords_[k];
-    ways.push_back(is_seen(at_middle[k].position) ? Line{middle, beyond} : Line{inside, middle});
-  }
-  const std::vector<dvec2> rim = ends_of(ways);
+  const std::vector<dvec2> rim = ends_of(ways_to_rim(at_middle));
   const std::vector<SurfacePoint> at_rim = evaluate(surface_, rim, threads_);
   evaluations_ += chords_.size() * (2 + kRimHalvings);
   for (std::size_t k = 0; k < chords_.size(); ++k) {

@@ -38,11 +38,14 @@ class RimDistance {
     std::span<const Triangle> triangles;
     std::array<std::uint32_t, 2> ends;
     dvec2 middle;
-    dvec2 inside;     ///< the corner of the triangle across from the chord
-    dvec2 beyond;     ///< on the leaf's border, on the other side
+    dvec2 opposite;   ///< the corner of the triangle across from the chord
+    dvec2 across;     ///< on the leaf's border, straight from the middle into the triangle
+    dvec2 beyond;     ///< the same on the other side of the chord
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  double foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const;
+  std::vector<std::array<dvec2, 2>> ways_to_rim(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
   void measure_chords(std::vector<Found>& found);
   void measure_holes(std::vector<Found>& found);
