@@ -153,10 +153,10 @@ class Certifier {
     }
   }
 
-  enum class Proof { Found, Open, Endless, Hopeless };
+  enum class Proof { Found, Open, Endless, Hopeless, Hole };
 
   /// Whether leaves of a size are near enough wherever they are in the box, second derivatives are
-  /// endless, or no halving can prove anything. Of a box that nobody looks at any more nothing is
+  /// endless, no halving can prove anything, or the surface is not defined at all there. Of a box that nobody looks at any more nothing is
   /// known.
   Proof prove(const Box& box, const Demand& of) {
     --budget_.boxes;
@@ -165,6 +165,10 @@ class Certifier {
     // r, r_u, r_v, then r_uu, r_uv, r_vv.
     const std::span<const Interval> all(outputs_);
     for (const Interval& a : all.first(3)) {
+      if (a.defined == Defined::No) {
+        why_ = Doubt::Undefined;
+        return Proof::Hole;
+      }
       if (a.defined != Defined::Yes) return open(Doubt::Undefined);
       if (!a.continuous) return open(Doubt::Discontinuous);
     }
@@ -290,6 +294,7 @@ class Certifier {
     if (proof == Proof::Found) return;
     part.why = why_;
     if (proof == Proof::Hopeless) return doubt(Doubt::Wide, part.box);
+    if (proof == Proof::Hole) return suspect(part, true);
     if (part.depth < max_depth(proof)) return halve(part, next);
     const std::span<const Interval> second = std::span(outputs_).subspan(9);
     part.bend = {length(second.first(3)), length(second.subspan(6, 3))};
@@ -301,8 +306,8 @@ class Certifier {
     return static_cast<double>(parts_.size()) <= kFew ? kMaxDepthOfFew : kMaxDepth;
   }
 
-  void suspect(const Part& part) {
-    result_.suspects.push_back({part.leaf, part.box.middle(), part.box.size(), part.bend});
+  void suspect(const Part& part, bool is_hole = false) {
+    result_.suspects.push_back({part.leaf, part.box.middle(), part.box.size(), part.bend, is_hole});
     doubt(part.why, part.box);
   }
 

@@ -22,10 +22,10 @@ struct FixedLines {
   std::vector<double> u, v;  ///< at least two each, from the range's first end to its last
 };
 
-/// A known point of the surface, in a cell of a grid that may be too large for it.
+/// A known point of the surface, or of a hole, in a cell of a grid that may be too large for it.
 struct Witness {
   dvec2 uv;
-  dvec3 position;
+  dvec3 position;    ///< not finite in a hole
   dvec2 size;        ///< of the box of parameters that it stands for
   dvec2 bend;        ///< second derivatives along u and along v there, in any unit
   std::size_t cell;  ///< its number, of whatever it is a witness against

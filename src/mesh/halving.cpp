@@ -450,6 +450,19 @@ Halving::Failed Halving::take_islands(std::size_t& boxes) {
 }
 
 /// The leaves in which bounds found places that deviate too much.
+/// Whether a box in a leaf in which the surface is not defined would be seen if it was.
+bool Halving::is_seen_hole(const Suspect& box) const {
+  /// A hole holds boxes half as wide as it is, or a little wider.
+  constexpr double kOfTolerance = 0.5;
+  const Leaf& leaf = mesh_.leaves[box.leaf];
+  const dvec2 size = glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
+  const dvec2 part = box.size / size;
+  const auto p = corner_positions(leaf, lattice_);
+  const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
+  const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
+  return std::max(part.x * along_u, part.y * along_v) > kOfTolerance * mesh_.allowed[box.leaf];
+}
+
 Halving::Failed Halving::take_suspects() {
   const Certification proof =
       certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget_);
@@ -479,8 +492,9 @@ Halving::Failed Halving::take_suspects() {
   std::vector<Witness> witnesses;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Suspect& suspect = proof.suspects[k];
-    if (!(distances[k] > mesh_.allowed[suspect.leaf]) ||
-        stop_if_done(mesh_.leaves[suspect.leaf], hopeless)) {
+    const bool is_off =
+        suspect.is_hole ? is_seen_hole(suspect) : distances[k] > mesh_.allowed[suspect.leaf];
+    if (!is_off || stop_if_done(mesh_.leaves[suspect.leaf], hopeless)) {
       continue;
     }
     guilty.insert(suspect.leaf);

@@ -88,6 +88,7 @@ class Halving {
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
   std::vector<Leaf> take_failed();
   Failed take_islands(std::size_t& boxes);
+  bool is_seen_hole(const Suspect& box) const;
   Failed take_suspects();
 
   const Surface& surface_;

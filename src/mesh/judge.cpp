@@ -253,6 +253,7 @@ bool Judge::misses(const Leaf& leaf, const Witness& witness) const {
   const dvec2 size = glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
   const int along = splits_u(leaf, witness) ? 0 : 1;
   if (size[along] <= witness.size[along]) return false;
+  if (!is_finite(witness.position)) return true;
   Array<Triangle> triangles;
   cut_cell(grid_, leaf.samples.corner, triangles);
   return distance_from(grid_, triangles, witness.uv, witness.position) >

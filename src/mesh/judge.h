@@ -72,7 +72,7 @@ class Judge {
   /// it, nobody sees how.
   bool is_too_small_to_see(const Leaf& leaf) const;
 
-  /// Whether a leaf that passes its tests misses the surface at a witness.
+  /// Whether a leaf that passes its tests misses the surface at a witness, or a hole there.
   bool misses(const Leaf& leaf, const Witness& witness) const;
   /// Which way to halve it then: the one along which the surface bends more at the witness.
   bool splits_u(const Leaf& leaf, const Witness& witness) const;

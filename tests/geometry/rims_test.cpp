@@ -47,6 +47,21 @@ TEST(Rims, AreRightWhereTheyTouchTheEdgeOfTheDomain) {
   }
 }
 
+TEST(Rims, AreFoundWhereNothingBesideAHoleTellsOfIt) {
+  // As flat as a sheet; the hole, of a radius of 0.02, lies between all samples.
+  const GridMesh result = mesh_of("1e-9*sqrt((u-0.03)^2+(v-0.04)^2-0.0004)", 1e-3, 16);
+  EXPECT_EQ(euler_number(result.mesh), 0);
+  const dvec2 centre(0.03, 0.04);
+  double nearest = 1;
+  for (const Triangle& t : result.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const dvec2 middle = 0.5 * (result.mesh.uv[t[k]] + result.mesh.uv[t[(k + 1) % 3]]);
+      nearest = std::min(nearest, glm::distance(middle, centre));
+    }
+  }
+  EXPECT_GE(nearest, 0.02 - *result.report.tolerance);
+}
+
 TEST(Rims, KeepTheToleranceOnEitherSideOfTheirChords) {
   // The rim bends away from the surface, which stands upright on it.
   const GridMesh result = mesh_of("sqrt(u^2+v^2-0.3)", 1e-3);
