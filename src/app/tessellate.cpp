@@ -47,6 +47,8 @@ constexpr std::size_t kEnoughTriangles = 1'000'000;
 constexpr double kLeastShare = 0.25;
 /// Boxes that a surface with poles is clipped to before its poles show all the faces that it needs.
 constexpr int kMostBoxes = 3;
+/// AdaptiveOptions::until_far: poles alone.
+constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 /// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
 /// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
@@ -156,43 +158,84 @@ std::optional<GridMesh> mesh_clipped(const MeshReport& known, const Scene& scene
   return mesh;
 }
 
+/// What of a surface's box goes so far beyond another that it is no better than a pole.
+Bounds far_from(const Bounds& box, const Bounds& whole) {
+  const double far = kNeedle * box.diagonal();
+  Bounds beyond = box;
+  for (int k = 0; k < 3; ++k) {
+    if (whole.low[k] < box.low[k] - far) beyond.low[k] = whole.low[k];
+    if (whole.high[k] > box.high[k] + far) beyond.high[k] = whole.high[k];
+  }
+  return beyond;
+}
+
+/// Where a surface is, by samples that are spread over it.
+struct Whereabouts {
+  Bounds around;
+  std::vector<dvec3> positions;
+};
+
+/// The mesh of a surface, without what of it goes to infinity or is out of proportion; if there is
+/// any. `known`: filled in by `options.tolerance`, which goes by `options.clip`, while that is
+/// none.
+std::optional<GridMesh> mesh_in_proportion(const Scene& scene, const Purpose& purpose,
+                                           const Surface& surface, const Whereabouts& known,
+                                           AdaptiveOptions& options) {
+  if (!scene.mesh.samples) options.until_far = kNeedle;
+  auto mesh = mesh_for(scene, purpose, surface, options);
+  pay(scene, mesh, options);
+  Bounds whole = known.around;  // what a mesh follows between the samples may go much farther
+  if (mesh) {
+    whole.add(mesh->mesh.bounds);
+    whole.add(mesh->report.beside_poles);
+  }
+  const std::optional<Bounds> readable = readable_box(whole, known.positions);
+  const auto has_poles = [&mesh] { return mesh && mesh->report.pole_count > 0; };
+  if (mesh && mesh->mesh.triangles.empty() && !has_poles()) {
+    // Out of proportion, as far as anybody looked; or with a peak that no sample has met.
+    options.clip = readable;
+    options.until_far = readable ? std::nullopt : std::optional(kAnywhere);
+    mesh = mesh_for(scene, purpose, surface, options);
+    pay(scene, mesh, options);
+  } else if (!has_poles() && readable) {
+    options.clip = readable;
+    options.until_far = std::nullopt;
+    if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
+  }
+  if (mesh) mesh->report.clip = options.clip;
+  if (!has_poles()) return mesh;
+
+  options.until_far = std::nullopt;
+  MeshReport report = std::move(mesh->report);
+  const std::vector<dvec3> balanced = balanced_positions(surface, options.threads);
+  // Of a small part of a surface the probe knows more.
+  const bool knows_more = balanced.size() > known.positions.size();
+  options.clip = clip_box(known.around, knows_more ? balanced : known.positions);
+  report.beside_poles.add(far_from(*options.clip, whole));
+  mesh = mesh_clipped(report, scene, purpose, surface, options);
+  if (mesh) return mesh;
+  options.clip = std::nullopt;
+  return mesh_for(scene, purpose, surface, options);
+}
+
 /// The mesh that --samples asks for, or the best one that keeps the tolerance.
 GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Surface& surface, unsigned threads) {
   AdaptiveOptions options;
   options.clip = scene.clip.box;
-  Bounds around;
-  std::vector<dvec3> positions;  // spread over the surface
+  Whereabouts known;
   options.tolerance = [&](const Probe& probe) {
-    if (!options.clip) {
-      around = probe.bounds();
-      positions = probe.positions();
-    }
-    return tolerance_of(scene, spec, purpose, probe, options.clip);
+    const std::optional<Bounds>& clip = options.clip;
+    if (!clip) known = {probe.bounds(), probe.positions()};
+    return tolerance_of(scene, spec, purpose, probe, clip);
   };
   options.normal_tolerance = scene.mesh.normal_tolerance;
   options.max_triangles = most_triangles(scene);
   options.lines_u = spec.grid_u;
   options.lines_v = spec.grid_v;
   options.threads = threads;
-  options.until_poles = scene.clip.automatic && !scene.mesh.samples;
-  auto mesh = mesh_for(scene, purpose, surface, options);
-  options.until_poles = false;
-  pay(scene, mesh, options);
-  Bounds whole = around;  // what a mesh follows between the samples may go much farther
-  if (mesh) whole.add(mesh->mesh.bounds);
-  if (mesh && mesh->report.pole_count > 0 && scene.clip.automatic) {
-    const MeshReport known = std::move(mesh->report);
-    const std::vector<dvec3> balanced = balanced_positions(surface, threads);
-    // Of a small part of a surface the probe knows more.
-    options.clip = clip_box(around, balanced.size() > positions.size() ? balanced : positions);
-    mesh = mesh_clipped(known, scene, purpose, surface, options);
-    options.clip = std::nullopt;
-    if (!mesh) mesh = mesh_for(scene, purpose, surface, options);
-  } else if (scene.clip.automatic && (options.clip = readable_box(whole, positions))) {
-    if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
-    if (mesh) mesh->report.clip = options.clip;
-  }
+  auto mesh = scene.clip.automatic ? mesh_in_proportion(scene, purpose, surface, known, options)
+                                   : mesh_for(scene, purpose, surface, options);
   if (mesh) return std::move(*mesh);
   const double share = tolerance_share(scene, purpose);
   GridMesh grid = mesh_uniformly(scene, spec, surface, share, threads);

@@ -26,8 +26,6 @@ constexpr double kFarOut = 3;
 /// What goes to infinity is shown so many times as far as the surface's other sides are long, if
 /// that shows half of it: beside the spikes of 1/(u v) its square would be too small to be seen.
 constexpr double kTall = 4;
-/// Beside a side that is so many times as long, the others are narrower than a pixel.
-constexpr double kNeedle = 1000;
 /// A part of so many of the samples is worth a picture: more than one of the probe's 64 columns.
 constexpr double kReadable = 0.02;
 /// The part is narrower than the whole, and so again is what is in proportion to it.
@@ -279,7 +277,12 @@ std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> p
   }
   const int axis = longest_axis(all.size());
   double usual = next_longest(all.size(), axis);
-  if (!(all.size()[axis] > kNeedle * usual)) return std::nullopt;
+  if (!(all.size()[axis] > kNeedle * usual)) {
+    // Along more than one axis, some go far beyond the others.
+    const Bounds box = box_without_far_edges(whole, points);
+    const bool is_far = all.diagonal() > kNeedle * robust_box(points).diagonal();
+    return is_far && shows_some(box, whole) ? std::optional(box) : std::nullopt;
+  }
   std::vector<dvec3> sorted(points.begin(), points.end());
   std::ranges::sort(sorted, {}, [axis](const dvec3& p) { return p[axis]; });
   const double least = kReadable * static_cast<double>(points.size());

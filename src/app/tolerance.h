@@ -40,6 +40,9 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
 /// if some go far beyond, and less of that if it is much longer than the box's other sides.
 Bounds clip_box(const Bounds& all, std::span<const dvec3> points);
 
+/// Beside a side that is so many times as long, the others are narrower than a pixel.
+inline constexpr double kNeedle = 1000;
+
 /// The box that shows what can be seen of a surface that outgrows its picture: one of whose sides
 /// is so long that the others are no wider than a pixel, while a part of the points (finite) is in
 /// proportion. Its faces are infinitely far where no point is beyond. Nothing for other surfaces.

@@ -338,7 +338,10 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   const Finisher finisher(halving);
   report.effort = halving.lattice().effort().total();
   finisher.list_poles(surface, options.threads, report);
-  if (halving.stops_at_poles()) return result;
+  if (halving.stops_early()) {
+    report.beside_poles.add(halving.far());
+    return result;
+  }
   finisher.list_jumps(report);
   finisher.list_cusps(report);
   LeafTriangles triangles = halving.triangulate(report);

@@ -19,8 +19,9 @@ struct AdaptiveOptions {
   std::size_t max_triangles = 4'000'000;
   /// The mesh is cut along this box; its faces may be infinitely far.
   std::optional<Bounds> clip = {};
-  /// Once poles are found, nothing is wanted but the report of them: the mesh is then empty.
-  bool until_poles = false;
+  /// Once poles are found, or vertices so many diagonals beyond the box that most of the probe's
+  /// samples keep to, nothing is wanted but the report of them: the mesh is then empty.
+  std::optional<double> until_far = {};
   /// Lines of constant u and of constant v, evenly spaced, first and last on the ends of the range;
   /// 0: none. They are among the mesh's edges.
   int lines_u = 16;

@@ -1,6 +1,7 @@
 #include "mesh/halving.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <set>
@@ -10,6 +11,7 @@
 #include "mesh/flip.h"
 #include "mesh/islands.h"
 #include "mesh/refine.h"
+#include "mesh/robust_box.h"
 #include "mesh/weld.h"
 
 namespace saddle {
@@ -51,7 +53,7 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
                 options.clip,
                 seen_lines(plan.lines.u, plan.drawn.u),
                 seen_lines(plan.lines.v, plan.drawn.v),
-                options.until_poles,
+                options.until_far ? Until::Poles : Until::Done,
                 options.threads,
                 share_of_diagonal(plan)},
       grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads,
@@ -62,16 +64,23 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
       judge_(refining_, grid_, lattice_),
       verifier_(surface, grid_, lattice_, refining_),
       foreseen_(foresee(plan)),
-      budget_(surface.bounds) {}
+      budget_(surface.bounds) {
+  if (!options.until_far || std::isinf(*options.until_far)) return;
+  const Bounds most = robust_box(plan.probe.positions());
+  const dvec3 far(*options.until_far * most.diagonal());
+  proportionate_ = {most.low - far, most.high + far};
+}
 
 void Halving::run(std::vector<Witness> witnesses) {
+  look_far();
+  if (stops_early()) refining_.until = Until::OneGeneration;
   lattice_.add_middles(options_.threads);
   refining_.max_triangles =
       static_cast<std::size_t>(kFirst * static_cast<double>(options_.max_triangles));
   add({root_leaves(grid_), std::move(witnesses)});
   refining_.max_triangles = options_.max_triangles;
   std::size_t island_boxes = budget_.boxes / kProofsPerIsland;
-  for (int round = 0; round < kRounds && !stops_at_poles(); ++round) {
+  for (int round = 0; round < kRounds && !stops_early(); ++round) {
     Failed failed{take_failed(), {}};
     if (failed.leaves.empty() && remeasure()) failed.leaves = take_failed();
     if (failed.leaves.empty() && options_.certify) failed = take_islands(island_boxes);
@@ -80,7 +89,7 @@ void Halving::run(std::vector<Witness> witnesses) {
     if (failed.leaves.empty()) break;
     add(failed);
   }
-  if (stops_at_poles()) return;
+  if (stops_early()) return;
   const bool is_finished = !reached_limit_ || is_unrefined();
   if (is_finished) holes_ = leave_out_holes(surface_, refining_, lattice_, mesh_);
   cut_walls(refining_, is_finished, lattice_, mesh_);
@@ -218,10 +227,22 @@ void Halving::take(const Refinement& refinement) {
   empty_.insert(empty_.end(), refinement.empty.begin(), refinement.empty.end());
 }
 
+/// Looks for new vertices that are too far away.
+void Halving::look_far() {
+  if (!options_.until_far) return;
+  const auto& position = grid_.mesh.position;
+  for (; seen_ < position.size(); ++seen_) {
+    if (is_finite(position[seen_]) && !proportionate_.contains(position[seen_])) {
+      far_.add(position[seen_]);
+    }
+  }
+}
+
 /// Refines leaves, adds what comes out and measures it.
 void Halving::add(const Failed& failed) {
   take(refine(failed.leaves, failed.witnesses, oscillation(), refining_, grid_, lattice_));
-  if (stops_at_poles()) return;
+  look_far();
+  if (stops_early()) return;
   auto& leaves = mesh_.leaves;
   mirror_seams(seams_, options_.threads, grid_, lattice_, points_);
   points_.settle();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,8 +30,11 @@ class Halving {
   /// Halves until nothing is found any more, and cuts poles out.
   void run(std::vector<Witness> witnesses);
 
-  /// Whether there are poles, and no more was asked for than to find them: there are no leaves.
-  bool stops_at_poles() const { return options_.until_poles && lattice_.has_poles(); }
+  /// Whether there are poles, or vertices that far away, and no more was asked for than to find
+  /// them: there are no leaves.
+  bool stops_early() const { return options_.until_far && (lattice_.has_poles() || !far_.empty()); }
+  /// A box around the vertices that are too far away.
+  const Bounds& far() const { return far_; }
 
   /// The leaves, and how far off they are.
   const Measured& measured() const { return mesh_; }
@@ -85,6 +89,7 @@ class Halving {
   double turn(std::size_t number);
   Oscillation foresee(const MeshPlan& plan) const;
   Oscillation oscillation() const;
+  void look_far();
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
   std::vector<Leaf> take_failed();
   Failed take_islands(std::size_t& boxes);
@@ -103,6 +108,11 @@ class Halving {
   Oscillation foreseen_;
   Measured mesh_;
   LastLimits limits_;
+  /// Outside of it vertices are too far away.
+  Bounds proportionate_{dvec3(-std::numeric_limits<double>::infinity()),
+                        dvec3(std::numeric_limits<double>::infinity())};
+  Bounds far_;
+  std::size_t seen_ = 0;     // vertices that look_far() has looked at
   std::uint32_t taken_ = 0;  // when take_failed() last looked: Lattice::next_moment()
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
   std::vector<PlacedHole> holes_;

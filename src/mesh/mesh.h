@@ -155,7 +155,9 @@ struct MeshReport {
   std::vector<double> singular_u, singular_v;
   std::vector<dvec2> poles;  ///< where the surface goes to infinity and was cut, at most 1000
   std::size_t pole_count = 0;
-  Bounds beside_poles;       ///< a box around the last points before them, as far as doubles go
+  /// A box around the last points before them, as far as doubles go, and around what was so far
+  /// away that the mesh was not made: AdaptiveOptions::until_far.
+  Bounds beside_poles;
   std::vector<dvec2> jumps;  ///< the same where it jumps
   std::size_t jump_count = 0;
   /// The first of the jumps: single points that the surface comes to at a different place on each

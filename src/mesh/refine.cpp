@@ -458,7 +458,9 @@ Refinement refine(std::span<const Leaf> active, std::span<const Witness> witness
   // A generation past the one that finds poles, which may be on a few cells' sides only.
   for (bool has_poles = false; !candidates.empty(); has_poles = lattice.has_poles()) {
     refiner.advance(candidates);
-    if (options.until_poles && has_poles) break;
+    if (options.until == Until::OneGeneration || (options.until == Until::Poles && has_poles)) {
+      break;
+    }
   }
   return refiner.take();
 }

@@ -28,6 +28,10 @@ inline double turn_of_line(double degrees) {
   return std::min(degrees, 180 - degrees);
 }
 
+/// When nothing more is wanted: once all leaves pass, after the generation past the one that finds
+/// poles (Lattice::has_poles()), or after one.
+enum class Until : std::uint8_t { Done, Poles, OneGeneration };
+
 /// What a mesh is to keep.
 struct RefineOptions {
   Tolerance tolerance;
@@ -36,7 +40,7 @@ struct RefineOptions {
   std::optional<Bounds> clip = {};  ///< what is outside of it does not matter
   std::vector<std::uint8_t> seen_u,
       seen_v;                ///< the grid's lines that are drawn or the domain's ends
-  bool until_poles = false;  ///< nothing more is wanted once poles are found: Lattice::has_poles()
+  Until until = Until::Done;
   unsigned threads = 0;
   double share = 1e-3;  ///< the tolerance as a share of the surface's diagonal
 };

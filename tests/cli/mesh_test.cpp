@@ -112,6 +112,34 @@ TEST_F(GraphMesh, ClipsWhatOutgrowsItsSamplesBetweenThem) {
   EXPECT_EQ(peak["bounds"][1][2], 1e6);
 }
 
+TEST_F(GraphMesh, ShowsWhatIsInProportionOfSurfacesWithSidesAtInfinity) {
+  struct Case {
+    std::vector<std::string> surface;
+    std::size_t axes;  // the first of x, y and z, which are clipped
+  };
+  // 1.6e16 in doubles is tan(pi/2).
+  for (const auto& [surface, axes] : std::vector<Case>{
+           {{"x=tan(u)*cos(v)", "y=tan(u)*sin(v)", "z=tan(v)", "u=-pi/2:pi/2", "v=0:pi/2"}, 3},
+           {{"x=cos(v)/cos(u)", "y=sin(v)/cos(u)", "z=tan(v)", "u=-pi/2:pi/2", "v=0:pi"}, 3},
+           {{"x=v*cos(u)", "y=v*sin(u)", "z=0", "u=0:pi", "v=0:1/abs(sin(u)*cos(u))"}, 2}}) {
+    for (const bool adaptive : {true, false}) {
+      std::vector<std::string> run = surface;
+      run.insert(run.end(), {"--report", "-"});
+      if (!adaptive) run.insert(run.end(), {"--samples", "40x40"});
+      const Json report = Json::parse(saddle(run).out)["surfaces"][0];
+      EXPECT_LT(report["evaluations"], 200'000) << surface[0];
+      if (adaptive) {
+        EXPECT_LE(report["max_error"], report["tolerance"]) << surface[0];
+      }
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        const double low = report["bounds"][0][axis];
+        const double high = report["bounds"][1][axis];
+        EXPECT_LT(high - low, 20) << surface[0];
+      }
+    }
+  }
+}
+
 TEST_F(GraphMesh, ClipsAsMuchAboveAsBelowOfWhatIsOdd) {
   for (const std::vector<std::string>& formula :
        std::vector<std::vector<std::string>>{{"z=1/sin(u)", "u=-7:7"},

@@ -218,7 +218,7 @@ TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
   const Surface poles = height_field("ln(abs(u^2+v^2-0.5))");
   AdaptiveOptions options = thousandth();
   const GridMesh whole = mesh_within_tolerance(poles, options).value();
-  options.until_poles = true;
+  options.until_far = 1e9;
   const GridMesh known = mesh_within_tolerance(poles, options).value();
   EXPECT_TRUE(known.mesh.triangles.empty());
   ASSERT_GT(known.report.pole_count, 0U);
@@ -228,6 +228,21 @@ TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
   // The surface goes nowhere else.
   const GridMesh smooth = mesh_within_tolerance(height_field("u*v"), options).value();
   EXPECT_FALSE(smooth.mesh.triangles.empty());
+}
+
+TEST(BoundedWork, StopsAtWhatIsTooFarAwayIfNoMoreIsAskedFor) {
+  // tan(pi/2) is 1.6e16 in doubles: whole sides of the domain are that far away, where every leaf
+  // is too large.
+  const Surface funnel = surface_from_text("tan(u)*cos(v)", "tan(u)*sin(v)", "tan(v)",
+                                           {-kPi / 2, kPi / 2, 0, kPi / 2}, {}, Order::Second);
+  AdaptiveOptions options = thousandth();
+  options.until_far = 1000;
+  const GridMesh mesh = mesh_within_tolerance(funnel, options).value();
+  EXPECT_TRUE(mesh.mesh.triangles.empty());
+  EXPECT_LT(mesh.report.evaluations, 50'000U);
+  EXPECT_GT(mesh.report.beside_poles.high.x, 1e15);
+  EXPECT_GT(mesh.report.beside_poles.high.z, 1e15);
+  EXPECT_FALSE(mesh_within_tolerance(height_field("u*v"), options)->mesh.triangles.empty());
 }
 
 TEST(BoundedWork, EndsWhereASurfaceOscillatesFasterThanAnyPictureShows) {
