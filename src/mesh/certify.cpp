@@ -156,8 +156,8 @@ class Certifier {
   enum class Proof { Found, Open, Endless, Hopeless, Hole };
 
   /// Whether leaves of a size are near enough wherever they are in the box, second derivatives are
-  /// endless, no halving can prove anything, or the surface is not defined at all there. Of a box that nobody looks at any more nothing is
-  /// known.
+  /// endless, no halving can prove anything, or the surface is not defined at all there. Of a box
+  /// that nobody looks at any more nothing is known.
   Proof prove(const Box& box, const Demand& of) {
     --budget_.boxes;
     enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),

@@ -39,7 +39,7 @@ struct RefineOptions {
   std::size_t max_triangles = 4'000'000;
   std::optional<Bounds> clip = {};  ///< what is outside of it does not matter
   std::vector<std::uint8_t> seen_u,
-      seen_v;                ///< the grid's lines that are drawn or the domain's ends
+      seen_v;  ///< the grid's lines that are drawn or the domain's ends
   Until until = Until::Done;
   unsigned threads = 0;
   double share = 1e-3;  ///< the tolerance as a share of the surface's diagonal
