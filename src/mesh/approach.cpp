@@ -24,6 +24,10 @@ constexpr double kArrives = 0.8;
 /// What moves on by the same again and again, as ln does, makes so many of those steps until
 /// doubles run out beside 0.
 constexpr double kStepsLeft = 256;
+/// A pole whose formula has no digits nearer to it, as 1/(1+cos(u)) beside pi, has leapt by then:
+/// over the first steps, each 16 times as near, by so many times as much each time.
+constexpr double kLeaps = 8;
+constexpr std::size_t kFirstSteps = 3;
 
 /// What the shares of a short way are multiplied by, so that the nearest place is some digits from
 /// its end.
@@ -43,6 +47,17 @@ std::array<Interval, 3> bounds_between(Enclosure& enclosure, const dvec2& a, con
   std::array<Interval, 3> bounds;
   enclosure(range_between(a.x, b.x), range_between(a.y, b.y), bounds);
   return bounds;
+}
+
+/// Whether a surface leaps away on its way, whatever it does at the end of it.
+bool leaps(std::span<const SurfacePoint> points, double delta) {
+  double before = 0;
+  for (std::size_t i = 0; i < kFirstSteps; ++i) {
+    const double way = safe_length(points[i + 1].position - points[i].position);
+    if (!(way > std::max(delta, kLeaps * before))) return false;
+    before = way;
+  }
+  return true;
 }
 
 /// Whether bounds tell that the surface does not go beyond what it is farther away when it comes
@@ -91,6 +106,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       const double before = glm::length(way(i));
       goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;
     }
+    goes_on = goes_on || leaps(std::span(points).subspan(begin, kApproach.size()), delta);
     if (goes_on && !enclosure) enclosure.emplace(surface.bounds, 3);
     result.push_back(goes_on && !stays_within(*enclosure, lines[k]));
   }

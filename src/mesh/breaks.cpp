@@ -82,6 +82,42 @@ bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
   return true;
 }
 
+/// Whether the surface goes to infinity on either side of what was found on lines.
+std::vector<bool> diverge_beside(const Surface& surface, std::span<const Line> lines,
+                                 std::span<const Found> found, double delta, unsigned threads) {
+  std::vector<std::size_t> numbers;
+  std::vector<Line> ways;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (found[k].kind == Break::None) continue;
+    numbers.push_back(k);
+    for (std::size_t end = 0; end < 2; ++end) ways.push_back({found[k].ends[end], lines[k][end]});
+  }
+  const std::vector<bool> far = diverge(surface, ways, delta, threads);
+  std::vector<bool> result(lines.size(), false);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    result[numbers[i]] = far[2 * i] || far[2 * i + 1];
+  }
+  return result;
+}
+
+/// A gap also grows if the ends of its line happen to be alike, a whole step of a saw's teeth from
+/// each other: a pole is where the surface goes to infinity. Beside one, rounding makes jumps.
+void verify(const Surface& surface, std::span<const Line> lines, double delta, unsigned threads,
+            std::span<Found> found) {
+  const std::vector<bool> far = diverge_beside(surface, lines, found, delta, threads);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (far[k]) found[k].kind = Break::Pole;
+    if (far[k] || found[k].kind != Break::Pole) continue;
+    Line& ends = found[k].ends;
+    if (is_beyond_doubles(surface, threads, ends)) continue;
+    const dvec2 middle = near_middle(ends);
+    const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
+    const bool is_gap =
+        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSamePlace * length(lines[k]);
+    found[k].kind = is_gap ? Break::Jump : Break::None;
+  }
+}
+
 /// What there is at suspects. At a pole of even order, where the surface comes back from where it
 /// went to, both ends of a gap may be alike.
 std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
@@ -96,9 +132,10 @@ std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
   }
   std::vector<Found> found = follow_positions(surface, parts, delta, threads, work);
   const std::vector<bool> far = diverge(surface, ways, delta, threads);
+  const std::vector<bool> beside = diverge_beside(surface, parts, found, delta, threads);
   work += kLooksOnTheWay * ways.size();
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool is_pole = far[2 * i] || far[2 * i + 1];
+    const bool is_pole = far[2 * i] || far[2 * i + 1] || beside[i];
     if (found[i].kind == Break::None) found[i].ends = parts[i];
     // A place where the surface is not defined is no pole: sin(1/u) goes nowhere.
     if (is_pole) found[i].kind = Break::Pole;
@@ -108,30 +145,6 @@ std::vector<Found> look_at(const Surface& surface, std::span<const Line> lines,
     }
   }
   return found;
-}
-
-/// A gap also grows if the ends of its line happen to be alike, a whole step of a saw's teeth from
-/// each other: a pole is where the surface goes to infinity.
-void verify_poles(const Surface& surface, std::span<const Line> lines, double delta,
-                  unsigned threads, std::span<Found> found) {
-  std::vector<std::size_t> poles;
-  std::vector<Line> ways;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (found[k].kind != Break::Pole) continue;
-    poles.push_back(k);
-    for (std::size_t end = 0; end < 2; ++end) ways.push_back({found[k].ends[end], lines[k][end]});
-  }
-  const std::vector<bool> far = diverge(surface, ways, delta, threads);
-  for (std::size_t i = 0; i < poles.size(); ++i) {
-    if (far[2 * i] || far[2 * i + 1]) continue;
-    Line& ends = found[poles[i]].ends;
-    if (is_beyond_doubles(surface, threads, ends)) continue;
-    const dvec2 middle = near_middle(ends);
-    const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
-    const bool is_gap = (middle == ends[0] || middle == ends[1]) &&
-                        length(ends) <= kSamePlace * length(lines[poles[i]]);
-    found[poles[i]].kind = is_gap ? Break::Jump : Break::None;
-  }
 }
 
 /// Adds what was found at a suspect to what is known of its line.
@@ -167,7 +180,7 @@ std::vector<LinePart> take_some(std::span<const Found> found, std::vector<LinePa
 std::vector<Found> find_breaks_in(const Surface& surface, std::span<const Line> lines, double delta,
                                   unsigned threads, std::size_t& work) {
   std::vector<Found> found = follow_positions(surface, lines, delta, threads, work);
-  verify_poles(surface, lines, delta, threads, found);
+  verify(surface, lines, delta, threads, found);
   std::vector<LinePart> open = suspects(surface, lines, found, delta, work);
   const auto from_break = [&](const LinePart& part) {
     const Found& known = found[part.line];

@@ -137,6 +137,20 @@ TEST(Poles, AreNoneWhereBoundsKeepTheSurfaceNear) {
   }
 }
 
+TEST(Poles, AreToldFromJumpsWhereRoundingEndsTheWayToThem) {
+  // 1 + cos(u) is 0, or a few steps from there, within 1e-8 of pi.
+  const Line way = {dvec2(kPi, 0.1), dvec2(3.4, 0.1)};
+  const Domain domain = {-5, 5, -5, 5};
+  EXPECT_TRUE(diverge(height_field("1/(1+cos(u))", domain), std::span(&way, 1), 1e-2, 1)[0]);
+  const Line to_peak = {dvec2(0, 0.1), dvec2(0.3, 0.1)};
+  EXPECT_FALSE(diverge(height_field("1/(u^2+1e-8)"), std::span(&to_peak, 1), 1e-2, 1)[0]);
+  AdaptiveOptions options = within_share(1e-3, 3);
+  const GridMesh result =
+      mesh_within_tolerance(height_field("1/(1+cos(u)*cos(v))", domain), options).value();
+  EXPECT_GT(result.report.pole_count, 0U);
+  EXPECT_EQ(result.report.jump_count, 0U);
+}
+
 TEST(Poles, AreLeftOut) {
   const GridMesh result = mesh_within_tolerance(height_field("ln(u)"), within_share(1e-3)).value();
   EXPECT_GT(result.mesh.bounds.low.z, -50);
