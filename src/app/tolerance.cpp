@@ -48,6 +48,11 @@ std::vector<ToleranceValue> asked(const Scene& scene, const Purpose& purpose) {
   return tolerances;
 }
 
+/// The larger of the other two sides.
+double next_longest(const dvec3& size, int axis) {
+  return std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+}
+
 /// What of the surface is in the box.
 Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
   Bounds bounds = probe.bounds();
@@ -196,7 +201,10 @@ bool Moment::operator==(const Moment& other) const {
 
 Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
   const Bounds most = robust_box(points);
-  const auto is_far_out = [&](int k) { return all.size()[k] > kFarOut * most.size()[k]; };
+  const auto is_far_out = [&](int k) {
+    const double size = all.size()[k];
+    return size > kFarOut * most.size()[k] || size > kTall * next_longest(all.size(), k);
+  };
   double usual = 0;  // the largest side that needs no clipping
   for (int k = 0; k < 3; ++k) {
     if (!is_far_out(k)) usual = std::max(usual, all.size()[k]);
@@ -216,11 +224,6 @@ namespace {
 
 int longest_axis(const dvec3& size) {
   return size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-}
-
-/// The larger of the other two sides.
-double next_longest(const dvec3& size, int axis) {
-  return std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
 }
 
 Bounds bounds_of(std::span<const dvec3> points) {

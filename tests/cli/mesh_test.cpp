@@ -88,6 +88,13 @@ TEST_F(GraphMesh, ClipsPolesAndSaysSo) {
   EXPECT_TRUE(contains(error_of(saddle({"z=u", "--clip", "0:1,1:0,0:1"}), 2), "empty"));
 }
 
+TEST_F(GraphMesh, ClipsPolesThatFewSamplesGoToward) {
+  // The samples go 28 times as far as the square is wide, and most of them go a third of that.
+  const Outcome run = saddle({"z=1/(1+cos(u))", "u=-5:5", "v=-5:5", "--report", "-"});
+  EXPECT_TRUE(contains(run.err, "goes to infinity")) << run.err;
+  EXPECT_LT(Json::parse(run.out)["surfaces"][0]["bounds"][1][2].get<double>(), 50);
+}
+
 TEST_F(GraphMesh, ClipsAPoleOnlyWhereTheSurfaceGoes) {
   for (const char* z : {"z=1/(u^2+v^2)", "z=1/(u-1)^2"}) {
     const Outcome run = saddle({z, "--report", "-"});
