@@ -6,14 +6,16 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/follow_gaps.h"
+
 namespace saddle {
 
 namespace {
 
 /// Halvings of a line on the way to where it crosses a crease: a four thousandth of it is enough
 /// for a distance that is of second order. Where the surface is upright it moves far while its
-/// parameters hardly do: there it is to have moved by no more than that part, too, for which it
-/// may take all doubles that there are beside 0.
+/// parameters hardly do: there it is to have moved by no more than that part, too, or to be as near
+/// as the mesh's vertices are, which are found by kAllHalvings.
 constexpr int kHalvings = 12;
 constexpr double kArrived = 1.0 / 4096;
 /// Across a cusp normals are opposite, but for how they turn on the way: their cosine is less. They
@@ -62,7 +64,8 @@ struct CreaseSearch {
   /// Neither a cusp, nor is the surface upright.
   bool is_plain() const { return !is_cusp && halvings == kHalvings && way <= kPlain * first_way; }
   bool is_done() const {
-    return (halvings >= kHalvings && !(way > kArrived * first_way)) || has_no_middle(left);
+    const bool has_arrived = halvings >= kHalvings && !(way > kArrived * first_way);
+    return has_arrived || halvings == kAllHalvings || has_no_middle(left);
   }
 };
 

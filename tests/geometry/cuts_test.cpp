@@ -137,7 +137,7 @@ TEST(Creases, GoThroughVerticesOfTheMesh) {
 
 TEST(Creases, AtWhichTheSurfaceIsEverSteeperKeepTheTolerance) {
   // Walls: what is nearest to a place of theirs is far from its parameters in height.
-  for (const char* z : {"abs(u)^0.2", "abs(u)^0.1"}) {
+  for (const char* z : {"abs(u)^0.2", "abs(u)^0.1", "1/ln(abs(u)/9)"}) {
     const GridMesh result = mesh_of(z);
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
     EXPECT_LT(result.mesh.triangles.size(), 2000U) << z;
