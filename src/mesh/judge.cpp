@@ -183,10 +183,10 @@ double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) cons
 /// Of a leaf's centre, which may be far off the diagonal that starts from corner `first`, but near
 /// the triangles: where the surface is upright they are a wall, as it is.
 double Judge::distance_from_triangles(const Leaf& leaf, std::size_t first) const {
-  const auto& [corner, side, centre] = leaf.samples;
-  const auto at = [&](std::size_t k) { return corner[(first + k) % 4]; };
+  const Samples& samples = leaf.samples;
+  const auto at = [&](std::size_t k) { return samples.corner[(first + k) % 4]; };
   const std::array triangles = {Triangle{at(0), at(1), at(2)}, Triangle{at(2), at(3), at(0)}};
-  return distance_from(grid_, triangles, mesh_.uv[centre], mesh_.position[centre]);
+  return distance_from(grid_, triangles, mesh_.uv[samples.centre], mesh_.position[samples.centre]);
 }
 
 Verdict Judge::score(const Leaf& leaf) const {
@@ -198,6 +198,7 @@ Verdict Judge::score(const Leaf& leaf) const {
   // Between opposed normals a tip may be hidden that sticks out of a sliver.
   const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
   const bool is_visible = diameter(corner) > kVisible * eps;
+  const std::size_t first_corner = cut_from(corner);  // of the diagonal
   Verdict verdict;
   Scores turn;  // squares of tangents yet
   const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
@@ -207,7 +208,7 @@ Verdict Judge::score(const Leaf& leaf) const {
     const ChordSample arc(first, last, seen_position(sample));
     double distance = distance_of_sample(arc, {a, b, sample}, border) / eps;
     if (part == &Scores::centre && !is_opposed && !arc.is_small_arc && distance > 1) {
-      distance = std::min(distance, distance_from_triangles(leaf, cut_from(corner)) / eps);
+      distance = std::min(distance, distance_from_triangles(leaf, first_corner) / eps);
     }
     verdict.distance.*part = std::max(verdict.distance.*part, distance);
     const double gap = arc.is_small_arc ? distance : arc.distance_of_middle / eps;
@@ -223,10 +224,9 @@ Verdict Judge::score(const Leaf& leaf) const {
     judge(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
           k % 2 == 0 ? &Scores::along_u : &Scores::along_v);
   }
-  const std::size_t first = cut_from(corner);
-  judge(corner[first], corner[first + 2], centre, false, &Scores::centre);
+  judge(corner[first_corner], corner[first_corner + 2], centre, false, &Scores::centre);
   verdict.distance.centre =
-      std::max(verdict.distance.centre, bulge_of_triangles(leaf.samples, first) / eps);
+      std::max(verdict.distance.centre, bulge_of_triangles(leaf.samples, first_corner) / eps);
   verdict.turn = turn_scores(turn);
   verdict.is_folded = is_visible && is_opposed;
   return verdict;
