@@ -226,7 +226,7 @@ GridSize parse_grid_lines(const std::string& option, const std::string& text) {
 }
 
 Color opaque_color(const std::string& option, const std::string& text) {
-  const Color color = parse_color(option, text);
+  Color color = parse_color(option, text);
   if (color.a < 1) {
     throw Error(Status::Input, "a colour of a surface has no alpha",
                 {option, text, {0, text.size()}},

@@ -62,7 +62,8 @@ dvec2 LabelPlacer::place(const std::vector<dvec2>& anchors, dvec2 size) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < anchors.size(); ++k) {
     for (std::size_t way = 0; way < kRings * kSides.size(); ++way) {
-      const double ring = static_cast<double>(way / kSides.size());
+      const std::size_t rings = way / kSides.size();
+      const auto ring = static_cast<double>(rings);
       const dvec2 side = kSides[way % kSides.size()];
       const dvec2 middle =
           anchors[k] + side * (0.5 * size + kGap) + dvec2(0, ring * size.y * side.y);

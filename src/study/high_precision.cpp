@@ -123,7 +123,7 @@ Real exact_bessel_j(int n, const Real& x) {
   const int quarters = ((-n % 4) + 4) % 4;
   const Real sine = sine_derivative(quarters, x);
   const Real cosine = sine_derivative(quarters + 1, x);
-  const Real pi = boost::math::constants::pi<Real>();
+  const Real& pi = boost::math::constants::pi<Real>();
   return (sums[0] * (cosine + sine) - sums[1] * (sine - cosine)) / mp::sqrt(Real(pi * x));
 }
 
@@ -199,7 +199,7 @@ Real sinc_series(int n, const Real& x) {
 Real exact_polygamma(int n, const Real& x) {
   if (x > 0) return positive_polygamma(n, x);
   const int sign = n % 2 == 0 ? 1 : -1;
-  const Real mirrored = sign * positive_polygamma(n, Real(1 - x));
+  Real mirrored = sign * positive_polygamma(n, Real(1 - x));
   const Real rest = x - boost::multiprecision::round(x);
   if (sign > 0 && abs(rest) == Real(0.5)) return mirrored;  // derivatives of pi cot(pi x) are 0
   const Real other = sign * positive_polygamma(n, Real(1 - rest));
@@ -208,6 +208,7 @@ Real exact_polygamma(int n, const Real& x) {
   return mirrored - other + positive_polygamma(n, Real(1 + rest)) - step;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a line or two for each operation
 Real apply_exactly(Op op, const Real& a, const Real& b, const Real& c) {
   namespace mp = boost::multiprecision;
   switch (op) {
