@@ -470,10 +470,9 @@ Halving::Failed Halving::take_islands(std::size_t& boxes) {
   return failed;
 }
 
-/// The leaves in which bounds found places that deviate too much.
 /// Whether a box in a leaf in which the surface is not defined would be seen if it was.
 bool Halving::is_seen_hole(const Suspect& box) const {
-  /// A hole holds boxes half as wide as it is, or a little wider.
+  // A hole holds boxes half as wide as it is, or a little wider.
   constexpr double kOfTolerance = 0.5;
   const Leaf& leaf = mesh_.leaves[box.leaf];
   const dvec2 size = glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
@@ -484,6 +483,7 @@ bool Halving::is_seen_hole(const Suspect& box) const {
   return std::max(part.x * along_u, part.y * along_v) > kOfTolerance * mesh_.allowed[box.leaf];
 }
 
+/// The leaves in which bounds found places that deviate too much, or holes that are seen.
 Halving::Failed Halving::take_suspects() {
   const Certification proof =
       certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget_);
