@@ -10,67 +10,16 @@
 #include <span>
 #include <vector>
 
+#include "mesh/cell_marks.h"
 #include "mesh/effort.h"
 #include "mesh/grid.h"
 #include "mesh/holes.h"
+#include "mesh/leaf.h"
 #include "mesh/pair_table.h"
+#include "mesh/place_map.h"
 #include "mesh/removable.h"
 
 namespace saddle {
-
-/// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
-inline constexpr std::uint32_t kCellUnit = 1U << 16;
-
-/// (u, v) in units: line k of the root grid is at k * kCellUnit.
-struct LatticePlace {
-  std::uint32_t u = 0;
-  std::uint32_t v = 0;
-  bool operator==(const LatticePlace&) const = default;
-};
-
-/// The vertices that a leaf is judged by, counter-clockwise in (u, v) from its low corner.
-struct Samples {
-  /// Not known: the lattice is to be asked.
-  static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
-
-  std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
-  /// In the middles of sides; on one that is too short for a middle, one of its ends.
-  std::array<std::uint32_t, 4> side = {kUnasked, kUnasked, kUnasked, kUnasked};
-  std::uint32_t centre = kUnasked;
-
-  /// Those of a half that are the whole's as well.
-  Samples of_half(bool across_u, bool is_lower) const;
-};
-
-/// A rectangle of the refined grid.
-struct Leaf {
-  LatticePlace low, high;
-  Samples samples = {};      ///< known once it was judged: nobody has to look its vertices up again
-  bool on_rim = false;       ///< not defined at all of its samples
-  std::uint8_t in_vain = 0;  ///< halvings in a row that did not help distances
-  std::uint8_t turned_in_vain = 0;  ///< nor normals
-  bool is_split = false;            ///< a jump, a pole or a crease goes through it
-  bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
-  bool is_left_out = false;         ///< with a point in it that is a pole or has no limit
-  bool given_up = false;            ///< halving does not help, or is not allowed
-  bool oscillates = false;          ///< an Oscillation that it is part of stopped its halving
-  std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
-  std::uint32_t measured = 0;  ///< when it was, or found to have the outline that it had then
-  std::uint32_t outline = 0;   ///< vertices around it when it was measured
-  std::uint8_t sought = 0;     ///< halvings of its root cell until it was defined somewhere
-  float known_error = 0;       ///< what its tests found, in tolerances
-  /// How much worse fresh samples found ancestors than their tests had: distances and normals.
-  float strictness = 1;
-  float turn_strictness = 1;
-
-  std::uint32_t size_u() const { return high.u - low.u; }
-  std::uint32_t size_v() const { return high.v - low.v; }
-  LatticePlace middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
-  /// Counter-clockwise in (u, v), from the low corner.
-  std::array<LatticePlace, 4> corners() const {
-    return {low, LatticePlace{high.u, low.v}, high, LatticePlace{low.u, high.v}};
-  }
-};
 
 /// What is between two neighbours on a side of a leaf.
 enum class Cut : std::uint8_t {
@@ -113,66 +62,6 @@ struct Crossing {
 struct Between {
   std::uint32_t a, b;
   dvec2 uv;
-};
-
-/// From place to vertex, for places that are not on the root grid. Every cell of that has a table
-/// of its own, with open addressing: a mesh asks for its vertices millions of times, cell by cell,
-/// and what it asks for next is then near to what it asked for before.
-class PlaceMap {
- public:
-  explicit PlaceMap(const Grid& grid)
-      : pitch_(grid.u.size()), tables_(grid.u.size() * grid.v.size()) {}
-  /// The number stored for a place, or nullptr; valid until the next insert().
-  const std::uint32_t* find(LatticePlace place) const;
-  /// The number stored for a place; stores this one if there is none.
-  std::uint32_t find_or_insert(LatticePlace place, std::uint32_t number);
-
- private:
-  struct Slot {
-    std::uint32_t key = kEmpty;  ///< the place within its cell
-    std::uint32_t number = 0;
-  };
-  /// Slots of a cell, 2^(32 - shift) from `begin` on, or none.
-  struct Table {
-    std::uint32_t begin = 0;
-    std::uint32_t count = 0;
-    std::uint32_t shift = 32;
-  };
-  /// The corner of a cell is on the root grid.
-  static constexpr std::uint32_t kEmpty = 0;
-
-  std::size_t table_of(LatticePlace place) const {
-    return place.v / kCellUnit * pitch_ + place.u / kCellUnit;
-  }
-  static std::uint32_t key_of(LatticePlace place) {
-    return (place.u % kCellUnit) * kCellUnit + place.v % kCellUnit;
-  }
-  std::uint32_t slot_of(const Table& table, std::uint32_t key) const;
-  void grow(Table& table);
-
-  std::size_t pitch_;
-  std::vector<Table> tables_;  // of cells, and of the lines at the far ends
-  std::vector<Slot> slots_;    // of all; those of tables that have grown are abandoned
-};
-
-/// Marks on cells of the root grid: numbers, 0 for none.
-class CellMarks {
- public:
-  explicit CellMarks(const Grid& grid)
-      : cells_u_(grid.cells_u), cells_v_(grid.cells_v), marks_(grid.cell_count(), 0) {}
-
-  /// Marks the cells that a place, in units, is in or on the border of.
-  void add(const dvec2& place, std::uint32_t mark = 1);
-  /// The last mark of the cell that a leaf is in.
-  std::uint32_t of(const Leaf& leaf) const {
-    return marks_[leaf.low.v / kCellUnit * cells_u_ + leaf.low.u / kCellUnit];
-  }
-  /// Whether that is marked.
-  bool contains(const Leaf& leaf) const { return of(leaf) != 0; }
-
- private:
-  std::size_t cells_u_, cells_v_;
-  std::vector<std::uint32_t> marks_;
 };
 
 /// Vertices of the root grid and between its lines. Their positions and normals are grid.mesh's.
@@ -279,11 +168,11 @@ class Lattice {
     return crowded_sides_.contains(pair_of(a, b));
   }
   void set_has_more(std::uint32_t a, std::uint32_t b) { crowded_sides_.insert(pair_of(a, b)); }
-  /// Whether the surface is known to go to infinity somewhere.
   /// Files a pole that is beyond a Cut::Face.
   void add_pole_beyond_face(const std::array<dvec2, 2>& ends) {
     poles_beyond_faces_.push_back(ends);
   }
+  /// Whether the surface is known to go to infinity somewhere.
   bool has_poles() const { return has_poles_ || !pole_ends_.empty(); }
   /// The ends, in parameters, of what is known to lead to poles or was cut there, in an order that
   /// is always the same.

@@ -1,0 +1,63 @@
+// Leaves: rectangles of a grid that is refined here and there, in whole coordinates.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace saddle {
+
+/// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
+inline constexpr std::uint32_t kCellUnit = 1U << 16;
+
+/// (u, v) in units: line k of the root grid is at k * kCellUnit.
+struct LatticePlace {
+  std::uint32_t u = 0;
+  std::uint32_t v = 0;
+  bool operator==(const LatticePlace&) const = default;
+};
+
+/// The vertices that a leaf is judged by, counter-clockwise in (u, v) from its low corner.
+struct Samples {
+  /// Not known: the lattice is to be asked.
+  static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
+
+  std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
+  /// In the middles of sides; on one that is too short for a middle, one of its ends.
+  std::array<std::uint32_t, 4> side = {kUnasked, kUnasked, kUnasked, kUnasked};
+  std::uint32_t centre = kUnasked;
+
+  /// Those of a half that are the whole's as well.
+  Samples of_half(bool across_u, bool is_lower) const;
+};
+
+/// A rectangle of the refined grid.
+struct Leaf {
+  LatticePlace low, high;
+  Samples samples = {};      ///< known once it was judged: nobody has to look its vertices up again
+  bool on_rim = false;       ///< not defined at all of its samples
+  std::uint8_t in_vain = 0;  ///< halvings in a row that did not help distances
+  std::uint8_t turned_in_vain = 0;  ///< nor normals
+  bool is_split = false;            ///< a jump, a pole or a crease goes through it
+  bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
+  bool is_left_out = false;         ///< with a point in it that is a pole or has no limit
+  bool given_up = false;            ///< halving does not help, or is not allowed
+  bool oscillates = false;          ///< an Oscillation that it is part of stopped its halving
+  std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
+  std::uint32_t measured = 0;  ///< when it was, or found to have the outline that it had then
+  std::uint32_t outline = 0;   ///< vertices around it when it was measured
+  std::uint8_t sought = 0;     ///< halvings of its root cell until it was defined somewhere
+  float known_error = 0;       ///< what its tests found, in tolerances
+  /// How much worse fresh samples found ancestors than their tests had: distances and normals.
+  float strictness = 1;
+  float turn_strictness = 1;
+
+  std::uint32_t size_u() const { return high.u - low.u; }
+  std::uint32_t size_v() const { return high.v - low.v; }
+  LatticePlace middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
+  /// Counter-clockwise in (u, v), from the low corner.
+  std::array<LatticePlace, 4> corners() const {
+    return {low, LatticePlace{high.u, low.v}, high, LatticePlace{low.u, high.v}};
+  }
+};
+
+}  // namespace saddle
