@@ -7,6 +7,7 @@
 #include "mesh/approach.h"
 #include "mesh/measure.h"
 #include "mesh/outline.h"
+#include "mesh/sides.h"
 
 namespace saddle {
 
@@ -33,13 +34,6 @@ dvec2 border(const dvec2& from, const dvec2& way) {
     if (way[k] != 0) steps = std::min(steps, room / std::fabs(way[k]));
   }
   return from + steps * way;
-}
-
-/// Whether a triangle runs from corner a to corner b.
-bool has_side(std::span<const Triangle> triangles, std::uint32_t a, std::uint32_t b) {
-  return std::ranges::any_of(triangles, [&](const Triangle& t) {
-    return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/crease_distance.h"
+#include "mesh/sides.h"
 
 namespace saddle {
 
@@ -122,16 +123,11 @@ void SharpBends::append_places(std::size_t number, std::vector<Place>& places) c
 void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) const {
   const std::span<const Triangle> triangles = bends_[number].triangles;
   const auto& uv = grid_.mesh.uv;
-  const auto is_side = [](const Triangle& t, std::uint32_t a, std::uint32_t b) {
-    return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-  };
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k];
       const std::uint32_t b = t[(k + 1) % 3];
-      const bool is_shared =
-          std::ranges::any_of(triangles, [&](const Triangle& o) { return is_side(o, b, a); });
-      if (is_shared && a > b) continue;
+      if (a > b && has_side(triangles, b, a)) continue;
       places.push_back({number, 0.5 * (uv[a] + uv[b]), std::array{a, b}});
     }
   }

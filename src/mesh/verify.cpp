@@ -7,25 +7,15 @@
 
 #include <glm/common.hpp>
 
-#include "base/random.h"
 #include "mesh/crease_distance.h"
 #include "mesh/measure_many.h"
 #include "mesh/rim_distance.h"
 #include "mesh/sharp_bends.h"
+#include "mesh/sides.h"
 
 namespace saddle {
 
 namespace {
-
-/// One fresh sample in each quarter of a leaf, up to this part of its sides from the quarter's
-/// middle: there the error of an arc with a turning point is largest, which its middle does not
-/// show.
-constexpr double kJitter = 0.1;
-
-/// Samples on a chord. An arc with a turning point is not highest above its middle; but mesh/peaks
-/// goes from there to where more is foreseen, in leaves that nothing cuts.
-constexpr std::array kOnChord = {0.36, 0.5, 0.64};
-constexpr std::span<const double> kInMiddle = std::span(kOnChord).subspan(1, 1);
 
 /// Leaves of several triangles that are measured together, on some ten samples each: what is known
 /// of these (170 bytes) stays in the second-level cache.
@@ -33,60 +23,9 @@ constexpr std::size_t kAtATime = 400;
 /// Samples of most of them.
 constexpr std::size_t kSamples = 8;
 
-/// How far from its chord a crease is looked for, in chords.
-constexpr double kBesideCrease = 0.3;
-
-/// Samples on the sides of triangles at a rim: an arc with a vertical tangent at its end, as sqrt
-/// has, is highest above the first quarter of its chord.
-constexpr std::array kBesideRim = {0.25, 0.75};
-
-/// Where a leaf is measured: always the same for the same leaf.
-PlacesInLeaf sample_places(const Leaf& leaf) {
-  std::uint64_t seed = 0;
-  for (const std::uint32_t part : {leaf.low.u, leaf.low.v, leaf.size_u(), leaf.size_v()}) {
-    seed = (seed ^ part) * 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio: spreads the bits
-    seed ^= seed >> 32U;
-  }
-  const auto jitter = [&](std::uint64_t key) {
-    return kJitter * (2 * random_unit(seed + key) - 1);
-  };
-  return {dvec2(0.25 + jitter(0), 0.25 + jitter(1)), dvec2(0.75 + jitter(2), 0.25 + jitter(3)),
-          dvec2(0.25 + jitter(4), 0.75 + jitter(5)), dvec2(0.75 + jitter(6), 0.75 + jitter(7))};
-}
-
-/// Whether a place, in sides of a leaf from its low corner, is in it and not on its border.
-bool is_inside(const dvec2& part) {
-  return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
-}
-
 bool share_corner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
-}
-
-/// The third corner of the triangle that runs from corner a to corner b.
-std::optional<std::uint32_t> apex_beyond(std::span<const Triangle> triangles, std::uint32_t a,
-                                         std::uint32_t b) {
-  for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (t[k] == a && t[(k + 1) % 3] == b) return t[(k + 2) % 3];
-    }
-  }
-  return std::nullopt;
-}
-
-/// Whether a chord in a leaf is told of by another triangle: a diagonal is a side of two, and so is
-/// the chord of a crease, of one in each piece with corners of its own.
-bool is_other_side(const Grid& grid, std::span<const Triangle> triangles, std::uint32_t a,
-                   std::uint32_t b, bool on_crease) {
-  if (!on_crease) return a > b;
-  const auto& point = grid.mesh.point;
-  return point[a] > point[b] && std::ranges::any_of(triangles, [&](const Triangle& t) {
-           for (std::size_t k = 0; k < 3; ++k) {
-             if (point[t[k]] == point[b] && point[t[(k + 1) % 3]] == point[a]) return true;
-           }
-           return false;
-         });
 }
 
 /// Triangles from the front that are connected; those of a leaf's pieces follow each other.
@@ -140,109 +79,6 @@ Deviation Verifier::deviation_of(const Leaf& leaf, std::span<const Triangle> tri
     triangles = triangles.subspan(count);
   }
   return best;
-}
-
-void Verifier::append_samples(std::size_t number, const Leaf& leaf,
-                              std::span<const Triangle> triangles,
-                              std::vector<Sample>& samples) const {
-  const dvec2 low = lattice_.parameters(leaf.low);
-  const dvec2 high = lattice_.parameters(leaf.high);
-  // Of a leaf that is off by whole waves nobody needs to know where most.
-  const bool has_chords = !leaf.oscillates;
-  const bool is_whole = !leaf.is_split && !leaf.on_rim;
-  // The middles of more triangles, and of the chords between them, are fresh enough.
-  if (!(has_chords && is_whole && triangles.size() > 2)) {
-    for (const dvec2& part : sample_places(leaf)) {
-      samples.push_back({number, low * (1.0 - part) + high * part});
-    }
-  }
-  if (leaf.on_rim && !leaf.is_split) append_sides(number, triangles, samples);
-  if (has_chords) append_chords(number, leaf, triangles, samples);
-}
-
-/// On the sides of triangles, beside their corners.
-void Verifier::append_sides(std::size_t number, std::span<const Triangle> triangles,
-                            std::vector<Sample>& samples) const {
-  const auto& uv = grid_.mesh.uv;
-  for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (const double share : kBesideRim) {
-        samples.push_back({number, glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), &t, true});
-      }
-    }
-  }
-}
-
-void Verifier::append_chords(std::size_t number, const Leaf& leaf,
-                             std::span<const Triangle> triangles,
-                             std::vector<Sample>& samples) const {
-  const bool is_creased = leaf.is_split && count_cuts(leaf, lattice_).only_creases;
-  if (triangles.size() <= 2 && !is_creased) return;
-  // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
-  // chords of jumps the surface may be on either level.
-  const auto& at = grid_.mesh.uv;
-  const dvec2 low = lattice_.parameters(leaf.low);
-  const dvec2 size = lattice_.parameters(leaf.high) - low;
-  const auto append_chord = [&](const Triangle& t, std::size_t k) {
-    const std::uint32_t a = t[k];
-    const std::uint32_t b = t[(k + 1) % 3];
-    const bool inside = is_inside((0.5 * (at[a] + at[b]) - low) / size);
-    if (!inside && !is_creased) return;
-    const bool on_crease = inside && is_creased && !apex_beyond(triangles, b, a);
-    if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
-    Sample sample{number, {}, &t, leaf.is_split};
-    if (on_crease) {
-      const dvec2 along = (at[b] - at[a]) / size;
-      sample.crease = Chord{a, b};
-      sample.across = kBesideCrease * size * dvec2(-along.y, along.x);
-    }
-    for (const double share : on_crease ? kOnChord : kInMiddle) {
-      sample.uv = glm::mix(at[a], at[b], share);
-      samples.push_back(sample);
-    }
-  };
-  for (const Triangle& t : triangles) {
-    if (triangles.size() > 2) {
-      samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
-    }
-    if (leaf.is_split && !is_creased) continue;
-    for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
-  }
-}
-
-/// On sides between singular vertices: a cusp that is a line of constant u or v has no normals from
-/// which an arc above its chord would follow.
-void Verifier::append_singular_sides(const Measured& mesh, std::span<const std::size_t> which,
-                                     std::vector<Sample>& samples) const {
-  if (!lattice_.has_singular()) return;
-  const CellMarks& cells = lattice_.singular_cells();
-  const auto& at = grid_.mesh.uv;
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    const Leaf& leaf = mesh.leaves[which[k]];
-    if (leaf.is_split || leaf.on_rim || !cells.contains(leaf)) continue;
-    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t b) {
-      if (!is_cusp(a, b, lattice_)) return;
-      for (const double share : kOnChord) {
-        samples.push_back({k, glm::mix(at[a], at[b], share), nullptr, true, Chord{a, b}, {}});
-      }
-    });
-  }
-}
-
-/// Samples on chords of cusps, and of creases at which the surface is upright, go to where those
-/// are: they run beside their chords, and how far the surface is from them makes up for that in
-/// part.
-void Verifier::move_onto_creases(std::vector<Sample>& samples) const {
-  std::vector<Line> lines;
-  for (const Sample& sample : samples) {
-    if (sample.crease) lines.push_back({sample.uv - sample.across, sample.uv + sample.across});
-  }
-  if (lines.empty()) return;
-  const std::vector<dvec2> places = crease_places(surface_, lines, threads_);
-  std::size_t next = 0;
-  for (Sample& sample : samples) {
-    if (sample.crease) sample.uv = places[next++];
-  }
 }
 
 /// Whether a corner of triangles is beyond a face of the box, where a rim may go anywhere.
@@ -303,13 +139,12 @@ std::vector<std::size_t> Verifier::measure_plain(Measured& mesh, std::span<const
   return others;
 }
 
-std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
-                                                        std::span<const std::size_t> which,
-                                                        std::span<const std::size_t> others,
-                                                        const LeafTriangles& triangles,
-                                                        Peaks& peaks) {
-  std::vector<Sample> rest;
-  std::vector<Sample> samples;
+std::vector<FreshSample> Verifier::measure_several(Measured& mesh,
+                                                   std::span<const std::size_t> which,
+                                                   std::span<const std::size_t> others,
+                                                   const LeafTriangles& triangles, Peaks& peaks) {
+  std::vector<FreshSample> rest;
+  std::vector<FreshSample> samples;
   std::vector<PlaceOnTriangle> places;
   samples.reserve(kSamples * others.size());
   places.reserve(kSamples * others.size());
@@ -317,12 +152,12 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
     const Leaf& leaf = mesh.leaves[which[k]];
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.deviations[which[k]] = {};
-    append_samples(k, leaf, of_leaf, samples);
+    sampler_.append(k, leaf, of_leaf, samples);
     const bool is_special = clip_ || leaf.on_rim || of_leaf.empty();
     if (is_special || leaf.is_split) {
       const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
       const auto one_by_one = std::stable_partition(
-          first, samples.end(), [&](const Sample& s) { return !is_special && !s.crease; });
+          first, samples.end(), [&](const FreshSample& s) { return !is_special && !s.crease; });
       rest.insert(rest.end(), one_by_one, samples.end());
       samples.erase(one_by_one, samples.end());
     }
@@ -333,7 +168,7 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
   const auto found = measure_places(surface_, grid_, places, threads_);
   evaluations_ += places.size();
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    const Sample& sample = samples[s];
+    const FreshSample& sample = samples[s];
     const std::size_t leaf = which[sample.number];
     // Of a leaf that is cut another piece may be nearer.
     const bool is_known =
@@ -353,9 +188,10 @@ std::vector<Verifier::Sample> Verifier::measure_several(Measured& mesh,
 }
 
 void Verifier::measure_one_by_one(Measured& mesh, std::span<const std::size_t> which,
-                                  const LeafTriangles& triangles, std::span<const Sample> samples) {
+                                  const LeafTriangles& triangles,
+                                  std::span<const FreshSample> samples) {
   std::vector<dvec2> uv(samples.size());
-  std::ranges::transform(samples, uv.begin(), &Sample::uv);
+  std::ranges::transform(samples, uv.begin(), &FreshSample::uv);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += points.size();
   for (std::size_t s = 0; s < samples.size(); ++s) {
@@ -406,7 +242,7 @@ void Verifier::measure_beside_creases(Measured& mesh, std::span<const std::size_
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t a = t[i];
         const std::uint32_t b = t[(i + 1) % 3];
-        if (a > b || !apex_beyond(triangles.of(k), b, a)) continue;
+        if (a > b || !has_side(triangles.of(k), b, a)) continue;
         chords.push_back({{of.position[a], of.position[b]},
                           {of.uv[a], of.uv[b]},
                           glm::abs(size),
@@ -450,14 +286,14 @@ void Verifier::measure(Measured& mesh, std::span<const std::size_t> which,
   }
   Peaks peaks(surface_, grid_, clip_, threads_);
   const std::vector<std::size_t> others = measure_plain(mesh, which, triangles, peaks);
-  std::vector<Sample> rest;
+  std::vector<FreshSample> rest;
   for (std::size_t begin = 0; begin < others.size(); begin += kAtATime) {
     const auto some = std::span(others).subspan(begin, std::min(kAtATime, others.size() - begin));
-    const std::vector<Sample> more = measure_several(mesh, which, some, triangles, peaks);
+    const std::vector<FreshSample> more = measure_several(mesh, which, some, triangles, peaks);
     rest.insert(rest.end(), more.begin(), more.end());
   }
-  move_onto_creases(rest);
-  append_singular_sides(mesh, which, rest);
+  move_onto_creases(surface_, rest, threads_);
+  sampler_.append_singular_sides(mesh, which, rest);
   measure_one_by_one(mesh, which, triangles, rest);
   peaks.climb(mesh);
   evaluations_ += peaks.evaluations();

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/fresh_samples.h"
 #include "mesh/leaf_mesh.h"
 #include "mesh/measured.h"
 #include "mesh/peaks.h"
@@ -21,6 +22,7 @@ class Verifier {
       : surface_(surface),
         grid_(grid),
         lattice_(lattice),
+        sampler_(grid, lattice),
         clip_(options.clip),
         normal_tolerance_(options.normal_tolerance),
         threads_(options.threads) {}
@@ -32,38 +34,19 @@ class Verifier {
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  using Chord = std::array<std::uint32_t, 2>;  ///< from corner to corner
-  /// A place at which a leaf is measured.
-  struct Sample {
-    std::size_t number;  ///< of the leaf, among those that are measured
-    dvec2 uv;
-    const Triangle* triangle = nullptr;  ///< it is in; unknown
-    bool beside_cut = false;             ///< the normal may be that of the other side
-    std::optional<Chord> crease = {};    ///< whose chord it is on
-    dvec2 across{0};                     ///< from there across the chord, where the crease may be
-  };
   /// Measures the leaves that are as most are. Returns the numbers in `which` of the others.
   std::vector<std::size_t> measure_plain(Measured& mesh, std::span<const std::size_t> which,
                                          const LeafTriangles& triangles, Peaks& peaks);
   /// The same with leaves of any triangles, of `others`. Returns those of their samples that are
   /// still to be measured.
-  std::vector<Sample> measure_several(Measured& mesh, std::span<const std::size_t> which,
-                                      std::span<const std::size_t> others,
-                                      const LeafTriangles& triangles, Peaks& peaks);
+  std::vector<FreshSample> measure_several(Measured& mesh, std::span<const std::size_t> which,
+                                           std::span<const std::size_t> others,
+                                           const LeafTriangles& triangles, Peaks& peaks);
   bool is_good(const Deviation& deviation, double allowed) const {
     return deviation.distance <= allowed && deviation.degrees <= normal_tolerance_;
   }
   void measure_one_by_one(Measured& mesh, std::span<const std::size_t> which,
-                          const LeafTriangles& triangles, std::span<const Sample> samples);
-  void append_samples(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-                      std::vector<Sample>& samples) const;
-  void append_sides(std::size_t number, std::span<const Triangle> triangles,
-                    std::vector<Sample>& samples) const;
-  void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-                     std::vector<Sample>& samples) const;
-  void append_singular_sides(const Measured& mesh, std::span<const std::size_t> which,
-                             std::vector<Sample>& samples) const;
-  void move_onto_creases(std::vector<Sample>& samples) const;
+                          const LeafTriangles& triangles, std::span<const FreshSample> samples);
   void measure_bends(Measured& mesh, std::span<const std::size_t> which,
                      const LeafTriangles& triangles);
   void measure_beside_creases(Measured& mesh, std::span<const std::size_t> which,
@@ -77,6 +60,7 @@ class Verifier {
   const Surface& surface_;
   const Grid& grid_;
   const Lattice& lattice_;
+  Sampler sampler_;
   const std::optional<Bounds>& clip_;
   double normal_tolerance_;
   unsigned threads_;
