@@ -39,7 +39,7 @@ dvec3 area_of(const Mesh& mesh, const Triangle& t) {
 }
 
 /// Whether the normals of a triangle's corners are so much alike that they oppose it together, if
-/// they do: then the surface faces as it does nowhere in it.
+/// they do: then they agree, and it is the triangle that is askew, a sliver.
 bool have_like_normals(const Mesh& mesh, const Triangle& t) {
   const dvec3& first = mesh.normal[t[0]];
   return glm::dot(first, mesh.normal[t[1]]) > kLike && glm::dot(first, mesh.normal[t[2]]) > kLike;

@@ -12,8 +12,9 @@ namespace saddle {
 /// Gives triangles that a corner's normal opposes, by more than a right angle, a corner of their
 /// own at the same point, as at a crease: with the surface's normal from within the triangle, at
 /// the place nearest to the corner from which it faces as the triangle does. Neighbours share it.
-/// Of a triangle that the surface faces nowhere, a sliver thinner than what may be missing, the
-/// plane tells nothing; it keeps its corners. Returns the evaluations.
+/// Triangles that all corners oppose alike, or that the surface faces nowhere, are slivers thinner
+/// than what may be missing, whose planes tell nothing: they keep their corners. Returns the
+/// evaluations.
 std::size_t face_own_triangles(const Surface& surface, unsigned threads, Mesh& mesh);
 
 }  // namespace saddle

@@ -60,5 +60,15 @@ TEST(Facing, LeavesWhatTheSurfaceFacesNowhere) {
   EXPECT_EQ(mesh.triangles[0], (Triangle{0, 2, 1}));
 }
 
+TEST(Facing, LeavesWhatAllCornersOpposeTogether) {
+  // Though the surface within faces as it does.
+  Mesh mesh = mesh_of(roof(), {{-1, -1}, {-0.5, 0}, {-1, 1}}, {{0, 1, 2}});
+  ASSERT_FALSE(is_opposed(mesh, mesh.triangles[0], 0));
+  for (std::size_t k = 0; k < 3; ++k) mesh.normal[k] = -dvec3(mesh.normal[k]);
+  face_own_triangles(roof(), 1, mesh);
+  EXPECT_EQ(mesh.position.size(), 3U);
+  EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));
+}
+
 }  // namespace
 }  // namespace saddle
