@@ -28,7 +28,8 @@ constexpr std::array kOnLines = {0.1, 0.9};
 /// Places each way in a leaf that turns sharply where its corners do not tell.
 constexpr std::array kWithin = {0.0, 0.25, 0.5, 0.75, 1.0};
 /// From the farthest of those, if it is off by this part of what is allowed, a search leads to
-/// farther ones: steps as shares of the leaf's sides, each tried to all four sides.
+/// farther ones: steps as shares of the leaf's sides, each tried to all four sides. Of sides whose
+/// middles are nearer than that to what is at their parameters nobody asks what is nearest.
 constexpr double kWorthASearch = 0.85;
 constexpr std::array kSteps = {0.2, 0.1, 0.05};
 

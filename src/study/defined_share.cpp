@@ -14,7 +14,7 @@ namespace saddle {
 
 namespace {
 
-/// Places each way at which a surface is looked at.
+/// Places each way at which exceeds_doubles() looks: what is too large there is a wide part.
 constexpr int kPlaces = 32;
 
 struct Box {
