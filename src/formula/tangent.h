@@ -22,16 +22,72 @@ inline bool has_zero_branch(Expression slope) {
          has_zero_branch({slope.graph, node.args[2]});
 }
 
-/// f(slope), but 0 in the branches that are 0 by structure: where max(0, u) is constant, so is its
-/// square root, whatever the derivative of a root is there.
+/// Products and sums are looked into so deeply.
+constexpr int kSupportDepth = 8;
+
+/// Where an expression may be other than 0, as a condition, if it is 0 by structure around places
+/// elsewhere: max(0, u)*v where u > 0. Nothing if it is so nowhere.
+inline std::optional<Expression> support(Expression of, int depth = kSupportDepth) {
+  Graph* const graph = of.graph;
+  const Node node = (*graph)[of.id];  // a copy: conditions grow the arena
+  if (depth == 0) return std::nullopt;
+  const auto argument = [&](std::size_t k) { return Expression{graph, node.args[k]}; };
+  const auto of_argument = [&](std::size_t k) { return support(argument(k), depth - 1); };
+  switch (node.op) {
+    case Op::Min:
+    case Op::Max:
+      for (const std::size_t k : {0U, 1U}) {
+        if (!graph->is_constant(node.args[k], 0)) continue;
+        const Expression other = argument(1 - k);
+        return node.op == Op::Max ? argument(k) < other : other < argument(k);
+      }
+      return std::nullopt;
+    case Op::Neg:
+    case Op::Sqrt:
+    case Op::Div:
+      return of_argument(0);
+    case Op::Pow:
+      return graph->is_constant(node.args[1]) && (*graph)[node.args[1]].value > 0 ? of_argument(0)
+                                                                                  : std::nullopt;
+    case Op::Select: {
+      const bool is_first = graph->is_constant(node.args[2], 0);
+      if (!is_first && !graph->is_constant(node.args[1], 0)) return std::nullopt;
+      const Expression taken = is_first ? argument(0) : make(Op::Equal, argument(0), of.of(0));
+      const auto within = of_argument(is_first ? 1 : 2);
+      return within ? make(Op::And, taken, *within) : taken;
+    }
+    case Op::Mul: {
+      const auto first = of_argument(0);
+      const auto second = of_argument(1);
+      if (first && second) return make(Op::And, *first, *second);
+      return first ? first : second;
+    }
+    case Op::Add:
+    case Op::Sub: {
+      const auto first = of_argument(0);
+      const auto second = first ? of_argument(1) : std::nullopt;
+      if (first && second) return make(Op::Or, *first, *second);
+      return std::nullopt;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+/// f(slope), but 0 where the slope is 0 by structure: where max(0, u) is constant, so is its square
+/// root, whatever the derivative of a root is there. `known`: a condition that holds.
 template <class F>
-Expression outside_zeros(Expression slope, F f) {
+Expression outside_zeros(Expression slope, F f, std::optional<Expression> known = std::nullopt) {
   const Node node = (*slope.graph)[slope.id];  // a copy: `f` grows the arena
-  if (!has_zero_branch(slope)) return f(slope);
-  if (node.op != Op::Select) return slope;
-  const auto [condition, yes, no] = node.args;
-  return make(Op::Select, {slope.graph, condition}, outside_zeros({slope.graph, yes}, f),
-              outside_zeros({slope.graph, no}, f));
+  if (slope.graph->is_constant(slope.id, 0)) return slope;
+  if (node.op != Op::Select || !has_zero_branch(slope)) {
+    const std::optional<Expression> where = support(slope);
+    if (!where || (known && known->id == where->id)) return f(slope);
+    return make(Op::Select, *where, f(slope), slope.of(0));
+  }
+  const Expression condition = {slope.graph, node.args[0]};
+  return make(Op::Select, condition, outside_zeros({slope.graph, node.args[1]}, f, condition),
+              outside_zeros({slope.graph, node.args[2]}, f));
 }
 
 inline Tangent operator-(Tangent t) {

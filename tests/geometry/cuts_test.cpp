@@ -219,6 +219,18 @@ TEST(Creases, AtWhichTheSurfaceIsUprightKeepTheTolerance) {
   }
 }
 
+/// Where a factor is 0 by structure, so is all that is made of the product.
+TEST(Creases, HaveNormalsWhereAFactorIsZeroOnAPart) {
+  for (const char* z :
+       {"sqrt(max(0,u)*max(0,v))", "(min(0,u)*min(0,v))^0.4", "sqrt(max(0,u)*max(0,u+v))"}) {
+    const std::vector<dvec2> flat = {{0.5, -0.6}, {-0.2, 0.1}};
+    for (const SurfacePoint& point : evaluate(height_field(z), flat, 1)) {
+      EXPECT_EQ(point.r_u, dvec3(1, 0, 0)) << z;
+      EXPECT_EQ(point.r_v, dvec3(0, 1, 0)) << z;
+    }
+  }
+}
+
 TEST(Cusps, HaveTheOneSidedLimitsOfTheirNormals) {
   const GridMesh result = mesh_of("u", "(v-0.1)^2", "(v-0.1)^3", {-1, 1, -1, 1});
   const auto exact = [](const dvec2& uv, const dvec2& inside) {
