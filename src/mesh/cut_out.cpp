@@ -51,7 +51,7 @@ PointsInLeaves find_points(const Surface& surface, const Lattice& lattice, const
     const Leaf& leaf = mesh.leaves[k];
     boxes.push_back({lattice.parameters(leaf.low), lattice.parameters(leaf.high)});
   }
-  const auto found = find_holes(surface, boxes);
+  const auto found = find_holes(surface, boxes, lattice.mesh().bounds.diagonal());
   PointsInLeaves points;
   std::vector<ParameterBox> around;
   for (std::size_t i = 0; i < suspects.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -119,21 +120,34 @@ constexpr int kHalvings = 40;
 constexpr std::size_t kMostParts = 16;
 /// What is left then is one point if it is no larger than this part of the box.
 constexpr double kOnePoint = 0x1p-30;
+/// Of more parts those are followed in which the surface varies the most, and this share of that:
+/// around a point without a limit it does however small they are. In so many boxes, at most.
+constexpr double kVaries = 0.5;
+constexpr int kMostFollowed = 64;
 
 class Narrowing {
  public:
-  explicit Narrowing(const Surface& surface) : enclosure_(surface.bounds, 3) {}
+  Narrowing(const Surface& surface, std::optional<double> diagonal)
+      : surface_(surface), enclosure_(surface.bounds, 3), diagonal_(diagonal) {}
 
   std::optional<dvec2> operator()(const ParameterBox& whole) {
     std::vector<ParameterBox> parts = {whole};
+    bool is_followed = false;
     for (int depth = 0; depth < 2 * kHalvings; ++depth) {
       std::erase_if(parts, [this](const ParameterBox& part) { return is_proved(part); });
+      if (parts.size() > kMostParts && !is_followed && diagonal_ && followed_ < kMostFollowed) {
+        is_followed = true;
+        ++followed_;
+      }
+      if (is_followed) keep_varied(parts);
       if (parts.empty() || parts.size() > kMostParts) return std::nullopt;
+      const dvec2 size = glm::abs(parts[0].high - parts[0].low) / range_of(surface_.domain);
+      const int axis = size.x < size.y ? 1 : 0;
       std::vector<ParameterBox> halves;
       for (const ParameterBox& part : parts) {
         ParameterBox first = part;
         ParameterBox second = part;
-        first.high[depth % 2] = second.low[depth % 2] = part.middle()[depth % 2];
+        first.high[axis] = second.low[axis] = part.middle()[axis];
         halves.push_back(first);
         halves.push_back(second);
       }
@@ -160,7 +174,50 @@ class Narrowing {
         position, [](const Interval& a) { return a.continuous && a.defined == Defined::Yes; });
   }
 
+  /// Keeps the parts in which the surface varies the most; none if it comes to agree in all, nor if
+  /// it goes to infinity.
+  void keep_varied(std::vector<ParameterBox>& parts) const {
+    const std::vector<double> sizes = variations(parts);
+    const double most = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
+    const double least = std::max(kAgree * *diagonal_, kVaries * most);
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (most <= *diagonal_ && sizes[k] > least) order.push_back(k);
+    }
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return sizes[k]; });
+    if (order.size() > kMostParts) order.resize(kMostParts);
+    std::vector<ParameterBox> kept;
+    kept.reserve(order.size());
+    for (const std::size_t k : order) kept.push_back(parts[k]);
+    parts = std::move(kept);
+  }
+
+  /// How far apart places of the surface are in boxes, by nine of each.
+  std::vector<double> variations(std::span<const ParameterBox> boxes) const {
+    std::vector<dvec2> uv;
+    for (const ParameterBox& box : boxes) {
+      for (const double u : {box.low.x, box.middle().x, box.high.x}) {
+        for (const double v : {box.low.y, box.middle().y, box.high.y}) uv.emplace_back(u, v);
+      }
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface_, uv, 1);
+    std::vector<double> sizes;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      Bounds bounds;
+      for (const SurfacePoint& point : std::span(points).subspan(9 * k, 9)) {
+        if (is_finite(point.position)) bounds.add(point.position);
+      }
+      sizes.push_back(bounds.diagonal());
+    }
+    return sizes;
+  }
+
+  static dvec2 range_of(const Domain& d) { return glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)); }
+
+  const Surface& surface_;
   Enclosure enclosure_;
+  std::optional<double> diagonal_;  ///< for more parts
+  int followed_ = 0;
 };
 
 }  // namespace
@@ -203,8 +260,9 @@ bool ClosedCurve::is_near_chord(std::size_t number, const dvec3& place, double r
 }
 
 std::vector<std::optional<dvec2>> find_holes(const Surface& surface,
-                                             std::span<const ParameterBox> where) {
-  Narrowing narrow(surface);
+                                             std::span<const ParameterBox> where,
+                                             std::optional<double> diagonal) {
+  Narrowing narrow(surface, diagonal);
   std::vector<std::optional<dvec2>> places;
   for (const ParameterBox& box : where) places.push_back(narrow(box));
   return places;

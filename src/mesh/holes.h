@@ -47,9 +47,12 @@ struct Hole {
 };
 
 /// Where bounds leave room for a break in a box of parameters, if that is one point: as near as
-/// digits allow. Nothing if they leave none, or more.
+/// digits allow. Nothing if they leave none, or more. With the `diagonal` of a box around the
+/// surface, of more the point at which it has no limit, if there is one: they leave room along all
+/// of the line on which atan2 jumps, where sin(atan2(v, u)) does not.
 std::vector<std::optional<dvec2>> find_holes(const Surface& surface,
-                                             std::span<const ParameterBox> where);
+                                             std::span<const ParameterBox> where,
+                                             std::optional<double> diagonal = std::nullopt);
 
 /// Of each place, by what is in the domain around it. `diagonal`: of a box around the surface.
 std::vector<Hole> look_at_holes(const Surface& surface, std::span<const dvec2> places,

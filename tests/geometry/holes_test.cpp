@@ -77,6 +77,21 @@ TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
   EXPECT_GT(hole, 0);
 }
 
+/// Bounds leave room for a jump along all of the line on which atan2 has one: that goes through the
+/// point, which is a vertex with a value for 17 lines, and in the midst of a leaf for 16.
+TEST(Holes, WithoutALimitOnALineThatBoundsDoubtAreNamedAndLeftOut) {
+  for (const char* const z : {"sin(3*atan2(v,u))", "sin(2*atan2(v,u))", "cos(2*atan2(v,u))"}) {
+    for (const int lines : {16, 17}) {
+      AdaptiveOptions options = within_share(1e-3, 3);
+      options.lines_u = options.lines_v = lines;
+      const MeshReport report = mesh_within_tolerance(height_field(z), options).value().report;
+      EXPECT_LE(report.max_error, *report.tolerance) << z << ' ' << lines;
+      ASSERT_EQ(report.torn.size(), 1U) << z << ' ' << lines;
+      EXPECT_LT(glm::length(report.torn[0]), 1e-12) << z << ' ' << lines;
+    }
+  }
+}
+
 /// A line of jumps through corners of leaves is one point of each: ways there lead to as many
 /// places as it has sides, and sign(0) is one more.
 TEST(Holes, AreNoneAlongLinesOfJumps) {
