@@ -232,9 +232,8 @@ void Halving::look_far() {
   if (!options_.until_far) return;
   const auto& position = grid_.mesh.position;
   for (; seen_ < position.size(); ++seen_) {
-    if (is_finite(position[seen_]) && !proportionate_.contains(position[seen_])) {
-      far_.add(position[seen_]);
-    }
+    const dvec3& p = position[seen_];
+    if (!proportionate_.contains(p) && is_finite(p)) far_.add(p);
   }
 }
 
