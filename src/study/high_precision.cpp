@@ -19,6 +19,28 @@ Real truth(bool condition) {
 /// 308 + 308, 19 for the double that is nearest to a multiple, and 50 that are wanted.
 using Huge = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<700>>;
 
+/// Boost makes the limits of a type at their first use, and without a lock: here that is before
+/// there are threads. Its functions take those of numbers with expression templates, too.
+template <class T>
+bool make_limits() {
+  using Limits = std::numeric_limits<T>;
+  for (const auto limit : {Limits::min, Limits::max, Limits::epsilon, Limits::round_error,
+                           Limits::infinity, Limits::quiet_NaN}) {
+    limit();
+  }
+  return true;
+}
+template <class T>
+bool make_all_limits() {
+  namespace mp = boost::multiprecision;
+  using Backend = typename T::backend_type;
+  return make_limits<mp::number<Backend, mp::et_off>>() &&
+         make_limits<mp::number<Backend, mp::et_on>>();
+}
+[[maybe_unused]] const bool kHasLimits =
+    make_all_limits<Real>() && make_all_limits<boost::multiprecision::cpp_bin_float_100>() &&
+    make_all_limits<Huge>();
+
 /// x minus the nearest multiple of pi/2, and which multiple that is, modulo 4.
 struct Quadrant {
   Real rest;
