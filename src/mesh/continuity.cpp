@@ -90,10 +90,10 @@ class Prover {
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
     std::vector<LinePart> level = {line};
     for (int depth = 0; !level.empty() && depth < halvings_; ++depth) {
+      std::erase_if(level, [this](const LinePart& part) { return is_proved(part.part); });
       if (level.size() > kMostParts && depth >= kLeastHalvings) break;
       std::vector<LinePart> next;
       for (const LinePart& part : level) {
-        if (is_proved(part.part)) continue;
         if (const auto parts = cut(part)) {
           next.insert(next.end(), parts->begin(), parts->end());
         } else {

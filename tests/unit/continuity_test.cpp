@@ -57,6 +57,20 @@ TEST(Continuity, IsNotProvedAtJumpsAndPoles) {
   expect_only_at(unproved_of("1/(u-0.33)^2", 1e-3), {0.33});
 }
 
+TEST(Continuity, IsNotProvedAtAnyOfSomeBreaksOfALine) {
+  // Five, each in the second half of what was halved last.
+  const Surface surface = height_field("floor(20*u)");
+  const LinePart line{0, {dvec2(-0.7142857142857143, 0.3), dvec2(-0.45000000000000007, 0.3)}, 1};
+  std::size_t boxes = 0;
+  const std::vector<LinePart> parts = unproved(surface, {line}, 1e-3, boxes);
+  for (const double u : {-0.7, -0.65, -0.6, -0.55, -0.5}) {
+    const auto is_there = [u](const LinePart& part) {
+      return part.part[0].x - 1e-14 <= u && u <= part.part[1].x + 1e-14;
+    };
+    EXPECT_TRUE(std::ranges::any_of(parts, is_there)) << u;
+  }
+}
+
 TEST(Continuity, IsNotProvedOnEitherSideOfAKnownBreak) {
   const Surface surface = height_field("ln(abs(u-0.33))");
   const dvec2 pole(0.33, 0.3);
