@@ -307,7 +307,9 @@ class Certifier {
   }
 
   void suspect(const Part& part, bool is_hole = false) {
-    result_.suspects.push_back({part.leaf, part.box.middle(), part.box.size(), part.bend, is_hole});
+    const bool may_jump = part.why == Doubt::Discontinuous;
+    result_.suspects.push_back(
+        {part.leaf, part.box.middle(), part.box.size(), part.bend, is_hole, may_jump});
     doubt(part.why, part.box);
   }
 

@@ -22,8 +22,9 @@ struct Suspect {
   std::size_t leaf;
   dvec2 middle;
   dvec2 size;
-  dvec2 bend;            ///< bounds of |r_uu| and |r_vv|
-  bool is_hole = false;  ///< it is proved that the surface is not defined anywhere in it
+  dvec2 bend;             ///< bounds of |r_uu| and |r_vv|
+  bool is_hole = false;   ///< it is proved that the surface is not defined anywhere in it
+  bool may_jump = false;  ///< bounds do not exclude that the surface jumps in it
 };
 
 struct Certification {

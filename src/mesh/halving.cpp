@@ -86,6 +86,7 @@ void Halving::run(std::vector<Witness> witnesses) {
     if (failed.leaves.empty() && options_.certify) failed = take_islands(island_boxes);
     if (failed.leaves.empty() && measure_singular()) failed.leaves = take_failed();
     if (failed.leaves.empty() && options_.certify) failed = take_suspects();
+    if (failed.leaves.empty() && is_unrefined()) failed = take_torn();
     if (failed.leaves.empty()) break;
     add(failed);
   }
@@ -482,7 +483,7 @@ bool Halving::is_seen_hole(const Suspect& box) const {
   return std::max(part.x * along_u, part.y * along_v) > kOfTolerance * mesh_.allowed[box.leaf];
 }
 
-/// The leaves in which bounds found places that deviate too much, or holes that are seen.
+/// The leaves in which bounds found places that deviate too much, holes that are seen, or tears.
 Halving::Failed Halving::take_suspects() {
   const Certification proof =
       certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget_);
@@ -521,6 +522,43 @@ Halving::Failed Halving::take_suspects() {
     witnesses.push_back(
         {suspect.middle, points[k].position, suspect.size, suspect.bend, suspect.leaf});
   }
+  const std::vector<std::size_t> torn = find_torn(proof.suspects);
+  guilty.insert(torn.begin(), torn.end());
+  return take(guilty, std::move(witnesses));
+}
+
+/// The leaves with a tear alone.
+Halving::Failed Halving::take_torn() {
+  const Certification proof =
+      certify(surface_, grid_, lattice_, mesh_.leaves, mesh_.allowed, budget_);
+  const std::vector<std::size_t> torn = find_torn(proof.suspects);
+  return take({torn.begin(), torn.end()}, {});
+}
+
+/// Where bounds do not exclude a jump, looks for one along the sides of leaves: along the surface,
+/// as within a plane, none takes any sample far from its triangles. The leaves that are cut so.
+std::vector<std::size_t> Halving::find_torn(std::span<const Suspect> suspects) {
+  std::set<std::size_t> leaves;
+  for (const Suspect& suspect : suspects) {
+    const Leaf& leaf = mesh_.leaves[suspect.leaf];
+    const bool is_done = leaf.given_up || leaf.oscillates || leaf.leads_to_pole || is_clipped(leaf);
+    if (suspect.may_jump && !is_done) leaves.insert(suspect.leaf);
+  }
+  std::vector<Side> sides;
+  for (const std::size_t k : leaves) append_unsearched(mesh_.leaves[k], lattice_, sides);
+  sort_sides(sides);
+  find_jumps(sides, crossing_options(false), lattice_);
+  std::vector<std::size_t> torn;
+  for (const std::size_t k : leaves) {
+    Leaf& leaf = mesh_.leaves[k];
+    leaf.is_split = count_cuts(leaf, lattice_).crossings > 0;
+    if (leaf.is_split) torn.push_back(k);
+  }
+  return torn;
+}
+
+/// Takes leaves out, by their numbers, which witnesses tell them by.
+Halving::Failed Halving::take(const std::set<std::size_t>& guilty, std::vector<Witness> witnesses) {
   for (Witness& witness : witnesses) {
     witness.cell =
         static_cast<std::size_t>(std::distance(guilty.begin(), guilty.find(witness.cell)));

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -94,7 +95,10 @@ class Halving {
   std::vector<Leaf> take_failed();
   Failed take_islands(std::size_t& boxes);
   bool is_seen_hole(const Suspect& box) const;
+  std::vector<std::size_t> find_torn(std::span<const Suspect> suspects);
+  Failed take(const std::set<std::size_t>& guilty, std::vector<Witness> witnesses);
   Failed take_suspects();
+  Failed take_torn();
 
   const Surface& surface_;
   const AdaptiveOptions& options_;

@@ -96,6 +96,20 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
   }
 }
 
+TEST(Jumps, AlongASheetAreCutWhereNoSampleIsFarFromItsTriangles) {
+  // Narrower than cells, or with their middle at the very place of the jump, half way.
+  for (const char* const x :
+       {"u+sign(u)", "u+0.02*sign(u-0.03)", "u+0.1*floor(3*u+0.5)", "u+0.02*floor(20*u)"}) {
+    const GridMesh sheets = mesh_of(x, "v", "0", {-1, 1, -1, 1});
+    EXPECT_GT(sheets.report.jump_count, 0U) << x;
+    EXPECT_NEAR(area(sheets.mesh), 4, 1e-9) << x;
+  }
+  const GridMesh ring =
+      mesh_of("cos(u)*(2+v+sign(v))", "sin(u)*(2+v+sign(v))", "0", {0, 2 * kPi, -1, 1});
+  EXPECT_GT(ring.report.jump_count, 0U);
+  EXPECT_NEAR(area(ring.mesh), 8 * kPi, 0.5);
+}
+
 TEST(Jumps, MayEndInsideOfTheSurface) {
   const GridMesh result = mesh_of("atan2(v,u)");
   EXPECT_GT(result.report.jump_count, 0U);

@@ -124,6 +124,15 @@ TEST(SampledMesh, GoesUpToJumpsOnEitherSide) {
   EXPECT_NEAR(area(steps.mesh), 4, 1e-9);
 }
 
+TEST(SampledMesh, GoesUpToJumpsAlongASheet) {
+  for (const char* const x : {"u+sign(u)", "u+0.02*sign(u-0.03)"}) {
+    const GridMesh sheets =
+        sampled(surface_from_text(x, "v", "0", {-1, 1, -1, 1}, {}, Order::Second), 15);
+    EXPECT_GT(sheets.report.jump_count, 0U) << x;
+    EXPECT_NEAR(area(sheets.mesh), 4, 1e-9) << x;
+  }
+}
+
 TEST(SampledMesh, HasItsCreasesAsEdges) {
   const GridMesh fold = sampled("abs(u-v+0.03)");
   EXPECT_LE(fold.report.max_error, 1e-12);
