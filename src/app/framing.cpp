@@ -56,18 +56,23 @@ struct Sampled {
   std::vector<dvec3> positions;
   Bounds bounds;
   bool moves = false;
+  bool has_poles = false;  ///< as it seems
+  void keep_to(const Bounds& box) {
+    std::erase_if(positions, [&](const dvec3& p) { return !box.contains(p); });
+    bounds = Bounds();
+    for (const dvec3& p : positions) bounds.add(p);
+  }
 };
 
-/// The box that a surface is clipped to if it has poles, or outgrows its picture; nothing if it
-/// seems to do neither.
+/// Clips a surface as if it has poles or outgrows its picture, if it seems to do one of these.
 /// `coarse`: a box around each other sample.
-Bounds automatic_box(const std::vector<dvec3>& positions, const Bounds& coarse) {
-  Bounds all;
-  for (const dvec3& p : positions) all.add(p);
-  const dvec3 growth = all.size() - kGrowth * coarse.size();
-  const bool has_poles = !positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
-  if (!has_poles) return readable_box(all, positions).value_or(Bounds());
-  return clip_box(all, positions);
+void clip_automatically(const Bounds& coarse, Sampled& surface) {
+  const dvec3 growth = surface.bounds.size() - kGrowth * coarse.size();
+  surface.has_poles = !surface.positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
+  const std::optional<Bounds> box = surface.has_poles
+                                        ? clip_box(surface.bounds, surface.positions)
+                                        : readable_box(surface.bounds, surface.positions);
+  if (box) surface.keep_to(*box);
 }
 
 Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
@@ -86,14 +91,14 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
     const dvec3 p(xyz[0][i], xyz[1][i], xyz[2][i]);
     if (!is_finite(p)) continue;
     result.positions.push_back(p);
+    result.bounds.add(p);
     if (i / u.size() % 2 == 0 && i % u.size() % 2 == 0) coarse.add(p);
   }
-  Bounds box;
-  if (scene.clip.box) box = *scene.clip.box;
-  if (!scene.clip.box && scene.clip.automatic) box = automatic_box(result.positions, coarse);
-  if (!box.empty())
-    std::erase_if(result.positions, [&](const dvec3& p) { return !box.contains(p); });
-  for (const dvec3& p : result.positions) result.bounds.add(p);
+  if (scene.clip.box) {
+    result.keep_to(*scene.clip.box);
+  } else if (scene.clip.automatic) {
+    clip_automatically(coarse, result);
+  }
   return result;
 }
 
@@ -109,6 +114,24 @@ Samples sample_all(const Scene& scene, const Samples& last, unsigned threads) {
               : std::make_shared<const Sampled>(sample(scene, scene.surfaces[i], threads)));
   }
   return samples;
+}
+
+/// Of surfaces that have poles at some moments, keeps to what is clipped then at the others, too:
+/// a pole that is just outside of the range leaves a surface that is as high as one likes.
+void keep_to_clipped(std::vector<Samples>& moments) {
+  for (std::size_t i = 0; i < moments[0].size(); ++i) {
+    Bounds clipped;
+    for (const Samples& samples : moments) {
+      if (samples[i]->has_poles) clipped.add(samples[i]->bounds);
+    }
+    if (clipped.empty()) continue;
+    for (Samples& samples : moments) {
+      if (samples[i]->has_poles) continue;
+      auto kept = std::make_shared<Sampled>(*samples[i]);
+      kept->keep_to(clipped);
+      samples[i] = std::move(kept);
+    }
+  }
 }
 
 /// The largest distance from `centre` of a sample where it is drawn, at least `radius`.
@@ -201,9 +224,12 @@ void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
   for (const Scene& scene : scenes) {
     samples.push_back(sample_all(scene, samples.empty() ? Samples{} : samples.back(), threads));
     places.push_back(instances(scene));
+  }
+  keep_to_clipped(samples);
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
     Bounds box;
-    for (const Instance& at : places.back()) {
-      box.add(transformed(samples.back()[at.surface]->bounds, at.to_world));
+    for (const Instance& at : places[k]) {
+      box.add(transformed(samples[k][at.surface]->bounds, at.to_world));
     }
     if (!box.empty()) boxes.push_back(box);
   }

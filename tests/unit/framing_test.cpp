@@ -122,6 +122,16 @@ TEST(Framing, HasOneRangeOfColoursAtAllTimes) {
   EXPECT_TRUE(colors_of("u", "z=0").empty());                            // it is on the mesh itself
 }
 
+TEST(Framing, KeepsToWhatIsClippedWhileAPoleIsJustOutside) {
+  // At t = 1.01 the surface is 100 high, and nothing of it goes to infinity.
+  const Framing moving = framing_of({"z=1/(u+t)", "t=-2:2"});
+  EXPECT_LT(*moving.distance, fitting(10));
+  EXPECT_GT(*moving.distance, fitting(4));
+  // It is all that there is where the pole stays outside.
+  const Framing outside = framing_of({"z=1/(u+t)", "t=1.01:2"});
+  EXPECT_GT(*outside.distance, fitting(40));
+}
+
 TEST(Framing, HoldsAPeakAndCutsAPole) {
   const Framing peak = framing_of({"z=10*exp(-40*(u^2+v^2))+0*t", "t=0:1"});
   EXPECT_NEAR(peak.target->z, 5, 0.01);
