@@ -281,10 +281,10 @@ std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> p
   const int axis = longest_axis(all.size());
   double usual = next_longest(all.size(), axis);
   if (!(all.size()[axis] > kNeedle * usual)) {
-    // Along more than one axis, some go far beyond the others.
+    // Along more than one axis, some may go far beyond the others.
+    if (!(all.diagonal() > kNeedle * rough_box(points).diagonal())) return std::nullopt;
     const Bounds box = box_without_far_edges(whole, points);
-    const bool is_far = all.diagonal() > kNeedle * robust_box(points).diagonal();
-    return is_far && shows_some(box, whole) ? std::optional(box) : std::nullopt;
+    return shows_some(box, whole) ? std::optional(box) : std::nullopt;
   }
   std::vector<dvec3> sorted(points.begin(), points.end());
   std::ranges::sort(sorted, {}, [axis](const dvec3& p) { return p[axis]; });

@@ -66,7 +66,7 @@ Halving::Halving(const Surface& surface, const AdaptiveOptions& options, MeshPla
       foreseen_(foresee(plan)),
       budget_(surface.bounds) {
   if (!options.until_far || std::isinf(*options.until_far)) return;
-  const Bounds most = robust_box(plan.probe.positions());
+  const Bounds most = rough_box(plan.probe.positions());
   const dvec3 far(*options.until_far * most.diagonal());
   proportionate_ = {most.low - far, most.high + far};
 }

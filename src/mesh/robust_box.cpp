@@ -129,6 +129,15 @@ Bounds robust_box(std::span<const dvec3> points, const dvec3& longest) {
   return box;
 }
 
+Bounds rough_box(std::span<const dvec3> points) {
+  constexpr std::size_t kEnough = 100;
+  std::vector<dvec3> some;
+  const std::size_t count = std::min(points.size(), kEnough);
+  some.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) some.push_back(points[k * points.size() / count]);
+  return robust_box(some);
+}
+
 std::vector<dvec3> balanced_positions(const Surface& surface, unsigned threads) {
   std::vector<double> parts(kLines);
   for (std::size_t i = 0; i < kLines / 2; ++i) {

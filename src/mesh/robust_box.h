@@ -21,6 +21,10 @@ double quantile(std::span<double> numbers, double share);
 Bounds robust_box(std::span<const dvec3> points,
                   const dvec3& longest = dvec3(std::numeric_limits<double>::infinity()));
 
+/// robust_box() of a hundred of the points, spread over all: where orders of magnitude are asked
+/// for, that tells them in no time.
+Bounds rough_box(std::span<const dvec3> points);
+
 /// Finite positions spread over a surface, alike on all sides of the middle of its domain: of what
 /// changes its sign with those of u and v, or where they are exchanged, as many up as down.
 std::vector<dvec3> balanced_positions(const Surface& surface, unsigned threads);
