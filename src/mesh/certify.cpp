@@ -210,8 +210,7 @@ class Certifier {
     while (!level.empty()) {
       next.clear();
       for (const Cells& cells : level) {
-        const Box box = {{grid_.u[cells.first_u], grid_.v[cells.first_v]},
-                         {grid_.u[cells.end_u], grid_.v[cells.end_v]}};
+        const Box box = box_of(cells);
         if (budget_.boxes == 0) {
           doubt(Doubt::Work, box);
           continue;
@@ -226,8 +225,27 @@ class Certifier {
           halve(cells, next);
         }
       }
+      if (goes_beyond_budget(level.size(), next.size())) {
+        for (const Cells& cells : next) doubt(Doubt::Work, box_of(cells));
+        return;
+      }
       level.swap(next);
     }
+  }
+
+  /// Whether boxes that become more as those of this level do will not come down to single cells:
+  /// above those nothing is found that samples did not show.
+  bool goes_beyond_budget(std::size_t level, std::size_t next) const {
+    if (next < static_cast<std::size_t>(kFew)) return false;
+    const auto count = static_cast<double>(next);
+    const double growth = count / static_cast<double>(level);
+    const double generations = std::log2(static_cast<double>(grid_.cell_count()) / count);
+    return count * std::pow(growth, generations) > static_cast<double>(budget_.boxes);
+  }
+
+  Box box_of(const Cells& cells) const {
+    return {{grid_.u[cells.first_u], grid_.v[cells.first_v]},
+            {grid_.u[cells.end_u], grid_.v[cells.end_v]}};
   }
 
   static void halve(const Cells& cells, std::vector<Cells>& to) {

@@ -59,6 +59,14 @@ TEST(Proofs, AreGivenUpSoonWhereDerivativesAreKnownAndTooLarge) {
   EXPECT_LE(funnel.work.boxes, 2500U);
 }
 
+TEST(Proofs, AreGivenUpSoonWhereTheyWillNotComeDownToSingleCells) {
+  const Scene scene = scene_of("bourke-harmonic");
+  const Surface surface = prepare_surface(scene, scene.surfaces.front(), Order::Second).surface;
+  const MeshReport harmonic = mesh_of(surface, scene, 5e-4).report;
+  EXPECT_FALSE(harmonic.certified);
+  EXPECT_LE(harmonic.work.boxes, 4000U);
+}
+
 TEST(Proofs, AreGivenUpSoonAlongLinesOfEndlessDerivatives) {
   const MeshReport fold =
       report_on(surface_over("u", "v", "abs(u-0.1)^1.5+abs(v-0.3)^1.5", {-1, 1, -1, 1}));
