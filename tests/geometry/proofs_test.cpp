@@ -13,6 +13,12 @@ MeshReport report_on(const Surface& surface, double share = 1e-3) {
   return mesh_within_tolerance(surface, within_share(share))->report;
 }
 
+MeshReport report_on_gallery(const char* name, double share) {
+  const Scene scene = scene_of(name);
+  const Surface surface = prepare_surface(scene, scene.surfaces.front(), Order::Second).surface;
+  return mesh_of(surface, scene, share).report;
+}
+
 Surface surface_over(const char* x, const char* y, const char* z, const Domain& domain) {
   return surface_from_text(x, y, z, domain, {}, Order::Second);
 }
@@ -31,9 +37,7 @@ TEST(Proofs, HoldForSurfacesThatAreSmooth) {
 }
 
 TEST(Proofs, TakeThousandsOfBoxesForATubeAroundAKnot) {
-  const Scene scene = scene_of("trefoil-tube");
-  const Surface surface = prepare_surface(scene, scene.surfaces.front(), Order::Second).surface;
-  const MeshReport tube = mesh_of(surface, scene, 1e-3).report;
+  const MeshReport tube = report_on_gallery("trefoil-tube", 1e-3);
   EXPECT_TRUE(tube.certified);
   EXPECT_GT(tube.work.boxes, 2000U);
 }
@@ -60,9 +64,7 @@ TEST(Proofs, AreGivenUpSoonWhereDerivativesAreKnownAndTooLarge) {
 }
 
 TEST(Proofs, AreGivenUpSoonWhereTheyWillNotComeDownToSingleCells) {
-  const Scene scene = scene_of("bourke-harmonic");
-  const Surface surface = prepare_surface(scene, scene.surfaces.front(), Order::Second).surface;
-  const MeshReport harmonic = mesh_of(surface, scene, 5e-4).report;
+  const MeshReport harmonic = report_on_gallery("bourke-harmonic", 5e-4);
   EXPECT_FALSE(harmonic.certified);
   EXPECT_LE(harmonic.work.boxes, 4000U);
 }
