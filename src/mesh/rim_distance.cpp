@@ -121,15 +121,21 @@ std::vector<dvec2> RimDistance::ends_of(std::span<const Line> ways) const {
 /// chord, and else from inside to there.
 std::vector<Line> RimDistance::ways_to_rim(std::span<const SurfacePoint> at_middle) {
   std::vector<dvec2> across;
-  for (const Chord& chord : chords_) across.push_back(chord.across);
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    if (!is_seen(at_middle[k].position)) across.push_back(chords_[k].across);
+  }
   const std::vector<SurfacePoint> at_across = evaluate(surface_, across, threads_);
   evaluations_ += across.size();
   std::vector<Line> ways;
+  std::size_t next = 0;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const Chord& chord = chords_[k];
-    const dvec2 inside = is_seen(at_across[k].position) ? chord.across : chord.opposite;
-    ways.push_back(is_seen(at_middle[k].position) ? Line{chord.middle, chord.beyond}
-                                                  : Line{inside, chord.middle});
+    if (is_seen(at_middle[k].position)) {
+      ways.push_back({chord.middle, chord.beyond});
+    } else {
+      const bool is_inside = is_seen(at_across[next++].position);
+      ways.push_back({is_inside ? chord.across : chord.opposite, chord.middle});
+    }
   }
   return ways;
 }
