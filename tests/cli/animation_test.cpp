@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "base/image_png.h"
 #include "cli/program.h"
+#include "paths.h"
 #include "scene/scene_file.h"
 
 namespace saddle {
@@ -312,8 +313,8 @@ TEST_F(AnimationTest, LeavesNoVideoWhenFfmpegDies) {
 }
 
 TEST_F(AnimationTest, LeavesNothingWhenInterrupted) {
-  const std::string command = "cd '" + folder_.string() +
-                              "' && timeout -s INT 1 '" SADDLE_PROGRAM
+  const std::string command = "cd '" + folder_.string() + "' && timeout -s INT 1 '" +
+                              program_path() +
                               "' z='sin(u+t)' -o w.gif --frames 100000 -s 64x48 2>err";
   EXPECT_NE(std::system(command.c_str()), 0);
   EXPECT_EQ(files(), Words{"err"});
@@ -322,9 +323,8 @@ TEST_F(AnimationTest, LeavesNothingWhenInterrupted) {
 
 TEST_F(AnimationTest, ShowsItsProgressOnATerminalAlone) {
   const auto on_terminal = [&](const std::string& more) {
-    const std::string command = "cd '" + folder_.string() +
-                                "' && script -qec \"'" SADDLE_PROGRAM
-                                "' z='sin(u+t)' -o w-%d.png --frames 3 -s 64x48 " +
+    const std::string command = "cd '" + folder_.string() + "' && script -qec \"'" +
+                                program_path() + "' z='sin(u+t)' -o w-%d.png --frames 3 -s 64x48 " +
                                 more + "\" /dev/null >out </dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0);
     return content("out");

@@ -1,4 +1,5 @@
 #include "cli/program.h"
+#include "paths.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -31,7 +32,7 @@ Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesys
   const std::filesystem::path captured = mkdtemp(pattern.data());
   const std::string out = standard_output.empty() ? (captured / "out").string() : standard_output;
   const std::string err = captured / "err";
-  std::vector<std::string> words = {SADDLE_PROGRAM};
+  std::vector<std::string> words = {program_path()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

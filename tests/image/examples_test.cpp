@@ -14,6 +14,7 @@
 
 #include "base/image_png.h"
 #include "image/lighting_reference.h"
+#include "paths.h"
 
 namespace saddle {
 namespace {
@@ -29,9 +30,8 @@ constexpr double kCurvedTolerance = 6;
 /// Draws an example with one sample per pixel.
 Image draw(const std::string& name, const std::string& arguments) {
   const std::string out = testing::TempDir() + "/example-" + std::to_string(::getpid()) + ".png";
-  const std::string command = std::string(SADDLE_PROGRAM) +
-                              " " SADDLE_SOURCE_DIR "/examples/lighting/" + name + ".toml " +
-                              arguments + " --antialias 1 -o " + out;
+  const std::string command = program_path() + " " + source_folder() + "/examples/lighting/" +
+                              name + ".toml " + arguments + " --antialias 1 -o " + out;
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   Image image = read_png(out).image;
   std::filesystem::remove(out);
@@ -367,11 +367,11 @@ TEST(Examples, SpotEdgesAreHardLinearAndSmooth) {
 TEST(Examples, DrawWithoutWarnings) {
   int drawn = 0;
   for (const auto& file :
-       std::filesystem::recursive_directory_iterator(SADDLE_SOURCE_DIR "/examples")) {
+       std::filesystem::recursive_directory_iterator(source_folder() + "/examples")) {
     if (file.path().extension() != ".toml") continue;
     const std::string errors = testing::TempDir() + "/warnings-" + std::to_string(::getpid());
-    const std::string command = std::string(SADDLE_PROGRAM) + " " + file.path().string() +
-                                " -s 60x60 -o " + errors + ".png 2>" + errors;
+    const std::string command =
+        program_path() + " " + file.path().string() + " -s 60x60 -o " + errors + ".png 2>" + errors;
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::stringstream said;
     said << std::ifstream(errors).rdbuf();
@@ -385,8 +385,8 @@ TEST(Examples, DrawWithoutWarnings) {
 
 TEST(Examples, AreListedOnTheirPage) {
   std::stringstream page;
-  page << std::ifstream(SADDLE_SOURCE_DIR "/examples/README.md").rdbuf();
-  for (const auto& file : std::filesystem::directory_iterator(SADDLE_SOURCE_DIR "/examples")) {
+  page << std::ifstream(source_folder() + "/examples/README.md").rdbuf();
+  for (const auto& file : std::filesystem::directory_iterator(source_folder() + "/examples")) {
     if (file.path().extension() != ".toml") continue;
     const std::string name = file.path().stem();
     const std::string row = "[" + name + "](" + name + ".toml) | ![](../tests/golden/";

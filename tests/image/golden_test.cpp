@@ -10,6 +10,7 @@
 
 #include "base/image_compare.h"
 #include "base/image_png.h"
+#include "paths.h"
 #include "scene/gallery.h"
 
 namespace saddle {
@@ -56,12 +57,12 @@ std::vector<Golden> golden_pictures() {
                                                         {"curvature", ""},
                                                         {"color", ""},
                                                         {"colonnade", ""}}) {
-    pictures.push_back({"example-" + name, SADDLE_SOURCE_DIR "/examples/" + name + ".toml " +
+    pictures.push_back({"example-" + name, source_folder() + "/examples/" + name + ".toml " +
                                                arguments + " -s 240x180"});
   }
-  const std::string examples = SADDLE_SOURCE_DIR "/examples/lighting/";
-  pictures.push_back({"exact-normals", SADDLE_SOURCE_DIR "/examples/exact-normals.toml"});
-  pictures.push_back({"see-through", SADDLE_SOURCE_DIR "/examples/see-through.toml"});
+  const std::string examples = source_folder() + "/examples/lighting/";
+  pictures.push_back({"exact-normals", source_folder() + "/examples/exact-normals.toml"});
+  pictures.push_back({"see-through", source_folder() + "/examples/see-through.toml"});
   for (const auto& [name, arguments] :
        std::vector<std::pair<std::string, std::string>>{{"viewpoint-cube", "light=1"},
                                                         {"specular-torus", "light=4"},
@@ -102,9 +103,9 @@ TEST_P(GoldenPicture, LooksAsItDid) {
       std::filesystem::path(output_folder()) / (golden.name + ".png");
   const std::string size = golden.arguments.find("-s ") == std::string::npos ? " -s 240x180" : "";
   const std::string command =
-      std::string(SADDLE_PROGRAM) + " " + golden.arguments + size + " --quiet -o " + fresh.string();
+      program_path() + " " + golden.arguments + size + " --quiet -o " + fresh.string();
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
-  const std::string known = SADDLE_SOURCE_DIR "/tests/golden/" + golden.name + ".png";
+  const std::string known = source_folder() + "/tests/golden/" + golden.name + ".png";
   ASSERT_TRUE(std::filesystem::exists(known)) << "no golden picture; look at it: ./dev golden";
   const ImageDifference difference =
       compare_images(read_png(known).image, read_png(fresh.string()).image);

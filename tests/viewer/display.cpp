@@ -1,4 +1,5 @@
 #include "viewer/display.h"
+#include "paths.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -87,7 +88,7 @@ void ViewerTest::TearDown() {
 }
 
 void ViewerTest::open(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), SADDLE_PROGRAM);
+  arguments.insert(arguments.begin(), program_path());
   viewer_ = start(arguments, [&] {
     setenv("DISPLAY", display_.c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
@@ -111,7 +112,7 @@ int ViewerTest::status() {
 }
 
 int ViewerTest::run(const std::vector<std::string>& arguments, const std::string& display) {
-  std::vector<std::string> words{SADDLE_PROGRAM};
+  std::vector<std::string> words{program_path()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t child = start(words, [&] {
     display.empty() ? unsetenv("DISPLAY") : setenv("DISPLAY", display.c_str(), 1);
