@@ -1,7 +1,7 @@
 // The built-in surfaces. Closed ones and tubes have r_u x r_v pointing outward, so that their
 // outside is the front.
 // Source of most: A. Gray, "Modern Differential Geometry of Curves and Surfaces with Mathematica",
-// 2006. Every formula is checked in tests/geometry/gallery_test.cpp.
+// 2006. Every formula is checked in tests/geometry/gallery/.
 #include "scene/gallery.h"
 
 #include <algorithm>

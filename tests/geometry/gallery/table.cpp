@@ -1,4 +1,4 @@
-#include "geometry/gallery_table_parts.h"
+#include "geometry/gallery/table_parts.h"
 
 namespace saddle {
 

@@ -1,5 +1,5 @@
 // The gallery's list, and which way its surfaces face. What else is true of each of them stands in
-// gallery_table.cpp.
+// table.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 
 namespace saddle {
 namespace {

@@ -1,5 +1,5 @@
 // Facts of tubes, shells and other bodies.
-#include "geometry/gallery_table_parts.h"
+#include "geometry/gallery/table_parts.h"
 
 namespace saddle {
 namespace {

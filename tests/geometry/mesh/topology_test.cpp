@@ -1,5 +1,5 @@
 // Euler numbers, edges and sides of meshes made by hand and of changed surfaces; those of the
-// gallery as it is stand in gallery_table.cpp.
+// gallery as it is stand in gallery/table.cpp.
 #include "mesh/topology.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 #include "surface_from_text.h"
 
 namespace saddle {

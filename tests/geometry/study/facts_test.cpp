@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 #include "surface_from_text.h"
 
 namespace saddle {

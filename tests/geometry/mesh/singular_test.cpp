@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "adaptive_options.h"
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 #include "mesh/sampled_mesh.h"
 #include "mesh/topology.h"
 #include "surface/normal.h"

@@ -11,7 +11,7 @@
 #include "eval/batch.h"
 #include "formula/derive.h"
 #include "formula/scope.h"
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 
 namespace saddle {
 

@@ -6,8 +6,8 @@
 
 #include <glm/vector_relational.hpp>
 
-#include "geometry/gallery_forms.h"
-#include "geometry/gallery_table.h"
+#include "geometry/gallery/forms.h"
+#include "geometry/gallery/table.h"
 #include "mesh/grid_mesh.h"
 #include "mesh/topology.h"
 

@@ -1,5 +1,5 @@
 // Facts of quadrics, surfaces of revolution and those of constant curvature.
-#include "geometry/gallery_table_parts.h"
+#include "geometry/gallery/table_parts.h"
 
 namespace saddle {
 namespace {

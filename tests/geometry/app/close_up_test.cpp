@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/tessellate.h"
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 #include "view/pick.h"
 
 namespace saddle {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 #include "mesh/topology.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"

@@ -12,7 +12,7 @@
 #include "adaptive_options.h"
 #include "app/tolerance.h"
 #include "base/random.h"
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 #include "mesh/cost_model.h"
 #include "mesh/grid_within.h"
 #include "mesh_checks.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "adaptive_options.h"
-#include "geometry/gallery_samples.h"
+#include "geometry/gallery/samples.h"
 #include "mesh/adaptive_mesh.h"
 #include "surface_from_text.h"
 

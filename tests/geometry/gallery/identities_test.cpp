@@ -1,6 +1,6 @@
 // Identities of gallery surfaces with other parameters than their own; those of the surfaces as
-// they are stand in gallery_table.cpp.
-#include "geometry/gallery_forms.h"
+// they are stand in table.cpp.
+#include "geometry/gallery/forms.h"
 
 namespace saddle {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/gallery_table.h"
+#include "geometry/gallery/table.h"
 
 namespace saddle {
 

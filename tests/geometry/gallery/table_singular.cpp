@@ -1,5 +1,5 @@
 // Facts of surfaces that are one-sided or singular.
-#include "geometry/gallery_table_parts.h"
+#include "geometry/gallery/table_parts.h"
 
 namespace saddle {
 namespace {

@@ -1,0 +1,41 @@
+#!/usr/bin/python3 -B
+"""Where tests of a source are: src/FOLDER/NAME has its tests in FOLDER/NAME_test.cpp of tests/unit or
+tests/geometry. Files about a behaviour that several sources share are listed here."""
+import tree
+
+# What else the programs' folders hold.
+FOLDERS = {"geometry": {"gallery"}}
+BEHAVIOURS = {
+    "unit/eval/interval_functions",
+    "unit/eval/tiles",
+    "geometry/app/close_up",
+    "geometry/app/dependent_domain",
+    "geometry/mesh/bounded_work",
+    "geometry/mesh/cuts",
+    "geometry/mesh/grid_mesh_report",
+    "geometry/mesh/poles",
+    "geometry/mesh/rims",
+    "geometry/mesh/seams",
+}
+
+
+def complaints(names):
+    tests = set()
+    for name in names:
+        program, *folders = name.parent.parts[1:]
+        own = FOLDERS.get(program, set())
+        if len(folders) != 1 or not ((tree.ROOT / "src" / folders[0]).is_dir() or folders[0] in own):
+            yield f"{name}: not in a folder of tests/{program}/ that src/ has too"
+        elif folders[0] not in own and name.stem.endswith("_test"):
+            source = name.stem.removesuffix("_test")
+            tests.add(f"{program}/{folders[0]}/{source}")
+            if not any((tree.ROOT / "src" / folders[0] / source).with_suffix(suffix).is_file()
+                       for suffix in (".h", ".cpp")):
+                if f"{program}/{folders[0]}/{source}" not in BEHAVIOURS:
+                    yield f"{name}: there is no src/{folders[0]}/{source}.h or .cpp"
+    yield from (f"tests/{missing}_test.cpp: listed, and not there"
+                for missing in sorted(BEHAVIOURS - tests))
+
+
+sources = list(tree.files("tests/unit", "tests/geometry"))
+tree.finish(complaints(sources), len(sources), "files of tests")
