@@ -6,8 +6,6 @@ import tree
 # What else the programs' folders hold.
 FOLDERS = {"geometry": {"gallery"}}
 BEHAVIOURS = {
-    "unit/eval/interval_functions",
-    "unit/eval/tiles",
     "geometry/app/close_up",
     "geometry/app/dependent_domain",
     "geometry/mesh/bounded_work",

@@ -1,12 +1,16 @@
-// Tapes give what the graph says, on grids and lists of points, for any number of threads.
+// Tapes give what the graph says, on grids and lists of points, for any number of threads; tiles
+// cover a grid.
 #include "eval/batch.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "formula/derive.h"
 #include "graph_value.h"
@@ -91,6 +95,55 @@ TEST(Batch, GivesTheSameBitsOnGridsAndPointsForAnyNumberOfThreads) {
     EXPECT_TRUE(same_bits(reference, on_points(tape, grid, 1))) << text;
     EXPECT_TRUE(same_bits(reference, on_points(tape, grid, 3))) << text;
   }
+}
+
+TEST(GridTiling, CoversEveryCellOnce) {
+  for (const auto& [cells_u, cells_v] : {std::pair{1, 1}, {7, 3}, {8, 16}, {17, 9}, {1, 30}}) {
+    const GridTiling tiling(static_cast<std::size_t>(cells_u), static_cast<std::size_t>(cells_v),
+                            8);
+    std::vector<int> covered(static_cast<std::size_t>(cells_u * cells_v), 0);
+    for (std::size_t k = 0; k < tiling.count(); ++k) {
+      const GridTile tile = tiling.tile(k);
+      EXPECT_EQ(tile.index, k);
+      for (std::size_t j = tile.row; j + 1 < tile.row + tile.rows; ++j) {
+        for (std::size_t i = tile.column; i + 1 < tile.column + tile.columns; ++i) {
+          ++covered.at(j * static_cast<std::size_t>(cells_u) + i);
+        }
+      }
+    }
+    EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), cells_u * cells_v);
+  }
+}
+
+TEST(EvaluateTiles, HandsOutTheBitsOfTheWholeGrid) {
+  Graph graph;
+  const std::vector<NodeId> outputs = {testing::parse(graph, "sin(u)*cos(v)"),
+                                       testing::parse(graph, "exp(u)"),
+                                       testing::parse(graph, "v^3"), testing::parse(graph, "2")};
+  const Tape tape = compile(graph, outputs);
+  const std::vector<double> u = steps(-1, 0.1, 39);
+  const std::vector<double> v = steps(-1, 0.13, 21);
+  std::vector<std::vector<double>> whole(4, std::vector<double>(u.size() * v.size()));
+  evaluate_grid(tape, u, v,
+                std::vector{whole[0].data(), whole[1].data(), whole[2].data(), whole[3].data()});
+  std::atomic<std::size_t> seen = 0;
+  evaluate_tiles(tape, u, v, GridTiling(38, 20, 8), 2, [&](TileRows& rows) {
+    std::size_t expected_row = rows.tile().row;
+    while (rows.next()) {
+      ASSERT_EQ(rows.row(), expected_row++);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Operand& from = rows.outputs()[k];
+        for (std::size_t i = 0; i < rows.tile().columns; ++i) {
+          const std::size_t vertex = rows.row() * u.size() + rows.tile().column + i;
+          ASSERT_EQ(from.data[from.varies ? i : 0], whole[k][vertex]) << k;
+        }
+      }
+      seen += rows.tile().columns;
+    }
+    EXPECT_EQ(expected_row, rows.tile().row + rows.tile().rows);
+  });
+  // Four inner borders each way, shared by two tiles.
+  EXPECT_EQ(seen, (39 + 4) * (21 + 2));
 }
 
 TEST(Tape, RunsWhatDependsOnOneParameterOncePerColumnOrRow) {
