@@ -2,12 +2,13 @@
 #include "paths.h"
 
 #include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+
+#include "wait_for_child.h"
 
 namespace saddle {
 namespace {
@@ -48,8 +49,7 @@ Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesys
     execv(argv[0], argv.data());
     _exit(127);
   }
-  int status = 0;
-  waitpid(child, &status, 0);
+  const int status = wait_for_child(child);
   Outcome run;
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   run.out = standard_output.empty() ? contents(out) : "";

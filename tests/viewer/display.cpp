@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/image_png.h"
+#include "wait_for_child.h"
 
 namespace saddle {
 namespace {
@@ -54,7 +55,7 @@ int status_of(pid_t child) {
 void end(pid_t child) {
   if (child <= 0) return;
   kill(child, SIGTERM);
-  waitpid(child, nullptr, 0);
+  wait_for_child(child);
 }
 
 bool is_there(const std::string& program) {

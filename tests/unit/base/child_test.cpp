@@ -75,15 +75,16 @@ TEST(Child, WritesToAFileWithoutANameThatItInherits) {
 TEST(Child, EndsWithItsOwner) {
   const UnnamedFile file;
   {
-    Child child({"sh", "-c", "echo $$ >" + file.path() + "; exec sleep 1000"}, "dash",
-                std::array{file.descriptor()});
-    while (lseek(file.descriptor(), 0, SEEK_END) == 0) usleep(1000);
+    const std::string script = "echo $$ >" + file.path() + "; read line; echo survived >>";
+    Child child({"sh", "-c", script + file.path()}, "dash", std::array{file.descriptor()});
+    for (int i = 0; i < 60'000 && lseek(file.descriptor(), 0, SEEK_END) == 0; ++i) usleep(1000);
   }
   std::ostringstream text;
   file.copy_to(text);
   const int process = std::stoi(text.str());
   EXPECT_GT(process, 0);
   EXPECT_EQ(kill(process, 0), -1);  // there is none
+  EXPECT_EQ(text.str(), std::to_string(process) + "\n");
 }
 
 }  // namespace

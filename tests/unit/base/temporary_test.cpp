@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/file.h"
+#include "wait_for_child.h"
 
 namespace saddle {
 namespace {
@@ -41,6 +42,16 @@ class KilledRun : public testing::Test {
   fs::path folder;
 };
 
+/// Writes half of `path`, says so to `ready`, and waits for a signal.
+[[noreturn]] void write_half(const fs::path& path, int ready) noexcept {
+  write_file_whole(path, [ready](std::ostream& out) {
+    out << kLarge << std::flush;
+    if (write(ready, "x", 1) != 1) _exit(1);
+    while (true) pause();
+  });
+  _exit(1);
+}
+
 /// Starts a process that writes half of `path`, lets `inspect` look, sends `signal_number` and
 /// returns how the process ended.
 int end_in_the_middle(const fs::path& path, int signal_number,
@@ -49,22 +60,17 @@ int end_in_the_middle(const fs::path& path, int signal_number,
   EXPECT_EQ(pipe(ready), 0);
   const pid_t child = fork();
   if (child == 0) {
+    signal(signal_number, SIG_DFL);  // under nohup or in a background job it is ignored
     remove_temporaries_on_signals();
-    write_file_whole(path, [&ready](std::ostream& out) {
-      out << kLarge << std::flush;
-      if (write(ready[1], "x", 1) != 1) _exit(1);
-      while (true) pause();
-    });
+    write_half(path, ready[1]);
   }
+  close(ready[1]);
   char letter = 0;
-  EXPECT_EQ(read(ready[0], &letter, 1), 1);
+  EXPECT_EQ(read(ready[0], &letter, 1), 1) << "the process ended before it wrote";
+  close(ready[0]);
   inspect();
   EXPECT_EQ(kill(child, signal_number), 0);
-  int status = 0;
-  EXPECT_EQ(waitpid(child, &status, 0), child);
-  close(ready[0]);
-  close(ready[1]);
-  return status;
+  return wait_for_child(child);
 }
 
 TEST_F(KilledRun, LeavesNothingAtAllWhenItIsAskedToEnd) {
@@ -72,7 +78,7 @@ TEST_F(KilledRun, LeavesNothingAtAllWhenItIsAskedToEnd) {
     const int status =
         end_in_the_middle(folder / "a", signal_number, [this] { EXPECT_EQ(names().size(), 1u); });
     EXPECT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(WTERMSIG(status), signal_number);
+    ASSERT_EQ(WTERMSIG(status), signal_number);
     EXPECT_EQ(names(), Names{}) << "signal " << signal_number;
   }
 }
@@ -92,20 +98,21 @@ TEST_F(KilledRun, LeavesNothingUnderTheFinalNameWhenItCannotEvenCleanUp) {
 }
 
 TEST_F(KilledRun, GoesOnAfterASignalThatItWasStartedToIgnore) {
-  const pid_t child = fork();
-  if (child == 0) {
-    signal(SIGHUP, SIG_IGN);
-    remove_temporaries_on_signals();
-    write_file_whole(folder / "a", [](std::ostream& out) {
-      raise(SIGHUP);
-      out << "whole";
-    });
-    _exit(0);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+    const fs::path path = folder / std::to_string(signal_number);
+    const pid_t child = fork();
+    if (child == 0) {
+      signal(signal_number, SIG_IGN);
+      remove_temporaries_on_signals();
+      write_file_whole(path, [signal_number](std::ostream& out) {
+        raise(signal_number);
+        out << "whole";
+      });
+      _exit(0);
+    }
+    EXPECT_EQ(wait_for_child(child), 0);
+    EXPECT_EQ(read_file(path), "whole");
   }
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(read_file(folder / "a"), "whole");
 }
 
 }  // namespace
