@@ -44,7 +44,7 @@ SurfaceMesh mesh_for_viewer(const Scene& scene, std::size_t surface, Detail deta
   Tessellation result =
       tessellate(asked, asked.surfaces[surface], {.picture = true, .mesh = false}, line.threads);
   if (line.quiet) result.warnings.clear();
-  return {std::move(result.mesh), std::move(result.report.mesh), std::move(result.warnings)};
+  return {std::move(result.mesh), std::move(result.report), std::move(result.warnings)};
 }
 
 /// The camera of an animation, where it fits itself, holds all of it. A scene with an error is left

@@ -72,7 +72,7 @@ std::optional<Bounds> clip_of(const Scene& scene) {
   coarse.mesh.tolerance = ToleranceValue{kTolerances[0], false};
   Purpose purpose;
   purpose.mesh = true;
-  return tessellate(coarse, coarse.surfaces.at(0), purpose, 0).report.mesh.clip;
+  return tessellate(coarse, coarse.surfaces.at(0), purpose, 0).report.clip;
 }
 
 void measure(const std::string& name, Mean& mean) {

@@ -35,7 +35,7 @@ class PlaneModel {
     result.scene.picture.height = 300;
     result.tessellate = [](const Scene& scene, std::size_t surface, Detail) {
       Tessellation made = tessellate(scene, scene.surfaces[surface], {.picture = true}, 1);
-      return SurfaceMesh{std::move(made.mesh), std::move(made.report.mesh), {}};
+      return SurfaceMesh{std::move(made.mesh), std::move(made.report), {}};
     };
     return result;
   }
