@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "app/build_scene.h"
-#include "app/check_surface.h"
 #include "app/commands.h"
 #include "app/describe.h"
 #include "app/run_report.h"
 #include "app/standard_output.h"
+#include "study/check_surface.h"
 
 namespace saddle {
 

@@ -10,7 +10,6 @@
 
 #include "app/build_scene.h"
 #include "app/commands.h"
-#include "app/framing.h"
 #include "app/outputs.h"
 #include "app/progress.h"
 #include "app/reference.h"
@@ -19,6 +18,7 @@
 #include "app/shots.h"
 #include "base/image_png.h"
 #include "export/video.h"
+#include "render/framing.h"
 #include "render/picture.h"
 #include "scene/instances.h"
 #include "scene/scene_file.h"

@@ -6,7 +6,7 @@
 
 #include "app/commands.h"
 #include "app/report.h"
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 
 namespace saddle {
 

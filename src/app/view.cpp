@@ -6,10 +6,10 @@
 
 #include "app/build_scene.h"
 #include "app/commands.h"
-#include "app/framing.h"
 #include "app/outputs.h"
-#include "app/tessellate.h"
 #include "base/error.h"
+#include "meshing/tessellate.h"
+#include "render/framing.h"
 #include "view/viewer.h"
 
 namespace saddle {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 #include "scene/gallery.h"
 
 namespace saddle {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/tessellate.h"
 #include "base/error.h"
 #include "mesh/adaptive_mesh.h"
+#include "meshing/tessellate.h"
 #include "scene/assignments.h"
 #include "scene/gallery.h"
 #include "scene/resolve.h"

@@ -7,10 +7,10 @@
 #include <limits>
 #include <string>
 
-#include "app/tessellate.h"
 #include "base/random.h"
 #include "mesh/topology.h"
 #include "mesh_checks.h"
+#include "meshing/tessellate.h"
 #include "scene/gallery.h"
 #include "scene/prepare.h"
 #include "study_subject.h"

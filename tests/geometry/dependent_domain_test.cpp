@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "app/check_surface.h"
 #include "mesh_checks.h"
 #include "scene/assignments.h"
 #include "scene/resolve.h"
+#include "study/check_surface.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <semaphore>
 
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 #include "view/hand.h"
 
 namespace saddle {

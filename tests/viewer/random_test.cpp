@@ -12,9 +12,9 @@
 #include <string>
 #include <thread>
 
-#include "app/tessellate.h"
 #include "base/error.h"
 #include "base/random.h"
+#include "meshing/tessellate.h"
 #include "random_formula.h"
 #include "render/canvas.h"
 #include "render/renderer.h"

@@ -1,4 +1,4 @@
-#include "app/check_surface.h"
+#include "study/check_surface.h"
 
 #include <span>
 #include <utility>

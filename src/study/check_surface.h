@@ -1,7 +1,7 @@
 // A surface of a scene with its mesh and what is true of it: for `saddle check`.
 #pragma once
 
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 #include "scene/scene.h"
 #include "study/facts.h"
 

@@ -1,5 +1,5 @@
 // The mesh that suits what it is for, with a uniform grid for --samples and for what has no other.
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "app/warnings.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh/choose.h"
 #include "mesh/clip.h"
@@ -21,7 +20,8 @@
 #include "mesh/sampled_mesh.h"
 #include "mesh/tidy.h"
 #include "mesh/topology.h"
-#include "study/defined_share.h"
+#include "meshing/warnings.h"
+#include "surface/defined_share.h"
 
 namespace saddle {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/tolerance.h"
 #include "mesh/color_mesh.h"
 #include "mesh/grid_mesh.h"
+#include "meshing/tolerance.h"
 #include "scene/prepare.h"
 #include "scene/scene.h"
 
