@@ -26,7 +26,7 @@ void run_check(const CommandLine& line, Clock::time_point start) {
     words += describe(surface, checked.tessellation.mesh);
   }
   print_warnings(line, report.warnings);
-  report.times.total = since(start);
+  report.times.total = milliseconds_since(start);
   if (line.report != "-") print(words);
   send_report(line.report, report);
   if (line.strict) fail_on_warnings(report);

@@ -9,10 +9,6 @@
 
 namespace saddle {
 
-double since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
 SurfaceReport report_of(const std::string& name, Tessellation& tessellation) {
   const Mesh& mesh = tessellation.mesh;
   SurfaceReport report;

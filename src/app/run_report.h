@@ -4,14 +4,11 @@
 #include <span>
 #include <string>
 
-#include "app/commands.h"
+#include "app/cli.h"
 #include "app/report.h"
 #include "meshing/tessellate.h"
 
 namespace saddle {
-
-/// Milliseconds since then.
-double since(Clock::time_point begin);
 
 /// The report of a surface by its name. Moves the mesh's report there; the mesh stays.
 SurfaceReport report_of(const std::string& name, Tessellation& tessellation);
