@@ -189,8 +189,7 @@ ViewerSetup torus() {
     Scene asked = scene;
     asked.mesh.max_triangles = 50'000;  // it is no test of patience
     if (detail == Detail::Preview) asked.mesh.samples = GridSize{30, 30};
-    Tessellation result = tessellate(asked, asked.surfaces[surface], {.picture = true}, 0);
-    return SurfaceMesh{std::move(result.mesh), std::move(result.report), {}};
+    return tessellate(asked, asked.surfaces[surface], {.picture = true}, 0);
   };
   setup.reload = [] { return gallery_scene(*find_gallery_entry("torus")); };
   return setup;
