@@ -9,9 +9,9 @@
 #include "app/commands.h"
 #include "app/progress.h"
 #include "app/standard_output.h"
-#include "app/tessellate.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "meshing/tessellate.h"
 #include "render/picture_in_tiles.h"
 #include "study/chart.h"
 #include "study/study.h"
@@ -89,7 +89,7 @@ void add_picture(const CommandLine& line, Subject& subject) {
   one_pixel.mesh.tolerance = ToleranceValue{1, true};
   one_pixel.mesh.samples.reset();
   const Tessellation mesh = tessellate(one_pixel, subject.spec, {true, false}, line.threads);
-  const MeshReport& report = mesh.report.mesh;
+  const MeshReport& report = mesh.report;
   subject.threads = line.threads;
   subject.width = scene.picture.width;
   subject.height = scene.picture.height;

@@ -1,9 +1,14 @@
 // saddle check: what is true of a surface, in words and as a report; nothing is drawn.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "app/build_scene.h"
 #include "app/commands.h"
 #include "app/describe.h"
 #include "app/run_report.h"
 #include "app/standard_output.h"
+#include "study/check_surface.h"
 
 namespace saddle {
 
@@ -12,12 +17,16 @@ void run_check(const CommandLine& line, Clock::time_point start) {
   RunReport report;
   std::string words;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    const Mesh mesh =
-        file(tessellate(scene, spec, {.mesh = true, .facts = true}, line.threads), report);
-    words += describe(report.surfaces.back(), mesh);
+    CheckedSurface checked = check_surface(scene, spec, line.threads);
+    add_times(checked.tessellation, report.times);
+    std::ranges::move(checked.tessellation.warnings, std::back_inserter(report.warnings));
+    SurfaceReport& surface =
+        report.surfaces.emplace_back(report_of(spec.name, checked.tessellation));
+    surface.facts = std::move(checked.facts);
+    words += describe(surface, checked.tessellation.mesh);
   }
   print_warnings(line, report.warnings);
-  report.times.total = since(start);
+  report.times.total = milliseconds_since(start);
   if (line.report != "-") print(words);
   send_report(line.report, report);
   if (line.strict) fail_on_warnings(report);

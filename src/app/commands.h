@@ -1,13 +1,10 @@
 // What the program can do: one function per command, each in a file of its own.
 #pragma once
 
-#include <chrono>
-
 #include "app/cli.h"
+#include "app/clock.h"
 
 namespace saddle {
-
-using Clock = std::chrono::steady_clock;
 
 /// Formulas to pictures, meshes and reports. `start` is when the program began. Throws Error;
 /// Machine if the picture differs from the reference by more than the threshold.

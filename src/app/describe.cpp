@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "app/warnings.h"
 #include "app/words.h"
+#include "meshing/warnings.h"
 
 namespace saddle {
 

@@ -1,283 +1,158 @@
 // saddle FORMULAS or NAME: check the outputs, then for each moment mesh what is another surface
 // than before, draw and write; report.
 #include <algorithm>
-#include <future>
 #include <iostream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "app/build_scene.h"
 #include "app/commands.h"
-#include "app/framing.h"
-#include "app/outputs.h"
+#include "app/output_writer.h"
+#include "app/picture_drawer.h"
+#include "app/plan.h"
 #include "app/progress.h"
 #include "app/reference.h"
 #include "app/run_report.h"
 #include "app/scene_meshes.h"
-#include "app/shots.h"
-#include "base/image_png.h"
-#include "export/video.h"
-#include "render/picture.h"
-#include "scene/instances.h"
-#include "scene/scene_file.h"
+#include "render/framing.h"
 
 namespace saddle {
 namespace {
 
-Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
-  const auto is_picture = [](const Output& output) {
-    return output.format == Format::Png || output.is_video();
-  };
-  const auto is_mesh = [](const Output& output) { return output.format == Format::Ply; };
-  Purpose purpose;
-  purpose.picture = !line.reference.empty() || std::ranges::any_of(outputs, is_picture);
-  purpose.mesh = !purpose.picture || std::ranges::any_of(outputs, is_mesh);
+/// What is wrong with the scene at a moment of an animation, with the moment.
+Error located(const Error& error, const Shot& shot) {
+  const std::string name = name_of(shot);
+  if (name.empty() || error.status() == Status::Machine) return error;
+  return with_hint_line(error, "this is " + name);
+}
+
+std::optional<ReferenceCheck> reference_of(const CommandLine& line) {
+  if (line.reference.empty()) return std::nullopt;
+  return ReferenceCheck(line.reference, line.threshold);
+}
+
+std::optional<PictureDrawer> drawer_for(const CommandLine& line, const Plan& plan) {
+  if (!plan.purpose.picture) return std::nullopt;
+  return PictureDrawer(line.renderer);
+}
+
+Framing framing_of(Plan& plan, unsigned threads) {
+  return plan.needs_camera() ? frame_scene(plan.timeline, threads) : Framing();
+}
+
+/// The plan's, at the moments of the framing.
+Purpose purpose_of(const Plan& plan, const Framing& framing) {
+  Purpose purpose = plan.purpose;
+  purpose.moments = framing.moments;
   return purpose;
 }
 
-/// The scene as its outputs need it.
-Scene animated(Scene scene, bool frames) {
-  if (frames && !scene.animation) scene.animation.emplace();
-  return scene;
-}
-
-VideoOptions video_options(const Output& output, const Scene& scene, unsigned threads) {
-  VideoOptions options;
-  options.format = output.format == Format::Gif   ? VideoFormat::Gif
-                   : output.format == Format::Mp4 ? VideoFormat::Mp4
-                                                  : VideoFormat::Webm;
-  options.width = scene.picture.width;
-  options.height = scene.picture.height;
-  options.fps = scene.animation->fps;
-  const Number& alpha = scene.background.a;
-  const bool is_part = !alpha.text.empty() || (alpha > 0 && alpha < 1);
-  options.alpha = is_part ? Alpha::Part : alpha == 0 ? Alpha::Whole : Alpha::None;
-  options.threads = threads;
-  return options;
-}
-
-/// Writing beside drawing: one thing at a time, in order.
-class Behind {
- public:
-  /// Does `work` once the last is done. Throws what that has thrown.
-  template <typename Work>
-  void start(Work work) {
-    wait();
-    last_ = std::async(std::launch::async, std::move(work));
-  }
-  void wait() {
-    if (last_.valid()) last_.get();
-  }
-
- private:
-  std::future<void> last_;
-};
-
-/// One run of the program.
+/// One run of the program: its stages in their order.
 class Run {
  public:
   Run(const CommandLine& line, Clock::time_point start)
-      : Run(line, start, build_scene(line), checked_outputs(line)) {}
+      : line_(line),
+        start_(start),
+        plan_(line),
+        reference_(reference_of(line)),
+        writer_(plan_.outputs, plan_.scene(), line.threads),
+        drawer_(drawer_for(line, plan_)),
+        framing_(framing_of(plan_, line.threads)),
+        meshes_(purpose_of(plan_, framing_), line.threads) {}
 
   void go() {
-    for (std::size_t i = 0; i < shots_.size(); ++i) {
-      show_progress(i);
-      try {
-        take(shots_[i]);
-      } catch (const Error& error) {
-        throw located(error, shots_[i]);
-      }
+    const auto begin = Clock::now();
+    take_shots(begin);
+    report_.frames = plan_.frames();
+    if (report_.frames > 0) {
+      report_.times.frame = milliseconds_since(begin) / static_cast<double>(plan_.shots.size());
     }
-    behind_.wait();
-    progress_.reset();
-    finish();
+    gather_warnings();
+    if (line_.strict && !report_.warnings.empty()) fail_strictly();
+    writer_.finish(plan_.scene());
+    report();
+    if (!reference_) return;
+    const std::string passed = reference_->compare();
+    if (line_.verbose) std::cerr << passed << '\n';
   }
 
  private:
-  struct Film {
-    std::string path;
-    std::unique_ptr<Video> video;
-  };
-
-  Run(const CommandLine& line, Clock::time_point start, Scene scene, std::vector<Output> outputs)
-      : line_(line),
-        start_(start),
-        outputs_(std::move(outputs)),
-        timeline_(animated(std::move(scene), has_frames(line, outputs_))),
-        shots_(shots_of(line, timeline_.scene(), outputs_)),
-        purpose_(purpose_of(line, outputs_)) {
-    if (!line.reference.empty()) reference_ = read_png(line.reference).image;
-    for (const Output& output : outputs_) {
-      if (!output.is_video()) continue;
-      films_.push_back({output.path, std::make_unique<Video>(
-                                         video_options(output, timeline_.scene(), line.threads))});
+  void take_shots(Clock::time_point begin) {
+    std::optional<Progress> progress;
+    if (plan_.frames() > 1) progress.emplace(!line_.quiet);
+    for (std::size_t i = 0; i < plan_.shots.size(); ++i) {
+      if (progress) progress->show_frames(i, plan_.shots.size(), milliseconds_since(begin) / 1000);
+      try {
+        take(plan_.shots[i]);
+      } catch (const Error& error) {
+        throw located(error, plan_.shots[i]);
+      }
     }
-    // OpenGL takes as long to start as a surface to tessellate.
-    if (purpose_.picture) {
-      starting_ = std::async(std::launch::async, start_picture_maker, line.renderer);
-    }
-    if (needs_camera()) framing_ = frame_scene(timeline_, line.threads);
-    Purpose purpose = purpose_;
-    purpose.moments = framing_.moments;
-    meshes_.emplace(std::move(purpose), line.threads);
-    if (frames() > 1) progress_.emplace(!line.quiet);
-  }
-
-  /// Pixels are drawn, or are what the mesh is to be exact to.
-  bool needs_camera() const {
-    const auto& tolerance = timeline_.scene().mesh.tolerance;
-    return purpose_.picture || (tolerance && tolerance->pixels);
-  }
-
-  int frames() const {
-    return static_cast<int>(
-        std::ranges::count_if(shots_, [](const Shot& shot) { return shot.frame.has_value(); }));
-  }
-
-  void show_progress(std::size_t done) {
-    if (done == 0) began_ = Clock::now();
-    if (progress_) progress_->show_frames(done, shots_.size(), since(began_) / 1000);
-  }
-
-  /// What is wrong with the scene at a moment of an animation, with the moment.
-  static Error located(const Error& error, const Shot& shot) {
-    const std::string name = name_of(shot);
-    if (name.empty() || error.status() == Status::Machine) return error;
-    return with_hint_line(error, "this is " + name);
+    writer_.wait();
   }
 
   void take(const Shot& shot) {
-    const Scene scene = timeline_.at(shot.t);
+    const Scene scene = plan_.timeline.at(shot.t);
     Scene seen = scene;
     framing_.apply(seen);
-    const std::vector<std::size_t> updated = meshes_->update(seen, name_of(shot));
-    if (line_.strict && meshes_->warn()) fail_strictly();
-    write_meshes_of(shot, scene);
-    if (!purpose_.picture) return;
-    if (!maker_) {
-      maker_ = starting_.get();
-      maker_->enter();
-    }
-    for (const std::size_t i : updated) maker_->set_surface(seen, i, meshes_->meshes()[i]);
-    Image image = maker_->draw(seen, meshes_->meshes(), seen.picture);
-    if (line_.strict && !maker_->warnings().empty()) fail_strictly();
-    if (shot.still && reference_) compared_ = image;
-    if (!report_.image) describe_image(image, seen);
-    behind_.start([this, shot, scene, image = std::move(image)] { write(shot, scene, image); });
-  }
-
-  void write_meshes_of(const Shot& shot, const Scene& scene) {
-    const auto begin = Clock::now();
-    for (const Output& output : outputs_) {
-      if (output.format != Format::Ply || !shot.is_for(output)) continue;
-      write_meshes(output.path_of(shot.frame.value_or(0)), scene, meshes_->meshes());
-    }
-    report_.times.encode += since(begin);
-  }
-
-  /// Beside the drawing of the next picture.
-  void write(const Shot& shot, const Scene& scene, const Image& image) {
-    const auto begin = Clock::now();
-    for (const Output& output : outputs_) {
-      if (output.format != Format::Png || !shot.is_for(output)) continue;
-      write_picture(output.path_of(shot.frame.value_or(0)), image, scene, line_.threads);
-    }
-    if (shot.frame) {
-      for (const Film& film : films_) film.video->add(image);
-    }
-    encoding_ += since(begin);
-  }
-
-  void describe_image(const Image& image, const Scene& scene) {
-    report_.image = ImageReport{image.width,
-                                image.height,
-                                maker_->renderer(),
-                                scene.surfaces.size(),
-                                instances(scene).size(),
-                                maker_->shader_texts()};
-  }
-
-  /// Films are there when all of them are whole.
-  void write_films() {
-    for (const Film& film : films_) film.video->finish();
-    for (const Film& film : films_) {
-      write_to(film.path, [&](std::ostream& out) { film.video->write(out); });
-    }
+    const std::vector<std::size_t> updated = meshes_.update(seen, name_of(shot));
+    if (line_.strict && meshes_.warn()) warn_and_fail();
+    writer_.write_meshes_of(shot, scene, meshes_.meshes());
+    if (!drawer_) return;
+    Image image = drawer_->draw(seen, meshes_.meshes(), updated);
+    if (line_.strict && !drawer_->warnings().empty()) warn_and_fail();
+    if (shot.still && reference_) reference_->take(image);
+    if (!report_.image) report_.image = drawer_->describe(image, seen);
+    writer_.start_writing(shot, scene, std::move(image));
   }
 
   void gather_warnings() {
-    meshes_->report(report_);
-    if (maker_) std::ranges::copy(maker_->warnings(), std::back_inserter(report_.warnings));
-    if (report_.frames > 1 && !meshes_->move() && !timeline_.moves()) {
-      report_.warnings.emplace_back("nothing depends on t: all frames are the same");
+    meshes_.report(report_);
+    const auto add = [this](const std::vector<std::string>& warnings) {
+      std::ranges::copy(warnings, std::back_inserter(report_.warnings));
+    };
+    if (drawer_) add(drawer_->warnings());
+    if (report_.frames > 1 && !meshes_.move() && !plan_.timeline.moves()) {
+      add({"nothing depends on t: all frames are the same"});
     }
-    for (const Film& film : films_) {
-      if (const auto warning = film.video->warning()) {
-        report_.warnings.push_back(film.path + ": " + *warning);
-      }
-    }
+    add(writer_.warnings());
     print_warnings(line_, report_.warnings);
   }
 
+  void warn_and_fail() {
+    gather_warnings();
+    fail_strictly();
+  }
+
   /// With --strict a warning ends the run; the report has it, other outputs are not written.
-  void check_strictness() {
-    if (!line_.strict || report_.warnings.empty()) return;
-    report_.times.total = since(start_);
+  void fail_strictly() {
+    report_.times.encode = writer_.milliseconds();
+    report_.times.total = milliseconds_since(start_);
     send_report(line_.report, report_);
     fail_on_warnings(report_);
   }
 
-  void fail_strictly() {
-    gather_warnings();
-    check_strictness();
-  }
-
-  void finish() {
-    report_.frames = frames();
-    const auto shots = static_cast<double>(shots_.size());
-    if (report_.frames > 0) report_.times.frame = since(began_) / shots;
-    gather_warnings();
-    check_strictness();
-    const auto writing = Clock::now();
-    for (const Output& output : outputs_) {
-      if (output.format != Format::Toml) continue;
-      write_to(output.path, [&](std::ostream& out) { out << write_scene(timeline_.scene()); });
+  void report() {
+    report_.times.encode = writer_.milliseconds();
+    if (drawer_) {
+      report_.times.render = drawer_->times();
+      report_.image->shaders = drawer_->shader_texts();
     }
-    write_films();
-    report_.times.encode += encoding_ + since(writing);
-    if (maker_) {
-      report_.times.render = maker_->times();
-      report_.image->shaders = maker_->shader_texts();
-    }
-    report_.times.total = since(start_);
+    report_.times.total = milliseconds_since(start_);
     send_report(line_.report, report_);
     if (line_.verbose) std::cerr << summary(report_);
-    if (!reference_) return;
-    const std::string passed =
-        check_against_reference(*compared_, *reference_, line_.reference, line_.threshold);
-    if (line_.verbose) std::cerr << passed << '\n';
   }
 
   const CommandLine& line_;
   Clock::time_point start_;
-  std::vector<Output> outputs_;
-  Timeline timeline_;
-  std::vector<Shot> shots_;
-  Purpose purpose_;
-  std::optional<Image> reference_;
-  std::optional<Image> compared_;
-  std::vector<Film> films_;
-  std::future<std::unique_ptr<PictureMaker>> starting_;
+  Plan plan_;
+  std::optional<ReferenceCheck> reference_;
+  OutputWriter writer_;
+  std::optional<PictureDrawer> drawer_;  ///< if pictures are drawn
   Framing framing_;
-  std::optional<SceneMeshes> meshes_;
-  std::unique_ptr<PictureMaker> maker_;
+  SceneMeshes meshes_;
   RunReport report_;
-  double encoding_ = 0;  ///< milliseconds, beside the drawing
-  std::optional<Progress> progress_;
-  Clock::time_point began_;
-  Behind behind_;  // the last member: it ends before what it writes to
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <ostream>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -26,18 +27,20 @@ std::string size_of(const Image& image) {
 
 }  // namespace
 
-std::string check_against_reference(const Image& image, const Image& reference,
-                                    const std::string& path, double threshold) {
-  const ImageDifference difference = compare_images(image, reference);
-  const std::string text = figures(difference, threshold);
-  const bool same_size = image.width == reference.width && image.height == reference.height;
-  if (same_size && difference.error <= threshold) return path + ": " + text;
-  const std::string diff_path = path + ".diff.png";
-  const Image picture = difference_image(image, reference);
+ReferenceCheck::ReferenceCheck(std::string path, double threshold)
+    : path_(std::move(path)), threshold_(threshold), reference_(read_png(path_).image) {}
+
+std::string ReferenceCheck::compare() const {
+  const ImageDifference difference = compare_images(picture_, reference_);
+  const std::string text = figures(difference, threshold_);
+  const bool same_size = picture_.width == reference_.width && picture_.height == reference_.height;
+  if (same_size && difference.error <= threshold_) return path_ + ": " + text;
+  const std::string diff_path = path_ + ".diff.png";
+  const Image picture = difference_image(picture_, reference_);
   write_file_whole(diff_path, [&picture](std::ostream& out) { write_png(out, picture); });
-  std::string message = "the picture differs from " + path + ": " + text;
+  std::string message = "the picture differs from " + path_ + ": " + text;
   if (!same_size) {
-    message += ", sizes " + size_of(image) + " and " + size_of(reference);
+    message += ", sizes " + size_of(picture_) + " and " + size_of(reference_);
   }
   throw Error(Status::Machine, message, {}, "see " + diff_path);
 }

@@ -7,10 +7,24 @@
 
 namespace saddle {
 
-/// Compares the picture with the reference that `path` names. Throws Error (Machine) with the
-/// figures, after writing a picture of the difference to `path`.diff.png, if the error is more than
-/// `threshold`. Returns the figures as a sentence otherwise.
-std::string check_against_reference(const Image& image, const Image& reference,
-                                    const std::string& path, double threshold);
+/// A reference and the picture of a run that is compared with it.
+class ReferenceCheck {
+ public:
+  /// Reads the reference that `path` names. Throws Error as read_png() does.
+  ReferenceCheck(std::string path, double threshold);
+
+  void take(const Image& picture) { picture_ = picture; }
+
+  /// After take(): throws Error (Machine) with the figures, after writing a picture of the
+  /// difference to `path`.diff.png, if the error is more than `threshold`. Returns the figures as a
+  /// sentence otherwise.
+  std::string compare() const;
+
+ private:
+  std::string path_;
+  double threshold_;
+  Image reference_;
+  Image picture_;
+};
 
 }  // namespace saddle

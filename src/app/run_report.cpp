@@ -1,8 +1,7 @@
 #include "app/run_report.h"
 
-#include <algorithm>
 #include <iostream>
-#include <iterator>
+#include <utility>
 
 #include "app/standard_output.h"
 #include "base/error.h"
@@ -10,17 +9,21 @@
 
 namespace saddle {
 
-double since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+SurfaceReport report_of(const std::string& name, Tessellation& tessellation) {
+  const Mesh& mesh = tessellation.mesh;
+  SurfaceReport report;
+  report.name = name;
+  report.triangles = mesh.triangles.size();
+  report.vertices = mesh.position.size();
+  report.bounds = mesh.bounds;
+  report.mesh = std::move(tessellation.report);
+  return report;
 }
 
-Mesh file(Tessellation tessellation, RunReport& report) {
-  report.times.parse += tessellation.parse_ms;
-  report.times.compile += tessellation.compile_ms;
-  report.times.tessellate += tessellation.tessellate_ms;
-  std::ranges::move(tessellation.warnings, std::back_inserter(report.warnings));
-  report.surfaces.push_back(std::move(tessellation.report));
-  return std::move(tessellation.mesh);
+void add_times(const Tessellation& tessellation, RunTimes& times) {
+  times.parse += tessellation.parse_ms;
+  times.compile += tessellation.compile_ms;
+  times.tessellate += tessellation.tessellate_ms;
 }
 
 void print_warnings(const CommandLine& line, std::span<const std::string> warnings) {

@@ -4,17 +4,16 @@
 #include <span>
 #include <string>
 
-#include "app/commands.h"
+#include "app/cli.h"
 #include "app/report.h"
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 
 namespace saddle {
 
-/// Milliseconds since then.
-double since(Clock::time_point begin);
+/// The report of a surface by its name. Moves the mesh's report there; the mesh stays.
+SurfaceReport report_of(const std::string& name, Tessellation& tessellation);
 
-/// What there is to say about a surface goes into the report.
-Mesh file(Tessellation tessellation, RunReport& report);
+void add_times(const Tessellation& tessellation, RunTimes& times);
 
 /// To standard error, unless --quiet.
 void print_warnings(const CommandLine& line, std::span<const std::string> warnings);

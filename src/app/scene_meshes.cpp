@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/run_report.h"
 #include "scene/prepare.h"
 
 namespace saddle {
@@ -40,12 +41,10 @@ void SceneMeshes::mesh(const Scene& scene, std::size_t surface, const std::strin
   const int meshes = known.report.meshes + 1;
   try {
     Tessellation made = tessellate(scene, scene.surfaces[surface], purpose_, threads_);
-    times_.parse += made.parse_ms;
-    times_.compile += made.compile_ms;
-    times_.tessellate += made.tessellate_ms;
+    add_times(made, times_);
     warnings = std::move(made.warnings);
+    known.report = report_of(scene.surfaces[surface].name, made);
     meshes_[surface] = std::move(made.mesh);
-    known.report = std::move(made.report);
     known.moves = made.moves;
     known.drawn = true;
   } catch (const Error& error) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/report.h"
-#include "app/tessellate.h"
 #include "base/error.h"
+#include "meshing/tessellate.h"
 
 namespace saddle {
 

@@ -6,17 +6,12 @@
 
 #include "app/build_scene.h"
 #include "app/commands.h"
-#include "app/framing.h"
 #include "app/outputs.h"
-#include "app/tessellate.h"
 #include "base/error.h"
 #include "view/viewer.h"
 
 namespace saddle {
 namespace {
-
-/// Cells of a preview each way: a few thousand triangles, which take some milliseconds.
-constexpr GridSize kPreview{60, 60};
 
 constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display";
 
@@ -37,39 +32,12 @@ void check_options(const CommandLine& line) {
   }
 }
 
-SurfaceMesh mesh_for_viewer(const Scene& scene, std::size_t surface, Detail detail,
-                            const CommandLine& line) {
-  Scene asked = scene;
-  if (detail == Detail::Preview && !asked.mesh.samples) asked.mesh.samples = kPreview;
-  Tessellation result =
-      tessellate(asked, asked.surfaces[surface], {.picture = true, .mesh = false}, line.threads);
-  if (line.quiet) result.warnings.clear();
-  return {std::move(result.mesh), std::move(result.report.mesh), std::move(result.warnings)};
-}
-
-/// The camera of an animation, where it fits itself, holds all of it. A scene with an error is left
-/// as it is: the viewer will show that.
-void frame_animation(Scene& scene, unsigned threads) {
-  try {
-    Timeline timeline(scene);
-    Framing framing = frame_scene(timeline, threads);
-    framing.box.reset();  // what is edited has other ones soon
-    framing.colors.clear();
-    framing.apply(scene);
-  } catch (const Error&) {
-  }
-}
-
 }  // namespace
 
 ViewerSetup viewer_setup(const CommandLine& line) {
   check_options(line);
   ViewerSetup setup;
   setup.scene = build_scene(line);
-  setup.frame = [threads = line.threads](Scene& scene) { frame_animation(scene, threads); };
-  setup.tessellate = [line](const Scene& scene, std::size_t surface, Detail detail) {
-    return mesh_for_viewer(scene, surface, detail, line);
-  };
   setup.reload = [line] { return build_scene(line); };
   if (line.watch) {
     setup.watched = scene_file_of(line);
@@ -78,6 +46,7 @@ ViewerSetup viewer_setup(const CommandLine& line) {
                   "-o FILE.toml writes one");
     }
   }
+  setup.threads = line.threads;
   setup.quiet = line.quiet;
   setup.verbose = line.verbose;
   return setup;

@@ -6,7 +6,7 @@
 
 namespace saddle {
 
-/// The scene, its meshes within a picture's tolerance, and where to read it anew. Throws Error as
+/// The scene, where to read it anew, and options. Throws Error as
 /// build_scene() does, and (Input) for options that the viewer would ignore.
 ViewerSetup viewer_setup(const CommandLine& line);
 

@@ -7,8 +7,8 @@
 
 #include "mesh/mesh.h"
 #include "mesh/topology.h"
-#include "study/defined_share.h"
 #include "study/measures.h"
+#include "surface/defined_share.h"
 
 namespace saddle {
 

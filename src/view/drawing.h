@@ -60,7 +60,7 @@ class Drawing {
 
   Renderer renderer_;
   Canvas canvas_;
-  std::vector<std::shared_ptr<const SurfaceMesh>> uploaded_;
+  std::vector<std::shared_ptr<const Tessellation>> uploaded_;
   bool exact_ = false;  ///< with what exact normals need
   bool normals_ = false;
   bool stale_ = true;    ///< the picture is not what is to be seen

@@ -12,6 +12,9 @@ namespace {
 /// A preview that takes longer is not worth waiting for while the user types on.
 constexpr std::chrono::milliseconds kPatience{150};
 
+/// Cells of a preview each way: a few thousand triangles, which take some milliseconds.
+constexpr GridSize kPreview{60, 60};
+
 Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail) {
   Meshed result;
   result.scene = scene;
@@ -20,7 +23,7 @@ Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail)
   try {
     for (result.guilty = 0; result.guilty < scene.surfaces.size(); ++result.guilty) {
       result.surfaces.push_back(
-          std::make_shared<const SurfaceMesh>(tessellate(scene, result.guilty, detail)));
+          std::make_shared<const Tessellation>(tessellate(scene, result.guilty, detail)));
     }
   } catch (const Error& error) {
     result.error = error;
@@ -35,6 +38,14 @@ Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail)
 }
 
 }  // namespace
+
+Tessellate tessellate_for_picture(unsigned threads) {
+  return [threads](const Scene& scene, std::size_t surface, Detail detail) {
+    Scene asked = scene;
+    if (detail == Detail::Preview && !asked.mesh.samples) asked.mesh.samples = kPreview;
+    return tessellate(asked, asked.surfaces[surface], {.picture = true}, threads);
+  };
+}
 
 MeshWorker::MeshWorker(Tessellate tessellate, std::function<void()> wake)
     : tessellate_(std::move(tessellate)),

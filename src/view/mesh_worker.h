@@ -8,22 +8,14 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <thread>
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/mesh.h"
+#include "meshing/tessellate.h"
 #include "scene/scene.h"
 
 namespace saddle {
-
-/// A surface's mesh and what there is to say about it.
-struct SurfaceMesh {
-  Mesh mesh;
-  MeshReport report;
-  std::vector<std::string> warnings;
-};
 
 enum class Detail {
   Preview,  ///< some thousand triangles, at once
@@ -32,13 +24,16 @@ enum class Detail {
 
 /// Tessellates one surface of a scene for a picture of it. Throws Error, and Abandoned where the
 /// thread's work is not wanted any more.
-using Tessellate = std::function<SurfaceMesh(const Scene& scene, std::size_t surface, Detail)>;
+using Tessellate = std::function<Tessellation(const Scene& scene, std::size_t surface, Detail)>;
+
+/// tessellate() for a picture; a preview takes a coarse grid, or that of --samples.
+Tessellate tessellate_for_picture(unsigned threads);
 
 /// What became of a wish.
 struct Meshed {
   Scene scene;  ///< as it was wished for
   /// One per surface of the scene; none if there is an error.
-  std::vector<std::shared_ptr<const SurfaceMesh>> surfaces;
+  std::vector<std::shared_ptr<const Tessellation>> surfaces;
   std::optional<Error> error;
   std::size_t guilty = 0;   ///< the surface that has the error
   bool preview = false;     ///< a coarse mesh; the real one follows

@@ -39,7 +39,7 @@ FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSet
                     room_for(meshed.scene, meshed.surfaces, bounds, size));
 }
 
-Room room_for(const Scene& scene, std::span<const std::shared_ptr<const SurfaceMesh>> surfaces,
+Room room_for(const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
               const Bounds& bounds, const dvec2& size) {
   std::vector<std::optional<ColorRange>> ranges;
   for (const auto& surface : surfaces) ranges.push_back(color_range_of(surface->mesh));

@@ -19,7 +19,7 @@ Bounds bounds_of(const Meshed& meshed);
 double radius_around(const dvec3& centre, const Meshed& meshed);
 
 /// The part of a picture of `size` pixels that these surfaces of the scene may take.
-Room room_for(const Scene& scene, std::span<const std::shared_ptr<const SurfaceMesh>> surfaces,
+Room room_for(const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
               const Bounds& bounds, const dvec2& size);
 
 /// The camera as render() would fit it to these meshes.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/framing.h"
 #include "scene/resolve.h"
 
 namespace saddle {
@@ -58,14 +59,31 @@ bool sees_from_elsewhere(const Camera& a, const Camera& b) {
   return dvec3(a.view) != dvec3(b.view) || dvec3(a.up) != dvec3(b.up);
 }
 
+/// The camera of an animation, where it fits itself, holds all of it. A scene with an error is left
+/// as it is: the viewer will show that.
+void frame_animation(Scene& scene, unsigned threads) {
+  try {
+    Timeline timeline(scene);
+    Framing framing = frame_scene(timeline, threads);
+    framing.box.reset();  // what is edited has other ones soon
+    framing.colors.clear();
+    framing.apply(scene);
+  } catch (const Error&) {
+  }
+}
+
 }  // namespace
+
+Tessellate tessellation_of(const ViewerSetup& setup) {
+  return setup.tessellate ? setup.tessellate : tessellate_for_picture(setup.threads);
+}
 
 Model::Model(ViewerSetup setup, std::function<void()> wake)
     : table_up(setup.scene.camera.up),
       scene_(std::move(setup.scene)),
       reload_(std::move(setup.reload)),
-      frame_(std::move(setup.frame)),
-      worker_(std::move(setup.tessellate), std::move(wake)) {
+      threads_(setup.threads),
+      worker_(tessellation_of(setup), std::move(wake)) {
   own_lights_ = scene_.lights;
   frame();
   wish(Manner::PreviewFirst);
@@ -74,14 +92,13 @@ Model::Model(ViewerSetup setup, std::function<void()> wake)
 /// Lets the camera hold an animation as it has become, unless a hand has placed it.
 void Model::frame() {
   is_edited_ = false;
-  if (!frame_) return;
   Camera before = scene_.camera;
   if (framed_ && are_placed_alike(before, framed_->after)) {
     before.target = framed_->before.target;
     before.distance = framed_->before.distance;
   }
   scene_.camera = before;
-  frame_(scene_);
+  frame_animation(scene_, threads_);
   framed_.reset();
   if (!are_placed_alike(before, scene_.camera)) framed_ = {scene_.camera, before};
 }

@@ -20,16 +20,19 @@
 
 namespace saddle {
 
-/// What the program gives to the viewer.
+/// The program's options for the viewer.
 struct ViewerSetup {
   Scene scene;
-  Tessellate tessellate;
-  std::function<Scene()> reload;      ///< the scene anew, from where it came from
-  std::function<void(Scene&)> frame;  ///< lets a camera that fits itself hold all of an animation
-  std::filesystem::path watched;      ///< reload when this file changes; empty: do not
-  bool quiet = false;                 ///< show no warnings
-  bool verbose = false;               ///< say at the end what it took
+  std::function<Scene()> reload;  ///< the scene anew, from where it came from
+  std::filesystem::path watched;  ///< reload when this file changes; empty: do not
+  unsigned threads = 0;           ///< of meshing; 0: all
+  bool quiet = false;             ///< show no warnings
+  bool verbose = false;           ///< say at the end what it took
+  Tessellate tessellate = {};     ///< for tests, in place of tessellate_for_picture()
 };
+
+/// How this viewer tessellates.
+Tessellate tessellation_of(const ViewerSetup& setup);
 
 class Model {
  public:
@@ -42,7 +45,7 @@ class Model {
   // surface for each of the meshes.
   const Scene& scene() const { return scene_; }
   Scene drawn_scene() const;
-  const std::vector<std::shared_ptr<const SurfaceMesh>>& meshes() const { return good_.surfaces; }
+  const std::vector<std::shared_ptr<const Tessellation>>& meshes() const { return good_.surfaces; }
   const Meshed& last_good() const { return good_; }
   const std::optional<Error>& error() const { return error_; }
   std::size_t guilty() const { return guilty_; }
@@ -113,8 +116,8 @@ class Model {
 
   Scene scene_;
   std::function<Scene()> reload_;
-  std::function<void(Scene&)> frame_;
-  /// The camera as frame_ has left it, and as it was before.
+  unsigned threads_;
+  /// The camera as frame() has left it, and as it was before.
   struct Framed {
     Camera after;
     Camera before;

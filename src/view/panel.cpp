@@ -361,6 +361,11 @@ void Panel::show_picked(const Model& model) {
   wrapped(kQuiet, formatted("principal %.5g and %.5g", c.largest, c.smallest));
 }
 
+void Panel::show_warnings(const std::vector<std::string>& warnings) const {
+  if (quiet_) return;
+  for (const std::string& warning : warnings) wrapped(kQuiet, warning);
+}
+
 void Panel::show_figures(const Model& model, const Figures& figures) {
   ImGui::Separator();
   for (const auto& surface : model.meshes()) {
@@ -370,9 +375,9 @@ void Panel::show_figures(const Model& model, const Figures& figures) {
     if (report.tolerance) {
       wrapped(kQuiet, formatted("off by %.2g of %.2g", report.max_error, *report.tolerance));
     }
-    for (const std::string& warning : surface->warnings) wrapped(kQuiet, warning);
+    show_warnings(surface->warnings);
   }
-  for (const std::string& warning : figures.warnings) wrapped(kQuiet, warning);
+  show_warnings(figures.warnings);
   wrapped(kQuiet, formatted("%.1f ms a frame, mesh %.1f ms%s", figures.frame_ms,
                             model.last_good().milliseconds, model.is_meshing() ? " ..." : ""));
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "view/drawing.h"
 #include "view/model.h"
@@ -12,6 +13,9 @@ namespace saddle {
 
 class Panel {
  public:
+  /// `quiet`: shows no warnings.
+  explicit Panel(bool quiet) : quiet_(quiet) {}
+
   /// Shows itself and does what the user does to it. `width` in pixels, `scale` per pixel of the
   /// user's.
   void show(Model& model, const Figures& figures, double width, double scale);
@@ -40,9 +44,11 @@ class Panel {
   void show_tolerance(Model& model);
   void show_picked(const Model& model);
   void show_figures(const Model& model, const Figures& figures);
+  void show_warnings(const std::vector<std::string>& warnings) const;
   void show_error_of(const Model& model, const std::string& name);
   bool field(const std::string& label, std::string& text, bool wrong);
 
+  bool quiet_;
   std::optional<Action> action_;
   unsigned active_ = 0;  ///< ImGui's name of the field that has the keyboard or the pointer
   bool changed_ = false;

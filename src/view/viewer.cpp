@@ -40,14 +40,14 @@ std::filesystem::file_time_type last_write(const std::filesystem::path& path) {
 }  // namespace
 
 Viewer::Viewer(ViewerSetup setup)
-    : quiet_(setup.quiet),
-      verbose_(setup.verbose),
+    : verbose_(setup.verbose),
       watched_(setup.watched),
       written_(last_write(watched_)),
       window_(setup.scene.title, setup.scene.picture.width + static_cast<int>(kPanelWidth),
               setup.scene.picture.height),
+      panel_(setup.quiet),
       to_paint_(kSettlingFrames),
-      saver_(setup.tessellate, Window::wake),
+      saver_(tessellation_of(setup), Window::wake),
       model_(std::move(setup), Window::wake) {}
 
 void Viewer::run() {
@@ -254,9 +254,7 @@ void Viewer::paint() {
   --to_paint_;
   window_.begin_panel();
   if (panel_shown_) {
-    Figures figures = drawing_.figures();
-    if (quiet_) figures.warnings.clear();
-    panel_.show(model_, figures, panel_width(), window_.scale());
+    panel_.show(model_, drawing_.figures(), panel_width(), window_.scale());
     if (panel_.take_change()) change_picture();
     if (const auto action = panel_.take_action()) act(*action);
   }

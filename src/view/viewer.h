@@ -68,7 +68,6 @@ class Viewer {
   void paint();
   Overlay overlay();
 
-  bool quiet_;
   bool verbose_;
   std::filesystem::path watched_;
   std::filesystem::file_time_type written_;  ///< when that file was, as far as is known

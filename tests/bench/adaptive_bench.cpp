@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 #include "scene/gallery.h"
 
 namespace saddle {
@@ -23,8 +23,8 @@ void mesh_entry(benchmark::State& state, const GalleryEntry& entry) {
   for (auto _ : state) {
     Tessellation result = mesh_for_picture(scene);
     state.SetIterationTime(result.tessellate_ms / 1000);
-    report = std::move(result.report.mesh);
-    triangles = static_cast<double>(result.report.triangles);
+    report = std::move(result.report);
+    triangles = static_cast<double>(result.mesh.triangles.size());
   }
   state.counters["triangles"] = triangles;
   if (report.least_triangles > 0) state.counters["efficiency"] = triangles / report.least_triangles;

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "app/tolerance.h"
 #include "base/error.h"
 #include "mesh/choose.h"
 #include "mesh/cost_model.h"
 #include "mesh/grid_within.h"
+#include "meshing/tolerance.h"
 #include "render/context.h"
 #include "render/picture_in_tiles.h"
 #include "scene/gallery.h"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/tessellate.h"
 #include "base/error.h"
 #include "mesh/adaptive_mesh.h"
+#include "meshing/tessellate.h"
 #include "scene/assignments.h"
 #include "scene/gallery.h"
 #include "scene/resolve.h"
@@ -72,7 +72,7 @@ std::optional<Bounds> clip_of(const Scene& scene) {
   coarse.mesh.tolerance = ToleranceValue{kTolerances[0], false};
   Purpose purpose;
   purpose.mesh = true;
-  return tessellate(coarse, coarse.surfaces.at(0), purpose, 0).report.mesh.clip;
+  return tessellate(coarse, coarse.surfaces.at(0), purpose, 0).report.clip;
 }
 
 void measure(const std::string& name, Mean& mean) {

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <span>
 
-#include "app/tessellate.h"
 #include "mesh/hidden_back.h"
+#include "meshing/tessellate.h"
 #include "render/context.h"
 #include "render/picture_in_tiles.h"
 #include "render/target.h"

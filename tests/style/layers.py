@@ -4,8 +4,8 @@ import re
 
 import tree
 
-LAYERS = ["base", "formula", "eval", "surface", "mesh", "scene", "render", "export", "study",
-          "view", "app"]
+LAYERS = ["base", "formula", "eval", "surface", "mesh", "scene", "meshing", "render", "export",
+          "study", "view", "app"]
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]+)"')
 
 

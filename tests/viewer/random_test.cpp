@@ -12,9 +12,9 @@
 #include <string>
 #include <thread>
 
-#include "app/tessellate.h"
 #include "base/error.h"
 #include "base/random.h"
+#include "meshing/tessellate.h"
 #include "random_formula.h"
 #include "render/canvas.h"
 #include "render/renderer.h"
@@ -189,8 +189,7 @@ ViewerSetup torus() {
     Scene asked = scene;
     asked.mesh.max_triangles = 50'000;  // it is no test of patience
     if (detail == Detail::Preview) asked.mesh.samples = GridSize{30, 30};
-    Tessellation result = tessellate(asked, asked.surfaces[surface], {.picture = true}, 0);
-    return SurfaceMesh{std::move(result.mesh), std::move(result.report.mesh), {}};
+    return tessellate(asked, asked.surfaces[surface], {.picture = true}, 0);
   };
   setup.reload = [] { return gallery_scene(*find_gallery_entry("torus")); };
   return setup;

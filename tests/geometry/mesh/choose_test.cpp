@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "app/tolerance.h"
 #include "base/random.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/cost_model.h"
 #include "mesh/grid_within.h"
 #include "mesh_checks.h"
+#include "meshing/tolerance.h"
 #include "scene/resolve.h"
 #include "study/mesh_distance.h"
 #include "study/triangle_tree.h"

@@ -7,10 +7,10 @@
 #include <limits>
 #include <string>
 
-#include "app/tessellate.h"
 #include "base/random.h"
 #include "mesh/topology.h"
 #include "mesh_checks.h"
+#include "meshing/tessellate.h"
 #include "scene/gallery.h"
 #include "scene/prepare.h"
 #include "study_subject.h"
@@ -18,7 +18,7 @@
 namespace saddle {
 namespace {
 
-constexpr Purpose kPicture = {.picture = true, .mesh = false, .facts = false};
+constexpr Purpose kPicture = {.picture = true, .mesh = false};
 
 Tessellation coloured(Scene scene, const std::string& formula) {
   scene.surfaces[0].color = formula;
@@ -42,7 +42,7 @@ double worst_step(const Scene& plain, const std::string& formula) {
   std::vector<double> straight;
   for (const auto& [a, b, c] : mesh.triangles) {
     const double size = glm::length(doubled_area(mesh, {a, b, c}));
-    if (size < 2 * std::pow(t.report.mesh.tolerance.value(), 2)) continue;
+    if (size < 2 * std::pow(t.report.tolerance.value(), 2)) continue;
     double s = random_unit(key++);
     double r = random_unit(key++);
     if (s + r > 1) s = 1 - s, r = 1 - r;
@@ -190,7 +190,7 @@ TEST(Colors, AreNotCutAtPeaksOrJumps) {
 
 TEST(Colors, FollowAJumpToHalfAPixel) {
   const Tessellation t = coloured(scene_of("u", "v", "0"), "u<0.3123?0:1");
-  const double tolerance = t.report.mesh.tolerance.value();
+  const double tolerance = t.report.tolerance.value();
   for (const auto& [a, b, c] : t.mesh.triangles) {
     const double low = std::min({t.mesh.color[a], t.mesh.color[b], t.mesh.color[c]});
     const double high = std::max({t.mesh.color[a], t.mesh.color[b], t.mesh.color[c]});

@@ -1,7 +1,7 @@
 // How many triangles a surface may take when nobody says, and when somebody does.
 #include <gtest/gtest.h>
 
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 
 namespace saddle {
 namespace {

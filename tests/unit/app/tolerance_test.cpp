@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/tolerance.h"
+#include "meshing/tolerance.h"
 #include "surface_from_text.h"
 
 namespace saddle {

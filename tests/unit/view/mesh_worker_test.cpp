@@ -58,7 +58,7 @@ TEST(MeshWorker, MeshesWhatIsWishedForLast) {
   MeshWorker worker(
       [&](const Scene&, std::size_t, Detail detail) {
         previews += detail == Detail::Preview ? 1 : 0;
-        return SurfaceMesh{};
+        return Tessellation{};
       },
       [&] { results.announce(); });
   for (int i = 0; i < 100; ++i) worker.wish(titled(std::to_string(i)), Manner::PreviewFirst);
@@ -74,7 +74,7 @@ TEST(MeshWorker, AbandonsWhatTakesForEver) {
       [&](const Scene& scene, std::size_t, Detail) {
         begun = true;
         if (scene.title == "endless") work_for_ever();
-        return SurfaceMesh{};
+        return Tessellation{};
       },
       [&] { results.announce(); });
   worker.wish(titled("endless"), Manner::Full);
@@ -91,7 +91,7 @@ TEST(MeshWorker, DoesInTurnWhatMustNotBeAbandoned) {
       [&](const Scene&, std::size_t, Detail) {
         const int number = ++begun;
         while (may_end < number) parallel_chunks(1, 1, 1, [](std::size_t, std::size_t) {});
-        return SurfaceMesh{};
+        return Tessellation{};
       },
       [&] { results.announce(); });
   worker.wish(titled("first"), Manner::Full);
@@ -108,7 +108,7 @@ TEST(MeshWorker, EndsWhileItWorks) {
   std::atomic<bool> begun = false;
   {
     MeshWorker worker(
-        [&](const Scene&, std::size_t, Detail) -> SurfaceMesh {
+        [&](const Scene&, std::size_t, Detail) -> Tessellation {
           begun = true;
           work_for_ever();
           return {};
@@ -123,7 +123,7 @@ TEST(MeshWorker, EndsWhileItWorks) {
 TEST(MeshWorker, TellsWhichSurfaceIsWrong) {
   Results results;
   MeshWorker worker(
-      [](const Scene&, std::size_t surface, Detail) -> SurfaceMesh {
+      [](const Scene&, std::size_t surface, Detail) -> Tessellation {
         if (surface == 1) throw Error(Status::Input, "wrong");
         return {};
       },

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <semaphore>
 
-#include "app/tessellate.h"
 #include "view/hand.h"
 
 namespace saddle {
@@ -33,10 +32,7 @@ class PlaneModel {
     plane.z = "0";
     result.scene.picture.width = 400;
     result.scene.picture.height = 300;
-    result.tessellate = [](const Scene& scene, std::size_t surface, Detail) {
-      Tessellation made = tessellate(scene, scene.surfaces[surface], {.picture = true}, 1);
-      return SurfaceMesh{std::move(made.mesh), std::move(made.report.mesh), {}};
-    };
+    result.threads = 1;
     return result;
   }
 

@@ -25,7 +25,6 @@ struct Moment {
 struct Purpose {
   bool picture = false;
   bool mesh = false;
-  bool facts = false;             ///< what is true of the surface is asked for
   std::vector<Moment> moments{};  ///< that the mesh is drawn at; none: the scene's own
 };
 

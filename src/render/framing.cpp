@@ -1,4 +1,4 @@
-#include "app/framing.h"
+#include "render/framing.h"
 
 #include <algorithm>
 #include <array>

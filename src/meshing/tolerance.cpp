@@ -1,4 +1,4 @@
-#include "app/tolerance.h"
+#include "meshing/tolerance.h"
 
 #include <algorithm>
 #include <cmath>

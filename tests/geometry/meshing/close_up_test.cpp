@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/tessellate.h"
 #include "geometry/gallery/samples.h"
+#include "meshing/tessellate.h"
 #include "view/pick.h"
 
 namespace saddle {

@@ -1,4 +1,4 @@
-#include "study/defined_share.h"
+#include "surface/defined_share.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/tolerance.h"
+#include "meshing/tolerance.h"
 #include "scene/resolve.h"
 
 namespace saddle {

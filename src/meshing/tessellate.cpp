@@ -1,5 +1,5 @@
 // The mesh that suits what it is for, with a uniform grid for --samples and for what has no other.
-#include "app/tessellate.h"
+#include "meshing/tessellate.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "app/warnings.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh/choose.h"
 #include "mesh/clip.h"
@@ -21,8 +20,8 @@
 #include "mesh/sampled_mesh.h"
 #include "mesh/tidy.h"
 #include "mesh/topology.h"
-#include "scene/prepare.h"
-#include "study/defined_share.h"
+#include "meshing/warnings.h"
+#include "surface/defined_share.h"
 
 namespace saddle {
 namespace {
@@ -116,7 +115,7 @@ std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, con
                            static_cast<std::size_t>(samples->v));
   }
   const auto times = static_cast<double>(std::max<std::size_t>(purpose.moments.size(), 1));
-  if (!purpose.mesh && !purpose.facts) return mesh_at_least_cost(surface, options, times);
+  if (!purpose.mesh) return mesh_at_least_cost(surface, options, times);
   auto mesh = mesh_within_tolerance(surface, options);
   if (mesh) mesh->report.choice = MeshChoice();
   return mesh;
@@ -272,7 +271,7 @@ ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Su
 
 /// Puts the user's (u, v) in place of the surface's parameters wherever a place is named. Returns
 /// the domain in them; the box around the mesh's where v depends on u.
-Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Facts>& facts) {
+Domain name_parameters(const Surface& surface, GridMesh& mesh) {
   if (surface.v.outputs.empty()) return surface.domain;
   MeshReport& report = mesh.report;
   take_user_parameters(surface, mesh.mesh.uv);
@@ -295,17 +294,13 @@ Domain name_parameters(const Surface& surface, GridMesh& mesh, std::optional<Fac
   for (SingularPoint& point : report.singular_points) {
     take_user_parameters(surface, std::span(&point.uv, 1));
   }
-  Extremes v;
-  for (const dvec2& uv : mesh.mesh.uv) v.add(uv.y);
-  const Domain domain{surface.domain.u0, surface.domain.u1, v.low, v.high};
-  if (facts) {
-    facts->domain = domain;
-    facts->singular_v.clear();  // no lines of constant v any more
-    for (SingularPlace& place : facts->singular) {
-      take_user_parameters(surface, std::span(&place.uv, 1));
-    }
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const dvec2& uv : mesh.mesh.uv) {
+    low = std::min(low, uv.y);
+    high = std::max(high, uv.y);
   }
-  return domain;
+  return {surface.domain.u0, surface.domain.u1, low, high};
 }
 
 }  // namespace
@@ -318,49 +313,53 @@ std::size_t most_triangles(const Scene& scene) {
   return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
 }
 
-Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                        unsigned threads) {
-  const PreparedSurface prepared = prepare_surface(scene, spec, Order::Second);
-  const Surface& surface = prepared.surface;
+MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                           unsigned threads) {
+  MeshedSurface result;
+  result.prepared = prepare_surface(scene, spec, Order::Second);
+  const Surface& surface = result.prepared.surface;
   const auto begin = std::chrono::steady_clock::now();
-  GridMesh mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
-  mesh.report.orientable = is_orientable(mesh.mesh, mesh.report);
-  if (mesh.report.undefined_fraction > 0) {
-    mesh.report.exceeds_doubles = exceeds_doubles(surface, threads);
-  }
-  if (!mesh.report.certified && mesh.report.doubts.empty()) {
+  result.mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
+  Mesh& mesh = result.mesh.mesh;
+  MeshReport& report = result.mesh.report;
+  report.orientable = is_orientable(mesh, report);
+  if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
+  if (!report.certified && report.doubts.empty()) {
     const Domain& d = surface.domain;
-    mesh.report.doubts.push_back({Doubt::NotTried, {d.u0, d.v0}, {d.u1, d.v1}});
+    report.doubts.push_back({Doubt::NotTried, {d.u0, d.v0}, {d.u1, d.v1}});
   }
-  std::optional<ColorReport> color;
-  if (!spec.color.empty()) color = color_as_asked(scene, spec, surface, mesh, threads);
+  if (!spec.color.empty()) {
+    result.color = color_as_asked(scene, spec, surface, result.mesh, threads);
+  }
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-  if (scene.clip.box || mesh.report.clip) mesh.report.least_triangles = 0;  // it is of the whole
-  Tessellation result;
-  result.moves = prepared.moves;
-  result.parse_ms = prepared.parse_ms;
-  result.compile_ms = prepared.compile_ms;
   result.tessellate_ms = passed.count();
-  if (purpose.facts) {
-    const bool is_clipped = scene.clip.box || mesh.report.clip;
-    Facts facts = gather_facts(surface, mesh.mesh, mesh.report, is_clipped, threads);
-    if (!surface.v.outputs.empty()) facts.range_v = spec.v.min + ":" + spec.v.max;
-    result.report.facts = std::move(facts);
-  }
-  const Domain domain = name_parameters(surface, mesh, result.report.facts);
-  result.warnings = mesh_warnings(spec.name, mesh, domain);
-  if (color) {
-    for (std::string& warning : color_warnings(spec.name, mesh.mesh, *color)) {
+  result.is_clipped = scene.clip.box || report.clip;
+  if (result.is_clipped) report.least_triangles = 0;  // it is of the whole
+  return result;
+}
+
+Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
+  GridMesh& mesh = meshed.mesh;
+  Tessellation result;
+  result.moves = meshed.prepared.moves;
+  result.parse_ms = meshed.prepared.parse_ms;
+  result.compile_ms = meshed.prepared.compile_ms;
+  result.tessellate_ms = meshed.tessellate_ms;
+  result.domain = name_parameters(meshed.prepared.surface, mesh);
+  result.warnings = mesh_warnings(spec.name, mesh, result.domain);
+  if (meshed.color) {
+    for (std::string& warning : color_warnings(spec.name, mesh.mesh, *meshed.color)) {
       result.warnings.push_back(std::move(warning));
     }
   }
-  result.report.name = spec.name;
-  result.report.triangles = mesh.mesh.triangles.size();
-  result.report.vertices = mesh.mesh.position.size();
-  result.report.bounds = mesh.mesh.bounds;
-  result.report.mesh = std::move(mesh.report);
+  result.report = std::move(mesh.report);
   result.mesh = std::move(mesh.mesh);
   return result;
+}
+
+Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                        unsigned threads) {
+  return tessellation_of(spec, mesh_surface(scene, spec, purpose, threads));
 }
 
 }  // namespace saddle

@@ -2,20 +2,32 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/report.h"
-#include "app/tolerance.h"
-#include "mesh/mesh.h"
+#include "mesh/color_mesh.h"
+#include "mesh/grid_mesh.h"
+#include "meshing/tolerance.h"
+#include "scene/prepare.h"
 #include "scene/scene.h"
 
 namespace saddle {
 
-/// A mesh, and all that there is to say about it.
+/// A surface of a scene and its mesh, both in the surface's own parameters.
+struct MeshedSurface {
+  PreparedSurface prepared;
+  GridMesh mesh;
+  std::optional<ColorReport> color;  ///< of a coloured surface
+  bool is_clipped = false;           ///< a box may hide part of the surface
+  double tessellate_ms = 0;
+};
+
+/// A mesh and what there is to say about it, in the user's parameters.
 struct Tessellation {
   Mesh mesh;
-  SurfaceReport report;
+  MeshReport report;
+  Domain domain;  ///< where v depends on u: the box around the mesh's parameters
   std::vector<std::string> warnings;
   bool moves = false;     ///< at another time it is another mesh
   double parse_ms = 0;    ///< text to graph
@@ -31,6 +43,13 @@ std::size_t most_triangles(const Scene& scene);
 /// Prepares and tessellates surface `spec` of `scene`: on the grid of --samples, or with the fewest
 /// triangles that keep the tolerance of `purpose`. Throws Error as prepare_surface() and
 /// mesh_on_grid() do.
+MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                           unsigned threads);
+
+/// The mesh of `spec` and its warnings, for the user.
+Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed);
+
+/// Both in one call.
 Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                         unsigned threads);
 

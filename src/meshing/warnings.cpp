@@ -1,4 +1,4 @@
-#include "app/warnings.h"
+#include "meshing/warnings.h"
 
 #include <algorithm>
 #include <array>

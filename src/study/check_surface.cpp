@@ -1,0 +1,35 @@
+#include "study/check_surface.h"
+
+#include <span>
+#include <utility>
+
+namespace saddle {
+namespace {
+
+/// Puts the user's (u, v) in place of the surface's parameters where v depends on u. `domain`: that
+/// of the mesh in the user's.
+void name_parameters(const Surface& surface, const SurfaceSpec& spec, const Domain& domain,
+                     Facts& facts) {
+  if (surface.v.outputs.empty()) return;
+  facts.range_v = spec.v.min + ":" + spec.v.max;
+  facts.domain = domain;
+  facts.singular_v.clear();  // lines of constant s have no constant v
+  for (SingularPlace& place : facts.singular) {
+    take_user_parameters(surface, std::span(&place.uv, 1));
+  }
+}
+
+}  // namespace
+
+CheckedSurface check_surface(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
+  MeshedSurface meshed = mesh_surface(scene, spec, {.mesh = true}, threads);
+  const Surface surface = meshed.prepared.surface;
+  CheckedSurface result;
+  result.facts =
+      gather_facts(surface, meshed.mesh.mesh, meshed.mesh.report, meshed.is_clipped, threads);
+  result.tessellation = tessellation_of(spec, std::move(meshed));
+  name_parameters(surface, spec, result.tessellation.domain, result.facts);
+  return result;
+}
+
+}  // namespace saddle
