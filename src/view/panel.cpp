@@ -5,7 +5,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string_view>
 
@@ -13,6 +12,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include "base/format.h"
 #include "scene/assignments.h"
 #include "scene/colormap.h"
 #include "scene/gallery.h"
@@ -89,13 +89,6 @@ void show_tip(Action action) {
   if (!ImGui::IsItemHovered()) return;
   const auto key = std::ranges::find(key_table(), action, &KeyBinding::action);
   ImGui::SetTooltip("%s (%s)", key->help, key->name);
-}
-
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 160> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
 }
 
 }  // namespace
