@@ -119,11 +119,11 @@ void Panel::show_surface(Model& model, std::size_t index) {
   SurfaceSpec& spec = scene.surfaces[index];
   ImGui::PushID(static_cast<int>(index));
   if (scene.surfaces.size() > 1) ImGui::TextUnformatted(spec.name.c_str());
-  const bool guilty = index == model.guilty();
+  const bool is_faulty = index == model.faulty_surface();
   const auto formula = [&](const char* name, std::string& text) {
-    const bool wrong = guilty && is_about(model.error(), name);
+    const bool wrong = is_faulty && is_about(model.error(), name);
     if (field(name, text, wrong)) model.edit(scene, spec.name + name);
-    if (guilty) show_error_of(model, name);
+    if (is_faulty) show_error_of(model, name);
   };
   formula("x", spec.x);
   formula("y", spec.y);
@@ -143,7 +143,7 @@ void Panel::show_surface(Model& model, std::size_t index) {
     changed |= ImGui::InputText("##max", &ends.max);
     ImGui::PopID();
     if (changed) model.edit(scene, spec.name + name);
-    if (guilty) show_error_of(model, name);
+    if (is_faulty) show_error_of(model, name);
   };
   range("u", spec.u);
   range("v", spec.v);

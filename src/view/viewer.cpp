@@ -52,7 +52,7 @@ Viewer::Viewer(ViewerSetup setup)
 
 void Viewer::run() {
   while (!is_to_end()) step();
-  if (verbose_) say_what_it_took();
+  if (verbose_) print_times();
 }
 
 void Viewer::step() {
@@ -82,7 +82,7 @@ bool Viewer::is_at_rest() const {
          drawing_.is_at_rest() && !saver_.is_busy();
 }
 
-void Viewer::say_what_it_took() const {
+void Viewer::print_times() const {
   const auto ms = [](Clock::duration d) {
     return std::chrono::duration<double, std::milli>(d).count();
   };
