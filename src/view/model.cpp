@@ -42,10 +42,7 @@ constexpr int kLightSetups = 3;  // with the scene's own
 
 /// What they look at, and from how far.
 bool are_placed_alike(const Camera& a, const Camera& b) {
-  return a.distance.has_value() == b.distance.has_value() &&
-         (!a.distance || double(*a.distance) == double(*b.distance)) &&
-         a.target.has_value() == b.target.has_value() &&
-         (!a.target || dvec3(*a.target) == dvec3(*b.target));
+  return a.distance == b.distance && a.target == b.target;
 }
 
 /// The camera changes what a tolerance in pixels is.
@@ -55,7 +52,7 @@ bool sees_another_size(const Camera& a, const Camera& b) {
 
 /// So does what it sees, if it is close.
 bool sees_from_elsewhere(const Camera& a, const Camera& b) {
-  return dvec3(a.view) != dvec3(b.view) || dvec3(a.up) != dvec3(b.up);
+  return a.view != b.view || a.up != b.up;
 }
 
 }  // namespace

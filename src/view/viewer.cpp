@@ -281,9 +281,7 @@ Overlay Viewer::overlay() {
   if (help_shown_) overlay.help = key_help();
   const Grip grip = model_.grip();
   const auto& picked = model_.picked();
-  if (picked && is_in_front(grip, picked->world)) {
-    overlay.mark = pixel_of(grip, picked->world);
-  }
+  if (picked) overlay.mark = pixel_of(grip.fitted, picked->world, grip.size);
   return overlay;
 }
 
