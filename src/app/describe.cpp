@@ -1,12 +1,11 @@
 #include "app/describe.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "app/words.h"
+#include "base/format.h"
 #include "meshing/warnings.h"
 
 namespace saddle {
@@ -136,10 +135,9 @@ std::string mesh(const SurfaceReport& s) {
     const bool is_flat = s.facts->measures.gauss.low > -flat && s.facts->measures.gauss.high < flat;
     return text + (is_flat ? "; what unrolls into a plane has no least number" : "");
   }
-  std::array<char, 32> times{};
-  std::snprintf(times.data(), times.size(), "%.3g", static_cast<double>(s.triangles) / least);
-  return text + ": " + times.data() + " times the least possible, about " +
-         number(std::ceil(least)) + "; half the tolerance takes twice as many";
+  const std::string times = rounded(static_cast<double>(s.triangles) / least, 3);
+  return text + ": " + times + " times the least possible, about " + number(std::ceil(least)) +
+         "; half the tolerance takes twice as many";
 }
 
 /// The first place of each reason, and how many others it has.

@@ -3,10 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
+
+#include "base/format.h"
 
 namespace saddle {
 namespace {
@@ -26,11 +26,8 @@ void Progress::show_frames(std::size_t done, std::size_t all, double seconds) {
   const double rate = seconds > 0 ? static_cast<double>(done) / seconds : 0;
   std::string what = "frame " + std::to_string(done) + " of " + std::to_string(all);
   if (rate > 0) {
-    std::array<char, 64> text{};
     const long left = std::lround(static_cast<double>(all - done) / rate);
-    std::snprintf(text.data(), text.size(), ", %.1f frames/s, %ld:%02ld left", rate, left / 60,
-                  left % 60);
-    what += text.data();
+    what += formatted(", %.1f frames/s, %ld:%02ld left", rate, left / 60, left % 60);
   }
   show(static_cast<double>(done) / static_cast<double>(all), what);
 }

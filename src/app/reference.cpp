@@ -1,12 +1,11 @@
 #include "app/reference.h"
 
-#include <array>
-#include <cstdio>
 #include <ostream>
 #include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/format.h"
 #include "base/image_compare.h"
 #include "base/image_png.h"
 
@@ -14,11 +13,9 @@ namespace saddle {
 namespace {
 
 std::string figures(const ImageDifference& difference, double threshold) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(),
-                "error %.4g (threshold %.4g), largest difference %.4g, mean %.4g, SSIM %.4g",
-                difference.error, threshold, difference.largest, difference.mean, difference.ssim);
-  return text.data();
+  return formatted("error %.4g (threshold %.4g), largest difference %.4g, mean %.4g, SSIM %.4g",
+                   difference.error, threshold, difference.largest, difference.mean,
+                   difference.ssim);
 }
 
 std::string size_of(const Image& image) {

@@ -3,12 +3,11 @@
 
 #include <sys/resource.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/help.h"
+#include "base/format.h"
 
 namespace saddle {
 namespace {
@@ -191,9 +190,7 @@ void write_report(std::ostream& out, const RunReport& report) {
 namespace {
 
 std::string milliseconds(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g ms", value);
-  return text.data();
+  return rounded(value, 2) + " ms";
 }
 
 /// Which method made a mesh, and why.
@@ -223,10 +220,8 @@ std::string why(const MeshChoice& choice) {
     case Why::GridMisses:
       break;
   }
-  std::array<char, 32> excess{};
-  std::snprintf(excess.data(), excess.size(), "%.3g", choice.excess);
-  return "cells halved where they need it: " + grid + " cells is off by " + excess.data() +
-         " tolerances";
+  return "cells halved where they need it: " + grid + " cells is off by " +
+         rounded(choice.excess, 3) + " tolerances";
 }
 
 }  // namespace
@@ -249,9 +244,7 @@ std::string summary(const RunReport& report) {
   text += "milliseconds:";
   const Json all = times(report.times);
   for (const auto& [name, value] : all.items()) {
-    std::array<char, 64> line{};
-    std::snprintf(line.data(), line.size(), " %s %.1f", name.c_str(), value.get<double>());
-    text += line.data();
+    text += formatted(" %s %.1f", name.c_str(), value.get<double>());
   }
   return text + "\n";
 }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numeric>
 
 #include <glm/vector_relational.hpp>
+
+#include "base/format.h"
 
 namespace saddle::words {
 
@@ -273,19 +274,15 @@ class SingularWords {
 }  // namespace
 
 std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value + 0.0);  // + 0: no "-0"
-  return text.data();
+  return rounded(value, kDigits);
 }
 
 std::string number(const Estimate& estimate) {
   const double share = estimate.error / std::fabs(estimate.value);
   const double known = share > 0 ? std::floor(-std::log10(2 * share)) : kDigits;
   if (known >= kDigits || !std::isfinite(known)) return number(estimate.value);
-  std::array<char, 32> rounded{};
-  const int digits = static_cast<int>(std::max(known, 1.0));
-  std::snprintf(rounded.data(), rounded.size(), "%.*g", digits, estimate.value);
-  return "about " + number(std::strtod(rounded.data(), nullptr));
+  const std::string digits = rounded(estimate.value, static_cast<int>(std::max(known, 1.0)));
+  return "about " + number(std::strtod(digits.c_str(), nullptr));
 }
 
 std::string plural(std::size_t count, const std::string& noun) {

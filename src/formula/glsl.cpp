@@ -4,10 +4,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
+#include "base/format.h"
 #include "formula/lower.h"
 
 namespace saddle {
@@ -30,9 +30,7 @@ std::string literal(double value) {
   if (std::isinf(number)) {
     return number > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
   }
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(number));
-  std::string result = text.data();
+  std::string result = formatted("%.9g", static_cast<double>(number));
   if (result.find_first_of(".e") == std::string::npos) result += ".0";
   return number < 0 ? "(" + result + ")" : result;  // - -1.0 would be a decrement
 }

@@ -34,6 +34,15 @@ struct Bounds {
   }
   dvec3 centre() const { return 0.5 * low + 0.5 * high; }
   dvec3 size() const { return high - low; }
+  /// Corner k is at the high end of an axis where that axis's bit of k is set, x first.
+  std::array<dvec3, 8> corners() const {
+    std::array<dvec3, 8> result;
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      result[k] = {(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
+                   (k & 4) != 0 ? high.z : low.z};
+    }
+    return result;
+  }
   /// Whether a point is in the box or on its faces.
   bool contains(const dvec3& p) const {
     return glm::all(glm::lessThanEqual(low, p)) && glm::all(glm::lessThanEqual(p, high));

@@ -40,7 +40,7 @@ class Majority {
     ++pairs_;
     if (gap <= kJoinStep * step) ++short_gaps_;
   }
-  bool says_one_point() const { return 2 * short_gaps_ > pairs_; }
+  bool has_short_gaps() const { return 2 * short_gaps_ > pairs_; }
 
  private:
   std::size_t pairs_ = 0;
@@ -66,7 +66,7 @@ bool is_pole(const Grid& grid, std::span<const GridLine> lines, std::size_t k) {
     const double after = k + 1 < lines.size() ? step(lines[k + 1]) : 0;
     majority.add(step(line), std::max(before, after));
   }
-  return majority.says_one_point();
+  return majority.has_short_gaps();
 }
 
 /// Makes each line that is one point exactly one.
@@ -110,7 +110,7 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
     if (!is_one_point(grid, a, b)) return false;
     majority.add(distance(grid, a, b), distance(grid, a, edges.after_first[k]));
   }
-  return majority.says_one_point();
+  return majority.has_short_gaps();
 }
 
 /// Unites the vertices of two edges that meet.

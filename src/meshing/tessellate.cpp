@@ -96,7 +96,6 @@ GridMesh mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surfa
 /// The box, open at the faces that the surface does not go through on its way to its poles, or to
 /// a place nearby, as exp(1/u) does on one side of its own.
 Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
-  constexpr double kNoFace = std::numeric_limits<double>::infinity();
   constexpr double kNearby = 0.25;  // of the box: even ln goes twice as far as one on its way
   const dvec3 near = kNearby * box.size();
   for (int k = 0; k < 3; ++k) {
@@ -121,9 +120,10 @@ std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, con
   return mesh;
 }
 
-/// Leaves the next mesh of a run what the one that was made has left of what both may take. Whoever
-/// says how many triangles there may be gets so many.
-void pay(const Scene& scene, const std::optional<GridMesh>& made, AdaptiveOptions& options) {
+/// Deducts what a mesh took from the triangles that the next mesh of the run may have. A number
+/// that the user gave stays.
+void deduct_triangles(const Scene& scene, const std::optional<GridMesh>& made,
+                      AdaptiveOptions& options) {
   if (!made || scene.mesh.max_triangles) return;
   const auto least =
       static_cast<std::size_t>(kLeastShare * static_cast<double>(most_triangles(scene)));
@@ -147,7 +147,7 @@ std::optional<GridMesh> mesh_clipped(const MeshReport& known, const Scene& scene
     mesh->report.clip = options.clip;
     beside_poles.add(mesh->report.beside_poles);
     if (open_where_it_stays(box, beside_poles) == *options.clip) break;
-    pay(scene, mesh, options);
+    deduct_triangles(scene, mesh, options);
   }
   // Cells outside of the box are not looked at any more.
   if (known.pole_count > mesh->report.pole_count) {
@@ -182,7 +182,7 @@ std::optional<GridMesh> mesh_in_proportion(const Scene& scene, const Purpose& pu
                                            AdaptiveOptions& options) {
   if (!scene.mesh.samples) options.until_far = kNeedle;
   auto mesh = mesh_for(scene, purpose, surface, options);
-  pay(scene, mesh, options);
+  deduct_triangles(scene, mesh, options);
   Bounds whole = known.around;  // what a mesh follows between the samples may go much farther
   if (mesh) {
     whole.add(mesh->mesh.bounds);
@@ -195,7 +195,7 @@ std::optional<GridMesh> mesh_in_proportion(const Scene& scene, const Purpose& pu
     options.clip = readable;
     options.until_far = readable ? std::nullopt : std::optional(kAnywhere);
     mesh = mesh_for(scene, purpose, surface, options);
-    pay(scene, mesh, options);
+    deduct_triangles(scene, mesh, options);
   } else if (!has_poles() && readable) {
     options.clip = readable;
     options.until_far = std::nullopt;

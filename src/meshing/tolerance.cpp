@@ -127,15 +127,6 @@ class PixelSize {
   bool is_close_;
 };
 
-bool same(const Camera& a, const Camera& b) {
-  const auto along = [](const Vector& v, const Vector& w) { return dvec3(v) == dvec3(w); };
-  return along(a.view, b.view) && along(a.up, b.up) && double(a.fov) == double(b.fov) &&
-         a.ortho == b.ortho && a.target.has_value() == b.target.has_value() &&
-         (!a.target || along(*a.target, *b.target)) &&
-         a.distance.has_value() == b.distance.has_value() &&
-         (!a.distance || double(*a.distance) == double(*b.distance));
-}
-
 /// A camera, and a place of the surface that it looks at.
 struct View {
   Camera camera;
@@ -152,7 +143,7 @@ std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpo
   for (std::size_t k = 0; k < purpose.moments.size(); ++k) {
     const Moment& moment = purpose.moments[k];
     const std::vector<glm::dmat4> now = places(moment.nodes, spec);
-    const bool rests = k > 0 && same(purpose.moments[k - 1].camera, moment.camera);
+    const bool rests = k > 0 && purpose.moments[k - 1].camera == moment.camera;
     for (std::size_t i = 0; i < now.size(); ++i) {
       if (!rests || now[i] != last[i]) result.push_back({moment.camera, now[i]});
     }
@@ -193,10 +184,6 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
     for (const PixelSize& size : sizes) pixel = std::min(pixel, size(p, reach));
     return std::min(length, pixels * pixel);
   };
-}
-
-bool Moment::operator==(const Moment& other) const {
-  return same(camera, other.camera) && nodes == other.nodes;
 }
 
 Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
@@ -249,7 +236,6 @@ std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, d
 
 /// clip_box(), open at the faces that the surface goes beyond by no more than the box is long.
 Bounds box_without_far_edges(const Bounds& all, std::span<const dvec3> points) {
-  constexpr double kNoFace = std::numeric_limits<double>::infinity();
   Bounds box = clip_box(all, points);
   const dvec3 near = box.size();
   for (int k = 0; k < 3; ++k) {
@@ -295,7 +281,6 @@ std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> p
     const double length = kTall * usual;
     part = fullest_window(part, axis, length);
     if (static_cast<double>(part.size()) < least) break;
-    constexpr double kNoFace = std::numeric_limits<double>::infinity();
     box = Bounds{dvec3(-kNoFace), dvec3(kNoFace)};
     const double first = part.front()[axis];
     if (part.data() != sorted.data()) box->low[axis] = first;

@@ -1,6 +1,7 @@
 // How far the mesh may be from the surface: what --tolerance or the outputs ask for, as a length.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,7 +19,7 @@ struct Moment {
 
   explicit Moment(const Scene& scene) : camera(scene.camera), nodes(scene) {}
   /// Nothing that a picture shows is elsewhere, or of another size.
-  bool operator==(const Moment& other) const;
+  bool operator==(const Moment&) const = default;
 };
 
 /// What a run draws and writes, as far as its tolerance depends on it.
@@ -33,6 +34,9 @@ struct Purpose {
 /// in any of its nodes, that is nearest to the eye at any of its moments.
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
+
+/// Where a clip box is open: the coordinate of a face that it does not have, or minus that.
+inline constexpr double kNoFace = std::numeric_limits<double>::infinity();
 
 /// The box that a surface which goes to infinity is clipped to, if `points` (finite) are spread
 /// over it and `all` is around them: in each coordinate `all`, or what most of the points keep to,

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <span>
 #include <utility>
+
+#include "base/format.h"
 
 namespace saddle {
 namespace {
@@ -19,9 +20,7 @@ constexpr double kNothing = 1e-12;
 
 /// Four digits: enough to find the place, short enough to read.
 std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value + 0.0);  // + 0: no "-0"
-  return text.data();
+  return rounded(value, 4);
 }
 
 /// A place in the domain. A bisection may end at 1e-20 where 0 is meant.

@@ -144,11 +144,7 @@ class Annotator {
   // --- where things are --------------------------------------------------------------------------
 
   std::optional<dvec2> pixel_of(const dvec3& point) const {
-    const dvec3 eye =
-        glm::dmat3(camera_.world_to_eye) * (point - camera_.target) - dvec3(0, 0, camera_.distance);
-    const glm::dvec4 clip = camera_.eye_to_clip * glm::dvec4(eye, 1);
-    if (!(clip.w > 0)) return std::nullopt;
-    return dvec2((1 + clip.x / clip.w) / 2 * size_.x, (1 - clip.y / clip.w) / 2 * size_.y);
+    return saddle::pixel_of(camera_, point, size_);
   }
 
   /// Whether the box's face at the low or the high end of an axis is toward the eye.

@@ -6,7 +6,6 @@
 #include <array>
 #include <memory>
 #include <string>
-#include <type_traits>
 
 #include "base/error.h"
 #include "render/context.h"
@@ -19,7 +18,7 @@ namespace {
 constexpr std::array kLibraries{"libEGL.so.1", "libEGL.so"};
 const char* const kPackage = "libegl1";
 
-struct Library {
+struct EglFunctions {
   decltype(&eglGetPlatformDisplay) get_platform_display;
   decltype(&eglInitialize) initialize;
   decltype(&eglTerminate) terminate;
@@ -28,25 +27,19 @@ struct Library {
   decltype(&eglCreateContext) create_context;
   decltype(&eglMakeCurrent) make_current;
   decltype(&eglGetProcAddress) get_proc_address;
-};
 
-Library load_library() {
-  void* library = open_library(kLibraries, "drawing without a window", kPackage);
-  const auto symbol = [&](auto& function, const char* name) {
-    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-        library_symbol(library, name, kPackage));
-  };
-  Library result{};
-  symbol(result.get_platform_display, "eglGetPlatformDisplay");
-  symbol(result.initialize, "eglInitialize");
-  symbol(result.terminate, "eglTerminate");
-  symbol(result.bind_api, "eglBindAPI");
-  symbol(result.choose_config, "eglChooseConfig");
-  symbol(result.create_context, "eglCreateContext");
-  symbol(result.make_current, "eglMakeCurrent");
-  symbol(result.get_proc_address, "eglGetProcAddress");
-  return result;
-}
+  EglFunctions() {
+    const Library library(kLibraries, kPackage);
+    library.load(get_platform_display, "eglGetPlatformDisplay");
+    library.load(initialize, "eglInitialize");
+    library.load(terminate, "eglTerminate");
+    library.load(bind_api, "eglBindAPI");
+    library.load(choose_config, "eglChooseConfig");
+    library.load(create_context, "eglCreateContext");
+    library.load(make_current, "eglMakeCurrent");
+    library.load(get_proc_address, "eglGetProcAddress");
+  }
+};
 
 [[noreturn]] void fail(const std::string& what) {
   throw Error(Status::Machine, what, {},
@@ -56,11 +49,9 @@ Library load_library() {
 class EglContext final : public Context {
  public:
   EglContext()
-      : library_(load_library()),
-        display_(open_display(library_), library_.terminate),
-        context_(create_context()) {
+      : display_(open_display(functions_), functions_.terminate), context_(create_context()) {
     enter();
-    if (gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) {
+    if (gladLoadGL(functions_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) {
       fail("EGL's OpenGL is older than 3.3");
     }
   }
@@ -68,17 +59,17 @@ class EglContext final : public Context {
   void leave() override { make_current(EGL_NO_CONTEXT); }
   /// Which API is current is a thread's own.
   void enter() override {
-    if (library_.bind_api(EGL_OPENGL_API) != EGL_TRUE) fail("EGL has no OpenGL here");
+    if (functions_.bind_api(EGL_OPENGL_API) != EGL_TRUE) fail("EGL has no OpenGL here");
     make_current(context_);
   }
 
   std::string name() const override { return "egl"; }
 
  private:
-  static EGLDisplay open_display(const Library& library) {
+  static EGLDisplay open_display(const EglFunctions& functions) {
     EGLDisplay display =
-        library.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display == EGL_NO_DISPLAY || library.initialize(display, nullptr, nullptr) != EGL_TRUE) {
+        functions.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY || functions.initialize(display, nullptr, nullptr) != EGL_TRUE) {
       fail("EGL cannot draw without a display here");
     }
     return display;
@@ -96,23 +87,24 @@ class EglContext final : public Context {
     EGLConfig config = nullptr;
     EGLint count = 0;
     EGLContext context = EGL_NO_CONTEXT;
-    if (library_.bind_api(EGL_OPENGL_API) == EGL_TRUE &&
-        library_.choose_config(display_.get(), wanted.data(), &config, 1, &count) == EGL_TRUE &&
+    if (functions_.bind_api(EGL_OPENGL_API) == EGL_TRUE &&
+        functions_.choose_config(display_.get(), wanted.data(), &config, 1, &count) == EGL_TRUE &&
         count > 0) {
-      context = library_.create_context(display_.get(), config, EGL_NO_CONTEXT, attributes.data());
+      context =
+          functions_.create_context(display_.get(), config, EGL_NO_CONTEXT, attributes.data());
     }
     if (context == EGL_NO_CONTEXT) fail("EGL cannot make an OpenGL 3.3 core context");
     return context;
   }
 
   void make_current(EGLContext context) const {
-    if (library_.make_current(display_.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, context) !=
+    if (functions_.make_current(display_.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, context) !=
         EGL_TRUE) {
       fail("EGL cannot draw without a surface here");
     }
   }
 
-  Library library_;
+  EglFunctions functions_;
   // Its end is that of the context too.
   std::unique_ptr<void, decltype(&eglTerminate)> display_;
   EGLContext context_;

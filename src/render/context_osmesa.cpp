@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <memory>
 #include <string_view>
-#include <type_traits>
 
 #include "base/error.h"
 #include "render/context.h"
@@ -21,26 +20,20 @@ namespace {
 constexpr std::array kLibraries{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 const char* const kPackage = "libosmesa6";
 
-struct Library {
+struct OsmesaFunctions {
   decltype(&OSMesaCreateContextAttribs) create;
   decltype(&OSMesaDestroyContext) destroy;
   decltype(&OSMesaMakeCurrent) make_current;
   decltype(&OSMesaGetProcAddress) get_proc_address;
-};
 
-Library load_library() {
-  void* library = open_library(kLibraries, "drawing without a window", kPackage);
-  const auto symbol = [&](auto& function, const char* name) {
-    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-        library_symbol(library, name, kPackage));
-  };
-  Library result{};
-  symbol(result.create, "OSMesaCreateContextAttribs");
-  symbol(result.destroy, "OSMesaDestroyContext");
-  symbol(result.make_current, "OSMesaMakeCurrent");
-  symbol(result.get_proc_address, "OSMesaGetProcAddress");
-  return result;
-}
+  OsmesaFunctions() {
+    const Library library(kLibraries, kPackage);
+    library.load(create, "OSMesaCreateContextAttribs");
+    library.load(destroy, "OSMesaDestroyContext");
+    library.load(make_current, "OSMesaMakeCurrent");
+    library.load(get_proc_address, "OSMesaGetProcAddress");
+  }
+};
 
 /// Mesa crashes when this names a driver that is not in its library.
 void refuse_unknown_driver() {
@@ -55,16 +48,16 @@ void refuse_unknown_driver() {
 
 class OsmesaContext final : public Context {
  public:
-  OsmesaContext() : library_(load_library()), context_(create(library_)) {
+  OsmesaContext() : context_(create(functions_)) {
     enter();
-    if (gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) refuse();
+    if (gladLoadGL(functions_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) refuse();
   }
 
   void leave() override {
-    if (library_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0) != GL_TRUE) refuse();
+    if (functions_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0) != GL_TRUE) refuse();
   }
   void enter() override {
-    if (library_.make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE) {
+    if (functions_.make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE) {
       refuse();
     }
   }
@@ -80,7 +73,7 @@ class OsmesaContext final : public Context {
   using Handle = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;
 
   /// No depth: OSMesa's own framebuffer, which must exist, is a single pixel that nobody sees.
-  static Handle create(const Library& library) {
+  static Handle create(const OsmesaFunctions& functions) {
     refuse_unknown_driver();
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
@@ -91,7 +84,7 @@ class OsmesaContext final : public Context {
                                     OSMESA_CONTEXT_MINOR_VERSION,
                                     3,
                                     0};
-    Handle context(library.create(attributes.data(), nullptr), library.destroy);
+    Handle context(functions.create(attributes.data(), nullptr), functions.destroy);
     if (!context) {
       throw Error(Status::Machine, "OSMesa cannot make an OpenGL 3.3 core context", {},
                   "Mesa 12 or newer is needed; unset GALLIUM_DRIVER and MESA_* if they are set");
@@ -99,7 +92,7 @@ class OsmesaContext final : public Context {
     return context;
   }
 
-  Library library_;
+  OsmesaFunctions functions_;
   std::array<std::uint8_t, 4> pixel_{};  // before the context, which may still flush into it
   Handle context_;
 };

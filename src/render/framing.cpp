@@ -142,12 +142,7 @@ double farthest(const dvec3& centre, const Sampled& samples, const glm::dmat4& p
     return std::hypot(way.x, way.y, way.z);
   };
   double bound = 0;  // distances are convex: no sample is farther than the farthest corner
-  const Bounds& box = samples.bounds;
-  for (int corner = 0; corner < 8; ++corner) {
-    dvec3 p;
-    for (int k = 0; k < 3; ++k) p[k] = ((corner >> k) & 1) != 0 ? box.high[k] : box.low[k];
-    bound = std::max(bound, distance(p));
-  }
+  for (const dvec3& p : samples.bounds.corners()) bound = std::max(bound, distance(p));
   if (samples.positions.empty() || bound <= radius) return radius;
   for (const dvec3& p : samples.positions) radius = std::max(radius, distance(p));
   return radius;

@@ -2,28 +2,29 @@
 
 #include <dlfcn.h>
 
-#include <string_view>
+#include <string>
 
 #include "base/error.h"
 
 namespace saddle {
 
-void* open_library(std::span<const char* const> names, const std::string& purpose,
-                   const std::string& package) {
+Library::Library(std::span<const char* const> names, const char* package) : package_(package) {
   std::string reason;
   for (const char* name : names) {
-    if (void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL)) return library;
+    handle_ = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+    if (handle_ != nullptr) return;
     const char* why = dlerror();
     if (reason.empty() && why != nullptr) reason = why;  // the preferred one's
   }
-  throw Error(Status::Machine, purpose + " needs a library that cannot be loaded: " + reason, {},
-              "install the package " + package);
+  throw Error(Status::Machine,
+              "drawing without a window needs a library that cannot be loaded: " + reason, {},
+              "install the package " + std::string(package));
 }
 
-void* library_symbol(void* library, const char* symbol, const std::string& package) {
-  if (void* address = dlsym(library, symbol)) return address;
-  throw Error(Status::Machine, "the installed library is too old: it has no " + std::string(symbol),
-              {}, "update the package " + package);
+void* Library::symbol(const char* name) const {
+  if (void* address = dlsym(handle_, name)) return address;
+  throw Error(Status::Machine, "the installed library is too old: it has no " + std::string(name),
+              {}, "update the package " + std::string(package_));
 }
 
 }  // namespace saddle

@@ -35,19 +35,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The distance of the farthest corner; much less than the box's for a torus, say.
-double radius_around(const dvec3& target, std::span<const Instance> all,
-                     std::span<const Mesh> meshes) {
-  double radius = 0;
-  for (const Instance& instance : all) {
-    for (const dvec3& corner : meshes[instance.surface].position) {
-      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
-      radius = std::max(radius, std::hypot(p.x - target.x, p.y - target.y, p.z - target.z));
-    }
-  }
-  return radius;
-}
-
 /// Of the numbers that the meshes are coloured by.
 std::vector<std::optional<ColorRange>> ranges_of(std::span<const Mesh> meshes) {
   std::vector<std::optional<ColorRange>> ranges;
@@ -65,7 +52,11 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
   }
   if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
   if (scene.camera.distance) return fit_camera(scene.camera, bounds, size.x / size.y);
-  const double radius = radius_around(camera_target(scene.camera, bounds), all, meshes);
+  const dvec3 target = camera_target(scene.camera, bounds);
+  double radius = 0;  // much less than the box's for a torus, say
+  for (const Instance& instance : all) {
+    radius = std::max(radius, farthest_vertex(target, meshes[instance.surface], instance.to_world));
+  }
   return fit_camera(
       scene.camera, bounds, size.x / size.y, radius,
       room_for_annotations(scene, bounds, color_scales(scene, ranges_of(meshes)), size));

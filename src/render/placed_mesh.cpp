@@ -9,26 +9,24 @@
 namespace saddle {
 namespace {
 
-/// Columns of a matrix that differ from a rotation's by this share of their length are even enough
-/// for float normals.
-constexpr double kEven = 1e-6;
+/// Columns of a matrix may differ from a similarity's by this share of their length: float normals
+/// do not show it.
+constexpr double kSimilar = 1e-6;
 
 /// A rotation times a positive factor, for which normals need no matrix of their own.
-bool is_even(const glm::dmat3& m) {
+bool is_similarity(const glm::dmat3& m) {
   const double length = glm::length(m[0]);
-  const double slack = kEven * length * length;
+  const double slack = kSimilar * length * length;
   return glm::determinant(m) > 0 && std::abs(glm::dot(m[0], m[1])) <= slack &&
          std::abs(glm::dot(m[1], m[2])) <= slack && std::abs(glm::dot(m[2], m[0])) <= slack &&
-         std::abs(glm::length(m[1]) - length) <= kEven * length &&
-         std::abs(glm::length(m[2]) - length) <= kEven * length;
+         std::abs(glm::length(m[1]) - length) <= kSimilar * length &&
+         std::abs(glm::length(m[2]) - length) <= kSimilar * length;
 }
 
 /// Of the box's corners, along the view; before the near plane there is nothing to see.
 double nearest_depth(const Bounds& box, const FittedCamera& camera) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (int corner = 0; corner < 8; ++corner) {
-    dvec3 p;
-    for (int k = 0; k < 3; ++k) p[k] = ((corner >> k) & 1) != 0 ? box.high[k] : box.low[k];
+  for (const dvec3& p : box.corners()) {
     const double z = (glm::dmat3(camera.world_to_eye) * (p - camera.target)).z;
     nearest = std::min(nearest, camera.distance - z);
   }
@@ -50,7 +48,7 @@ PlacedMesh::PlacedMesh(const Instance& instance, const GpuMesh& mesh, const Fitt
   // A factor of clip coordinates means nothing; w in units of the scene keeps to a float's range.
   if (model_to_clip[2][3] != 0) model_to_clip /= unit;
   model_to_clip = model_to_clip * model_to_eye;
-  even = is_even(turned);
+  is_similar = is_similarity(turned);
   normal_to_eye = normal_matrix(turned);
   mirrored = glm::determinant(turned) < 0;
   const Bounds box = transformed(mesh.bounds(), instance.to_world);

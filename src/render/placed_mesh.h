@@ -18,7 +18,7 @@ struct PlacedMesh {
   glm::dmat4 model_to_eye;  // in units of the scene
   glm::dmat4 model_to_clip;
   glm::dmat3 normal_to_eye;
-  bool even = true;  // normals go as directions do
+  bool is_similar = true;  // angles stay: normals go as directions do
   bool mirrored = false;
   bool two_sided = true;  // back faces can be seen
   double opacity = 1;

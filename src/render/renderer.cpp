@@ -299,7 +299,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     const SurfaceSpec& surface = scene.surfaces[item.surface];
     needs.two_sided = item.two_sided;
     needs.see_through = first && item.opacity < 1;  // later passes leave alpha alone
-    needs.normal_matrix = !item.even;
+    needs.normal_matrix = !item.is_similar;
     const auto& formula = normals_[item.surface].formula;
     needs.normal = exact && formula ? &*formula : nullptr;
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();

@@ -3,7 +3,6 @@
 #include "scene/camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -71,21 +70,11 @@ Axes camera_axes(const Camera& camera) {
   return {{1, 0, 0}, {0, 1, 0}, z};  // not reached: z is not parallel to both y and z
 }
 
-std::array<dvec3, 8> corners(const Bounds& bounds) {
-  std::array<dvec3, 8> result;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = {(i & 1) != 0 ? bounds.high.x : bounds.low.x,
-                 (i & 2) != 0 ? bounds.high.y : bounds.low.y,
-                 (i & 4) != 0 ? bounds.high.z : bounds.low.z};
-  }
-  return result;
-}
-
 /// Radius of the sphere around `target` that holds the box. A box that is a point at the target
 /// gets one that is visible among numbers of its magnitude.
 double sphere_radius(const Bounds& bounds, const dvec3& target) {
   double radius = 0;
-  for (const dvec3& corner : corners(bounds)) radius = std::max(radius, length(corner - target));
+  for (const dvec3& corner : bounds.corners()) radius = std::max(radius, length(corner - target));
   return radius > 0 ? radius : std::max(1.0, length(target));
 }
 
@@ -102,7 +91,7 @@ double fitting_distance(double radius, double half_fov, double aspect, bool orth
 double distance_of_box(const Bounds& bounds, const FittedCamera& fitted, const Axes& axes,
                        const dvec2& slopes, bool ortho) {
   double least = 0;
-  for (const dvec3& corner : corners(bounds)) {
+  for (const dvec3& corner : bounds.corners()) {
     const dvec3 q = corner - fitted.target;
     const double nearer = ortho ? 0 : glm::dot(axes.z, q);
     least = std::max({least, nearer + std::abs(glm::dot(axes.x, q)) / slopes.x,
@@ -133,7 +122,7 @@ namespace {
 void fit_depth(FittedCamera& fitted, const Bounds& bounds, const dvec3& backward, bool ortho) {
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = -nearest;
-  for (const dvec3& corner : corners(bounds)) {
+  for (const dvec3& corner : bounds.corners()) {
     const double depth = fitted.distance - glm::dot(backward, corner - fitted.target);
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
@@ -175,6 +164,14 @@ glm::dmat4 projection(const FittedCamera& fitted, double half_height, double asp
 }
 
 }  // namespace
+
+std::optional<dvec2> pixel_of(const FittedCamera& camera, const dvec3& point, const dvec2& size) {
+  const dvec3 eye =
+      glm::dmat3(camera.world_to_eye) * (point - camera.target) - dvec3(0, 0, camera.distance);
+  const glm::dvec4 clip = camera.eye_to_clip * glm::dvec4(eye, 1);
+  if (!(clip.w > 0)) return std::nullopt;
+  return dvec2((1 + clip.x / clip.w) / 2 * size.x, (1 - clip.y / clip.w) / 2 * size.y);
+}
 
 dvec3 camera_target(const Camera& camera, const Bounds& bounds) {
   return camera.target.value_or(bounds.centre());

@@ -1,8 +1,9 @@
 // From the camera's few numbers to the transforms that the renderer needs.
 #pragma once
 
-#include <glm/mat4x4.hpp>
 #include <optional>
+
+#include <glm/mat4x4.hpp>
 
 #include "mesh/mesh.h"
 #include "scene/scene.h"
@@ -42,5 +43,9 @@ void check_camera(const Camera& camera);
 
 /// Where `camera` looks: its target, or the centre of the box.
 dvec3 camera_target(const Camera& camera, const Bounds& bounds);
+
+/// Where a picture of `size` pixels shows a point of the world, from the upper left corner; nothing
+/// for a point beside or behind the eye.
+std::optional<dvec2> pixel_of(const FittedCamera& camera, const dvec3& point, const dvec2& size);
 
 }  // namespace saddle

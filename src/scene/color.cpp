@@ -7,11 +7,11 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string_view>
 #include <vector>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "base/nearest.h"
 
 namespace saddle {
@@ -229,15 +229,8 @@ std::string format_color(const Color& color) {
   const auto byte = [](double channel) {
     return static_cast<unsigned>(std::lround(255 * std::clamp(channel, 0.0, 1.0)));
   };
-  std::array<char, 10> text{};  // "#rrggbbaa" and the end
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(color.r), byte(color.g),
-                byte(color.b));
-  std::string result = text.data();
-  if (byte(color.a) != 255) {
-    std::snprintf(text.data(), text.size(), "%02x", byte(color.a));
-    result += text.data();
-  }
-  return result;
+  const std::string rgb = formatted("#%02x%02x%02x", byte(color.r), byte(color.g), byte(color.b));
+  return byte(color.a) == 255 ? rgb : rgb + formatted("%02x", byte(color.a));
 }
 
 }  // namespace saddle

@@ -70,11 +70,7 @@ std::vector<Instance> instances(const Scene& scene) {
 Bounds transformed(const Bounds& bounds, const glm::dmat4& to_world) {
   Bounds result;
   if (bounds.empty()) return result;
-  for (int corner = 0; corner < 8; ++corner) {
-    dvec3 p;
-    for (int k = 0; k < 3; ++k) p[k] = ((corner >> k) & 1) != 0 ? bounds.high[k] : bounds.low[k];
-    result.add(dvec3(to_world * glm::dvec4(p, 1)));
-  }
+  for (const dvec3& p : bounds.corners()) result.add(dvec3(to_world * glm::dvec4(p, 1)));
   return result;
 }
 
@@ -96,6 +92,15 @@ Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world) {
     for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
   }
   return result;
+}
+
+double farthest_vertex(const dvec3& centre, const Mesh& mesh, const glm::dmat4& to_world) {
+  double farthest = 0;
+  for (const dvec3& vertex : mesh.position) {
+    const dvec3 way = dvec3(to_world * glm::dvec4(vertex, 1)) - centre;
+    farthest = std::max(farthest, std::hypot(way.x, way.y, way.z));
+  }
+  return farthest;
 }
 
 glm::dmat3 normal_matrix(const glm::dmat3& m) {

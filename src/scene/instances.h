@@ -47,6 +47,10 @@ Bounds transformed(const Bounds& bounds, const glm::dmat4& to_world);
 /// A mesh where an instance is: positions, normals, and the winding that keeps the front in front.
 Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world);
 
+/// The distance from `centre` of the vertex that is farthest from it where an instance is; 0 for an
+/// empty mesh.
+double farthest_vertex(const dvec3& centre, const Mesh& mesh, const glm::dmat4& to_world);
+
 /// The transform of normals up to a positive factor: the inverse transpose, by its cofactors, which
 /// a flattening transform has too. Largest element 1; zero if the transform leaves no surface.
 glm::dmat3 normal_matrix(const glm::dmat3& m);

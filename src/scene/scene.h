@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct Number {
   Number(double plain) : value(plain) {}  // NOLINT: meant to convert
   explicit Number(std::string expression) : text(std::move(expression)) {}
   operator double() const { return value; }  // NOLINT: meant to convert
+  /// Two numbers are equal if both their texts and their values are.
+  bool operator==(const Number&) const = default;
+  /// A plain number is compared with the value.
+  template <typename Plain>
+  requires std::is_arithmetic_v<Plain>
+  bool operator==(Plain plain) const { return value == plain; }
 };
 
 /// Three of them: a point or a direction.
@@ -33,11 +40,14 @@ struct Vector {
   Vector(Number a, Number b, Number c) : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
   Vector(const dvec3& v) : x(v.x), y(v.y), z(v.z) {}              // NOLINT: meant to convert
   operator dvec3() const { return {x.value, y.value, z.value}; }  // NOLINT: meant to convert
+  bool operator==(const Vector&) const = default;
 };
 
 /// Red, green, blue, alpha, each 0 to 1, as they appear on the screen (no gamma is applied).
 struct Color {
   Number r = 0, g = 0, b = 0, a = 1;
+
+  bool operator==(const Color&) const = default;
 };
 
 /// One side of a surface.
@@ -135,6 +145,8 @@ struct Camera {
   std::optional<Number> distance;  ///< from the target; default: the bounding sphere just fits
   Number fov = 30;                 ///< vertical, degrees, more than 0 and less than 180
   bool ortho = false;              ///< the visible height is the perspective one at the target
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// The box that surfaces are cut along.

@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string_view>
+
+#include "base/format.h"
 
 namespace saddle {
 namespace {
@@ -19,12 +20,6 @@ constexpr int kMostDigits = 5;
 constexpr int kOffsetDigits = 15;
 /// A tick this much of a step outside is on the end but for rounding.
 constexpr double kOnEnd = 1e-9;
-
-std::string format(const char* pattern, int digits, double value) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), pattern, digits, value);
-  return text.data();
-}
 
 /// With the minus sign that typography has.
 std::string with_minus(std::string text) {
@@ -99,7 +94,7 @@ std::string note_of(const Shortening& how, const Step& step) {
   if (how.exponent != 0) note = "\u00d710" + superscript(how.exponent);
   if (how.offset != 0) {
     const double offset = step.times(static_cast<double>(how.offset));
-    const std::string digits = format("%.*g", kOffsetDigits, std::abs(offset));
+    const std::string digits = rounded(std::abs(offset), kOffsetDigits);
     note += (note.empty() ? "" : " ") + std::string(offset < 0 ? "\u2212 " : "+ ") + digits;
   }
   return note;
@@ -112,7 +107,7 @@ Ticks ticks(double low, double high, int count) {
   const double length = high - low;
   if (!std::isfinite(low) || !std::isfinite(high) || !(length >= 0)) return result;
   if (length == 0) {
-    result.ticks.push_back({low, with_minus(format("%.*g", kMostDigits + 1, low + 0.0))});
+    result.ticks.push_back({low, with_minus(rounded(low, kMostDigits + 1))});
     return result;
   }
   if (!std::isfinite(length)) return result;
@@ -126,7 +121,7 @@ Ticks ticks(double low, double high, int count) {
   for (double k = first; k <= last; ++k) {
     const double rest = (k - static_cast<double>(how.offset)) * step.factor;
     const double shown = rest * std::pow(10.0, step.exponent - how.exponent) + 0.0;  // no -0
-    result.ticks.push_back({step.times(k) + 0.0, with_minus(format("%.*f", decimals, shown))});
+    result.ticks.push_back({step.times(k) + 0.0, with_minus(formatted("%.*f", decimals, shown))});
   }
   result.note = note_of(how, step);
   return result;

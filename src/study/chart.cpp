@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <vector>
 
 #include "base/child.h"
 #include "base/file.h"
+#include "base/format.h"
 #include "base/temporary.h"
 #include "study/chart_labels.h"
 #include "study/methods.h"
@@ -54,15 +53,6 @@ constexpr std::array<Style, 7> kStyles = {{{"#0072B2", 7, 6},
                                            {"#56B4E9", 11, 10},
                                            {"#E69F00", 15, 14},
                                            {"#000000", 7, 6}}};
-
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...) {
-  std::array<char, 512> text{};
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text.data(), text.size(), format, arguments);
-  va_end(arguments);
-  return text.data();
-}
 
 /// A text as gnuplot reads it between single quotes.
 std::string quoted(const std::string& text) {

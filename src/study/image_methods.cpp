@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "mesh/choose.h"
 #include "render/context.h"
 #include "render/picture_in_tiles.h"
 #include "study/exact_image.h"
 #include "study/methods.h"
-#include "study/number_text.h"
 
 namespace saddle {
 namespace {
@@ -49,7 +49,8 @@ class ImageStudy {
       scene_.picture.shading = shading;
       compile_shaders();
       for (const double pixels : kTolerances) {
-        if (!add(method, number_text(pixels) + " px", pixels, subject_.antialias)) break;
+        if (!add(method, rounded(pixels, kSettingDigits) + " px", pixels, subject_.antialias))
+          break;
       }
     }
     for (const int n : kSamples) {

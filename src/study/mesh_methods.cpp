@@ -4,13 +4,13 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "mesh/adaptive_mesh.h"
 #include "mesh/choose.h"
 #include "mesh/clip.h"
 #include "mesh/tidy.h"
 #include "study/mesh_distance.h"
 #include "study/methods.h"
-#include "study/number_text.h"
 
 namespace saddle {
 namespace {
@@ -57,7 +57,7 @@ class MeshStudy {
     for (const double pixels : kTolerances) {
       const AdaptiveOptions options = within(pixels);
       const auto make = [&] { return mesh(options); };
-      if (!add(method, number_text(pixels) + " px", pixels, make)) return;
+      if (!add(method, rounded(pixels, kSettingDigits) + " px", pixels, make)) return;
     }
   }
 
@@ -116,7 +116,7 @@ class MeshStudy {
       const double time = cheapest * triangles;
       Measurement m{Panel::Mesh,
                     "least triangles",
-                    number_text(pixels) + " px",
+                    rounded(pixels, kSettingDigits) + " px",
                     {time, time, time},
                     pixels,
                     "px",

@@ -8,6 +8,9 @@
 
 namespace saddle {
 
+/// Digits of a method's setting in tables and charts.
+inline constexpr int kSettingDigits = 6;
+
 /// Positions on a grid: muparser and tapes. Errors in units in the last place of the surface's
 /// largest coordinate.
 std::vector<Measurement> measure_evaluation(const Subject& subject, const StudyProgress& progress);

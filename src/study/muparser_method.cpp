@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/format.h"
 
 namespace saddle {
 namespace {
@@ -97,9 +98,8 @@ std::string leaf(const Node& node) {
   if (node.op == Op::Variable) return node.symbol == kSymbolU ? "u" : "v";
   if (std::isnan(node.value)) return "our_nan";
   if (std::isinf(node.value)) return node.value > 0 ? "our_inf" : "(-our_inf)";
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), node.value < 0 ? "(%.17g)" : "%.17g", node.value);
-  return text.data();
+  const std::string text = formatted("%.17g", node.value);
+  return node.value < 0 ? "(" + text + ")" : text;
 }
 
 std::string call(const Node& node, const std::vector<std::string>& of) {

@@ -4,10 +4,10 @@
 #include <span>
 #include <string>
 
+#include "base/format.h"
 #include "eval/batch.h"
 #include "mesh/grid.h"
 #include "study/methods.h"
-#include "study/number_text.h"
 
 namespace saddle {
 namespace {
@@ -81,7 +81,7 @@ class NormalStudy {
   std::vector<Measurement> measure() {
     const Timing time = time_repeatedly([&] { differences(kSteps[0]); });  // the same for any h
     for (const double h : kSteps) {
-      const std::string setting = "h=" + number_text(h);
+      const std::string setting = "h=" + rounded(h, kSettingDigits);
       progress_.next(kDifferences, setting);
       differences(h);
       add(kDifferences, setting, time);

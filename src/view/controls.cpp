@@ -60,17 +60,6 @@ Ray ray_through(const Grip& grip, const dvec2& pixel) {
   return {point + camera.distance * backward, -backward};
 }
 
-dvec2 pixel_of(const Grip& grip, const dvec3& point) {
-  const FittedCamera& camera = grip.fitted;
-  const dvec3 eye = glm::dmat3(camera.world_to_eye) * (point - camera.target);
-  const glm::dvec4 clip = camera.eye_to_clip * glm::dvec4(eye.x, eye.y, eye.z - camera.distance, 1);
-  return {(1 + clip.x / clip.w) / 2 * grip.size.x, (1 - clip.y / clip.w) / 2 * grip.size.y};
-}
-
-bool is_in_front(const Grip& grip, const dvec3& point) {
-  return grip.camera.ortho || glm::dot(axes_of(grip.fitted).backward, grip.fitted.eye - point) > 0;
-}
-
 dvec3 point_on_target_plane(const Grip& grip, const dvec2& pixel) {
   const EyeAxes axes = axes_of(grip.fitted);
   const double length = pixel_length(grip);

@@ -24,12 +24,6 @@ struct Ray {
 /// What is under a pixel: from the eye, or with an orthographic camera from its plane.
 Ray ray_through(const Grip& grip, const dvec2& pixel);
 
-/// The pixel that shows a point in front of the eye.
-dvec2 pixel_of(const Grip& grip, const dvec3& point);
-
-/// Whether a point is in front of the eye; everything is, to an orthographic one.
-bool is_in_front(const Grip& grip, const dvec3& point);
-
 /// What of the plane through the target that faces the eye is under a pixel.
 dvec3 point_on_target_plane(const Grip& grip, const dvec2& pixel);
 

@@ -21,9 +21,9 @@ Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail)
   result.preview = detail == Detail::Preview;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    for (result.guilty = 0; result.guilty < scene.surfaces.size(); ++result.guilty) {
+    for (std::size_t& k = result.faulty_surface; k < scene.surfaces.size(); ++k) {
       result.surfaces.push_back(
-          std::make_shared<const Tessellation>(tessellate(scene, result.guilty, detail)));
+          std::make_shared<const Tessellation>(tessellate(scene, k, detail)));
     }
   } catch (const Error& error) {
     result.error = error;
@@ -52,7 +52,7 @@ MeshWorker::MeshWorker(Tessellate tessellate, std::function<void()> wake)
       wake_(std::move(wake)),
       thread_([this](const std::stop_token& end) { run(end); }) {}
 
-void MeshWorker::wish(Scene scene, Manner manner) {
+void MeshWorker::request(Scene scene, Manner manner) {
   {
     const std::lock_guard lock(mutex_);
     next_ = {std::move(scene), manner};
@@ -81,32 +81,32 @@ void MeshWorker::run(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     working_ = false;
     if (!changed_.wait(lock, end, [this] { return next_.has_value(); })) return;
-    const Wish wish = *std::exchange(next_, std::nullopt);
+    const Request request = *std::exchange(next_, std::nullopt);
     working_ = true;
-    previewing_ = wish.manner == Manner::PreviewFirst;
+    previewing_ = request.manner == Manner::PreviewFirst;
     begun_ = Clock::now();
     current_ = std::stop_source();
     if (end.stop_requested()) return;
     const Abandonable abandonable(current_.get_token());
     lock.unlock();
     try {
-      work(wish);
+      work(request);
     } catch (const Abandoned&) {
-      // The newer wish is waiting.
+      // The newer request is waiting.
     }
   }
 }
 
-void MeshWorker::work(const Wish& wish) {
-  if (wish.manner == Manner::PreviewFirst) {
-    Meshed preview = mesh_all(tessellate_, wish.scene, Detail::Preview);
+void MeshWorker::work(const Request& request) {
+  if (request.manner == Manner::PreviewFirst) {
+    Meshed preview = mesh_all(tessellate_, request.scene, Detail::Preview);
     // An error may be that of the coarse mesh; the other one will tell.
     if (!preview.error) deliver(std::move(preview));
     const std::lock_guard lock(mutex_);
     if (next_) return;
     previewing_ = false;
   }
-  deliver(mesh_all(tessellate_, wish.scene, Detail::Full));
+  deliver(mesh_all(tessellate_, request.scene, Detail::Full));
 }
 
 void MeshWorker::deliver(Meshed result) {

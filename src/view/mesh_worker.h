@@ -1,4 +1,4 @@
-// Meshing beside the drawing: the newest wish is the only one that counts.
+// Meshing beside the drawing: only the newest request counts.
 #pragma once
 
 #include <chrono>
@@ -29,22 +29,22 @@ using Tessellate = std::function<Tessellation(const Scene& scene, std::size_t su
 /// tessellate() for a picture; a preview takes a coarse grid, or that of --samples.
 Tessellate tessellate_for_picture(unsigned threads);
 
-/// What became of a wish.
+/// What became of a request.
 struct Meshed {
-  Scene scene;  ///< as it was wished for
+  Scene scene;  ///< as it was requested
   /// One per surface of the scene; none if there is an error.
   std::vector<std::shared_ptr<const Tessellation>> surfaces;
   std::optional<Error> error;
-  std::size_t guilty = 0;   ///< the surface that has the error
-  bool preview = false;     ///< a coarse mesh; the real one follows
-  double milliseconds = 0;  ///< of meshing
+  std::size_t faulty_surface = 0;  ///< the surface that has the error
+  bool preview = false;            ///< a coarse mesh; the real one follows
+  double milliseconds = 0;         ///< of meshing
 };
 
-/// How a wish is to be fulfilled.
+/// Which meshes a request is answered with.
 enum class Manner {
   PreviewFirst,  ///< a coarse mesh at once, the real one later
   Full,          ///< the real one
-  InTurn         ///< the real one, when that of the wish before is there
+  InTurn         ///< the real one, once that of the request before is there
 };
 
 /// All calls from one thread, which `wake` tells, from another, that there is something to take.
@@ -52,33 +52,32 @@ class MeshWorker {
  public:
   MeshWorker(Tessellate tessellate, std::function<void()> wake);
 
-  /// What is being done for an earlier wish is abandoned, unless this one is to be done in turn, or
-  /// that is a preview that has only just begun: an endless stream of wishes must show something
-  /// too.
-  void wish(Scene scene, Manner manner);
+  /// Abandons the work on an earlier request, unless this one is done in turn, or that work is a
+  /// preview that has only just begun: an endless stream of requests must show something too.
+  void request(Scene scene, Manner manner);
 
   /// The newest result, once.
   std::optional<Meshed> take();
 
-  /// Something is wished for and not yet there to be taken.
+  /// A request has no result yet.
   bool is_busy() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Wish {
+  struct Request {
     Scene scene;
     Manner manner = Manner::Full;
   };
 
   void run(const std::stop_token& end);
-  void work(const Wish& wish);
+  void work(const Request& request);
   void deliver(Meshed result);
 
   Tessellate tessellate_;
   std::function<void()> wake_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::optional<Wish> next_;
+  std::optional<Request> next_;
   std::optional<Meshed> result_;
   bool working_ = false;
   bool previewing_ = false;

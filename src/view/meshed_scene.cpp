@@ -22,10 +22,8 @@ Bounds bounds_of(const Meshed& meshed) {
 double radius_around(const dvec3& centre, const Meshed& meshed) {
   double radius = 0;
   for (const Instance& instance : instances(meshed.scene)) {
-    for (const dvec3& corner : meshed.surfaces[instance.surface]->mesh.position) {
-      const dvec3 p(instance.to_world * glm::dvec4(corner, 1));
-      radius = std::max(radius, std::hypot(p.x - centre.x, p.y - centre.y, p.z - centre.z));
-    }
+    const Mesh& mesh = meshed.surfaces[instance.surface]->mesh;
+    radius = std::max(radius, farthest_vertex(centre, mesh, instance.to_world));
   }
   return radius;
 }

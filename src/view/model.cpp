@@ -25,7 +25,7 @@ constexpr double kKeepsUpMs = 100;
 /// While t plays there are at most so many steps a second: that of most displays.
 constexpr std::chrono::microseconds kStep{16'667};
 
-Light shining(const dvec3& position, double brightness) {
+Light point_light(const dvec3& position, double brightness) {
   Light light;
   light.position = position;
   light.color = {brightness, brightness, brightness};
@@ -34,19 +34,16 @@ Light shining(const dvec3& position, double brightness) {
 
 /// The setups after the scene's own.
 std::vector<Light> light_setup(int number) {
-  if (number == 1) return {shining({0, 0, 0}, 1)};
-  Light above = shining({0, 1, 0.3}, 0.9);
+  if (number == 1) return {point_light({0, 0, 0}, 1)};
+  Light above = point_light({0, 1, 0.3}, 0.9);
   above.directional = true;
-  return {above, shining({0, 0, 0}, 0.2)};
+  return {above, point_light({0, 0, 0}, 0.2)};
 }
 constexpr int kLightSetups = 3;  // with the scene's own
 
 /// What they look at, and from how far.
 bool are_placed_alike(const Camera& a, const Camera& b) {
-  return a.distance.has_value() == b.distance.has_value() &&
-         (!a.distance || double(*a.distance) == double(*b.distance)) &&
-         a.target.has_value() == b.target.has_value() &&
-         (!a.target || dvec3(*a.target) == dvec3(*b.target));
+  return a.distance == b.distance && a.target == b.target;
 }
 
 /// The camera changes what a tolerance in pixels is.
@@ -56,7 +53,7 @@ bool sees_another_size(const Camera& a, const Camera& b) {
 
 /// So does what it sees, if it is close.
 bool sees_from_elsewhere(const Camera& a, const Camera& b) {
-  return dvec3(a.view) != dvec3(b.view) || dvec3(a.up) != dvec3(b.up);
+  return a.view != b.view || a.up != b.up;
 }
 
 /// The camera of an animation, where it fits itself, holds all of it. A scene with an error is left
@@ -86,7 +83,7 @@ Model::Model(ViewerSetup setup, std::function<void()> wake)
       worker_(tessellation_of(setup), std::move(wake)) {
   own_lights_ = scene_.lights;
   frame();
-  wish(Manner::PreviewFirst);
+  request_meshes(Manner::PreviewFirst);
 }
 
 /// Lets the camera hold an animation as it has become, unless a hand has placed it.
@@ -138,7 +135,7 @@ void Model::reload() {
     open(std::move(scene));
   } catch (const Error& error) {
     error_ = error;
-    guilty_ = scene_.surfaces.size();
+    faulty_surface_ = scene_.surfaces.size();
   }
 }
 
@@ -157,7 +154,7 @@ void Model::edit(Scene scene, const std::string& what) {
   history_.record(scene_, what);
   scene_ = std::move(scene);
   is_edited_ = true;
-  wish(Manner::PreviewFirst);
+  request_meshes(Manner::PreviewFirst);
 }
 
 /// While somebody types, the camera stays.
@@ -183,7 +180,7 @@ void Model::restore(std::optional<Scene> scene) {
   scene->picture = scene_.picture;
   scene_ = std::move(*scene);
   frame();
-  wish(Manner::PreviewFirst);
+  request_meshes(Manner::PreviewFirst);
 }
 
 void Model::open(Scene scene) {
@@ -195,7 +192,7 @@ void Model::open(Scene scene) {
   history_.record(scene_, "");
   scene_ = std::move(scene);
   frame();
-  wish(Manner::PreviewFirst);
+  request_meshes(Manner::PreviewFirst);
 }
 
 /// The mesh depends on what a pixel is, and close up on what is seen. Where a hand on a surface as
@@ -212,10 +209,10 @@ void Model::look_through(const Camera& camera) {
   scene_.camera = camera;
   if (!refine) return;
   refine_at_ = Clock::now() + kRest;
-  if (close && keeps_up()) return wish(Manner::InTurn);
+  if (close && keeps_up()) return request_meshes(Manner::InTurn);
   if (!camera.distance || !meshed_camera_.distance) return;
   const double nearer = *meshed_camera_.distance / *camera.distance;
-  if (nearer > kMuchNearer && !worker_.is_busy()) wish(Manner::Full);
+  if (nearer > kMuchNearer && !worker_.is_busy()) request_meshes(Manner::Full);
 }
 
 bool Model::is_close(const Camera& camera) const {
@@ -227,7 +224,7 @@ bool Model::is_close(const Camera& camera) const {
 
 void Model::set_time(double t) {
   scene_.t = t;
-  wish(playing && keeps_up() ? Manner::InTurn : Manner::PreviewFirst);
+  request_meshes(playing && keeps_up() ? Manner::InTurn : Manner::PreviewFirst);
 }
 
 ToleranceValue Model::tolerance() const {
@@ -239,24 +236,24 @@ bool Model::keeps_up() const {
 }
 
 /// A formula that is wrong is for the worker to find; a number that is, is found here.
-void Model::wish(Manner manner) {
+void Model::request_meshes(Manner manner) {
   try {
     scene_ = resolve(scene_);
   } catch (const Error& error) {
     error_ = error;
-    guilty_ = scene_.surfaces.size();
+    faulty_surface_ = scene_.surfaces.size();
     return;
   }
   meshed_camera_ = scene_.camera;
   refine_at_.reset();
-  worker_.wish(scene_, manner);
+  worker_.request(scene_, manner);
 }
 
 bool Model::take_result() {
   auto result = worker_.take();
   if (!result) return false;
   error_ = result->error;
-  guilty_ = result->guilty;
+  faulty_surface_ = result->faulty_surface;
   if (!error_) show(std::move(*result));
   return true;
 }
@@ -269,7 +266,7 @@ void Model::show(Meshed meshed) {
 }
 
 void Model::pass(Clock::time_point now) {
-  if (refine_at_ && now >= *refine_at_) wish(Manner::Full);
+  if (refine_at_ && now >= *refine_at_) request_meshes(Manner::Full);
   if (!playing) {
     last_tick_.reset();
     return;

@@ -48,7 +48,7 @@ class Model {
   const std::vector<std::shared_ptr<const Tessellation>>& meshes() const { return good_.surfaces; }
   const Meshed& last_good() const { return good_; }
   const std::optional<Error>& error() const { return error_; }
-  std::size_t guilty() const { return guilty_; }
+  std::size_t faulty_surface() const { return faulty_surface_; }
   const std::optional<PickedPoint>& picked() const { return picked_; }
   ToleranceValue tolerance() const;  ///< of the mesh
   bool is_meshing() const { return worker_.is_busy(); }
@@ -103,7 +103,7 @@ class Model {
 
  private:
   void frame();
-  void wish(Manner manner);
+  void request_meshes(Manner manner);
   void restore(std::optional<Scene> scene);
   bool keeps_up() const;
   bool is_close(const Camera& camera) const;
@@ -127,7 +127,7 @@ class Model {
   History history_;
   Meshed good_;  // the last one without an error
   std::optional<Error> error_;
-  std::size_t guilty_ = 0;
+  std::size_t faulty_surface_ = 0;
   std::optional<PickedPoint> picked_;
   Bounds bounds_;  ///< of the meshes
   int light_setup_ = 0;

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string_view>
 
@@ -13,6 +12,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include "base/format.h"
 #include "scene/assignments.h"
 #include "scene/colormap.h"
 #include "scene/gallery.h"
@@ -91,13 +91,6 @@ void show_tip(Action action) {
   ImGui::SetTooltip("%s (%s)", key->help, key->name);
 }
 
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 160> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
-}
-
 }  // namespace
 
 /// Below the field of this name, if the error is about it.
@@ -126,11 +119,11 @@ void Panel::show_surface(Model& model, std::size_t index) {
   SurfaceSpec& spec = scene.surfaces[index];
   ImGui::PushID(static_cast<int>(index));
   if (scene.surfaces.size() > 1) ImGui::TextUnformatted(spec.name.c_str());
-  const bool guilty = index == model.guilty();
+  const bool is_faulty = index == model.faulty_surface();
   const auto formula = [&](const char* name, std::string& text) {
-    const bool wrong = guilty && is_about(model.error(), name);
+    const bool wrong = is_faulty && is_about(model.error(), name);
     if (field(name, text, wrong)) model.edit(scene, spec.name + name);
-    if (guilty) show_error_of(model, name);
+    if (is_faulty) show_error_of(model, name);
   };
   formula("x", spec.x);
   formula("y", spec.y);
@@ -150,7 +143,7 @@ void Panel::show_surface(Model& model, std::size_t index) {
     changed |= ImGui::InputText("##max", &ends.max);
     ImGui::PopID();
     if (changed) model.edit(scene, spec.name + name);
-    if (guilty) show_error_of(model, name);
+    if (is_faulty) show_error_of(model, name);
   };
   range("u", spec.u);
   range("v", spec.v);

@@ -74,7 +74,7 @@ void Saver::save_picture(Scene scene) {
 }
 
 void Saver::mesh_next() {
-  if (!waiting_.empty()) worker_.wish(waiting_.front(), Manner::Full);
+  if (!waiting_.empty()) worker_.request(waiting_.front(), Manner::Full);
 }
 
 std::optional<std::string> Saver::pass() {

@@ -52,7 +52,7 @@ Viewer::Viewer(ViewerSetup setup)
 
 void Viewer::run() {
   while (!is_to_end()) step();
-  if (verbose_) say_what_it_took();
+  if (verbose_) print_times();
 }
 
 void Viewer::step() {
@@ -82,7 +82,7 @@ bool Viewer::is_at_rest() const {
          drawing_.is_at_rest() && !saver_.is_busy();
 }
 
-void Viewer::say_what_it_took() const {
+void Viewer::print_times() const {
   const auto ms = [](Clock::duration d) {
     return std::chrono::duration<double, std::milli>(d).count();
   };
@@ -279,9 +279,7 @@ Overlay Viewer::overlay() {
   if (help_shown_) overlay.help = key_help();
   const Grip grip = model_.grip();
   const auto& picked = model_.picked();
-  if (picked && is_in_front(grip, picked->world)) {
-    overlay.mark = pixel_of(grip, picked->world);
-  }
+  if (picked) overlay.mark = pixel_of(grip.fitted, picked->world, grip.size);
   return overlay;
 }
 

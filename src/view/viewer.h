@@ -51,7 +51,7 @@ class Viewer {
 
   std::optional<double> patience() const;
   bool is_to_end();
-  void say_what_it_took() const;
+  void print_times() const;
   void touch();
   void change_picture();
   void say(const std::string& text);

@@ -365,7 +365,7 @@ TEST(Renderer, DrawsTheSamePictureThroughEgl) {
 TEST(Renderer, NamesThePackageOfALibraryThatIsMissing) {
   const std::array names{"libnonsense.so.1", "libnonsense.so"};
   try {
-    open_library(names, "drawing", "libnonsense1");
+    const Library library(names, "libnonsense1");
     FAIL() << "such a library was found";
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::Machine);

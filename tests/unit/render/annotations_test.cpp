@@ -33,11 +33,8 @@ FittedCamera fitted(const Scene& scene, const Bounds& bounds,
                     room_for_annotations(scene, bounds, scales, size));
 }
 
-dvec2 pixel_of(const FittedCamera& camera, const dvec3& p, const dvec2& size = kSize) {
-  const dvec3 eye =
-      glm::dmat3(camera.world_to_eye) * (p - camera.target) - dvec3(0, 0, camera.distance);
-  const glm::dvec4 clip = camera.eye_to_clip * glm::dvec4(eye, 1);
-  return {(1 + clip.x / clip.w) / 2 * size.x, (1 - clip.y / clip.w) / 2 * size.y};
+dvec2 pixel_of(const FittedCamera& camera, const dvec3& p) {
+  return saddle::pixel_of(camera, p, kSize).value();
 }
 
 struct Rect {

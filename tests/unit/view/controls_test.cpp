@@ -49,6 +49,10 @@ std::vector<Camera> cameras() {
   return result;
 }
 
+dvec2 pixel_of(const Grip& grip, const dvec3& point) {
+  return saddle::pixel_of(grip.fitted, point, grip.size).value();
+}
+
 TEST(Controls, SeeThePointThatAPixelShows) {
   for (const Camera& camera : cameras()) {
     const Grip grip = grip_of(camera);

@@ -1,4 +1,4 @@
-// The newest wish counts: what is shown last is what was wished for last.
+// The newest request counts: what is shown last is what was wished for last.
 #include "view/mesh_worker.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(MeshWorker, MeshesWhatIsWishedForLast) {
         return Tessellation{};
       },
       [&] { results.announce(); });
-  for (int i = 0; i < 100; ++i) worker.wish(titled(std::to_string(i)), Manner::PreviewFirst);
+  for (int i = 0; i < 100; ++i) worker.request(titled(std::to_string(i)), Manner::PreviewFirst);
   EXPECT_EQ(results.wait_for(worker, "99").surfaces.size(), 1U);
   EXPECT_GE(previews, 1);
   EXPECT_LE(previews, 100);
@@ -77,9 +77,9 @@ TEST(MeshWorker, AbandonsWhatTakesForEver) {
         return Tessellation{};
       },
       [&] { results.announce(); });
-  worker.wish(titled("endless"), Manner::Full);
+  worker.request(titled("endless"), Manner::Full);
   while (!begun) std::this_thread::yield();
-  worker.wish(titled("quick"), Manner::Full);
+  worker.request(titled("quick"), Manner::Full);
   EXPECT_FALSE(results.wait_for(worker, "quick").error);
 }
 
@@ -94,10 +94,10 @@ TEST(MeshWorker, DoesInTurnWhatMustNotBeAbandoned) {
         return Tessellation{};
       },
       [&] { results.announce(); });
-  worker.wish(titled("first"), Manner::Full);
+  worker.request(titled("first"), Manner::Full);
   while (begun == 0) std::this_thread::yield();
-  worker.wish(titled("skipped"), Manner::InTurn);
-  worker.wish(titled("second"), Manner::InTurn);
+  worker.request(titled("skipped"), Manner::InTurn);
+  worker.request(titled("second"), Manner::InTurn);
   may_end = 1;
   EXPECT_FALSE(results.wait_for(worker, "first").error);
   may_end = 2;
@@ -114,7 +114,7 @@ TEST(MeshWorker, EndsWhileItWorks) {
           return {};
         },
         [] {});
-    worker.wish(titled("endless"), Manner::PreviewFirst);
+    worker.request(titled("endless"), Manner::PreviewFirst);
     while (!begun) std::this_thread::yield();
   }
   SUCCEED() << "the destructor returns";
@@ -130,10 +130,10 @@ TEST(MeshWorker, TellsWhichSurfaceIsWrong) {
       [&] { results.announce(); });
   Scene scene = titled("two");
   scene.surfaces.resize(2);
-  worker.wish(scene, Manner::PreviewFirst);
+  worker.request(scene, Manner::PreviewFirst);
   const Meshed result = results.wait_for(worker, "two");
   ASSERT_TRUE(result.error);
-  EXPECT_EQ(result.guilty, 1U);
+  EXPECT_EQ(result.faulty_surface, 1U);
   EXPECT_TRUE(result.surfaces.empty());
 }
 
