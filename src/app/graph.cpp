@@ -21,16 +21,13 @@
 #include "export/video.h"
 #include "render/picture.h"
 #include "scene/instances.h"
-#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {
 
 Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) {
-  const auto is_picture = [](const Output& output) {
-    return output.format == Format::Png || output.is_video();
-  };
-  const auto is_mesh = [](const Output& output) { return output.format == Format::Ply; };
+  const auto is_picture = [](const Output& output) { return output.format->is_drawn(); };
+  const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
   Purpose purpose;
   purpose.picture = !line.reference.empty() || std::ranges::any_of(outputs, is_picture);
   purpose.mesh = !purpose.picture || std::ranges::any_of(outputs, is_mesh);
@@ -45,9 +42,7 @@ Scene animated(Scene scene, bool frames) {
 
 VideoOptions video_options(const Output& output, const Scene& scene, unsigned threads) {
   VideoOptions options;
-  options.format = output.format == Format::Gif   ? VideoFormat::Gif
-                   : output.format == Format::Mp4 ? VideoFormat::Mp4
-                                                  : VideoFormat::Webm;
+  options.format = output.format->video;
   options.width = scene.picture.width;
   options.height = scene.picture.height;
   options.fps = scene.animation->fps;
@@ -110,7 +105,7 @@ class Run {
         purpose_(purpose_of(line, outputs_)) {
     if (!line.reference.empty()) reference_ = read_png(line.reference).image;
     for (const Output& output : outputs_) {
-      if (!output.is_video()) continue;
+      if (!output.is(Format::Kind::Animation)) continue;
       films_.push_back({output.path, std::make_unique<Video>(
                                          video_options(output, timeline_.scene(), line.threads))});
     }
@@ -171,8 +166,10 @@ class Run {
   void write_meshes_of(const Shot& shot, const Scene& scene) {
     const auto begin = Clock::now();
     for (const Output& output : outputs_) {
-      if (output.format != Format::Ply || !shot.is_for(output)) continue;
-      write_meshes(output.path_of(shot.frame.value_or(0)), scene, meshes_->meshes());
+      if (!output.is(Format::Kind::Mesh) || !shot.is_for(output)) continue;
+      write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
+        output.format->write_mesh(out, {meshes_->meshes(), scene});
+      });
     }
     report_.times.encode += since(begin);
   }
@@ -181,8 +178,10 @@ class Run {
   void write(const Shot& shot, const Scene& scene, const Image& image) {
     const auto begin = Clock::now();
     for (const Output& output : outputs_) {
-      if (output.format != Format::Png || !shot.is_for(output)) continue;
-      write_picture(output.path_of(shot.frame.value_or(0)), image, scene, line_.threads);
+      if (!output.is(Format::Kind::Picture) || !shot.is_for(output)) continue;
+      write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
+        output.format->write_picture(out, {image, scene, line_.threads});
+      });
     }
     if (shot.frame) {
       for (const Film& film : films_) film.video->add(image);
@@ -242,8 +241,9 @@ class Run {
     check_strictness();
     const auto writing = Clock::now();
     for (const Output& output : outputs_) {
-      if (output.format != Format::Toml) continue;
-      write_to(output.path, [&](std::ostream& out) { out << write_scene(timeline_.scene()); });
+      if (!output.is(Format::Kind::Scene)) continue;
+      write_to(output.path,
+               [&](std::ostream& out) { output.format->write_scene(out, timeline_.scene()); });
     }
     write_films();
     report_.times.encode += encoding_ + since(writing);

@@ -12,7 +12,7 @@
 #include "base/file.h"
 #include "base/image_png.h"
 #include "cli/program.h"
-#include "scene/scene_file.h"
+#include "export/load_scene.h"
 
 namespace saddle {
 namespace {
