@@ -6,18 +6,17 @@
 #include <utility>
 
 #include "base/error.h"
+#include "export/load_scene.h"
 #include "scene/assignments.h"
 #include "scene/gallery.h"
 #include "scene/resolve.h"
-#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {
 
 bool is_scene_file(const std::string& name) {
   std::error_code ignored;  // a name that cannot be looked up is no file
-  return name.ends_with(".toml") || name.ends_with(".png") ||
-         std::filesystem::is_regular_file(name, ignored);
+  return has_scene_extension(name) || std::filesystem::is_regular_file(name, ignored);
 }
 
 /// The scene of the argument without a `=`.

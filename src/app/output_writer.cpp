@@ -2,16 +2,12 @@
 
 #include <ostream>
 
-#include "scene/scene_file.h"
-
 namespace saddle {
 namespace {
 
 VideoOptions video_options(const Output& output, const Scene& scene, unsigned threads) {
   VideoOptions options;
-  options.format = output.format == Format::Gif   ? VideoFormat::Gif
-                   : output.format == Format::Mp4 ? VideoFormat::Mp4
-                                                  : VideoFormat::Webm;
+  options.format = output.format->video;
   options.width = scene.picture.width;
   options.height = scene.picture.height;
   options.fps = scene.animation->fps;
@@ -27,7 +23,7 @@ VideoOptions video_options(const Output& output, const Scene& scene, unsigned th
 OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads)
     : outputs_(outputs), threads_(threads) {
   for (const Output& output : outputs_) {
-    if (!output.is_video()) continue;
+    if (!output.is(Format::Kind::Animation)) continue;
     films_.push_back({output.path, std::make_unique<Video>(video_options(output, scene, threads))});
   }
 }
@@ -36,8 +32,9 @@ void OutputWriter::write_meshes_of(const Shot& shot, const Scene& scene,
                                    std::span<const Mesh> meshes) {
   const auto begin = Clock::now();
   for (const Output& output : outputs_) {
-    if (output.format != Format::Ply || !shot.is_for(output)) continue;
-    write_meshes(output.path_of(shot.frame.value_or(0)), scene, meshes);
+    if (!output.is(Format::Kind::Mesh) || !shot.is_for(output)) continue;
+    write_to(output.path_of(shot.frame.value_or(0)),
+             [&](std::ostream& out) { output.format->write_mesh(out, {meshes, scene}); });
   }
   milliseconds_ += milliseconds_since(begin);
 }
@@ -49,8 +46,10 @@ void OutputWriter::start_writing(const Shot& shot, const Scene& scene, Image ima
 
 void OutputWriter::write_picture_of(const Shot& shot, const Scene& scene, const Image& image) {
   for (const Output& output : outputs_) {
-    if (output.format != Format::Png || !shot.is_for(output)) continue;
-    write_picture(output.path_of(shot.frame.value_or(0)), image, scene, threads_);
+    if (!output.is(Format::Kind::Picture) || !shot.is_for(output)) continue;
+    write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
+      output.format->write_picture(out, {image, scene, threads_});
+    });
   }
   if (shot.frame) {
     for (const Film& film : films_) film.video->add(image);
@@ -60,8 +59,8 @@ void OutputWriter::write_picture_of(const Shot& shot, const Scene& scene, const 
 void OutputWriter::finish(const Scene& scene) {
   const auto begin = Clock::now();
   for (const Output& output : outputs_) {
-    if (output.format != Format::Toml) continue;
-    write_to(output.path, [&](std::ostream& out) { out << write_scene(scene); });
+    if (!output.is(Format::Kind::Scene)) continue;
+    write_to(output.path, [&](std::ostream& out) { output.format->write_scene(out, scene); });
   }
   write_films();
   milliseconds_ += milliseconds_since(begin);

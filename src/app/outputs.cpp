@@ -2,39 +2,21 @@
 #include "app/outputs.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <filesystem>
-#include <optional>
 
 #include "app/standard_output.h"
 #include "base/error.h"
 #include "base/file.h"
-#include "base/image_png.h"
 #include "base/nearest.h"
-#include "export/ply.h"
-#include "scene/color_scale.h"
-#include "scene/instances.h"
-#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {
 
-/// In the order of Format.
-const std::vector<std::string> kFormats = {"png", "ply", "toml", "gif", "mp4", "webm"};
-
-std::optional<Format> format_named(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto found = std::ranges::find(kFormats, name);
-  if (found == kFormats.end()) return std::nullopt;
-  return static_cast<Format>(found - kFormats.begin());
-}
-
 std::string known_formats(const std::string& word) {
-  const auto nearest = nearest_name(word, kFormats);
-  std::string known = "known:";
-  for (const std::string& format : kFormats) known += " ." + format;
-  return known + (nearest ? "; did you mean '." + *nearest + "'?" : "");
+  std::vector<std::string> names;
+  for (const Format& format : formats()) names.emplace_back(format.extension);
+  const auto nearest = nearest_name(word, names);
+  return "known: " + extension_list() + (nearest ? "; did you mean '." + *nearest + "'?" : "");
 }
 
 bool is_digit(char c) {
@@ -89,30 +71,25 @@ void unescape(Output& output) {
   }
 }
 
-/// The extension without its point, empty if there is none.
-std::string extension(const std::string& path) {
-  const std::string with_point = std::filesystem::path(path).extension().string();
-  return with_point.empty() ? "" : with_point.substr(1);
-}
-
-/// What --format names, if it is there.
-std::optional<Format> checked_format(const std::string& name) {
-  if (name.empty()) return std::nullopt;
-  const auto format = format_named(name);
-  if (!format) {
+/// What --format names; nullptr without it.
+const Format* checked_format(const std::string& name) {
+  if (name.empty()) return nullptr;
+  const Format* const format = find_format(name);
+  if (format == nullptr) {
     throw Error(Status::Input, "unknown format '" + name + "'",
                 {"--format", name, {0, name.size()}}, known_formats(name));
   }
   return format;
 }
 
-Format format_of(const std::string& path, std::optional<Format> fallback) {
-  const std::string ending = path == "-" ? "" : extension(path);
-  if (const auto format = format_named(ending)) return *format;
-  if (fallback && ending.empty()) return *fallback;
+/// `fallback` is the format of what has no extension, or nullptr.
+const Format* format_of(const std::string& path, const Format* fallback) {
+  const std::string ending = path == "-" ? "" : extension_of(path);
+  if (const Format* format = find_format(ending)) return format;
+  if (fallback != nullptr && ending.empty()) return fallback;
   if (path == "-") {
     throw Error(Status::Input, "the format for standard output is missing",
-                {"--output", path, {0, 1}}, "add --format png, ply, toml, gif, mp4 or webm");
+                {"--output", path, {0, 1}}, "add --format " + format_list());
   }
   throw Error(
       Status::Input,
@@ -123,7 +100,7 @@ Format format_of(const std::string& path, std::optional<Format> fallback) {
 
 void check_format_is_used(const CommandLine& line) {
   const auto uses_format = [](const std::string& path) {
-    return path == "-" || extension(path).empty();
+    return path == "-" || extension_of(path).empty();
   };
   if (line.format.empty() || std::ranges::any_of(line.outputs, uses_format)) return;
   throw Error(Status::Input, "no output needs a format", {"--format", line.format, {}},
@@ -162,36 +139,6 @@ void check_names_differ(const CommandLine& line, const std::vector<Output>& outp
   }
 }
 
-/// The meshes where the scene's nodes have them.
-std::vector<Mesh> placed(const Scene& scene, std::span<const Mesh> meshes) {
-  std::vector<Mesh> result;
-  for (const Instance& instance : instances(scene)) {
-    result.push_back(transformed(meshes[instance.surface], instance.to_world));
-  }
-  return result;
-}
-
-/// The colours of the corners of placed() meshes; nothing if the scene has none.
-std::vector<std::vector<Rgb>> placed_colors(const Scene& scene, std::span<const Mesh> meshes) {
-  std::vector<std::optional<ColorRange>> ranges;
-  for (const Mesh& mesh : meshes) ranges.push_back(color_range_of(mesh));
-  const std::vector<ColorScale> scales = color_scales(scene, ranges);
-  if (scales.empty()) return {};
-  std::vector<std::vector<Rgb>> result;
-  for (const Instance& instance : instances(scene)) {
-    std::vector<Rgb>& colors = result.emplace_back();
-    const SurfaceSpec& spec = scene.surfaces[instance.surface];
-    for (const double number : meshes[instance.surface].color) {
-      const dvec3 color = color_of(scale_of(spec, scales), number);
-      Rgb& rgb = colors.emplace_back();
-      for (int k = 0; k < 3; ++k) {
-        rgb[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * color[k]));
-      }
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string Output::path_of(int frame) const {
@@ -212,7 +159,7 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
     throw Error(Status::Input, "only the viewer watches a file", {"--watch", "", {}},
                 "leave out --output, --report and --reference");
   }
-  const auto fallback = checked_format(line.format);
+  const Format* const fallback = checked_format(line.format);
   check_format_is_used(line);
   std::vector<Output> outputs;
   for (const std::string& path : line.outputs) {
@@ -234,20 +181,6 @@ void write_to(const std::string& path, const std::function<void(std::ostream&)>&
   } else {
     write_file_whole(path, write);
   }
-}
-
-void write_picture(const std::string& path, const Image& image, const Scene& scene,
-                   unsigned threads) {
-  const std::string text = write_scene(scene);
-  write_to(path, [&](std::ostream& out) {
-    write_png(out, image, {{kSceneKeyword, text}}, threads);
-  });
-}
-
-void write_meshes(const std::string& path, const Scene& scene, std::span<const Mesh> meshes) {
-  write_to(path, [&](std::ostream& out) {
-    write_ply(out, placed(scene, meshes), placed_colors(scene, meshes));
-  });
 }
 
 }  // namespace saddle

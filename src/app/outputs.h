@@ -4,30 +4,27 @@
 #include <functional>
 #include <optional>
 #include <ostream>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/cli.h"
 #include "base/error.h"
-#include "base/image.h"
-#include "mesh/mesh.h"
-#include "scene/scene.h"
+#include "export/formats.h"
 
 namespace saddle {
 
-enum class Format { Png, Ply, Toml, Gif, Mp4, Webm };
-
 struct Output {
   std::string path;  ///< "-": standard output
-  Format format = Format::Png;
+  const Format* format = nullptr;
   /// Where in the path the frame's number goes: "%04d" in the file's name, in which "%%" stands for
   /// a percent sign; those of folders are as they are.
   std::optional<Span> number = {};
 
-  bool is_video() const { return format >= Format::Gif; }
+  bool is(Format::Kind kind) const { return format->kind == kind; }
   /// It is about an animation's frames, not about one moment.
-  bool takes_frames() const { return number || is_video(); }
+  bool takes_frames() const { return number || is(Format::Kind::Animation); }
+  /// It is about one moment.
+  bool is_still() const { return !takes_frames() && !is(Format::Kind::Scene); }
   /// The path of a frame.
   std::string path_of(int frame) const;
 };
@@ -42,10 +39,5 @@ std::vector<Output> checked_outputs(const CommandLine& line);
 
 /// Lets `write` write to the path, or to standard output for "-".
 void write_to(const std::string& path, const std::function<void(std::ostream&)>& write);
-
-/// A picture with its scene in it, and the meshes where the scene's nodes have them.
-void write_picture(const std::string& path, const Image& image, const Scene& scene,
-                   unsigned threads);
-void write_meshes(const std::string& path, const Scene& scene, std::span<const Mesh> meshes);
 
 }  // namespace saddle

@@ -10,8 +10,15 @@
 namespace saddle {
 namespace {
 
-constexpr const char* kNumberThem =
-    "number the files: -o frame-%04d.png; or name a video, .gif .mp4 .webm";
+using Kind = Format::Kind;
+
+std::string how_to_have_frames() {
+  return "number the files: -o frame-%04d.png; or name a video, " + extension_list(Kind::Animation);
+}
+
+bool writes_scene(std::span<const Output> outputs) {
+  return std::ranges::any_of(outputs, [](const Output& o) { return o.is(Kind::Scene); });
+}
 
 std::string frames_text(int count) {
   return "the animation has frames 0 to " + std::to_string(count - 1) + "; --frames sets how many";
@@ -31,10 +38,10 @@ FrameRange range_of(const CommandLine& line, const Animation& animation) {
 /// An option about frames needs an output that has some, or a scene file that says so.
 void check_frames_are_used(const CommandLine& line, std::span<const Output> outputs) {
   if (line.frame_option.empty()) return;
-  const bool in_scene = line.frame_option != "--frame-range" &&
-                        std::ranges::count(outputs, Format::Toml, &Output::format) > 0;
+  const bool in_scene = line.frame_option != "--frame-range" && writes_scene(outputs);
   if (in_scene || has_frames(line, outputs)) return;
-  throw Error(Status::Input, "no output has frames", {line.frame_option, "", {}}, kNumberThem);
+  throw Error(Status::Input, "no output has frames", {line.frame_option, "", {}},
+              how_to_have_frames());
 }
 
 /// `t=A` among the assignments, as against a range.
@@ -51,8 +58,7 @@ std::optional<std::string> assigned_moment(const CommandLine& line) {
 void check_moment_is_used(const CommandLine& line, std::span<const Output> outputs,
                           std::span<const Shot> shots) {
   const auto is_own = [](const Shot& shot) { return !shot.frame; };
-  const bool in_scene = std::ranges::count(outputs, Format::Toml, &Output::format) > 0;
-  if (in_scene || std::ranges::any_of(shots, is_own)) return;
+  if (writes_scene(outputs) || std::ranges::any_of(shots, is_own)) return;
   const char* const way_out =
       "frames are of the range t=MIN:MAX; one moment is a picture: -o FILE.png";
   if (line.has_moment) {
@@ -66,37 +72,35 @@ void check_moment_is_used(const CommandLine& line, std::span<const Output> outpu
 
 void check_videos(const Scene& scene, std::span<const Output> outputs) {
   for (const Output& output : outputs) {
-    if (!output.is_video() && output.format != Format::Toml) continue;
+    if (!output.is(Kind::Animation) && !output.is(Kind::Scene)) continue;
     if (output.number) {
-      const std::string what = output.is_video() ? "a video" : "a scene";
+      const std::string what = output.is(Kind::Animation) ? "a video" : "a scene";
       throw Error(Status::Input, what + " is one file for all frames",
                   {"--output", output.path, *output.number}, "leave out the number");
     }
-    if (output.format != Format::Gif || scene.animation->fps <= kMostGifFps) continue;
+    const VideoFormat* const video = output.format->video;
+    if (video == nullptr || scene.animation->fps <= video->most_fps) continue;
     const std::string fps = format_number(scene.animation->fps);
-    throw Error(Status::Input, "a GIF shows at most 50 frames per second",
+    const std::string most = format_number(video->most_fps);
+    throw Error(Status::Input,
+                "a " + std::string(video->name) + " shows at most " + most + " frames per second",
                 {"--fps", fps, {0, fps.size()}},
-                "players slow faster ones down to 10: use --fps 50, or write an .mp4");
+                video->beyond_most_fps + (": use --fps " + most) + ", or write an .mp4");
   }
 }
 
 /// Something is asked for that is of one moment.
 bool wants_still(const CommandLine& line, std::span<const Output> outputs) {
-  const auto is_still = [](const Output& output) {
-    return !output.takes_frames() && output.format != Format::Toml;
-  };
-  return !line.reference.empty() || std::ranges::any_of(outputs, is_still);
+  return !line.reference.empty() || std::ranges::any_of(outputs, &Output::is_still);
 }
 
 void check_one_frame(const CommandLine& line, std::span<const Output> outputs, int frames) {
   if (frames == 1 || !line.frame_range || !wants_still(line, outputs)) return;
-  const auto still = std::ranges::find_if(outputs, [](const Output& output) {
-    return !output.takes_frames() && output.format != Format::Toml;
-  });
+  const auto still = std::ranges::find_if(outputs, &Output::is_still);
   const std::string what = still == outputs.end() ? "--reference" : still->path;
   throw Error(Status::Input,
               what + " is one picture, and " + std::to_string(frames) + " frames are asked for", {},
-              kNumberThem);
+              how_to_have_frames());
 }
 
 }  // namespace

@@ -142,4 +142,9 @@ void write_ply(std::ostream& out, std::span<const Mesh> meshes,
   writer.flush();
 }
 
+void write_scene_ply(std::ostream& out, const MeshContent& content) {
+  write_ply(out, placed_meshes(content.scene, content.meshes),
+            placed_colors(content.scene, content.meshes));
+}
+
 }  // namespace saddle

@@ -1,12 +1,12 @@
 // Meshes as PLY, binary little endian.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <iosfwd>
 #include <span>
 #include <vector>
 
+#include "export/formats.h"
+#include "export/placed_meshes.h"
 #include "mesh/mesh.h"
 
 namespace saddle {
@@ -18,9 +18,11 @@ namespace saddle {
 /// Where a mesh is coloured, vertices end with `red green blue` as uchar: colors[i] are those of
 /// the corners of mesh i, white for a mesh that has none. Source: G. Turk, "The PLY polygon file
 /// format", 1994.
-using Rgb = std::array<std::uint8_t, 3>;
 void write_ply(std::ostream& out, std::span<const Mesh> meshes,
                std::span<const std::vector<Rgb>> colors = {});
+
+/// write_ply() of the meshes where the scene's nodes have them, with their colours.
+void write_scene_ply(std::ostream& out, const MeshContent& content);
 
 /// Rounding of positions to float beyond this share of the bounding box's diagonal makes them
 /// doubles: a tenth of the finest tolerance that meshes are asked for.

@@ -28,56 +28,58 @@ std::string yuv_filter(const std::string& pixels) {
   return "scale=out_color_matrix=bt709:out_range=tv,format=" + pixels;
 }
 
-/// A side as the format has it: MP4 and WebM store chroma for blocks of 2x2 pixels.
-int stored(int side, VideoFormat format) {
-  return format == VideoFormat::Gif ? side : side + side % 2;
+/// A side as the format has it.
+int stored(int side, const VideoFormat& format) {
+  return format.even_sides ? side + side % 2 : side;
 }
 
 void append(Words& words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
 }
 
-Words encoder(const VideoOptions& options) {
-  const Words bt709 = {"-colorspace", "bt709", "-color_primaries", "bt709",
-                       "-color_trc",  "bt709", "-color_range",     "tv"};
-  Words words;
-  switch (options.format) {
-    case VideoFormat::Gif:
-      // The palette is of all frames, so that what rests does not flicker.
-      words = {"-filter_complex",
-               "split[a][b];[a]palettegen[p];[b][p]paletteuse=diff_mode=rectangle"};
-      append(words, {"-loop", "0", "-f", "gif"});
-      return words;
-    case VideoFormat::Mp4:
-      words = {"-vf", yuv_filter("yuv420p"), "-c:v", "libx264", "-crf", kMp4Quality};
-      append(words, bt709);
-      append(words, {"-movflags", "+faststart", "-f", "mp4"});
-      return words;
-    case VideoFormat::Webm:
-      words = {"-vf",       yuv_filter(options.alpha == Alpha::None ? "yuv420p" : "yuva420p"),
-               "-c:v",      "libvpx-vp9",
-               "-crf",      kWebmQuality,
-               "-b:v",      "0",
-               "-row-mt",   "1",
-               "-cpu-used", "4"};
-      if (options.alpha != Alpha::None)
-        append(words, {"-auto-alt-ref", "0"});  // VP9 with alpha has none
-      append(words, bt709);
-      append(words, {"-f", "webm"});
-      return words;
-  }
+/// Ends the words for a codec of YUV with those for colours and container.
+Words with_bt709(Words words, const Words& container) {
+  append(words, {"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
+                 "-color_range", "tv"});
+  append(words, container);
   return words;
+}
+
+Words gif_encoder(Alpha) {
+  // The palette is of all frames, so that what rests does not flicker.
+  return {"-filter_complex",
+          "split[a][b];[a]palettegen[p];[b][p]paletteuse=diff_mode=rectangle",
+          "-loop",
+          "0",
+          "-f",
+          "gif"};
+}
+
+Words mp4_encoder(Alpha) {
+  return with_bt709({"-vf", yuv_filter("yuv420p"), "-c:v", "libx264", "-crf", kMp4Quality},
+                    {"-movflags", "+faststart", "-f", "mp4"});
+}
+
+Words webm_encoder(Alpha alpha) {
+  Words words = {"-vf",       yuv_filter(alpha == Alpha::None ? "yuv420p" : "yuva420p"),
+                 "-c:v",      "libvpx-vp9",
+                 "-crf",      kWebmQuality,
+                 "-b:v",      "0",
+                 "-row-mt",   "1",
+                 "-cpu-used", "4"};
+  if (alpha != Alpha::None) append(words, {"-auto-alt-ref", "0"});  // VP9 with alpha has none
+  return with_bt709(std::move(words), {"-f", "webm"});
 }
 
 Words command(const VideoOptions& options, const std::string& file) {
   std::array<char, 32> fps{};
   std::snprintf(fps.data(), fps.size(), "%.9g", options.fps);
-  const std::string size = std::to_string(stored(options.width, options.format)) + "x" +
-                           std::to_string(stored(options.height, options.format));
+  const std::string size = std::to_string(stored(options.width, *options.format)) + "x" +
+                           std::to_string(stored(options.height, *options.format));
   Words words = {"ffmpeg", "-nostdin",   "-hide_banner",  "-loglevel", "error",
                  "-f",     "rawvideo",   "-pixel_format", "rgba",      "-video_size",
                  size,     "-framerate", fps.data(),      "-i",        "pipe:0"};
-  append(words, encoder(options));
+  append(words, options.format->encoder(options.alpha));
   // No dates, no random numbers: the same frames give the same bytes.
   append(words, {"-fflags", "+bitexact", "-flags:v", "+bitexact"});
   if (options.threads != 0) append(words, {"-threads", std::to_string(options.threads)});
@@ -86,7 +88,7 @@ Words command(const VideoOptions& options, const std::string& file) {
 }
 
 /// With the last row and column once more where the format has no odd sides.
-Image widened(const Image& image, VideoFormat format) {
+Image widened(const Image& image, const VideoFormat& format) {
   Image wide(stored(image.width, format), stored(image.height, format));
   for (int y = 0; y < wide.height; ++y) {
     const std::uint8_t* const row = image.pixel(0, std::min(y, image.height - 1));
@@ -111,28 +113,39 @@ Image flattened(Image image) {
 
 }  // namespace
 
+constexpr VideoFormat kGif = {
+    .name = "GIF",
+    .encoder = gif_encoder,
+    .part_warning = "GIF has nothing half transparent: the background is mixed with black",
+    .most_fps = 50,
+    .beyond_most_fps = "players slow faster ones down to 10"};
+
+// MP4 and WebM store chroma for blocks of 2x2 pixels.
+constexpr VideoFormat kMp4 = {.name = "MP4",
+                              .encoder = mp4_encoder,
+                              .even_sides = true,
+                              .whole_warning = "MP4 has no transparency: the background is black",
+                              .part_warning = "MP4 has no transparency: the background is black"};
+
+constexpr VideoFormat kWebm = {.name = "WebM", .encoder = webm_encoder, .even_sides = true};
+
 Video::Video(const VideoOptions& options)
     : options_(options),
       ffmpeg_(command(options, file_.path()), kPackage, std::array{file_.descriptor()}) {}
 
-/// What is transparent in its frames is on black in it: the format has nothing like it.
-bool Video::hides_transparency() const {
-  if (options_.format == VideoFormat::Gif) return options_.alpha == Alpha::Part;
-  return options_.format == VideoFormat::Mp4 && options_.alpha != Alpha::None;
-}
-
 std::optional<std::string> Video::warning() const {
-  if (!hides_transparency()) return std::nullopt;
-  if (options_.format == VideoFormat::Mp4) {
-    return "MP4 has no transparency: the background is black";
-  }
-  return "GIF has nothing half transparent: the background is mixed with black";
+  const VideoFormat& format = *options_.format;
+  const char* const text = options_.alpha == Alpha::Whole  ? format.whole_warning
+                           : options_.alpha == Alpha::Part ? format.part_warning
+                                                           : nullptr;
+  if (text == nullptr) return std::nullopt;
+  return text;
 }
 
 void Video::add(const Image& frame) {
   assert(frame.width == options_.width && frame.height == options_.height);
-  Image stored = widened(frame, options_.format);
-  if (hides_transparency()) stored = flattened(std::move(stored));
+  Image stored = widened(frame, *options_.format);
+  if (warning()) stored = flattened(std::move(stored));
   const auto* const bytes = reinterpret_cast<const char*>(stored.rgba.data());
   const bool taken = ffmpeg_.feed({bytes, stored.rgba.size()});
   if (taken) return;

@@ -1,7 +1,7 @@
 // Animations as files that are played: GIF, MP4 and WebM, made by ffmpeg.
 #pragma once
 
-#include <cstddef>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -13,27 +13,39 @@
 
 namespace saddle {
 
-enum class VideoFormat {
-  Gif,  ///< repeats for ever; 256 colours for all frames, which ffmpeg keeps in memory
-  Mp4,  ///< H.264, yuv420p, which every player understands; no transparency
-  Webm  ///< VP9
-};
-
-/// Of a film's background: WebM keeps it, GIF all or nothing of it, MP4 nothing.
+/// How much of a film's background is transparent.
 enum class Alpha { None, Whole, Part };
 
+/// A format of films. Pictures are flattened on black where it has a warning for their background.
+struct VideoFormat {
+  const char* name;
+  /// The words that tell ffmpeg how to encode.
+  std::vector<std::string> (*encoder)(Alpha alpha);
+  bool even_sides = false;  ///< an odd picture gets its last row or column once more
+  /// Not set: the format keeps a background that is transparent.
+  const char* whole_warning = nullptr;
+  /// The same for a background that is half transparent.
+  const char* part_warning = nullptr;
+  double most_fps = std::numeric_limits<double>::infinity();  ///< frames per second
+  const char* beyond_most_fps = "";  ///< what happens to a film with more of them
+};
+
+/// Repeats for ever; 256 colours for all frames, which ffmpeg keeps in memory. A GIF's unit of time
+/// is a hundredth of a second, and players take a pause of one unit for ten: 50 frames per second.
+extern const VideoFormat kGif;
+/// H.264, yuv420p, which every player understands.
+extern const VideoFormat kMp4;
+/// VP9.
+extern const VideoFormat kWebm;
+
 struct VideoOptions {
-  VideoFormat format = VideoFormat::Gif;
-  int width = 0;    ///< pixels; an odd picture gets its last row or column once more
-  int height = 0;   ///< in MP4 and WebM, which know even ones alone
+  const VideoFormat* format = &kGif;
+  int width = 0;  ///< pixels
+  int height = 0;
   double fps = 30;  ///< frames per second
   Alpha alpha = Alpha::None;
   unsigned threads = 0;  ///< 0: all
 };
-
-/// A GIF shows no more frames per second: its unit of time is a hundredth of a second, and players
-/// take a pause of one unit for ten.
-inline constexpr double kMostGifFps = 50;
 
 /// A video that is being made, in a file without a name: nothing is left of it if it is not kept.
 class Video {
@@ -55,8 +67,6 @@ class Video {
   void write(std::ostream& out) const { file_.copy_to(out); }
 
  private:
-  bool hides_transparency() const;
-
   VideoOptions options_;
   UnnamedFile file_;
   Child ffmpeg_;

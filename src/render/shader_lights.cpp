@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include <glm/trigonometric.hpp>
@@ -25,8 +26,6 @@ constexpr double kHardEdge = 1e9;
 /// Attenuations beyond it leave no light at any distance that counts.
 constexpr double kMostAttenuation = 1e30;
 
-/// Most uniform components of a light: seven vectors, each of which may take the room of four.
-constexpr int kComponentsPerLight = 28;
 /// Set aside for matrices and materials, for what a driver adds, and for the constants of a
 /// formula, each of which may take the room of four.
 constexpr int kOtherComponents = 160 + 4 * static_cast<int>(kMostConstants);
@@ -83,16 +82,94 @@ dvec3 spot_edge(const Spot& spot) {
   return {cutoff, 1 / width, std::min(spot.exponent.value, kLargestExponent)};
 }
 
-/// `perspective`: the direction to the eye is that to its place.
-LightKind kind_of(const Light& light, const ShaderLight& values, bool perspective) {
-  if (light.directional) return LightKind::Directional;
-  if (light.spot) {
-    const bool smooth = light.spot->falloff == Spot::Falloff::Smooth && light.spot->inner;
-    return smooth ? LightKind::SmoothSpot : LightKind::Spot;
-  }
-  if (values.attenuation != dvec3(1, 0, 0)) return LightKind::Attenuated;
-  return perspective && values.position == dvec3(0) ? LightKind::AtEye : LightKind::Point;
+bool is_weaker_from_afar(const ShaderLight& uniforms) {
+  return uniforms.attenuation != dvec3(1, 0, 0);
 }
+
+/// A light that shines to all sides, equally far.
+bool is_plain_point(const Light& light, const ShaderLight& uniforms) {
+  return !light.directional && !light.spot && !is_weaker_from_afar(uniforms);
+}
+
+bool is_at_eye(const ShaderLight& uniforms, bool perspective) {
+  return perspective && uniforms.position == dvec3(0);
+}
+
+bool is_spot(const Light& light) {
+  return !light.directional && light.spot;
+}
+
+/// A hard edge looks the same with either falloff.
+bool is_smooth(const Spot& spot) {
+  return spot.falloff == Spot::Falloff::Smooth && spot.inner;
+}
+
+constexpr auto kLightKinds = std::to_array<LightKind>({
+    {.name = "DIRECTIONAL",
+     .function = "directional_light",
+     .has = [](const Light& light, const ShaderLight&, bool) { return light.directional; }},
+    {.name = "AT_EYE",
+     .function = "light_at_eye",
+     .has =
+         [](const Light& light, const ShaderLight& uniforms, bool perspective) {
+           return is_plain_point(light, uniforms) && is_at_eye(uniforms, perspective);
+         }},
+    {.name = "POINT",
+     .function = "point_light",
+     .has =
+         [](const Light& light, const ShaderLight& uniforms, bool perspective) {
+           return is_plain_point(light, uniforms) && !is_at_eye(uniforms, perspective);
+         }},
+    {.name = "ATTENUATED",
+     .function = "attenuated_light",
+     .reads_attenuation = true,
+     .has =
+         [](const Light& light, const ShaderLight& uniforms, bool) {
+           return !light.directional && !light.spot && is_weaker_from_afar(uniforms);
+         }},
+    {.name = "SPOT",
+     .function = "spot_light",
+     .reads_attenuation = true,
+     .is_cone = true,
+     .has = [](const Light& light, const ShaderLight&,
+               bool) { return is_spot(light) && !is_smooth(*light.spot); }},
+    {.name = "SMOOTH_SPOT",
+     .function = "smooth_spot_light",
+     .reads_attenuation = true,
+     .is_cone = true,
+     .has = [](const Light& light, const ShaderLight&,
+               bool) { return is_spot(light) && is_smooth(*light.spot); }},
+});
+
+/// A uniform array of shaders/lighting.glsl with an entry for each light.
+struct LightUniform {
+  const char* name;
+  dvec3 ShaderLight::*member;
+  bool is_color = false;  ///< a float in programs where no light has a hue
+  /// Whether a program has it. Not set: every one that has lights.
+  bool (*is_needed)(const ShaderNeeds& needs) = nullptr;
+};
+
+constexpr auto kLightUniforms = std::to_array<LightUniform>({
+    {.name = "light_position", .member = &ShaderLight::position},
+    {.name = "light_color", .member = &ShaderLight::color, .is_color = true},
+    {.name = "light_highlight",
+     .member = &ShaderLight::highlight,
+     .is_color = true,
+     .is_needed = [](const ShaderNeeds& needs) { return needs.specular && needs.highlights; }},
+    {.name = "light_ambient",
+     .member = &ShaderLight::ambient,
+     .is_color = true,
+     .is_needed = [](const ShaderNeeds& needs) { return needs.ambient; }},
+    {.name = "light_attenuation",
+     .member = &ShaderLight::attenuation,
+     .is_needed = [](const ShaderNeeds& needs) { return needs.attenuation; }},
+    {.name = "spot_direction", .member = &ShaderLight::spot_direction, .is_needed = has_cone},
+    {.name = "spot_edge", .member = &ShaderLight::spot_edge, .is_needed = has_cone},
+});
+
+/// Each uniform is a vector, which may take the room of four components.
+constexpr int kComponentsPerLight = 4 * static_cast<int>(kLightUniforms.size());
 
 ShaderLight shader_light(const Light& light, const Frames& frames, double unit, bool perspective) {
   ShaderLight result;
@@ -106,7 +183,10 @@ ShaderLight shader_light(const Light& light, const Frames& frames, double unit, 
     result.spot_direction = frames.direction(light.frame, light.spot->direction);
     result.spot_edge = spot_edge(*light.spot);
   }
-  result.kind = kind_of(light, result, perspective);
+  const auto* const kind = std::ranges::find_if(
+      kLightKinds, [&](const LightKind& k) { return k.has(light, result, perspective); });
+  assert(kind != kLightKinds.end());
+  result.kind = kind;
   return result;
 }
 
@@ -118,24 +198,28 @@ bool is_grey(const dvec3& color) {
   return color.r == color.g && color.g == color.b;
 }
 
-/// One uniform array.
-void set_array(Program& program, const char* name, std::span<const ShaderLight> lights,
-               dvec3 ShaderLight::*member) {
+void set_vectors(Program& program, const LightUniform& uniform,
+                 std::span<const ShaderLight> lights) {
   std::vector<dvec3> values;
-  for (const ShaderLight& light : lights) values.push_back(light.*member);
-  program.set(name, values);
+  for (const ShaderLight& light : lights) values.push_back(light.*uniform.member);
+  program.set(uniform.name, values);
 }
 
-/// The same of colours, of which a number is enough if they are grey.
-void set_colors(Program& program, const char* name, std::span<const ShaderLight> lights,
-                dvec3 ShaderLight::*member, bool grey) {
-  if (!grey) return set_array(program, name, lights, member);
+void set_greys(Program& program, const LightUniform& uniform, std::span<const ShaderLight> lights) {
   std::vector<double> values;
-  for (const ShaderLight& light : lights) values.push_back((light.*member).r);
-  program.set(name, values);
+  for (const ShaderLight& light : lights) values.push_back((light.*uniform.member).r);
+  program.set(uniform.name, values);
 }
 
 }  // namespace
+
+std::span<const LightKind> light_kinds() {
+  return kLightKinds;
+}
+
+bool has_cone(const ShaderNeeds& needs) {
+  return std::ranges::any_of(needs.lights, &LightKind::is_cone);
+}
 
 std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& camera,
                                        double unit) {
@@ -154,12 +238,10 @@ std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& c
 
 void add_light_needs(std::span<const ShaderLight> lights, ShaderNeeds& needs) {
   for (const ShaderLight& light : lights) {
-    const bool cone = light.kind == LightKind::Spot || light.kind == LightKind::SmoothSpot;
     needs.lights.push_back(light.kind);
     needs.grey &= is_grey(light.color) && is_grey(light.highlight) && is_grey(light.ambient);
-    needs.attenuation |=
-        light.kind != LightKind::Directional && light.attenuation != dvec3(1, 0, 0);
-    needs.focus |= cone && light.spot_edge.z > 0;
+    needs.attenuation |= light.kind->reads_attenuation && is_weaker_from_afar(light);
+    needs.focus |= light.kind->is_cone && light.spot_edge.z > 0;
     needs.ambient |= !is_black(light.ambient);
     needs.highlights |= light.highlight != light.color;
   }
@@ -172,18 +254,10 @@ std::size_t lights_at_once(int uniform_components) {
 
 void set_lights(Program& program, std::span<const ShaderLight> lights, const ShaderNeeds& needs) {
   if (lights.empty()) return;
-  set_array(program, "light_position", lights, &ShaderLight::position);
-  set_colors(program, "light_color", lights, &ShaderLight::color, needs.grey);
-  if (needs.specular && needs.highlights) {
-    set_colors(program, "light_highlight", lights, &ShaderLight::highlight, needs.grey);
-  }
-  if (needs.ambient) {
-    set_colors(program, "light_ambient", lights, &ShaderLight::ambient, needs.grey);
-  }
-  if (needs.attenuation) set_array(program, "light_attenuation", lights, &ShaderLight::attenuation);
-  if (lights.back().kind >= LightKind::Spot) {
-    set_array(program, "spot_direction", lights, &ShaderLight::spot_direction);
-    set_array(program, "spot_edge", lights, &ShaderLight::spot_edge);
+  for (const LightUniform& uniform : kLightUniforms) {
+    if (uniform.is_needed != nullptr && !uniform.is_needed(needs)) continue;
+    uniform.is_color&& needs.grey ? set_greys(program, uniform, lights)
+                                  : set_vectors(program, uniform, lights);
   }
 }
 

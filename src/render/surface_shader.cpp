@@ -3,11 +3,11 @@
 #include "render/surface_shader.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <sstream>
 
 #include "render/normal_shader.h"
+#include "render/shader_lights.h"
 #include "render/shaders.h"
 
 namespace saddle {
@@ -22,20 +22,14 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   const auto add = [&names](bool needed, const char* name) {
     if (needed) names.emplace_back(name);
   };
-  const auto has = [&needs](LightKind kind) {
-    return std::ranges::find(needs.lights, kind) != needs.lights.end();
-  };
-  const bool cone = has(LightKind::Spot) || has(LightKind::SmoothSpot);
+  const bool cone = has_cone(needs);
   const bool lit = !needs.lights.empty();
+  for (const LightKind& kind : light_kinds()) {
+    add(std::ranges::count(needs.lights, &kind) > 0, kind.name);
+  }
   add(lit, "LIT");
   add(lit && needs.grey, "GREY");
-  add(has(LightKind::Directional), "DIRECTIONAL");
-  add(has(LightKind::AtEye), "AT_EYE");
-  add(has(LightKind::Point), "POINT");
-  add(has(LightKind::Attenuated), "ATTENUATED");
   add(needs.attenuation, "ATTENUATION");
-  add(has(LightKind::Spot), "SPOT");
-  add(has(LightKind::SmoothSpot), "SMOOTH_SPOT");
   add(cone, "CONE");
   add(needs.attenuation || cone, "FADES");
   add(cone && needs.focus, "FOCUS");
@@ -56,19 +50,13 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   return names;
 }
 
-const char* function_of(LightKind kind) {
-  constexpr std::array kFunctions = {"directional_light", "light_at_eye", "point_light",
-                                     "attenuated_light",  "spot_light",   "smooth_spot_light"};
-  return kFunctions[static_cast<std::size_t>(kind)];
-}
-
 /// A call for each light.
-std::string calls(const std::vector<LightKind>& lights) {
+std::string calls(const std::vector<const LightKind*>& lights) {
   std::string text;
   for (std::size_t begin = 0; begin < lights.size();) {
     std::size_t end = begin;
     while (end < lights.size() && lights[end] == lights[begin]) ++end;
-    const std::string call = std::string("  ") + function_of(lights[begin]) + "(";
+    const std::string call = std::string("  ") + lights[begin]->function + "(";
     if (end - begin <= kWrittenOut) {
       for (std::size_t i = begin; i < end; ++i) text += call + std::to_string(i) + ");\n";
     } else {

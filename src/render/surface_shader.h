@@ -9,18 +9,17 @@
 
 namespace saddle {
 
-/// What a light asks of the shader; each is a function of shaders/lighting.glsl.
-enum class LightKind { Directional, AtEye, Point, Attenuated, Spot, SmoothSpot };
+struct LightKind;
 
 /// Everything the shaders are put together from; what is not here does not change their text.
 struct ShaderNeeds {
-  std::vector<LightKind> lights;  ///< sorted
-  bool grey = true;               ///< no light has a hue
-  bool attenuation = false;       ///< some light, a spot light perhaps, is weaker from afar
-  bool focus = false;             ///< some cone has an exponent
-  bool ambient = false;           ///< some light has an ambient part
-  bool highlights = false;        ///< some light mirrors in a colour of its own
-  bool specular = false;          ///< the material mirrors
+  std::vector<const LightKind*> lights;  ///< in the order of light_kinds()
+  bool grey = true;                      ///< no light has a hue
+  bool attenuation = false;              ///< some light, a spot light perhaps, is weaker from afar
+  bool focus = false;                    ///< some cone has an exponent
+  bool ambient = false;                  ///< some light has an ambient part
+  bool highlights = false;               ///< some light mirrors in a colour of its own
+  bool specular = false;                 ///< the material mirrors
   bool blinn = false;
   bool emission = false;       ///< the material shines by itself
   bool two_sided = true;       ///< back faces can be seen

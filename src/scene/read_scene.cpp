@@ -1,11 +1,9 @@
 // TOML to Scene, a function per table. Each says first which keys the table may have.
 #include "base/error.h"
-#include "base/file.h"
-#include "base/image_png.h"
 #include "scene/assignments.h"
 #include "scene/colormap.h"
+#include "scene/lights.h"
 #include "scene/prepare.h"
-#include "scene/read_light.h"
 #include "scene/resolve.h"
 #include "scene/scene_file.h"
 #include "scene/toml_reader.h"
@@ -348,27 +346,6 @@ Scene read_scene(const SourceText& source) {
   Scene scene = read_tables(reader, root);
   check_scene(reader, scene);
   return scene;
-}
-
-Scene load_scene(const std::filesystem::path& path) {
-  std::error_code ignored;  // what cannot be looked up is reported by the reading
-  if (!std::filesystem::exists(path, ignored)) {
-    throw Error(Status::Input, "there is no file " + path.string(), {},
-                "saddle list names the surfaces of the gallery");
-  }
-  if (path.extension() == ".png") {
-    const PngText text = read_png(path).text;
-    const auto found = text.find(kSceneKeyword);
-    if (found == text.end()) {
-      throw Error(Status::Input, path.string() + " holds no scene", {},
-                  "pictures that saddle has made do, unless another program saved them again");
-    }
-    return read_scene({path.string(), found->second});
-  }
-  if (std::filesystem::file_size(path, ignored) > kMaxTomlBytes) {
-    throw Error(Status::Input, path.string() + " is larger than 4 MiB", {}, "is this a scene?");
-  }
-  return read_scene({path.string(), read_file(path)});
 }
 
 }  // namespace saddle

@@ -2,106 +2,19 @@
 #include "scene/resolve.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "base/error.h"
 #include "base/nearest.h"
-#include "formula/graph.h"
-#include "formula/scope.h"
-#include "scene/prepare.h"
-#include "scene/values.h"
+#include "scene/lights.h"
+#include "scene/resolver.h"
 
 namespace saddle {
 namespace {
 
 /// Deepest nesting of nodes: a robot has ten.
 constexpr int kMaxNodeDepth = 256;
-
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
-/// What a number may be, the ends included unless `open`.
-struct Limits {
-  double low = -kNoLimit;
-  double high = kNoLimit;
-  bool open = false;
-
-  bool contain(double value) const {
-    return open ? value > low && value < high : value >= low && value <= high;
-  }
-};
-
-constexpr Limits kAny = {};
-constexpr Limits kNotNegative = {0, kNoLimit};
-constexpr Limits kPositive = {0, kNoLimit, true};
-constexpr Limits kShare = {0, 1};
-constexpr Limits kFramesPerSecond = {kMinFps, kMaxFps, true};
-constexpr Limits kHalfTurn = {0, 180};
-constexpr Limits kFieldOfView = {0, 180, true};
-
-std::string describe(const Limits& limits) {
-  const std::string low = format_number(limits.low);
-  if (limits.high == kNoLimit) return limits.open ? "more than " + low : "at least " + low;
-  const std::string high = format_number(limits.high);
-  return limits.open ? "more than " + low + " and less than " + high
-                     : "from " + low + " to " + high;
-}
-
-class Resolver {
- public:
-  explicit Resolver(const Scene& scene) : scene_(scene) {}
-
-  /// What numbers take for t; none: they may not use it.
-  void set_time(std::optional<double> t) { t_ = t; }
-
-  bool has_used_time() const { return scope_ && scope_->has_used_time(); }
-
-  void number(const std::string& name, Number& number, const Limits& limits) {
-    if (!number.text.empty()) number.value = scope().constant(name, number.text, {}, t_);
-    if (std::isfinite(number.value) && limits.contain(number.value)) return;
-    const std::string text = number.text.empty() ? format_number(number.value) : number.text;
-    const Place place{name, text, {0, text.size()}};
-    const std::string is = number.text.empty() ? "" : "it is " + format_number(number.value);
-    if (!std::isfinite(number.value)) {
-      throw Error(Status::Input, "not a finite number", place, is);
-    }
-    throw Error(Status::Input, "must be " + describe(limits), place, is);
-  }
-
-  void vector(const std::string& name, Vector& v) {
-    number(name, v.x, kAny);
-    number(name, v.y, kAny);
-    number(name, v.z, kAny);
-  }
-
-  void direction(const std::string& name, Vector& v) {
-    vector(name, v);
-    if (dvec3(v) != dvec3(0)) return;
-    throw Error(Status::Input, "a direction needs a length", {name, {}, {}},
-                "one of its three numbers must not be 0");
-  }
-
-  void color(const std::string& name, Color& c, const Limits& limits) {
-    number(name, c.r, limits);
-    number(name, c.g, limits);
-    number(name, c.b, limits);
-    number(name, c.a, kShare);
-  }
-
- private:
-  /// Parsed when the first expression wants it: most scenes have none.
-  Scope& scope() {
-    if (!scope_) scope_.emplace(graph_, constant_names(scene_));
-    return *scope_;
-  }
-
-  const Scene& scene_;
-  Graph graph_;
-  std::optional<Scope> scope_;
-  std::optional<double> t_;
-};
 
 void resolve_material(Resolver& resolver, const std::string& prefix, Material& material) {
   resolver.color(prefix + "diffuse", material.diffuse, kNotNegative);
@@ -127,44 +40,6 @@ void resolve_node(Resolver& resolver, SceneNode& node) {
         break;
     }
   }
-}
-
-void resolve_attenuation(Resolver& resolver, const std::string& prefix, Attenuation& a) {
-  const std::string name = prefix + "attenuation";
-  resolver.number(name, a.constant, kNotNegative);
-  resolver.number(name, a.linear, kNotNegative);
-  resolver.number(name, a.quadratic, kNotNegative);
-  if (a.constant == 0 && a.linear == 0 && a.quadratic == 0) {
-    throw Error(Status::Input, "one of the three must be more than 0", {name, {}, {}},
-                "for example attenuation = [1, 0, 0]");
-  }
-  if (a.range) resolver.number(prefix + "range", *a.range, kPositive);
-}
-
-void resolve_spot(Resolver& resolver, const std::string& prefix, Spot& spot) {
-  resolver.direction(prefix + "spot: direction", spot.direction);
-  resolver.number(prefix + "cutoff", spot.cutoff, kHalfTurn);
-  resolver.number(prefix + "exponent", spot.exponent, kNotNegative);
-  if (!spot.inner) return;
-  resolver.number(prefix + "inner", *spot.inner, kHalfTurn);
-  if (*spot.inner <= spot.cutoff) return;
-  throw Error(
-      Status::Input, "the inner angle is larger than the cutoff", {prefix + "inner", {}, {}},
-      "all is lit up to inner, nothing from cutoff on: cutoff is " + format_number(spot.cutoff));
-}
-
-void resolve_light(Resolver& resolver, const std::string& prefix, Light& light) {
-  resolver.number(prefix + "enabled", light.enabled, kAny);
-  if (light.directional) {
-    resolver.direction(prefix + "direction", light.position);
-  } else {
-    resolver.vector(prefix + "position", light.position);
-  }
-  resolver.color(prefix + (light.specular ? "diffuse" : "color"), light.color, kNotNegative);
-  if (light.specular) resolver.color(prefix + "specular", *light.specular, kNotNegative);
-  resolver.color(prefix + "ambient", light.ambient, kNotNegative);
-  resolve_attenuation(resolver, prefix, light.attenuation);
-  if (light.spot) resolve_spot(resolver, prefix, *light.spot);
 }
 
 void resolve_camera(Resolver& resolver, Camera& camera) {

@@ -97,6 +97,14 @@ std::string format_number(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
+std::string describe(const Limits& limits) {
+  const std::string low = format_number(limits.low);
+  if (std::isinf(limits.high)) return limits.open ? "more than " + low : "at least " + low;
+  const std::string high = format_number(limits.high);
+  return limits.open ? "more than " + low + " and less than " + high
+                     : "from " + low + " to " + high;
+}
+
 double parse_number(const std::string& option, const std::string& text) {
   return number_in(option, text, whole(text));
 }

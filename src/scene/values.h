@@ -2,6 +2,7 @@
 // in the text.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "base/vec.h"
@@ -17,6 +18,28 @@ inline constexpr int kMaxGridLines = kMaxPixels;
 
 /// The shortest decimal that reads back as the same double.
 std::string format_number(double value);
+
+/// What a number may be, the ends included unless `open`.
+struct Limits {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool open = false;
+
+  bool contain(double value) const {
+    return open ? value > low && value < high : value >= low && value <= high;
+  }
+};
+
+inline constexpr Limits kAny = {};
+inline constexpr Limits kNotNegative = {.low = 0};
+inline constexpr Limits kPositive = {.low = 0, .open = true};
+inline constexpr Limits kShare = {0, 1};
+inline constexpr Limits kHalfTurn = {0, 180};  ///< degrees
+inline constexpr Limits kFieldOfView = {0, 180, true};
+inline constexpr Limits kFramesPerSecond = {kMinFps, kMaxFps, true};
+
+/// "from 0 to 1", "more than 0"
+std::string describe(const Limits& limits);
 
 /// A finite number; a constant expression such as 2*pi is one too.
 double parse_number(const std::string& option, const std::string& text);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/color.h"
+#include "scene/lights.h"
 #include "scene/scene_file.h"
 #include "scene/values.h"
 
@@ -216,53 +217,6 @@ std::string node(const SceneNode& n) {
   return text;
 }
 
-std::string attenuation(const Attenuation& a) {
-  const Attenuation standard;
-  if (a.range) {
-    InlineTable table;
-    table.add("range", number(*a.range));
-    return "attenuation = " + table.text() + "\n";
-  }
-  if (same(a.constant, standard.constant) && same(a.linear, standard.linear) &&
-      same(a.quadratic, standard.quadratic)) {
-    return "";
-  }
-  return "attenuation = " + numbers({a.constant, a.linear, a.quadratic}) + "\n";
-}
-
-std::string spot(const Spot& s) {
-  const Spot standard;
-  InlineTable table;
-  table.add("direction", vector(s.direction));
-  table.add("cutoff", number(s.cutoff));
-  if (s.inner) table.add("inner", number(*s.inner));
-  if (!same(s.exponent, standard.exponent)) table.add("exponent", number(s.exponent));
-  if (s.falloff == Spot::Falloff::Smooth) table.add("falloff", toml_string("smooth"));
-  return "spot = " + table.text() + "\n";
-}
-
-std::string light(const Light& l) {
-  const Light standard;
-  std::string text = "\n[[light]]\n";
-  if (l.frame != standard.frame) text += "frame = " + toml_string(l.frame) + "\n";
-  text += std::string(l.directional ? "direction" : "position") + " = " + vector(l.position) + "\n";
-  text += std::string(l.specular ? "diffuse" : "color") + " = " + color(l.color) + "\n";
-  if (l.specular) text += "specular = " + color(*l.specular) + "\n";
-  if (!same(l.ambient, standard.ambient)) text += "ambient = " + color(l.ambient) + "\n";
-  text += attenuation(l.attenuation);
-  if (l.spot) text += spot(*l.spot);
-  if (!same(l.enabled, standard.enabled)) text += "enabled = " + number(l.enabled) + "\n";
-  return text;
-}
-
-std::string lights(const std::vector<Light>& all) {
-  std::string text;
-  std::string standard;
-  for (const Light& l : all) text += light(l);
-  for (const Light& l : default_lights()) standard += light(l);
-  return text == standard ? "" : text;
-}
-
 std::string camera(const Camera& c) {
   const Camera standard;
   std::string text;
@@ -341,7 +295,7 @@ std::string write_scene(const Scene& scene) {
   text += definitions(scene);
   for (const SurfaceSpec& spec : scene.surfaces) text += surface(spec);
   for (const SceneNode& n : scene.nodes) text += node(n);
-  text += lights(scene.lights) + camera(scene.camera);
+  text += write_lights(scene.lights) + camera(scene.camera);
   if (scene.animation) text += animation(*scene.animation);
   if (text.starts_with('\n')) text.erase(0, 1);  // no empty line before the first table
   return text;

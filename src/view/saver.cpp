@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/image_png.h"
+#include "export/scene_png.h"
 #include "render/picture_in_tiles.h"
 #include "render/renderer.h"
 #include "scene/resolve.h"
@@ -46,9 +46,7 @@ Image draw_meshed(const Meshed& meshed) {
 std::string write(const Image& image, const Scene& scene) {
   try {
     const auto path = free_name(scene.title, ".png");
-    write_file_whole(path, [&](std::ostream& out) {
-      write_png(out, image, {{kSceneKeyword, write_scene(scene)}});
-    });
+    write_file_whole(path, [&](std::ostream& out) { write_scene_png(out, {image, scene}); });
     return "saved " + path.string();
   } catch (const std::exception& error) {
     return error.what();

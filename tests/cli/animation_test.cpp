@@ -12,8 +12,8 @@
 #include "base/file.h"
 #include "base/image_png.h"
 #include "cli/program.h"
+#include "export/load_scene.h"
 #include "paths.h"
-#include "scene/scene_file.h"
 
 namespace saddle {
 namespace {

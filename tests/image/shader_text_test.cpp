@@ -1,4 +1,5 @@
 // The programs that scenes are drawn with: what is in them, and how many there are.
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "image/analytic_mesh.h"
 #include "image/lit_scene.h"
+#include "render/shader_lights.h"
 #include "render/surface_shader.h"
 
 namespace saddle {
@@ -72,7 +74,9 @@ TEST(ShaderText, HasNoHueAndNoWayToTheEyeTwiceWhereOneIsEnough) {
 
 TEST(ShaderText, TurnsManyLightsOfAKindIntoALoop) {
   ShaderNeeds needs;
-  needs.lights.assign(20, LightKind::Point);
+  const auto point =
+      std::ranges::find(light_kinds(), std::string("point_light"), &LightKind::function);
+  needs.lights.assign(20, &*point);
   const ShaderText text = assemble_surface_shader(needs);
   EXPECT_NE(text.fragment.find("for (int i = 0; i < 20; ++i)  point_light(i);"), std::string::npos);
 }

@@ -18,10 +18,10 @@ Scene ten_frames() {
   return scene;
 }
 
-const Output kPicture{"x.png", Format::Png};
-const Output kNumbered{"x-%02d.png", Format::Png, Span{2, 6}};
-const Output kGif{"x.gif", Format::Gif};
-const Output kScene{"x.toml", Format::Toml};
+const Output kPicture{"x.png", find_format("png")};
+const Output kNumbered{"x-%02d.png", find_format("png"), Span{2, 6}};
+const Output kGif{"x.gif", find_format("gif")};
+const Output kScene{"x.toml", find_format("toml")};
 
 std::vector<double> moments(const std::vector<Shot>& shots) {
   std::vector<double> result;
@@ -111,15 +111,15 @@ TEST(Shots, RefuseWhatVideosCannotBe) {
   Scene fast = ten_frames();
   fast.animation->fps = 60;
   EXPECT_NE(error_of({}, {kGif}, fast).hint().find(".mp4"), std::string::npos);
-  EXPECT_EQ(shots_of({}, fast, std::vector{Output{"x.mp4", Format::Mp4}}).size(), 10U);
-  const Output numbered{"x-%d.mp4", Format::Mp4, Span{2, 4}};
+  EXPECT_EQ(shots_of({}, fast, std::vector{Output{"x.mp4", find_format("mp4")}}).size(), 10U);
+  const Output numbered{"x-%d.mp4", find_format("mp4"), Span{2, 4}};
   EXPECT_NE(error_of({}, {numbered}).hint().find("leave out the number"), std::string::npos);
 }
 
 TEST(Outputs, NumberTheirFrames) {
   EXPECT_EQ(kNumbered.path_of(7), "x-07.png");
   EXPECT_EQ(kNumbered.path_of(12345), "x-12345.png");
-  EXPECT_EQ((Output{"%d", Format::Png, Span{0, 2}}).path_of(40), "40");
+  EXPECT_EQ((Output{"%d", find_format("png"), Span{0, 2}}).path_of(40), "40");
   EXPECT_EQ(kPicture.path_of(7), "x.png");
 }
 

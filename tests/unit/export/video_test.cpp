@@ -5,16 +5,20 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "export/formats.h"
 
 namespace saddle {
 namespace {
@@ -28,7 +32,8 @@ Image plain(int width, int height, const std::array<std::uint8_t, 4>& color) {
 const std::array<std::array<std::uint8_t, 4>, 3> kColors = {
     {{255, 255, 128, 255}, {128, 128, 255, 255}, {200, 30, 40, 255}}};
 
-class VideoTest : public testing::TestWithParam<std::pair<VideoFormat, const char*>> {
+/// `param` is each format of animations.
+class VideoTest : public testing::TestWithParam<Format> {
  protected:
   void SetUp() override {
     std::string pattern = testing::TempDir() + "saddle-video-XXXXXX";
@@ -39,7 +44,9 @@ class VideoTest : public testing::TestWithParam<std::pair<VideoFormat, const cha
     std::signal(SIGPIPE, before_);
     std::filesystem::remove_all(folder_);
   }
-  std::filesystem::path path() const { return folder_ / GetParam().second; }
+  std::filesystem::path path() const {
+    return folder_ / ("a." + std::string(GetParam().extension));
+  }
 
   void make(const VideoOptions& options) const {
     Video video(options);
@@ -63,7 +70,7 @@ class VideoTest : public testing::TestWithParam<std::pair<VideoFormat, const cha
 };
 
 TEST_P(VideoTest, HasEachFrameInItsColour) {
-  make({.format = GetParam().first, .width = 64, .height = 48, .fps = 10});
+  make({.format = GetParam().video, .width = 64, .height = 48, .fps = 10});
   const std::string raw = frames();
   const std::size_t size = 4 * 64 * 48;
   ASSERT_EQ(raw.size(), kColors.size() * size);
@@ -78,10 +85,10 @@ TEST_P(VideoTest, HasEachFrameInItsColour) {
 }
 
 TEST_P(VideoTest, TakesOddSizes) {
-  make({.format = GetParam().first, .width = 63, .height = 47, .fps = 10});
-  const bool is_gif = GetParam().first == VideoFormat::Gif;
+  make({.format = GetParam().video, .width = 63, .height = 47, .fps = 10});
   const std::string raw = frames();
-  const std::size_t size = 4 * static_cast<std::size_t>(is_gif ? 63 * 47 : 64 * 48);
+  const std::size_t size =
+      4 * static_cast<std::size_t>(GetParam().video->even_sides ? 64 * 48 : 63 * 47);
   ASSERT_EQ(raw.size(), kColors.size() * size);
   for (std::size_t k = 0; k < kColors.size(); ++k) {
     for (std::size_t c = 0; c < 3; ++c) {  // of the last pixel: no black border
@@ -92,21 +99,41 @@ TEST_P(VideoTest, TakesOddSizes) {
 }
 
 TEST_P(VideoTest, IsTheSameForTheSameFrames) {
-  const VideoOptions options{.format = GetParam().first, .width = 64, .height = 48, .fps = 10};
+  const VideoOptions options{.format = GetParam().video, .width = 64, .height = 48, .fps = 10};
   make(options);
   const std::string first = read_file(path());
   make(options);
   EXPECT_EQ(read_file(path()), first);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, VideoTest,
-                         testing::Values(std::pair{VideoFormat::Gif, "a.gif"},
-                                         std::pair{VideoFormat::Mp4, "a.mp4"},
-                                         std::pair{VideoFormat::Webm, "a.webm"}),
-                         [](const auto& format) { return std::string(format.param.second + 2); });
+std::vector<Format> animations() {
+  std::vector<Format> result;
+  std::ranges::copy_if(formats(), std::back_inserter(result),
+                       [](const Format& f) { return f.kind == Format::Kind::Animation; });
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, VideoTest, testing::ValuesIn(animations()),
+                         [](const auto& row) { return std::string(row.param.extension); });
+
+std::optional<std::string> warning(const VideoFormat& format, Alpha alpha) {
+  return Video({.format = &format, .width = 2, .height = 2, .alpha = alpha}).warning();
+}
+
+TEST(Video, WarnsOfTransparencyThatIsLost) {
+  for (const VideoFormat* format : {&kGif, &kMp4, &kWebm}) {
+    EXPECT_FALSE(warning(*format, Alpha::None)) << format->name;
+  }
+  EXPECT_FALSE(warning(kGif, Alpha::Whole));
+  EXPECT_EQ(warning(kGif, Alpha::Part),
+            "GIF has nothing half transparent: the background is mixed with black");
+  EXPECT_EQ(warning(kMp4, Alpha::Whole), "MP4 has no transparency: the background is black");
+  EXPECT_EQ(warning(kMp4, Alpha::Part), "MP4 has no transparency: the background is black");
+  EXPECT_FALSE(warning(kWebm, Alpha::Part));
+}
 
 TEST(Video, OfMp4IsOnBlackWhereItIsTransparent) {
-  Video video({.format = VideoFormat::Mp4, .width = 16, .height = 16, .alpha = Alpha::Whole});
+  Video video({.format = &kMp4, .width = 16, .height = 16, .alpha = Alpha::Whole});
   video.add(plain(16, 16, {255, 255, 255, 0}));
   video.finish();
   const std::string path = testing::TempDir() + "saddle-video-" + std::to_string(getpid()) + ".mp4";

@@ -1,0 +1,73 @@
+// The formats of the files that saddle writes: the table in formats.cpp. The command line, its
+// messages and the runs read it, so a new format is a row and a writer.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/image.h"
+#include "mesh/mesh.h"
+#include "scene/scene.h"
+
+namespace saddle {
+
+struct VideoFormat;
+
+/// A picture of a scene at one moment.
+struct PictureContent {
+  const Image& image;
+  const Scene& scene;
+  unsigned threads = 0;  ///< 0: all
+};
+
+/// The meshes of a scene at one moment.
+struct MeshContent {
+  std::span<const Mesh> meshes;  ///< meshes[i] is that of scene.surfaces[i]
+  const Scene& scene;
+};
+
+/// One row of the table. Exactly one of its writers is set: the one of its kind.
+struct Format {
+  enum class Kind {
+    Picture,    ///< the image of a moment
+    Mesh,       ///< the triangles of a moment
+    Animation,  ///< the images of all frames
+    Scene       ///< the scene as it was written
+  };
+
+  std::string_view extension;  ///< lower case, without a point
+  Kind kind = Kind::Picture;
+  void (*write_picture)(std::ostream& out, const PictureContent& content) = nullptr;
+  void (*write_mesh)(std::ostream& out, const MeshContent& content) = nullptr;
+  void (*write_scene)(std::ostream& out, const Scene& scene) = nullptr;
+  const VideoFormat* video = nullptr;
+  /// Returns the text of the scene file inside a file of this format, if there is one. Not set: the
+  /// format holds none.
+  std::optional<std::string> (*scene_in)(const std::filesystem::path& path) = nullptr;
+
+  /// Such a file is made of images.
+  bool is_drawn() const { return kind == Kind::Picture || kind == Kind::Animation; }
+  /// load_scene() can open such a file.
+  bool carries_scene() const { return kind == Kind::Scene || scene_in != nullptr; }
+};
+
+/// All formats, in the order in which messages list them.
+std::span<const Format> formats();
+
+/// The format with this extension, in lower or upper case; nullptr if there is none.
+const Format* find_format(std::string_view extension);
+
+/// The extension of a path without its point; empty if it has none.
+std::string extension_of(const std::filesystem::path& path);
+
+/// "png, ply, toml, gif, mp4 or webm".
+std::string format_list();
+
+/// ".png .ply .toml .gif .mp4 .webm", or only those of one kind.
+std::string extension_list(std::optional<Format::Kind> kind = std::nullopt);
+
+}  // namespace saddle
