@@ -20,6 +20,7 @@
 #include "mesh/sampled_mesh.h"
 #include "mesh/tidy.h"
 #include "mesh/topology.h"
+#include "meshing/clip_box.h"
 #include "meshing/warnings.h"
 #include "surface/defined_share.h"
 

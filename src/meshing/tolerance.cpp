@@ -7,7 +7,6 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/robust_box.h"
 #include "scene/camera.h"
 #include "scene/instances.h"
 
@@ -21,24 +20,12 @@ constexpr ToleranceValue kMeshTolerance = {1e-3, false};
 /// An eye in the midst of the surface sees parts of it at any distance; nearer ones than this part
 /// of its extent, or of the target's distance, are drawn more coarsely than asked.
 constexpr double kNearest = 0.05;
-/// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
-constexpr double kFarOut = 3;
-/// What goes to infinity is shown so many times as far as the surface's other sides are long, if
-/// that shows half of it: beside the spikes of 1/(u v) its square would be too small to be seen.
-constexpr double kTall = 4;
-/// A part of so many of the samples is worth a picture: more than one of the probe's 64 columns.
-constexpr double kReadable = 0.02;
-/// The part is narrower than the whole, and so again is what is in proportion to it.
-constexpr int kNarrowings = 8;
-constexpr double kAsNarrow = 0.9;
 /// An eye is close to a surface whose nearest part has pixels smaller than this share of those of a
 /// picture that it fills: then each part of it has its own, and what is not seen has large ones.
 constexpr double kClose = 0.5;
 /// Half the picture's size times this is how far beside the picture a surface is still as fine as
 /// in it: the hand soon turns it there. Farther out cells grow with the distance.
 constexpr double kMargin = 0.5;
-/// A surface may go beyond its samples by this part of their extent without being clipped.
-constexpr double kBeyondProbe = 0.1;
 
 std::vector<ToleranceValue> asked(const Scene& scene, const Purpose& purpose) {
   if (scene.mesh.tolerance) return {*scene.mesh.tolerance};
@@ -46,11 +33,6 @@ std::vector<ToleranceValue> asked(const Scene& scene, const Purpose& purpose) {
   if (purpose.picture) tolerances.push_back(kPictureTolerance);
   if (purpose.mesh) tolerances.push_back(kMeshTolerance);
   return tolerances;
-}
-
-/// The larger of the other two sides.
-double next_longest(const dvec3& size, int axis) {
-  return std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
 }
 
 /// What of the surface is in the box.
@@ -184,112 +166,6 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
     for (const PixelSize& size : sizes) pixel = std::min(pixel, size(p, reach));
     return std::min(length, pixels * pixel);
   };
-}
-
-Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
-  const Bounds most = robust_box(points);
-  const auto is_far_out = [&](int k) {
-    const double size = all.size()[k];
-    return size > kFarOut * most.size()[k] || size > kTall * next_longest(all.size(), k);
-  };
-  double usual = 0;  // the largest side that needs no clipping
-  for (int k = 0; k < 3; ++k) {
-    if (!is_far_out(k)) usual = std::max(usual, all.size()[k]);
-  }
-  const Bounds shapely = usual > 0 ? robust_box(points, dvec3(kTall * usual)) : most;
-  Bounds box;
-  for (int k = 0; k < 3; ++k) {
-    const Bounds& kept = is_far_out(k) ? shapely : all;
-    const double margin = is_far_out(k) ? 0 : kBeyondProbe * all.size()[k];
-    box.low[k] = kept.low[k] - margin;
-    box.high[k] = kept.high[k] + margin;
-  }
-  return box;
-}
-
-namespace {
-
-int longest_axis(const dvec3& size) {
-  return size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-}
-
-Bounds bounds_of(std::span<const dvec3> points) {
-  Bounds bounds;
-  for (const dvec3& p : points) bounds.add(p);
-  return bounds;
-}
-
-/// The points of the window of this length along an axis that holds most of them. `sorted` along
-/// that axis.
-std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, double length) {
-  std::size_t best = 0;
-  std::size_t most = 0;
-  std::size_t end = 0;
-  for (std::size_t begin = 0; begin < sorted.size(); ++begin) {
-    while (end < sorted.size() && sorted[end][axis] <= sorted[begin][axis] + length) ++end;
-    if (end - begin <= most) continue;
-    most = end - begin;
-    best = begin;
-  }
-  return sorted.subspan(best, most);
-}
-
-/// clip_box(), open at the faces that the surface goes beyond by no more than the box is long.
-Bounds box_without_far_edges(const Bounds& all, std::span<const dvec3> points) {
-  Bounds box = clip_box(all, points);
-  const dvec3 near = box.size();
-  for (int k = 0; k < 3; ++k) {
-    if (box.low[k] - all.low[k] <= near[k]) box.low[k] = -kNoFace;
-    if (all.high[k] - box.high[k] <= near[k]) box.high[k] = kNoFace;
-  }
-  return box;
-}
-
-/// Whether a box leaves some of each side of a surface that has any: of a peak that no sample has
-/// met it leaves none.
-bool shows_some(const Bounds& box, const Bounds& whole) {
-  const dvec3 seen = glm::min(box.high, whole.high) - glm::max(box.low, whole.low);
-  bool shows = true;
-  for (int k = 0; k < 3; ++k) shows = shows && (seen[k] > 0 || !(whole.size()[k] > 0));
-  return shows;
-}
-
-}  // namespace
-
-std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> points) {
-  if (points.empty()) return std::nullopt;
-  const Bounds all = bounds_of(points);
-  const dvec3 beyond = whole.size() - kNeedle * all.diagonal();
-  if (std::max({beyond.x, beyond.y, beyond.z}) > 0) {
-    const Bounds box = box_without_far_edges(whole, points);
-    return shows_some(box, whole) ? std::optional(box) : std::nullopt;
-  }
-  const int axis = longest_axis(all.size());
-  double usual = next_longest(all.size(), axis);
-  if (!(all.size()[axis] > kNeedle * usual)) {
-    // Along more than one axis, some may go far beyond the others.
-    if (!(all.diagonal() > kNeedle * rough_box(points).diagonal())) return std::nullopt;
-    const Bounds box = box_without_far_edges(whole, points);
-    return shows_some(box, whole) ? std::optional(box) : std::nullopt;
-  }
-  std::vector<dvec3> sorted(points.begin(), points.end());
-  std::ranges::sort(sorted, {}, [axis](const dvec3& p) { return p[axis]; });
-  const double least = kReadable * static_cast<double>(points.size());
-  std::optional<Bounds> box;
-  std::span<const dvec3> part = sorted;
-  for (int k = 0; k < kNarrowings; ++k) {
-    const double length = kTall * usual;
-    part = fullest_window(part, axis, length);
-    if (static_cast<double>(part.size()) < least) break;
-    box = Bounds{dvec3(-kNoFace), dvec3(kNoFace)};
-    const double first = part.front()[axis];
-    if (part.data() != sorted.data()) box->low[axis] = first;
-    if (first + length < all.high[axis]) box->high[axis] = first + length;
-    const double narrower = next_longest(bounds_of(part).size(), axis);
-    if (narrower >= kAsNarrow * usual) break;
-    usual = narrower;
-  }
-  return box;
 }
 
 double tolerance_share(const Scene& scene, const Purpose& purpose) {

@@ -14,6 +14,7 @@
 #include "mesh/color_mesh.h"
 #include "mesh/grid.h"
 #include "mesh/grid_mesh.h"
+#include "meshing/clip_box.h"
 #include "render/annotations.h"
 #include "scene/camera.h"
 #include "scene/color_scale.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "meshing/tolerance.h"
+#include "meshing/clip_box.h"
 #include "surface_from_text.h"
 
 namespace saddle {

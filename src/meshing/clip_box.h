@@ -1,0 +1,31 @@
+// The box that a surface is clipped to without one of the user's: where it goes to infinity, or
+// outgrows its picture.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "mesh/mesh.h"
+
+namespace saddle {
+
+/// Where a clip box is open: the coordinate of a face that it does not have, or minus that.
+inline constexpr double kNoFace = std::numeric_limits<double>::infinity();
+
+/// The box that a surface which goes to infinity is clipped to, if `points` (finite) are spread
+/// over it and `all` is around them: in each coordinate `all`, or what most of the points keep to,
+/// if some go far beyond, and less of that if it is much longer than the box's other sides.
+Bounds clip_box(const Bounds& all, std::span<const dvec3> points);
+
+/// Beside a side that is so many times as long, the others are narrower than a pixel.
+inline constexpr double kNeedle = 1000;
+
+/// The box that shows what can be seen of a surface that outgrows its picture: one of whose sides
+/// is so long that the others are no wider than a pixel, while a part of the points (finite) is in
+/// proportion. Its faces are infinitely far where no point is beyond. Nothing for other surfaces.
+/// Where it is only the edges of the domain that go so far, as that of tan(u) at u = pi / 2, which
+/// is no pole in double precision, it is clip_box() without the faces that are not needed.
+std::optional<Bounds> readable_box(const Bounds& all, std::span<const dvec3> points);
+
+}  // namespace saddle
