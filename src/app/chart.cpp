@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <iostream>
-#include <utility>
 
 #include "app/build_scene.h"
 #include "app/commands.h"

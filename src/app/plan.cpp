@@ -1,7 +1,6 @@
 #include "app/plan.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "app/build_scene.h"
 

@@ -1,7 +1,6 @@
 #include "study/facts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>

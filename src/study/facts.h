@@ -1,7 +1,6 @@
 // What is true of a surface besides what its mesh tells: for `saddle check`.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
