@@ -3,10 +3,9 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/file.h"
 #include "base/image_png.h"
 #include "cli/program.h"
 
@@ -16,11 +15,6 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 class GraphCommand : public ProgramTest {
  protected:
   /// Runs and expects success without a word.
@@ -29,10 +23,6 @@ class GraphCommand : public ProgramTest {
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     return run;
-  }
-  Json report_of(std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--report", "-"});
-    return Json::parse(small(arguments).out);
   }
   Image picture(const std::string& name) { return read_png(path(name)).image; }
 };
@@ -50,8 +40,8 @@ TEST_F(GraphCommand, WritesAPictureThatCarriesItsScene) {
 TEST_F(GraphCommand, WritesSeveralOutputsInOneRun) {
   done({"z=u*v", "-o", "a.png", "-o", "b.PLY", "--output", "c.png"});
   EXPECT_EQ(files(), (Names{"a.png", "b.PLY", "c.png"}));
-  EXPECT_EQ(contents(path("a.png")), contents(path("c.png")));
-  EXPECT_TRUE(contents(path("b.PLY")).starts_with("ply\nformat binary_little_endian 1.0\n"));
+  EXPECT_EQ(read_file(path("a.png")), read_file(path("c.png")));
+  EXPECT_TRUE(read_file(path("b.PLY")).starts_with("ply\nformat binary_little_endian 1.0\n"));
 }
 
 TEST_F(GraphCommand, WritesToStandardOutput) {
@@ -64,7 +54,7 @@ TEST_F(GraphCommand, WritesToStandardOutput) {
 
 TEST_F(GraphCommand, FormatNamesWhatTheExtensionDoesNot) {
   done({"z=u*v", "-o", "mesh", "--format", "ply"});
-  EXPECT_TRUE(contents(path("mesh")).starts_with("ply\n"));
+  EXPECT_TRUE(read_file(path("mesh")).starts_with("ply\n"));
 }
 
 TEST_F(GraphCommand, NoticesThatStandardOutputIsFull) {
@@ -97,7 +87,7 @@ TEST_F(GraphCommand, HasNothingToDrawWhereNothingIsDefined) {
 TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
   const Outcome run = done({"sphere", "-o", "a.png", "--report", "r.json"});
   EXPECT_EQ(run.out, "");
-  const auto report = nlohmann::ordered_json::parse(contents(path("r.json")));
+  const auto report = nlohmann::ordered_json::parse(read_file(path("r.json")));
   Names keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_EQ(keys,
@@ -179,8 +169,8 @@ TEST_F(GraphCommand, TakesVectorsThatBeginWithAMinus) {
   done({"torus", "--view=-1,2,3", "-o", "b.png"});
   done({"torus", "--view", "-.5*2,sqrt(4),(1+2)", "-o", "c.png"});
   done({"torus", "--view", "1,2,3", "-o", "d.png"});
-  EXPECT_EQ(contents(path("a.png")), contents(path("b.png")));
-  EXPECT_EQ(contents(path("a.png")), contents(path("c.png")));
+  EXPECT_EQ(read_file(path("a.png")), read_file(path("b.png")));
+  EXPECT_EQ(read_file(path("a.png")), read_file(path("c.png")));
   EXPECT_NE(picture("a.png").rgba, picture("d.png").rgba);
 }
 
@@ -233,8 +223,8 @@ TEST_F(GraphCommand, WritesTheSameBytesOnEveryCpuLevel) {
     if (contains(run.err, "this processor does not have " + level)) {
       EXPECT_EQ(run.status, 2);
     } else {
-      EXPECT_EQ(contents(path(level + ".ply")), contents(path("sse2.ply"))) << level;
-      EXPECT_EQ(contents(path(level + ".png")), contents(path("sse2.png"))) << level;
+      EXPECT_EQ(read_file(path(level + ".ply")), read_file(path("sse2.ply"))) << level;
+      EXPECT_EQ(read_file(path(level + ".png")), read_file(path("sse2.png"))) << level;
     }
   }
   setenv("SADDLE_CPU", "sse9", 1);
@@ -251,10 +241,10 @@ TEST_F(GraphCommand, WritesTheSameBytesOnAnyNumberOfThreads) {
     for (const std::string threads : {"1", "2", "7"}) {
       saddle({formula, "-s", "200x150", "--threads", threads, "-q", "-o", threads + ".ply", "-o",
               threads + ".png"});
-      EXPECT_EQ(contents(path(threads + ".ply")), contents(path("1.ply"))) << formula << threads;
-      EXPECT_EQ(contents(path(threads + ".png")), contents(path("1.png"))) << formula << threads;
+      EXPECT_EQ(read_file(path(threads + ".ply")), read_file(path("1.ply"))) << formula << threads;
+      EXPECT_EQ(read_file(path(threads + ".png")), read_file(path("1.png"))) << formula << threads;
     }
-    EXPECT_GT(contents(path("1.ply")).size(), 1000U) << formula;
+    EXPECT_GT(read_file(path("1.ply")).size(), 1000U) << formula;
   }
 }
 
@@ -279,10 +269,10 @@ TEST_F(GraphCommand, ColoursBySomethingAndSaysWhatIsWrongWithIt) {
 
 TEST_F(GraphCommand, GivesColoursToAMeshThatHasThem) {
   done({"torus", "-o", "plain.ply"});
-  EXPECT_FALSE(contains(contents(path("plain.ply")), "property uchar red"));
+  EXPECT_FALSE(contains(read_file(path("plain.ply")), "property uchar red"));
   done({"z=0", "--color", "u", "--colormap", "gray", "--samples", "2x1", "--grid", "off", "-o",
         "color.ply"});
-  const std::string ply = contents(path("color.ply"));
+  const std::string ply = read_file(path("color.ply"));
   EXPECT_TRUE(contains(ply,
                        "property double v\nproperty uchar red\nproperty uchar green\n"
                        "property uchar blue\nelement face"));

@@ -11,13 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-class GraphMesh : public ProgramTest {
- protected:
-  Json report_of(std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--report", "-"});
-    return Json::parse(small(arguments).out);
-  }
-};
+class GraphMesh : public ProgramTest {};
 
 TEST_F(GraphMesh, NeedsNoMoreCellsThanTheSurfaceAndItsGridLines) {
   const auto cells = [this](const std::string& grid) {

@@ -1,22 +1,18 @@
 #include "cli/program.h"
-#include "paths.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
 
+#include "base/file.h"
+#include "paths.h"
 #include "wait_for_child.h"
 
 namespace saddle {
 namespace {
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// In the child: makes `stream` write to `path`.
 void redirect(int stream, const std::string& path) {
@@ -29,10 +25,10 @@ void redirect(int stream, const std::string& path) {
 
 Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                    const std::string& standard_output) {
-  std::string pattern = testing::TempDir() + "saddle-run-XXXXXX";
-  const std::filesystem::path captured = mkdtemp(pattern.data());
-  const std::string out = standard_output.empty() ? (captured / "out").string() : standard_output;
-  const std::string err = captured / "err";
+  const TemporaryFolder captured;
+  const std::string out =
+      standard_output.empty() ? (captured.path() / "out").string() : standard_output;
+  const std::string err = captured.path() / "err";
   std::vector<std::string> words = {program_path()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -52,24 +48,19 @@ Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesys
   const int status = wait_for_child(child);
   Outcome run;
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  run.out = standard_output.empty() ? contents(out) : "";
-  run.err = contents(err);
-  std::filesystem::remove_all(captured);
+  run.out = standard_output.empty() ? read_file(out) : "";
+  run.err = read_file(err);
   return run;
-}
-
-void ProgramTest::SetUp() {
-  std::string pattern = testing::TempDir() + "saddle-test-XXXXXX";
-  folder_ = mkdtemp(pattern.data());
-}
-
-void ProgramTest::TearDown() {
-  std::filesystem::remove_all(folder_);
 }
 
 Outcome ProgramTest::small(std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), {"-s", "64x48", "--samples", "20x20"});
   return saddle(arguments);
+}
+
+nlohmann::json ProgramTest::report_of(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--report", "-"});
+  return nlohmann::json::parse(small(std::move(arguments)).out);
 }
 
 std::vector<std::string> ProgramTest::files() const {

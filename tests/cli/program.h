@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "temporary_folder.h"
 
 namespace saddle {
 
@@ -23,20 +26,20 @@ Outcome run_saddle(const std::vector<std::string>& arguments,
 /// A folder of its own for each test, removed at the end.
 class ProgramTest : public testing::Test {
  protected:
-  void SetUp() override;
-  void TearDown() override;
-
   Outcome saddle(const std::vector<std::string>& arguments) {
     return run_saddle(arguments, folder_);
   }
   /// The same with options for a small, fast picture.
   Outcome small(std::vector<std::string> arguments);
+  /// The report of such a run.
+  nlohmann::json report_of(std::vector<std::string> arguments);
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
   /// Names of all files in the folder, temporaries included, sorted.
   std::vector<std::string> files() const;
 
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 /// Whether a part occurs in what a run said.

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,22 +25,23 @@ TEST(Guards, KeepOneLightFromBlackeningTheOthers) {
   spot_from_behind.spot = cone(180);
   Light against_the_eye = {.position = {0, 0, -1}, .directional = true, .color = {1, 1, 1}};
   const Mesh mesh = plane_mesh(dvec3(0), 1);
-  for (const Light& bad : {at_point, spot_at_point, behind, spot_from_behind, against_the_eye}) {
-    for (Specular specular : {Specular::Phong, Specular::Blinn}) {
-      for (Shading shading : {Shading::Pixel, Shading::Vertex}) {
-        for (double shininess : {0.0, 32.0}) {
-          Scene scene = lit_scene(4);
-          scene.surfaces[0].front.shininess = shininess;
-          scene.lights = {bad, good};
-          scene.picture.specular = specular;
-          scene.picture.shading = shading;
-          const Image image =
-              render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
-          scene.lights = {good};
-          const Image alone =
-              render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
+  const auto lit_by = [&mesh](Scene& scene, const std::vector<Light>& lights) {
+    scene.lights = lights;
+    return render(scene, std::span(&mesh, 1), {kWidth + 1, kHeight + 1, 1}).image;
+  };
+  for (Specular specular : {Specular::Phong, Specular::Blinn}) {
+    for (Shading shading : {Shading::Pixel, Shading::Vertex}) {
+      for (double shininess : {0.0, 32.0}) {
+        Scene scene = lit_scene(4);
+        scene.surfaces[0].front.shininess = shininess;
+        scene.picture.specular = specular;
+        scene.picture.shading = shading;
+        const Image alone = lit_by(scene, {good});
+        const auto* wanted = alone.pixel(kWidth / 2, kHeight / 2);
+        for (const Light& bad :
+             {at_point, spot_at_point, behind, spot_from_behind, against_the_eye}) {
+          const Image image = lit_by(scene, {bad, good});
           const auto* got = image.pixel(kWidth / 2, kHeight / 2);
-          const auto* wanted = alone.pixel(kWidth / 2, kHeight / 2);
           for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], wanted[c], 1);
           EXPECT_GT(int{got[0]}, 100);
         }

@@ -6,14 +6,14 @@ import tree
 # What else the programs' folders hold.
 FOLDERS = {"geometry": {"gallery"}}
 BEHAVIOURS = {
-    "geometry/app/close_up",
-    "geometry/app/dependent_domain",
     "geometry/mesh/bounded_work",
     "geometry/mesh/cuts",
     "geometry/mesh/grid_mesh_report",
     "geometry/mesh/poles",
     "geometry/mesh/rims",
     "geometry/mesh/seams",
+    "geometry/meshing/close_up",
+    "geometry/meshing/dependent_domain",
 }
 
 

@@ -68,8 +68,6 @@ void ViewerTest::SetUp() {
   for (const char* program : {"Xvfb", "xdotool", "import", "xprop"}) {
     if (!is_there(program)) GTEST_SKIP() << "there is no " << program;
   }
-  std::string pattern = testing::TempDir() + "saddle-viewer-XXXXXX";
-  folder_ = mkdtemp(pattern.data());
   const std::filesystem::path number = path("display");
   server_ = start(
       {"Xvfb", "-displayfd", "1", "-screen", "0", "1200x700x24", "-nolisten", "tcp", "-noreset"},
@@ -85,7 +83,6 @@ void ViewerTest::SetUp() {
 void ViewerTest::TearDown() {
   if (viewer_ > 0) end(viewer_);
   end(server_);
-  if (!folder_.empty()) std::filesystem::remove_all(folder_);
 }
 
 void ViewerTest::open(std::vector<std::string> arguments) {

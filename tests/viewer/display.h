@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "temporary_folder.h"
 
 namespace saddle {
 
@@ -55,7 +56,8 @@ class ViewerTest : public ::testing::Test {
   std::string standard_error() const;
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 
  private:
   pid_t server_ = 0;

@@ -118,7 +118,7 @@ TEST(BoundedWork, TakesRangesOfFewDoubles) {
   for (const Domain& domain :
        {Domain{1, 1 + 2e-14, -1, 1}, Domain{1e16, 1e16 + 2, 0, 1}, Domain{0, 1, 1 + 1.1e-15, 1}}) {
     const Surface sheet = surface_from_text("u", "v*1e16", "u+1e16*v^2", domain, {}, Order::Second);
-    const std::optional<GridMesh> result = mesh_within_tolerance(sheet, thousandth());
+    const std::optional<GridMesh> result = mesh_within_tolerance(sheet, within_share(3e-3, 3));
     if (result) {
       EXPECT_FALSE(result->mesh.triangles.empty());
     }
@@ -216,7 +216,7 @@ TEST(BoundedWork, PlacesNoMoreLinesThanShowHoweverFastWavesAre) {
 
 TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
   const Surface poles = height_field("ln(abs(u^2+v^2-0.5))");
-  AdaptiveOptions options = thousandth();
+  AdaptiveOptions options = within_share(3e-3);
   const GridMesh whole = mesh_within_tolerance(poles, options).value();
   options.until_far = 1e9;
   const GridMesh known = mesh_within_tolerance(poles, options).value();

@@ -205,7 +205,7 @@ TEST(Colors, ChangeNothingButTheTriangles) {
   for (const char* name : {"torus", "klein-figure8", "sphere", "mobius", "cone-double"}) {
     const Scene scene = of_gallery(name);
     const Mesh plain = tessellate(scene, scene.surfaces[0], kPicture, 0).mesh;
-    const Mesh mesh = coloured(scene, "sin(20*u)*cos(20*v)").mesh;
+    const Mesh mesh = coloured(scene, "sin(9*u)*cos(9*v)").mesh;
     EXPECT_GT(mesh.triangles.size(), 2 * plain.triangles.size()) << name;
     EXPECT_EQ(mesh.color.size(), mesh.position.size());
     EXPECT_NEAR(area(mesh), area(plain), 1e-9 * area(plain)) << name;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "mesh/adaptive_mesh.h"
 #include "mesh/crease_distance.h"
@@ -100,13 +101,13 @@ TEST(CreaseDistance, FindsWhereTheSurfaceIsUprightAsNearAsItsHeightNeeds) {
 
 struct Case {
   const char* name;
-  double share;  ///< tolerance, of the diagonal
+  std::vector<double> shares;  ///< tolerances, of the diagonal
 };
 
 class WithinTolerance : public testing::TestWithParam<Case> {};
 
 TEST_P(WithinTolerance, BothWaysBetweenSamples) {
-  const auto& [name, share] = GetParam();
+  const auto& [name, shares] = GetParam();
   Scene given;
   if (std::string(name) == "peak") {
     assign(given, "z=exp(-40*((u-0.3)^2+(v+0.2)^2))");
@@ -115,32 +116,34 @@ TEST_P(WithinTolerance, BothWaysBetweenSamples) {
   }
   const Scene scene = resolve(given);
   const Subject subject(scene, scene.surfaces.at(0));
-  double length = 0;
-  AdaptiveOptions options;
-  options.tolerance = [&](const Probe& probe) -> Tolerance {
-    length = share * probe.bounds().diagonal();
-    return [&length](const dvec3&) { return length; };
-  };
-  options.lines_u = options.lines_v = 0;
-  const auto mesh = mesh_within_tolerance(subject.surface, options);
-  ASSERT_TRUE(mesh);
-  EXPECT_LE(mesh->report.max_error, length);
-  const double distance = MeshDistance(subject)(mesh->mesh);
-  EXPECT_GT(distance, 0.3 * length);
-  EXPECT_LE(distance, length);
+  const MeshDistance distance_of(subject);
+  for (const double share : shares) {
+    double length = 0;
+    AdaptiveOptions options;
+    options.tolerance = [&](const Probe& probe) -> Tolerance {
+      length = share * probe.bounds().diagonal();
+      return [&length](const dvec3&) { return length; };
+    };
+    options.lines_u = options.lines_v = 0;
+    const auto mesh = mesh_within_tolerance(subject.surface, options);
+    ASSERT_TRUE(mesh) << share;
+    EXPECT_LE(mesh->report.max_error, length) << share;
+    const double distance = distance_of(mesh->mesh);
+    EXPECT_GT(distance, 0.3 * length) << share;
+    EXPECT_LE(distance, length) << share;
+  }
 }
 
 /// Each was above its tolerance, by up to 3.7 times.
 INSTANTIATE_TEST_SUITE_P(Gallery, WithinTolerance,
-                         testing::Values(Case{"peak", 1e-4}, Case{"klein-bottle", 1e-3},
-                                         Case{"kuen", 1e-4}, Case{"swallowtail", 1e-2},
-                                         Case{"guimard", 1e-2}, Case{"guimard", 1e-3},
-                                         Case{"bourke-harmonic", 1e-2},
-                                         Case{"bourke-harmonic", 1e-3}),
+                         testing::Values(Case{"peak", {1e-4}}, Case{"klein-bottle", {1e-3}},
+                                         Case{"kuen", {1e-4}}, Case{"swallowtail", {1e-2}},
+                                         Case{"guimard", {1e-2, 1e-3}},
+                                         Case{"bourke-harmonic", {1e-2, 1e-3}}),
                          [](const auto& test) {
                            std::string name = test.param.name;
                            std::erase(name, '-');
-                           return name + std::to_string(std::lround(-std::log10(test.param.share)));
+                           return name;
                          });
 
 }  // namespace

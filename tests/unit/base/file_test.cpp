@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "temporary_folder.h"
 
 namespace saddle {
 namespace {
@@ -64,13 +65,6 @@ void as_ordinary_user(const std::function<void()>& action) {
 
 class WriteFileWhole : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "saddle-file-XXXXXX";
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   std::set<std::string> names() const {
     std::set<std::string> result;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -79,7 +73,8 @@ class WriteFileWhole : public testing::Test {
     return result;
   }
 
-  fs::path folder;
+  const TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
 };
 
 using Names = std::set<std::string>;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/file.h"
+#include "temporary_folder.h"
 #include "wait_for_child.h"
 
 namespace saddle {
@@ -24,13 +25,6 @@ const std::string kLarge(3'000'000, 'x');
 
 class KilledRun : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "saddle-killed-XXXXXX";
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   Names names() const {
     Names result;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -39,7 +33,8 @@ class KilledRun : public testing::Test {
     return result;
   }
 
-  fs::path folder;
+  const TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
 };
 
 /// Writes half of `path`, says so to `ready`, and waits for a signal.

@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "export/formats.h"
+#include "temporary_folder.h"
 
 namespace saddle {
 namespace {
@@ -36,14 +37,9 @@ const std::array<std::array<std::uint8_t, 4>, 3> kColors = {
 class VideoTest : public testing::TestWithParam<Format> {
  protected:
   void SetUp() override {
-    std::string pattern = testing::TempDir() + "saddle-video-XXXXXX";
-    folder_ = mkdtemp(pattern.data());
     before_ = std::signal(SIGPIPE, SIG_IGN);  // as main does
   }
-  void TearDown() override {
-    std::signal(SIGPIPE, before_);
-    std::filesystem::remove_all(folder_);
-  }
+  void TearDown() override { std::signal(SIGPIPE, before_); }
   std::filesystem::path path() const {
     return folder_ / ("a." + std::string(GetParam().extension));
   }
@@ -65,7 +61,8 @@ class VideoTest : public testing::TestWithParam<Format> {
     return read_file(raw);
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
   void (*before_)(int) = nullptr;
 };
 
