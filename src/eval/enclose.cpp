@@ -4,6 +4,8 @@
 #include <bit>
 #include <cassert>
 
+#include "formula/operations.h"
+
 namespace saddle {
 namespace {
 
@@ -30,9 +32,12 @@ Interval enclose(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] con
     case Op::Constant:
     case Op::Variable:
       break;
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, ...) \
-  case Op::id:                                                               \
-    return interval;
+#define SADDLE_ARGUMENTS_1 a
+#define SADDLE_ARGUMENTS_2 a, b
+#define SADDLE_ARGUMENTS_3 a, b, c
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, ...) \
+  case Op::id:                                                                     \
+    return function(SADDLE_ARGUMENTS_##arity);
 #include "formula/ops.def"
   }
   assert(false && "leaves are not applied");

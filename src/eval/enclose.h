@@ -19,12 +19,7 @@ inline Interval range_between(double a, double b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// Whether a function's bounds take much longer than those of all others: they are made of series.
-inline bool is_special(Op op) {
-  return op >= Op::Erf && op <= Op::SincN;
-}
-
-/// One operation on boxes: the interval column of the table of operations. Arguments past its arity
+/// One operation on boxes: the function column of the table of operations. Arguments past its arity
 /// are ignored.
 Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c);
 

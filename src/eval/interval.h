@@ -106,6 +106,22 @@ inline Interval with_decorations_of(const Interval& a, const Interval& b) {
 
 }  // namespace rounding
 
+// The operations of the table, each by its function column. Comparisons and logic are always
+// defined, 1 or 0 or [0, 1]: what is undefined may compare as either. A choice is b where its
+// condition a is not 0, else c; both where a may be either. An order is a point.
+#define SADDLE_INTERVALS_1 const Interval& a
+#define SADDLE_INTERVALS_2 const Interval &a, const Interval &b
+#define SADDLE_INTERVALS_3 const Interval &a, const Interval &b, const Interval &c
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, ...) \
+  Interval function(SADDLE_INTERVALS_##arity);
+#include "formula/ops.def"
+#undef SADDLE_INTERVALS_1
+#undef SADDLE_INTERVALS_2
+#undef SADDLE_INTERVALS_3
+
+/// a * a for one and the same a.
+Interval sqr(const Interval& a);
+
 inline Interval operator-(const Interval& a) {
   return {-a.high, -a.low, a.defined, a.continuous};
 }
@@ -141,61 +157,11 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return r;
 }
 
-Interval operator/(const Interval& a, const Interval& b);
-/// a * a for one and the same a.
-Interval sqr(const Interval& a);
-
-// Comparisons and logic: always defined, 1 or 0 or [0, 1]. What is undefined may compare as either.
-Interval operator<(const Interval& a, const Interval& b);
-Interval operator<=(const Interval& a, const Interval& b);
-Interval operator==(const Interval& a, const Interval& b);
-Interval operator!=(const Interval& a, const Interval& b);
-Interval both(const Interval& a, const Interval& b);
-Interval either(const Interval& a, const Interval& b);
-/// b where the condition a is not 0, else c; both where a may be either.
-Interval select(const Interval& a, const Interval& b, const Interval& c);
-
-// Steps and kinks.
-Interval abs(const Interval& a);
-Interval sign(const Interval& a);
-Interval floor(const Interval& a);
-Interval ceil(const Interval& a);
-Interval round(const Interval& a);
-Interval rint(const Interval& a);
-Interval trunc(const Interval& a);
-Interval mod(const Interval& a, const Interval& b);
-Interval min(const Interval& a, const Interval& b);
-Interval max(const Interval& a, const Interval& b);
-
-// Elementary functions.
-Interval pow(const Interval& a, const Interval& b);
-Interval sqrt(const Interval& a);
-Interval cbrt(const Interval& a);
-Interval hypot(const Interval& a, const Interval& b);
-Interval exp(const Interval& a);
-Interval log(const Interval& a);
-Interval log2(const Interval& a);
-Interval log10(const Interval& a);
-Interval sin(const Interval& a);
-Interval cos(const Interval& a);
-Interval tan(const Interval& a);
-Interval asin(const Interval& a);
-Interval acos(const Interval& a);
-Interval atan(const Interval& a);
-Interval atan2(const Interval& a, const Interval& b);
-Interval sinh(const Interval& a);
-Interval cosh(const Interval& a);
-Interval tanh(const Interval& a);
-Interval asinh(const Interval& a);
-Interval acosh(const Interval& a);
-Interval atanh(const Interval& a);
-
-// Special functions; the order, where there is one, is a point.
-Interval erf(const Interval& a);
-Interval gamma(const Interval& a);
-Interval lgamma(const Interval& a);
-Interval polygamma(const Interval& order, const Interval& x);
-Interval bessel_j(const Interval& order, const Interval& x);
-Interval sinc_derivative(const Interval& order, const Interval& x);
+inline Interval operator>(const Interval& a, const Interval& b) {
+  return b < a;
+}
+inline Interval operator>=(const Interval& a, const Interval& b) {
+  return b <= a;
+}
 
 }  // namespace saddle

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "formula/operations.h"
 #include "formula/tangent.h"
 
 namespace saddle {
@@ -12,10 +13,16 @@ constexpr double kLn2 = 0.693147180559945309417232;
 constexpr double kLn10 = 2.302585092994045684017991;
 constexpr double kTwoOverSqrtPi = 1.128379167095512573896159;
 
+/// Leaves are finite.
+Infinite infinite(Op op) {
+  return arity(op) == 0 ? Infinite::Never : row_of(op).infinite;
+}
+
 /// Whether an operation exceeds the largest of doubles at arguments that people give it. Of cosh
 /// and sinh, beyond 710, nobody does, and surfaces that are divided by them would all pay for it.
 bool outgrows_doubles(const Graph& graph, const Node& node) {
-  return node.op == Op::Exp || (node.op == Op::Pow && !graph.is_constant(node.args[1]));
+  if (node.op == Op::Pow) return !graph.is_constant(node.args[1]);
+  return infinite(node.op) == Infinite::Overflows;
 }
 
 /// Whether an operation may be infinite where its arguments are not, though it does not outgrow
@@ -26,17 +33,8 @@ bool has_poles(const Graph& graph, const Node& node) {
       return !graph.is_constant(node.args[1]);
     case Op::Pow:
       return graph.is_constant(node.args[1]) && graph[node.args[1]].value < 0;
-    case Op::Log:
-    case Op::Log2:
-    case Op::Log10:
-    case Op::Tan:
-    case Op::Atanh:
-    case Op::Gamma:
-    case Op::Lgamma:
-    case Op::Polygamma:
-      return true;
     default:
-      return false;
+      return infinite(node.op) == Infinite::AtPoles;
   }
 }
 
@@ -100,8 +98,9 @@ struct ChainRule {
       case Op::Constant:
       case Op::Variable:
         break;
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, glsl, derivative) \
-  case Op::id:                                                                            \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, kind, infinite, \
+                  derivative)                                                                 \
+  case Op::id:                                                                                \
     return derivative;
 #include "formula/ops.def"
     }

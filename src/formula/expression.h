@@ -1,5 +1,5 @@
 // Building graph nodes as one writes mathematics. The rules of ops.def are written in it: they may
-// call every operation of the table, by the name that its interval column has.
+// call every operation of the table, by the name in its function column.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,12 @@ inline Expression make(Op op, Expression a, Expression b, Expression c) {
   return {a.graph, a.graph->make(op, a.id, b.id, c.id)};
 }
 
-#define SADDLE_BINARY(name, op)                        \
+// The operations, each by the function column of its row; one argument of two may be a number.
+#define SADDLE_FUNCTION_1(name, op)      \
+  inline Expression name(Expression a) { \
+    return make(Op::op, a);              \
+  }
+#define SADDLE_FUNCTION_2(name, op)                    \
   inline Expression name(Expression a, Expression b) { \
     return make(Op::op, a, b);                         \
   }                                                    \
@@ -36,67 +41,17 @@ inline Expression make(Op op, Expression a, Expression b, Expression c) {
   inline Expression name(double a, Expression b) {     \
     return make(Op::op, b.of(a), b);                   \
   }
-SADDLE_BINARY(operator+, Add)
-SADDLE_BINARY(operator-, Sub)
-SADDLE_BINARY(operator*, Mul)
-SADDLE_BINARY(operator/, Div)
-SADDLE_BINARY(operator<, Less)
-SADDLE_BINARY(operator<=, LessEqual)
-SADDLE_BINARY(operator>, Greater)
-SADDLE_BINARY(operator>=, GreaterEqual)
-SADDLE_BINARY(operator==, Equal)
-SADDLE_BINARY(operator!=, NotEqual)
-SADDLE_BINARY(both, And)
-SADDLE_BINARY(either, Or)
-SADDLE_BINARY(pow, Pow)
-SADDLE_BINARY(hypot, Hypot)
-SADDLE_BINARY(atan2, Atan2)
-SADDLE_BINARY(mod, Mod)
-SADDLE_BINARY(min, Min)
-SADDLE_BINARY(max, Max)
-SADDLE_BINARY(polygamma, Polygamma)
-SADDLE_BINARY(bessel_j, BesselJ)
-SADDLE_BINARY(sinc_derivative, SincN)
-#undef SADDLE_BINARY
-
-#define SADDLE_UNARY(name, op)           \
-  inline Expression name(Expression a) { \
-    return make(Op::op, a);              \
+#define SADDLE_FUNCTION_3(name, op)                                  \
+  inline Expression name(Expression a, Expression b, Expression c) { \
+    return make(Op::op, a, b, c);                                    \
   }
-SADDLE_UNARY(operator-, Neg)
-SADDLE_UNARY(sqrt, Sqrt)
-SADDLE_UNARY(cbrt, Cbrt)
-SADDLE_UNARY(exp, Exp)
-SADDLE_UNARY(log, Log)
-SADDLE_UNARY(log2, Log2)
-SADDLE_UNARY(log10, Log10)
-SADDLE_UNARY(sin, Sin)
-SADDLE_UNARY(cos, Cos)
-SADDLE_UNARY(tan, Tan)
-SADDLE_UNARY(asin, Asin)
-SADDLE_UNARY(acos, Acos)
-SADDLE_UNARY(atan, Atan)
-SADDLE_UNARY(sinh, Sinh)
-SADDLE_UNARY(cosh, Cosh)
-SADDLE_UNARY(tanh, Tanh)
-SADDLE_UNARY(asinh, Asinh)
-SADDLE_UNARY(acosh, Acosh)
-SADDLE_UNARY(atanh, Atanh)
-SADDLE_UNARY(abs, Abs)
-SADDLE_UNARY(sign, Sign)
-SADDLE_UNARY(floor, Floor)
-SADDLE_UNARY(ceil, Ceil)
-SADDLE_UNARY(round, Round)
-SADDLE_UNARY(rint, Rint)
-SADDLE_UNARY(trunc, Trunc)
-SADDLE_UNARY(erf, Erf)
-SADDLE_UNARY(gamma, Gamma)
-SADDLE_UNARY(lgamma, Lgamma)
-#undef SADDLE_UNARY
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, ...) \
+  SADDLE_FUNCTION_##arity(function, id)
+#include "formula/ops.def"
+#undef SADDLE_FUNCTION_1
+#undef SADDLE_FUNCTION_2
+#undef SADDLE_FUNCTION_3
 
-inline Expression select(Expression condition, Expression yes, Expression no) {
-  return make(Op::Select, condition, yes, no);
-}
 inline Expression select(Expression condition, double yes, Expression no) {
   return select(condition, condition.of(yes), no);
 }

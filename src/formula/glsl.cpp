@@ -86,8 +86,8 @@ std::string_view glsl_text(Op op) {
     case Op::Constant:
     case Op::Variable:
       break;
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, glsl, derivative) \
-  case Op::id:                                                                            \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, ...) \
+  case Op::id:                                                           \
     return glsl;
 #include "formula/ops.def"
   }

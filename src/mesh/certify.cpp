@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "eval/enclose.h"
+#include "formula/operations.h"
 #include "mesh/judge.h"
 #include "mesh/outline.h"
 

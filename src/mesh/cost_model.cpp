@@ -1,6 +1,6 @@
 #include "mesh/cost_model.h"
 
-#include "eval/enclose.h"
+#include "formula/operations.h"
 
 namespace saddle {
 namespace {
@@ -13,13 +13,10 @@ constexpr double kGridSamples = 8;
 constexpr double kLeafSamples = 10;
 constexpr double kMillisecond = 1e6;  // nanoseconds
 
-bool is_call(Op op) {
-  return op == Op::Pow || (op >= Op::Cbrt && op <= Op::Atanh) || is_special(op);
-}
-
 double weight(std::span<const Instruction> instructions) {
   double sum = 0;
-  for (const Instruction& instruction : instructions) sum += is_call(instruction.op) ? kCall : 1;
+  for (const Instruction& instruction : instructions)
+    sum += row_of(instruction.op).kind == Kind::Arithmetic ? 1 : kCall;
   return sum;
 }
 

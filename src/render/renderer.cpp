@@ -298,7 +298,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   for (const PlacedMesh& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
     needs.two_sided = item.two_sided;
-    needs.see_through = first && item.opacity < 1;  // later passes leave alpha alone
+    needs.see_through = item.opacity < 1;
     needs.normal_matrix = !item.is_similar;
     const auto& formula = normals_[item.surface].formula;
     needs.normal = exact && formula ? &*formula : nullptr;

@@ -3,6 +3,8 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,12 +12,16 @@
 #include <vector>
 
 #include "base/format.h"
+#include "formula/operations.h"
 
 namespace saddle {
 namespace {
 
 /// Past this many bytes muparser refuses, whose limit is 20000.
 constexpr double kLongest = 19000;
+
+/// Before the names of functions that are not muparser's own.
+constexpr const char* kOurs = "our_";
 
 template <Op op>
 double call_one(double a) {
@@ -26,72 +32,32 @@ double call_two(double a, double b) {
   return apply(op, a, b);
 }
 
-/// How a formula of muparser spells an operation: an operator, a function that muparser has, or one
-/// of ours that is handed to it.
-struct Spelling {
-  const char* name = nullptr;
-  bool infix = false;
-  double (*one)(double) = nullptr;
-  double (*two)(double, double) = nullptr;
+/// An operation as a function of ours that is handed to muparser.
+struct Function {
+  double (*one)(double);
+  double (*two)(double, double);
 };
 
-Spelling spelling(Op op) {
-  switch (op) {
-    // clang-format off
-    case Op::Add: return {"+", true};
-    case Op::Sub: return {"-", true};
-    case Op::Mul: return {"*", true};
-    case Op::Div: return {"/", true};
-    case Op::Pow: return {"^", true};
-    case Op::Less: return {"<", true};
-    case Op::LessEqual: return {"<=", true};
-    case Op::Greater: return {">", true};
-    case Op::GreaterEqual: return {">=", true};
-    case Op::Equal: return {"==", true};
-    case Op::NotEqual: return {"!=", true};
-    case Op::And: return {"&&", true};
-    case Op::Or: return {"||", true};
-    case Op::Neg: return {"-"};
-    case Op::Sqrt: return {"sqrt"};
-    case Op::Exp: return {"exp"};
-    case Op::Log: return {"ln"};
-    case Op::Log2: return {"log2"};
-    case Op::Log10: return {"log10"};
-    case Op::Sin: return {"sin"};
-    case Op::Cos: return {"cos"};
-    case Op::Tan: return {"tan"};
-    case Op::Asin: return {"asin"};
-    case Op::Acos: return {"acos"};
-    case Op::Atan: return {"atan"};
-    case Op::Atan2: return {"atan2"};
-    case Op::Sinh: return {"sinh"};
-    case Op::Cosh: return {"cosh"};
-    case Op::Tanh: return {"tanh"};
-    case Op::Asinh: return {"asinh"};
-    case Op::Acosh: return {"acosh"};
-    case Op::Atanh: return {"atanh"};
-    case Op::Abs: return {"abs"};
-    case Op::Min: return {"min"};
-    case Op::Max: return {"max"};
-    case Op::Sign: return {"our_sign", false, call_one<Op::Sign>};
-    case Op::Cbrt: return {"our_cbrt", false, call_one<Op::Cbrt>};
-    case Op::Floor: return {"our_floor", false, call_one<Op::Floor>};
-    case Op::Ceil: return {"our_ceil", false, call_one<Op::Ceil>};
-    case Op::Round: return {"our_round", false, call_one<Op::Round>};
-    case Op::Rint: return {"our_rint", false, call_one<Op::Rint>};
-    case Op::Trunc: return {"our_trunc", false, call_one<Op::Trunc>};
-    case Op::Erf: return {"our_erf", false, call_one<Op::Erf>};
-    case Op::Gamma: return {"our_gamma", false, call_one<Op::Gamma>};
-    case Op::Lgamma: return {"our_lgamma", false, call_one<Op::Lgamma>};
-    case Op::Hypot: return {"our_hypot", false, nullptr, call_two<Op::Hypot>};
-    case Op::Mod: return {"our_mod", false, nullptr, call_two<Op::Mod>};
-    case Op::Polygamma: return {"our_polygamma", false, nullptr, call_two<Op::Polygamma>};
-    case Op::BesselJ: return {"our_besselj", false, nullptr, call_two<Op::BesselJ>};
-    case Op::SincN: return {"our_sinc", false, nullptr, call_two<Op::SincN>};
-    case Op::Select: case Op::Constant: case Op::Variable: break;
-      // clang-format on
-  }
-  return {};
+constexpr std::array kFunctions = {
+#define SADDLE_OP(id, ...) Function{call_one<Op::id>, call_two<Op::id>},
+#include "formula/ops.def"
+};
+
+/// What formulas call an operation; its name in C++ if that is nothing.
+std::string name_of(const Operation& row) {
+  return *row.name == '\0' ? row.function : row.name;
+}
+
+bool is_infix(const Operation& row) {
+  return row.arity == 2 && std::ispunct(static_cast<unsigned char>(name_of(row)[0])) != 0;
+}
+
+/// Whether muparser has a function of the same name and the same values. Its sign is 0 of NaN, its
+/// rint is one off just below a half.
+bool is_known(const Operation& row) {
+  static const mu::Parser parser;
+  if (row.op == Op::Sign || row.op == Op::Rint) return false;
+  return parser.GetFunDef().contains(name_of(row));
 }
 
 std::string leaf(const Node& node) {
@@ -105,10 +71,12 @@ std::string leaf(const Node& node) {
 std::string call(const Node& node, const std::vector<std::string>& of) {
   const auto [a, b, c] = node.args;
   if (node.op == Op::Select) return "(" + of[a] + "?" + of[b] + ":" + of[c] + ")";
-  const Spelling s = spelling(node.op);
-  if (s.infix) return "(" + of[a] + s.name + of[b] + ")";
   if (node.op == Op::Neg) return "(-" + of[a] + ")";
-  return std::string(s.name) + "(" + of[a] + (arity(node.op) > 1 ? "," + of[b] : "") + ")";
+  if (node.op == Op::Pow) return "(" + of[a] + "^" + of[b] + ")";
+  const Operation& row = row_of(node.op);
+  if (is_infix(row)) return "(" + of[a] + row.name + of[b] + ")";
+  const std::string name = std::string(is_known(row) ? "" : kOurs) + name_of(row);
+  return name + "(" + of[a] + (row.arity > 1 ? "," + of[b] : "") + ")";
 }
 
 /// About how long the text of each node is, without making it.
@@ -142,10 +110,12 @@ std::optional<std::array<std::string, 3>> formulas(const Graph& graph,
 void define_names(mu::Parser& parser) {
   parser.DefineConst("our_nan", std::numeric_limits<double>::quiet_NaN());
   parser.DefineConst("our_inf", std::numeric_limits<double>::infinity());
-  for (int op = static_cast<int>(Op::Neg); op <= static_cast<int>(Op::SincN); ++op) {
-    const Spelling s = spelling(static_cast<Op>(op));
-    if (s.one != nullptr) parser.DefineFun(s.name, s.one);
-    if (s.two != nullptr) parser.DefineFun(s.name, s.two);
+  for (std::size_t k = 0; k < kOperations.size(); ++k) {
+    const Operation& row = kOperations[k];
+    const std::string name = kOurs + name_of(row);
+    if (is_known(row) || std::isalpha(static_cast<unsigned char>(name_of(row)[0])) == 0) continue;
+    if (row.arity == 1) parser.DefineFun(name, kFunctions[k].one);
+    if (row.arity == 2) parser.DefineFun(name, kFunctions[k].two);
   }
 }
 

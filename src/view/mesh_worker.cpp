@@ -22,8 +22,7 @@ Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail)
   const auto begin = std::chrono::steady_clock::now();
   try {
     for (std::size_t& k = result.faulty_surface; k < scene.surfaces.size(); ++k) {
-      result.surfaces.push_back(
-          std::make_shared<const Tessellation>(tessellate(scene, k, detail)));
+      result.surfaces.push_back(std::make_shared<const Tessellation>(tessellate(scene, k, detail)));
     }
   } catch (const Error& error) {
     result.error = error;

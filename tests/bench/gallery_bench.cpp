@@ -10,6 +10,7 @@
 
 #include "bench_surfaces.h"
 #include "eval/batch.h"
+#include "formula/operations.h"
 #include "scene/gallery.h"
 #include "scene/prepare.h"
 
@@ -31,7 +32,7 @@ std::array<NodeId, 3> coordinates(Graph& graph, const GalleryEntry& entry) {
 }
 
 bool is_transcendental(Op op) {
-  return op == Op::Pow || (op >= Op::Cbrt && op <= Op::Atanh) || (op >= Op::Erf && op <= Op::SincN);
+  return row_of(op).kind != Kind::Arithmetic;
 }
 
 struct Operations {

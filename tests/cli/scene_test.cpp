@@ -57,6 +57,12 @@ TEST_F(SceneFiles, TakeOtherParametersAndOptions) {
   EXPECT_NE(error.find("did you mean 'R'?"), std::string::npos) << error;
 }
 
+TEST_F(SceneFiles, AreFlippedBackByAnotherFlip) {
+  write("s.toml", "[[surface]]\nz = \"u\"\nflip = true\n");
+  make({"s.toml", "--flip", "-o", "t.toml"});
+  EXPECT_EQ(content("t.toml"), "[[surface]]\nz = \"u\"\n");
+}
+
 TEST_F(SceneFiles, AreWhatShowPrints) {
   const Outcome shown = saddle({"show", "torus"});
   write("torus.toml", shown.out);

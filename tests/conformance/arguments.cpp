@@ -74,7 +74,7 @@ std::vector<double> few_nasty_numbers() {
   return numbers;
 }
 
-std::vector<Arguments> arguments_of(const Row& row) {
+std::vector<Arguments> arguments_of(const Operation& row) {
   std::vector<Arguments> arguments;
   if (row.arity == 1) {
     for (const double a : nasty_numbers()) arguments.push_back({a, 0, 0});

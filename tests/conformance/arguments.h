@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "conformance/rows.h"
+#include "formula/operations.h"
 
 namespace saddle::testing {
 
@@ -20,6 +20,6 @@ std::vector<double> nasty_numbers();
 std::vector<double> few_nasty_numbers();
 
 /// What a row is tried with.
-std::vector<Arguments> arguments_of(const Row& row);
+std::vector<Arguments> arguments_of(const Operation& row);
 
 }  // namespace saddle::testing

@@ -44,7 +44,7 @@ struct Slope {
   std::vector<NodeId> second;
 };
 
-Slope slope_of(const Row& row, double order, Symbol by) {
+Slope slope_of(const Operation& row, double order, Symbol by) {
   Graph graph;
   const NodeId u = graph.variable(kSymbolU);
   const NodeId v = graph.variable(kSymbolV);
@@ -105,7 +105,7 @@ double condition_limit(const Slope& slope, const Arguments& at, const Real& exac
 }
 
 /// How many arguments were compared.
-int compare(const Row& row, double order, Symbol by) {
+int compare(const Operation& row, double order, Symbol by) {
   const Slope slope = slope_of(row, order, by);
   if (slope.graph.is_constant(slope.root)) return 1;
   std::vector<Arguments> arguments;
@@ -143,7 +143,7 @@ int compare(const Row& row, double order, Symbol by) {
 
 TEST(Conformance, EveryDerivativeIsWithinTheRoundingOfItsRule) {
   constexpr int kLeastCompared = 40;
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     const Symbol first = takes_an_order(row.op) ? 1 : 0;
     const Symbol last = static_cast<Symbol>(std::min(row.arity, 2));
     for (Symbol by = first; by < last; ++by) {

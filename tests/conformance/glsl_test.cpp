@@ -77,7 +77,7 @@ bool is_kept(double x, double range) {
   return std::fabs(x) >= kSmallestFloat && std::fabs(x) <= range;
 }
 
-std::vector<Arguments> float_arguments(const Row& row) {
+std::vector<Arguments> float_arguments(const Operation& row) {
   std::vector<Arguments> arguments;
   const double range = range_of(row.op);
   for (const Arguments& at : arguments_of(row)) {
@@ -112,7 +112,7 @@ double relative_error(Op op, const Arguments& at, double computed) {
   return error / (std::fabs(exact) < kSmallestFloat ? std::fmax(allowed, kSmallestFloat) : allowed);
 }
 
-void compare(const Row& row) {
+void compare(const Operation& row) {
   Graph graph;
   const NodeId root = graph.make(row.op, graph.variable(kSymbolU), graph.variable(kSymbolV),
                                  graph.constant(kThirdArgument));
@@ -135,7 +135,7 @@ void compare(const Row& row) {
 
 TEST(Conformance, EveryOperationWithGlslIsExactToFloats) {
   const std::unique_ptr<Context> context = make_osmesa_context();
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     if (!glsl_text(row.op).empty()) compare(row);
   }
 }

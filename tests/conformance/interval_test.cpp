@@ -30,7 +30,7 @@ bool holds(const Interval& found, const Real& exact) {
 }
 
 TEST(Conformance, EnclosuresOfNumbersHoldTheTruthOfEveryOperation) {
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     for (const Arguments& at : arguments_of(row)) {
       if (!is_finite(at)) continue;
       const Interval found = enclose(row.op, constant_interval(at.a), constant_interval(at.b),

@@ -29,7 +29,7 @@ bool differs_by_intent(Op op, const Arguments& at) {
 }
 
 /// The operation as a formula of muparser's variables a, b and c, which it may not know.
-std::string formula_of(const Row& row) {
+std::string formula_of(const Operation& row) {
   if (row.op == Op::Select) return "a!=0 ? b : c";
   if (row.op == Op::Min) return "min(a,b)";
   if (row.op == Op::Max) return "max(a,b)";
@@ -67,7 +67,7 @@ class Oracle {
 };
 
 /// Distance of the tape's values from muparser's, in the row's unit.
-void compare(const Row& row, Oracle& oracle) {
+void compare(const Operation& row, Oracle& oracle) {
   // Both are within the row's bound of the truth; muparser calls the same C library as `apply`.
   const double bound = 2 * row.ulps;
   Worst worst;
@@ -87,7 +87,7 @@ void compare(const Row& row, Oracle& oracle) {
 
 TEST(Conformance, EveryOperationOfMuparserHasItsValue) {
   int compared = 0;
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     const std::string formula = formula_of(row);
     if (formula.empty() || is_composed(row.op)) continue;
     Oracle oracle(formula);

@@ -34,7 +34,7 @@ std::vector<double> values_of(const Graph& graph, const std::array<double, 3>& v
 }
 
 double ulps_of(Op op) {
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     if (row.op == op) return row.ulps;
   }
   return 0;

@@ -19,42 +19,26 @@ struct Texts {
   Op op;
   const char* help;
   const char* vector;
-  const char* interval;
   const char* derivative;
 };
 
 constexpr std::array kTexts = {
 #define SADDLE_TEXT(...) #__VA_ARGS__
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, glsl, derivative) \
-  Texts{Op::id, help, SADDLE_TEXT(vector), SADDLE_TEXT(interval), SADDLE_TEXT(derivative)},
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, kind, infinite, \
+                  derivative)                                                                 \
+  Texts{Op::id, help, SADDLE_TEXT(vector), SADDLE_TEXT(derivative)},
 #include "formula/ops.def"
 };
 
-/// The interval column as an expression of nodes: the names that derivatives may call.
-Expression from_interval_column(Op op, Expression a, [[maybe_unused]] Expression b,
-                                [[maybe_unused]] Expression c) {
-  switch (op) {
-    case Op::Constant:
-    case Op::Variable:
-      break;
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, interval, ...) \
-  case Op::id:                                                               \
-    return interval;
-#include "formula/ops.def"
-  }
-  return a;
-}
-
 TEST(OperationTable, EveryRowHasItsParts) {
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     SCOPED_TRACE(row.id);
-    const Texts& texts = kTexts[&row - kRows.data()];
+    const Texts& texts = kTexts[&row - kOperations.data()];
     EXPECT_GE(row.arity, 1);
     EXPECT_LE(row.arity, 3);
     EXPECT_GT(row.ulps, 0);
     EXPECT_EQ(std::string(texts.help).empty(), std::string(row.name).empty());
     EXPECT_TRUE(std::regex_match(texts.vector, std::regex("LOOP|SLEEF[12]\\(\\w+, u\\d\\d\\)")));
-    EXPECT_NE(std::string(texts.interval), "");
     EXPECT_NE(std::string(texts.derivative), "");
     const bool takes_two = std::string(texts.vector).starts_with("SLEEF2");
     EXPECT_TRUE(!takes_two || row.arity == 2);
@@ -62,7 +46,7 @@ TEST(OperationTable, EveryRowHasItsParts) {
 }
 
 TEST(OperationTable, HelpShowsEachFunctionWithItsArguments) {
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     const std::string name = row.name;
     if (name.empty() || find_built_in(name) == nullptr) continue;
     const std::array<std::string, 3> calls = {name + "(a)", name + "(a,b)", name + "(a,b,c)"};
@@ -71,7 +55,7 @@ TEST(OperationTable, HelpShowsEachFunctionWithItsArguments) {
 }
 
 TEST(OperationTable, GlslIsLackingOnPurposeAndOtherwiseUsesEveryArgument) {
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     const std::string text(glsl_text(row.op));
     EXPECT_EQ(text.empty(), takes_an_order(row.op)) << row.id;
     for (int i = 0; i < row.arity && !text.empty(); ++i) {
@@ -81,26 +65,8 @@ TEST(OperationTable, GlslIsLackingOnPurposeAndOtherwiseUsesEveryArgument) {
   }
 }
 
-TEST(OperationTable, EveryOperationCanBeCalledByDerivatives) {
-  for (const Row& row : kRows) {
-    Graph graph;
-    const auto variable = [&](Symbol symbol) { return Expression{&graph, graph.variable(symbol)}; };
-    const Expression a = variable(kSymbolU);
-    const Expression b = variable(kSymbolV);
-    const Expression c = variable(kSymbolT);
-    const Node made = graph[from_interval_column(row.op, a, b, c).id];
-    Op op = row.op;
-    std::array<NodeId, 3> args = {a.id, row.arity > 1 ? b.id : 0, row.arity > 2 ? c.id : 0};
-    if (op == Op::Greater || op == Op::GreaterEqual) {  // b < a
-      op = op == Op::Greater ? Op::Less : Op::LessEqual;
-      args = {b.id, a.id, 0};
-    }
-    EXPECT_TRUE(made.op == op && made.args == args) << row.id;
-  }
-}
-
 /// Whether the operation does not change with an argument, near ordinary points.
-bool is_flat(const Row& row, Symbol argument) {
+bool is_flat(const Operation& row, Symbol argument) {
   constexpr std::array kPoints = {Arguments{0, 0.7, 0.9}, Arguments{0.3, 0.7, 0.9},
                                   Arguments{0.9, 0.4, 0.7}, Arguments{2.3, 0.7, 1.1}};
   for (Arguments at : kPoints) {
@@ -116,7 +82,7 @@ bool is_flat(const Row& row, Symbol argument) {
 }
 
 TEST(OperationTable, EveryRowHasADerivativeByEachArgumentThatMatters) {
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     Graph graph;
     const NodeId first = takes_an_order(row.op) ? graph.constant(1) : graph.variable(kSymbolU);
     const NodeId v = graph.variable(kSymbolV);

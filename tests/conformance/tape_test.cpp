@@ -14,13 +14,13 @@ struct Cases {
   std::vector<Real> exact;
 };
 
-Cases cases_of(const Row& row) {
+Cases cases_of(const Operation& row) {
   Cases cases{arguments_of(row), {}};
   for (const Arguments& at : cases.at) cases.exact.push_back(reference(row.op, at));
   return cases;
 }
 
-void expect_exact(const char* evaluator, const Row& row, const Cases& cases,
+void expect_exact(const char* evaluator, const Operation& row, const Cases& cases,
                   const std::vector<double>& values) {
   Worst worst;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -34,7 +34,7 @@ void expect_exact(const char* evaluator, const Row& row, const Cases& cases,
 }
 
 TEST(Conformance, EveryOperationIsWithinItsBoundOnEveryCpuLevel) {
-  for (const Row& row : kRows) {
+  for (const Operation& row : kOperations) {
     const Cases cases = cases_of(row);
     expect_exact("plain", row, cases, plain_values(row.op, cases.at));
     for (std::size_t level = 0; level < supported_level_count(); ++level) {

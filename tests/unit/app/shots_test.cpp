@@ -111,6 +111,9 @@ TEST(Shots, RefuseWhatVideosCannotBe) {
   Scene fast = ten_frames();
   fast.animation->fps = 60;
   EXPECT_NE(error_of({}, {kGif}, fast).hint().find(".mp4"), std::string::npos);
+  fast.animation->fps = 50;
+  EXPECT_EQ(shots_of({}, fast, std::vector{kGif}).size(), 10U);
+  fast.animation->fps = 60;
   EXPECT_EQ(shots_of({}, fast, std::vector{Output{"x.mp4", find_format("mp4")}}).size(), 10U);
   const Output numbered{"x-%d.mp4", find_format("mp4"), Span{2, 4}};
   EXPECT_NE(error_of({}, {numbered}).hint().find("leave out the number"), std::string::npos);

@@ -144,6 +144,16 @@ TEST(Camera, NearAndFarAreTightSoThatDepthIsPrecise) {
   EXPECT_NEAR(fitted.far_plane, 1001, 0.1);
 }
 
+TEST(Camera, SeesTheTargetOfAnEyeThatIsCloseToALargeSurface) {
+  Camera camera;
+  camera.view = {0, 0, 1};
+  camera.up = {0, 1, 0};
+  camera.distance = 1;
+  const FittedCamera fitted = fit_camera(camera, box(dvec3(-1e6), dvec3(1e6)), 1);
+  EXPECT_GT(fitted.far_plane, 1e6);
+  EXPECT_DOUBLE_EQ(fitted.near_plane, 0.1);
+}
+
 TEST(Camera, LooksAwayFromABoxBehindTheEye) {
   Camera camera;
   camera.target = dvec3(100, 0, 0);

@@ -37,11 +37,12 @@ TEST(CommandText, SaysCameraLookAndSettings) {
   scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
   scene.picture.width = 100;
   scene.picture.shading = Shading::Exact;
+  scene.picture.specular = Specular::Blinn;
   scene.mesh.tolerance = ToleranceValue{0.25, true};
   EXPECT_EQ(command_text(scene),
             "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --axes --color 'u*v' "
             "--colormap magma --flip --opacity 0.5 --grid off "
-            "--size 100x600 --shading exact --tolerance 0.25px");
+            "--size 100x600 --shading exact --specular blinn --tolerance 0.25px");
 }
 
 TEST(CommandText, SaysTheRangeOfTime) {
