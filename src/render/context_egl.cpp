@@ -16,10 +16,10 @@
 namespace saddle {
 namespace {
 
-constexpr std::array kLibraries{"libEGL.so.1", "libEGL.so"};
-const char* const kPackage = "libegl1";
+constexpr std::array kEglLibraries{"libEGL.so.1", "libEGL.so"};
+const char* const kEglPackage = "libegl1";
 
-struct Library {
+struct EglLibrary {
   decltype(&eglGetPlatformDisplay) get_platform_display;
   decltype(&eglInitialize) initialize;
   decltype(&eglTerminate) terminate;
@@ -30,13 +30,13 @@ struct Library {
   decltype(&eglGetProcAddress) get_proc_address;
 };
 
-Library load_library() {
-  void* library = open_library(kLibraries, "drawing without a window", kPackage);
+EglLibrary load_egl() {
+  void* library = open_library(kEglLibraries, "drawing without a window", kEglPackage);
   const auto symbol = [&](auto& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-        library_symbol(library, name, kPackage));
+        library_symbol(library, name, kEglPackage));
   };
-  Library result{};
+  EglLibrary result{};
   symbol(result.get_platform_display, "eglGetPlatformDisplay");
   symbol(result.initialize, "eglInitialize");
   symbol(result.terminate, "eglTerminate");
@@ -49,14 +49,15 @@ Library load_library() {
 }
 
 [[noreturn]] void fail(const std::string& what) {
-  throw Error(Status::Machine, what, {},
-              std::string("the packages ") + kPackage + " and libgl1-mesa-dri have what it needs");
+  throw Error(
+      Status::Machine, what, {},
+      std::string("the packages ") + kEglPackage + " and libgl1-mesa-dri have what it needs");
 }
 
 class EglContext final : public Context {
  public:
   EglContext()
-      : library_(load_library()),
+      : library_(load_egl()),
         display_(open_display(library_), library_.terminate),
         context_(create_context()) {
     enter();
@@ -75,7 +76,7 @@ class EglContext final : public Context {
   std::string name() const override { return "egl"; }
 
  private:
-  static EGLDisplay open_display(const Library& library) {
+  static EGLDisplay open_display(const EglLibrary& library) {
     EGLDisplay display =
         library.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || library.initialize(display, nullptr, nullptr) != EGL_TRUE) {
@@ -112,7 +113,7 @@ class EglContext final : public Context {
     }
   }
 
-  Library library_;
+  EglLibrary library_;
   // Its end is that of the context too.
   std::unique_ptr<void, decltype(&eglTerminate)> display_;
   EGLContext context_;

@@ -18,23 +18,23 @@
 namespace saddle {
 namespace {
 
-constexpr std::array kLibraries{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
-const char* const kPackage = "libosmesa6";
+constexpr std::array kOsmesaLibraries{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+const char* const kOsmesaPackage = "libosmesa6";
 
-struct Library {
+struct OsmesaLibrary {
   decltype(&OSMesaCreateContextAttribs) create;
   decltype(&OSMesaDestroyContext) destroy;
   decltype(&OSMesaMakeCurrent) make_current;
   decltype(&OSMesaGetProcAddress) get_proc_address;
 };
 
-Library load_library() {
-  void* library = open_library(kLibraries, "drawing without a window", kPackage);
+OsmesaLibrary load_osmesa() {
+  void* library = open_library(kOsmesaLibraries, "drawing without a window", kOsmesaPackage);
   const auto symbol = [&](auto& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-        library_symbol(library, name, kPackage));
+        library_symbol(library, name, kOsmesaPackage));
   };
-  Library result{};
+  OsmesaLibrary result{};
   symbol(result.create, "OSMesaCreateContextAttribs");
   symbol(result.destroy, "OSMesaDestroyContext");
   symbol(result.make_current, "OSMesaMakeCurrent");
@@ -55,7 +55,7 @@ void refuse_unknown_driver() {
 
 class OsmesaContext final : public Context {
  public:
-  OsmesaContext() : library_(load_library()), context_(create(library_)) {
+  OsmesaContext() : library_(load_osmesa()), context_(create(library_)) {
     enter();
     if (gladLoadGL(library_.get_proc_address) < GLAD_MAKE_VERSION(3, 3)) refuse();
   }
@@ -74,13 +74,13 @@ class OsmesaContext final : public Context {
  private:
   [[noreturn]] static void refuse() {
     throw Error(Status::Machine, "OSMesa's OpenGL 3.3 cannot be used", {},
-                std::string("update the package ") + kPackage);
+                std::string("update the package ") + kOsmesaPackage);
   }
 
   using Handle = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;
 
   /// No depth: OSMesa's own framebuffer, which must exist, is a single pixel that nobody sees.
-  static Handle create(const Library& library) {
+  static Handle create(const OsmesaLibrary& library) {
     refuse_unknown_driver();
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
@@ -99,7 +99,7 @@ class OsmesaContext final : public Context {
     return context;
   }
 
-  Library library_;
+  OsmesaLibrary library_;
   std::array<std::uint8_t, 4> pixel_{};  // before the context, which may still flush into it
   Handle context_;
 };
