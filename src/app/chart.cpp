@@ -18,7 +18,7 @@ namespace saddle {
 namespace {
 
 /// Meshes of a study have no more: it has many to make.
-constexpr std::size_t kMostTriangles = 400'000;
+constexpr std::size_t kMostChartTriangles = 400'000;
 
 enum class Kind { Csv, Svg, Png };
 
@@ -92,8 +92,8 @@ void add_picture(const CommandLine& line, Subject& subject) {
   subject.width = scene.picture.width;
   subject.height = scene.picture.height;
   subject.antialias = scene.picture.antialias;
-  subject.max_triangles =
-      std::min<std::size_t>(scene.mesh.max_triangles.value_or(kMostTriangles), kMostTriangles);
+  subject.max_triangles = std::min<std::size_t>(
+      scene.mesh.max_triangles.value_or(kMostChartTriangles), kMostChartTriangles);
   subject.normal_tolerance = scene.mesh.normal_tolerance;
   subject.pixel = report.tolerance.value_or(mesh.mesh.bounds.diagonal() / subject.width);
   subject.clip = report.clip ? report.clip : scene.clip.box;

@@ -11,7 +11,7 @@
 namespace saddle {
 namespace {
 
-constexpr int kCells = 30;  // of the bar
+constexpr int kBarCells = 30;  // of the bar
 constexpr const char* kClearLine = "\r\033[K";
 
 }  // namespace
@@ -34,9 +34,9 @@ void Progress::show_frames(std::size_t done, std::size_t all, double seconds) {
 
 void Progress::show(double share, const std::string& what) {
   if (!shown_) return;
-  const int full = std::clamp(static_cast<int>(std::lround(share * kCells)), 0, kCells);
+  const int full = std::clamp(static_cast<int>(std::lround(share * kBarCells)), 0, kBarCells);
   std::cerr << kClearLine << '[' << std::string(static_cast<std::size_t>(full), '#')
-            << std::string(static_cast<std::size_t>(kCells - full), ' ') << "] "
+            << std::string(static_cast<std::size_t>(kBarCells - full), ' ') << "] "
             << std::lround(100 * share) << " % " << what << std::flush;
 }
 

@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
+Json finite_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json vector(const dvec3& v) {
-  return {number(v.x), number(v.y), number(v.z)};
+  return {finite_or_null(v.x), finite_or_null(v.y), finite_or_null(v.z)};
 }
 
 Json closing(const std::string& how) {
@@ -28,18 +28,19 @@ Json closing(const std::string& how) {
 
 Json places(const std::vector<dvec2>& uvs) {
   Json list = Json::array();
-  for (const dvec2& uv : uvs) list.push_back({{"u", number(uv.x)}, {"v", number(uv.y)}});
+  for (const dvec2& uv : uvs)
+    list.push_back({{"u", finite_or_null(uv.x)}, {"v", finite_or_null(uv.y)}});
   return list;
 }
 
 /// Triangles over the least possible.
 Json efficiency(const SurfaceReport& s) {
   if (!(s.mesh.least_triangles >= 1)) return nullptr;  // developable, but for rounding
-  return number(static_cast<double>(s.triangles) / s.mesh.least_triangles);
+  return finite_or_null(static_cast<double>(s.triangles) / s.mesh.least_triangles);
 }
 
 Json ends(double low, double high) {
-  return {number(low), number(high)};
+  return {finite_or_null(low), finite_or_null(high)};
 }
 
 Json doubts(const std::vector<DoubtfulPlace>& places) {
@@ -63,8 +64,8 @@ Json singular_places(const std::vector<SingularPlace>& places) {
   for (const SingularPlace& place : places) {
     Json normals = Json::array();
     for (const dvec3& normal : place.normals) normals.push_back(vector(normal));
-    list.push_back({{"u", number(place.uv.x)},
-                    {"v", number(place.uv.y)},
+    list.push_back({{"u", finite_or_null(place.uv.x)},
+                    {"v", finite_or_null(place.uv.y)},
                     {"isolated", place.is_alone},
                     {"position", vector(place.position)},
                     {"normal", normals.size() == 1 ? normals[0] : Json(nullptr)},
@@ -78,8 +79,8 @@ Json folded_edges(const SurfaceReport& s) {
   const Domain& d = s.facts->domain;
   Json list = Json::array();
   for (std::size_t k = 0; k < 2; ++k) {
-    if (s.mesh.folded_u[k]) list.push_back({{"u", number(k == 0 ? d.u0 : d.u1)}});
-    if (s.mesh.folded_v[k]) list.push_back({{"v", number(k == 0 ? d.v0 : d.v1)}});
+    if (s.mesh.folded_u[k]) list.push_back({{"u", finite_or_null(k == 0 ? d.u0 : d.u1)}});
+    if (s.mesh.folded_v[k]) list.push_back({{"v", finite_or_null(k == 0 ? d.v0 : d.v1)}});
   }
   return list;
 }
@@ -91,8 +92,8 @@ void add_facts(const SurfaceReport& s, Json& json) {
   json["singular_points"] = singular_places(facts.singular);
   json["domain"] = {{"u", ends(facts.domain.u0, facts.domain.u1)},
                     {"v", ends(facts.domain.v0, facts.domain.v1)}};
-  json["proved_defined_fraction"] = number(facts.defined.yes);
-  json["proved_undefined_fraction"] = number(facts.defined.no);
+  json["proved_defined_fraction"] = finite_or_null(facts.defined.yes);
+  json["proved_undefined_fraction"] = finite_or_null(facts.defined.no);
   json["exceeds_doubles"] = s.mesh.exceeds_doubles;
   json["folded"] = folded_edges(s);
   json["euler_number"] = t.euler_number;
@@ -102,11 +103,12 @@ void add_facts(const SurfaceReport& s, Json& json) {
   json["boundary_loops"] = t.boundary_loops;
   json["extents"] =
       Json::array({vector(facts.measures.extents.low), vector(facts.measures.extents.high)});
-  json["area"] = number(facts.measures.area.value);
-  json["volume"] = encloses_volume(facts) ? number(facts.measures.volume.value) : Json(nullptr);
+  json["area"] = finite_or_null(facts.measures.area.value);
+  json["volume"] =
+      encloses_volume(facts) ? finite_or_null(facts.measures.volume.value) : Json(nullptr);
   json["gauss_curvature"] = extremes(facts.measures.gauss);
   json["mean_curvature"] = extremes(facts.measures.mean);
-  json["least_triangles"] = number(s.mesh.least_triangles);
+  json["least_triangles"] = finite_or_null(s.mesh.least_triangles);
 }
 
 Json surface(const SurfaceReport& s) {
@@ -118,10 +120,10 @@ Json surface(const SurfaceReport& s) {
                {"vertices", s.vertices},
                {"evaluations", s.mesh.evaluations},
                {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
-               {"tolerance", s.mesh.tolerance ? number(*s.mesh.tolerance) : Json(nullptr)},
-               {"max_error", number(s.mesh.max_error)},
-               {"max_normal_error", number(s.mesh.max_normal_error)},
-               {"undefined_fraction", number(s.mesh.undefined_fraction)},
+               {"tolerance", s.mesh.tolerance ? finite_or_null(*s.mesh.tolerance) : Json(nullptr)},
+               {"max_error", finite_or_null(s.mesh.max_error)},
+               {"max_normal_error", finite_or_null(s.mesh.max_normal_error)},
+               {"undefined_fraction", finite_or_null(s.mesh.undefined_fraction)},
                {"efficiency", efficiency(s)},
                {"singular_points", places(singular)},
                {"singular_points_count", s.mesh.singular_point_count},
@@ -139,17 +141,17 @@ Json surface(const SurfaceReport& s) {
 }
 
 Json times(const RunTimes& t) {
-  Json result = {{"parse", number(t.parse)},
-                 {"compile", number(t.compile)},
-                 {"tessellate", number(t.tessellate)}};
+  Json result = {{"parse", finite_or_null(t.parse)},
+                 {"compile", finite_or_null(t.compile)},
+                 {"tessellate", finite_or_null(t.tessellate)}};
   if (t.render) {
-    result["context"] = number(t.render->context);
-    result["upload"] = number(t.render->upload);
-    result["draw"] = number(t.render->draw);
+    result["context"] = finite_or_null(t.render->context);
+    result["upload"] = finite_or_null(t.render->upload);
+    result["draw"] = finite_or_null(t.render->draw);
   }
-  result["encode"] = number(t.encode);
-  if (t.frame > 0) result["frame"] = number(t.frame);
-  result["total"] = number(t.total);
+  result["encode"] = finite_or_null(t.encode);
+  if (t.frame > 0) result["frame"] = finite_or_null(t.frame);
+  result["total"] = finite_or_null(t.total);
   return result;
 }
 

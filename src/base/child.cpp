@@ -11,28 +11,11 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 
 namespace saddle {
 namespace {
-
-/// A descriptor that is closed.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return number_; }
-  void set(int number) { number_ = number; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
- private:
-  int number_;
-};
 
 struct Pipe {
   Descriptor out, in;
@@ -115,10 +98,10 @@ Child::Child(const std::vector<std::string>& command, const std::string& package
              std::span<const int> files)
     : name_(command[0]), pipes_(std::make_unique<Pipes>()) {
   process_ =
-      spawn(command, package, pipes_->to_child.out.get(), pipes_->from_child.in.get(), files);
-  pipes_->to_child.out.close();
-  pipes_->from_child.in.close();
-  listener_ = std::jthread([this] { said_ = read_all(pipes_->from_child.out.get()); });
+      spawn(command, package, pipes_->to_child.out.number(), pipes_->from_child.in.number(), files);
+  pipes_->to_child.out.close_now();
+  pipes_->from_child.in.close_now();
+  listener_ = std::jthread([this] { said_ = read_all(pipes_->from_child.out.number()); });
 }
 
 Child::~Child() {
@@ -129,7 +112,7 @@ Child::~Child() {
 
 bool Child::feed(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = write(pipes_->to_child.in.get(), bytes.data(), bytes.size());
+    const ssize_t count = write(pipes_->to_child.in.number(), bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return false;  // its exit status tells why
     bytes.remove_prefix(static_cast<std::size_t>(count));
@@ -139,7 +122,7 @@ bool Child::feed(std::string_view bytes) {
 
 /// Its exit status, as waitpid() has it.
 int Child::wait() {
-  pipes_->to_child.in.close();
+  pipes_->to_child.in.close_now();
   listener_.join();
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {

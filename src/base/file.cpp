@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/temporary.h"
 
@@ -36,26 +37,6 @@ std::string reason(int code) {
 [[noreturn]] void fail_write(const fs::path& path, const std::string& why, std::string hint = {}) {
   throw Error(Status::Machine, "cannot write " + path.string() + ": " + why, {}, std::move(hint));
 }
-
-/// An open file descriptor, or -1.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close_now(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-  explicit operator bool() const { return number_ >= 0; }
-  /// False if the system says only now that it could not write.
-  bool close_now() {
-    const int number = std::exchange(number_, -1);
-    return number < 0 || close(number) == 0;
-  }
-
- private:
-  int number_;
-};
 
 /// Collects what a std::ostream writes and hands it to a descriptor in large pieces.
 class DescriptorBuffer : public std::streambuf {

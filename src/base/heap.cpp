@@ -19,14 +19,14 @@ namespace {
 
 /// What the heap grows by at a time, and the size from which allocations get memory of their own:
 /// a picture of 800x600 with its surface needs less. It costs addresses; memory is what is touched.
-constexpr int kStep = 64 << 20;
+constexpr int kHeapStep = 64 << 20;
 constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
 
 }  // namespace
 
 bool use_huge_pages() {
-  if (mallopt(M_MMAP_THRESHOLD, kStep) == 0 || mallopt(M_TRIM_THRESHOLD, 2 * kStep) == 0 ||
-      mallopt(M_TOP_PAD, kStep) == 0 || mallopt(M_ARENA_MAX, 1) == 0) {
+  if (mallopt(M_MMAP_THRESHOLD, kHeapStep) == 0 || mallopt(M_TRIM_THRESHOLD, 2 * kHeapStep) == 0 ||
+      mallopt(M_TOP_PAD, kHeapStep) == 0 || mallopt(M_ARENA_MAX, 1) == 0) {
     return false;
   }
   // More than the heap has left: it grows by a step.
@@ -34,7 +34,7 @@ bool use_huge_pages() {
   const auto start = reinterpret_cast<std::uintptr_t>(block);
   const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
   std::free(block);
-  if (block == nullptr || start >= end || end - start > 2 * std::uintptr_t{kStep}) return false;
+  if (block == nullptr || start >= end || end - start > 2 * std::uintptr_t{kHeapStep}) return false;
   const std::uintptr_t first = (start + kHugePage - 1) / kHugePage * kHugePage;
   const std::uintptr_t last = end / kHugePage * kHugePage;
   return first < last && madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE) == 0;

@@ -11,7 +11,7 @@ namespace {
 
 // The window and constants of the paper named in the header, for luminances of 0 to 1.
 constexpr int kWindow = 8;
-constexpr int kStep = 4;
+constexpr int kWindowStep = 4;
 constexpr double kC1 = 0.01 * 0.01;
 constexpr double kC2 = 0.03 * 0.03;
 
@@ -64,11 +64,11 @@ ChannelDifference compare_channels(const Image& a, const Image& b) {
   return difference;
 }
 
-/// Where windows of `window` pixels begin along a side of `size`: every kStep, and the last one
-/// flush with the end.
+/// Where windows of `window` pixels begin along a side of `size`: every kWindowStep, and the last
+/// one flush with the end.
 std::vector<int> window_starts(int size, int window) {
   std::vector<int> starts;
-  for (int at = 0; at + window < size; at += kStep) starts.push_back(at);
+  for (int at = 0; at + window < size; at += kWindowStep) starts.push_back(at);
   starts.push_back(size - window);
   return starts;
 }

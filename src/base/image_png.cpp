@@ -45,15 +45,15 @@ void on_warning(png_structp, png_const_charp) {}
 
 // ---- Writing ----
 
-struct Writer {
+struct PngWriter {
   Message message{};
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, on_error, on_warning);
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
 
-  Writer() = default;
-  ~Writer() { png_destroy_write_struct(&png, &info); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+  PngWriter() = default;
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
 };
 
 /// True if the stream took the bytes; its exceptions end here.
@@ -92,7 +92,7 @@ struct Contents {
 };
 
 /// False if libpng found an error, which is then in the writer's message.
-bool encode(const Writer& writer, Contents& contents) {
+bool encode(const PngWriter& writer, Contents& contents) {
   const png_structp png = writer.png;
   const png_infop info = writer.info;
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -217,7 +217,7 @@ PngText read_text(const Reader& reader) {
 }  // namespace
 
 void write_png(std::ostream& out, const Image& image, const PngText& text, unsigned threads) {
-  Writer writer;
+  PngWriter writer;
   if (writer.info == nullptr) throw Error(Status::Machine, "libpng cannot be started");
   const bool opaque = is_opaque(image);
   Contents contents{image, opaque, text_chunks(text), pack_pixels(image, opaque, threads)};

@@ -27,7 +27,7 @@ constexpr double kAllCovered = 1e-12;
 /// Cells of the root grid each way around an island that no sample has met.
 constexpr std::size_t kIslandCells = 16;
 /// Poles, and jumps, that are this near to each other, in ranges, are one.
-constexpr double kSamePlace = 1e-9;
+constexpr double kSamePole = 1e-9;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
 /// A root grid has no more lines each way than this over the tolerance as a share of the diagonal:
@@ -55,7 +55,7 @@ std::size_t cells(const FixedLines& lines) {
 }
 
 /// Lines and more lines within their range, in order and once each.
-std::vector<double> merged(std::vector<double> lines, std::span<const double> more) {
+std::vector<double> merged_lines(std::vector<double> lines, std::span<const double> more) {
   const bool backwards = lines.front() > lines.back();
   lines.insert(lines.end(), more.begin(), more.end());
   if (backwards) {
@@ -104,8 +104,8 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
   }
   if (const auto& island = plan.probe.island()) {
     const auto [low, high] = island->where;
-    plan.lines.u = merged(std::move(plan.lines.u), even_lines(low.x, high.x, kIslandCells));
-    plan.lines.v = merged(std::move(plan.lines.v), even_lines(low.y, high.y, kIslandCells));
+    plan.lines.u = merged_lines(std::move(plan.lines.u), even_lines(low.x, high.x, kIslandCells));
+    plan.lines.v = merged_lines(std::move(plan.lines.v), even_lines(low.y, high.y, kIslandCells));
   }
 }
 
@@ -142,7 +142,7 @@ class PlaceList {
 
   /// False if the place is known.
   bool add(const dvec2& uv) {
-    const dvec2 place = glm::round(uv / range_ / kSamePlace);
+    const dvec2 place = glm::round(uv / range_ / kSamePole);
     if (!seen_.insert({place.x, place.y}).second) return false;
     ++count_;
     if (listed_.size() < kMaxListed) listed_.push_back(uv);
@@ -271,7 +271,7 @@ class Finisher {
   /// whether a formula is defined, rims are anywhere.
   bool is_same_place(std::uint32_t a, std::uint32_t b) const {
     const dvec2 apart = glm::abs(grid_.mesh.uv[a] - grid_.mesh.uv[b]);
-    return glm::all(glm::lessThanEqual(apart, kSamePlace * glm::abs(grid_.range)));
+    return glm::all(glm::lessThanEqual(apart, kSamePole * glm::abs(grid_.range)));
   }
 
   /// Calls f(side, crossing) for each side of a leaf that is cut like this.

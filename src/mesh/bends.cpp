@@ -12,7 +12,7 @@ namespace {
 /// A column is as dense as this share of its samples want; the rest is refined locally. At 1 a
 /// narrow peak would draw its lines through the whole domain; over the gallery 0.9 takes a tenth
 /// more triangles than 0.5.
-constexpr double kShare = 0.5;
+constexpr double kDensityShare = 0.5;
 
 /// Where each column or row begins, and the end, from how many samples are in it.
 std::vector<std::size_t> begins(std::span<const std::uint32_t> counts) {
@@ -26,7 +26,7 @@ std::vector<double> most_ask(std::vector<double>& asked, std::span<const std::si
   densities.reserve(begins.size() - 1);
   for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
     const auto line = std::span(asked).subspan(begins[k], begins[k + 1] - begins[k]);
-    densities.push_back(density_for(quantile(line, kShare)));
+    densities.push_back(density_for(quantile(line, kDensityShare)));
   }
   return densities;
 }

@@ -28,7 +28,7 @@ constexpr int kPlainHalvings = 8;
 constexpr int kPlainHalvingsOfCusps = 1;
 /// Breaks that are this near to each other, beside their line, are one: where a formula has a value
 /// of its own there are two steps.
-constexpr double kSamePlace = 1e-9;
+constexpr double kSameBreak = 1e-9;
 
 /// Where normals can only jump to their opposites, unit normals that are nearer to each other have
 /// no cusp between them, unless the surface turns back by as much as 166 degrees.
@@ -113,7 +113,7 @@ void verify(const Surface& surface, std::span<const Line> lines, double delta, u
     const dvec2 middle = near_middle(ends);
     const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
     const bool is_gap =
-        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSamePlace * length(lines[k]);
+        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSameBreak * length(lines[k]);
     found[k].kind = is_gap ? Break::Jump : Break::None;
   }
 }
@@ -153,7 +153,7 @@ void add(const Found& more, const Line& line, Found& known) {
   const double apart = glm::distance(known.ends[0], more.ends[0]);
   if (known.kind == Break::None) {
     known = more;
-  } else if (apart > kSamePlace * glm::distance(line[0], line[1])) {
+  } else if (apart > kSameBreak * glm::distance(line[0], line[1])) {
     known.has_more = true;
   } else if (more.kind == Break::Pole) {
     known.kind = Break::Pole;

@@ -17,7 +17,7 @@ namespace {
 
 /// Halvings of a leaf, both ways taken together: 1/64 of each side. Of few boxes more: 1/4096 finds
 /// a peak that is narrower than anything that a picture shows.
-constexpr int kMaxDepth = 12;
+constexpr int kMostHalvings = 12;
 constexpr int kMaxDepthOfFew = 24;
 /// Where a proof holds everywhere it takes a few boxes, or some thousands: a spike takes a
 /// thousand, a tube around a knot five thousand of its 374 instructions. Where it does not, more
@@ -36,7 +36,7 @@ constexpr int kMaxUnboundedDepth = 4;
 /// many, and fewer where a proof comes nearer. Where they become this many times as many, and are
 /// not few, there are no proofs to be found.
 constexpr double kGrows = 1.5;
-constexpr double kFew = 200;
+constexpr double kFewBoxes = 200;
 /// What a special function takes in steps.
 constexpr std::size_t kSpecialSteps = 600;
 
@@ -237,7 +237,7 @@ class Certifier {
   /// Whether boxes that become more as those of this level do will not come down to single cells:
   /// above those nothing is found that samples did not show.
   bool goes_beyond_budget(std::size_t level, std::size_t next) const {
-    if (next < static_cast<std::size_t>(kFew)) return false;
+    if (next < static_cast<std::size_t>(kFewBoxes)) return false;
     const auto count = static_cast<double>(next);
     const double growth = count / static_cast<double>(level);
     const double generations = std::log2(static_cast<double>(grid_.cell_count()) / count);
@@ -295,7 +295,7 @@ class Certifier {
     while (!parts_.empty()) {
       next.clear();
       const bool grows = static_cast<double>(parts_.size()) >
-                         std::max(kFew, kGrows * static_cast<double>(before[1]));
+                         std::max(kFewBoxes, kGrows * static_cast<double>(before[1]));
       for (Part& part : parts_) {
         if (grows || budget_.boxes == 0) {
           suspect(part);
@@ -322,7 +322,7 @@ class Certifier {
 
   int max_depth(Proof proof) const {
     if (proof == Proof::Endless) return kMaxUnboundedDepth;
-    return static_cast<double>(parts_.size()) <= kFew ? kMaxDepthOfFew : kMaxDepth;
+    return static_cast<double>(parts_.size()) <= kFewBoxes ? kMaxDepthOfFew : kMostHalvings;
   }
 
   void suspect(const Part& part, bool is_hole = false) {

@@ -22,7 +22,7 @@ namespace {
 constexpr std::array kMiddles = {0.5};
 constexpr std::array kQuarters = {0.25, 0.75};
 /// Random offset from there, in cells: as large as that of measure_error().
-constexpr double kJitter = 0.1;
+constexpr double kCellJitter = 0.1;
 constexpr std::size_t kRowChunk = 8;
 
 /// Places along one parameter, the cells that they are in and where in those: 0 to 1.
@@ -38,7 +38,7 @@ Axis inside(const std::vector<double>& lines, std::span<const double> parts, std
   for (std::size_t k = 0; k < parts.size(); ++k) {
     for (std::size_t cell = 0; cell + 1 < lines.size(); ++cell) {
       const double random = random_unit(key + cell * parts.size() + k);
-      axis.part.push_back(parts[k] + kJitter * (2 * random - 1));
+      axis.part.push_back(parts[k] + kCellJitter * (2 * random - 1));
       axis.at.push_back(std::lerp(lines[cell], lines[cell + 1], axis.part.back()));
       axis.cell.push_back(cell);
     }
@@ -56,13 +56,13 @@ Axis on(const std::vector<double>& lines) {
 }
 
 /// Places of an axis, one after the other, in cells that are, too.
-struct Stretch {
+struct PlaceStretch {
   std::size_t first, cell, count;
 };
 
 /// All of an axis, in stretches no longer than a strip.
-std::vector<Stretch> stretches_of(const Axis& axis) {
-  std::vector<Stretch> stretches;
+std::vector<PlaceStretch> stretches_of(const Axis& axis) {
+  std::vector<PlaceStretch> stretches;
   for (std::size_t k = 0; k < axis.at.size(); ++k) {
     const bool goes_on = !stretches.empty() && stretches.back().count < kTileCells &&
                          stretches.back().cell + stretches.back().count == axis.cell[k];
@@ -105,7 +105,7 @@ double diagonal_of(const Grid& grid, std::size_t cell) {
 /// The vertices of a row of cells, or of some of them, in local units.
 class RowStrips {
  public:
-  RowStrips(const Grid& grid, const Stretch& stretch) : grid_(grid), stretch_(stretch) {}
+  RowStrips(const Grid& grid, const PlaceStretch& stretch) : grid_(grid), stretch_(stretch) {}
 
   void go_to(std::size_t row) {
     load(row);
@@ -130,7 +130,7 @@ class RowStrips {
   static constexpr std::size_t kNone = ~std::size_t{0};
 
   const Grid& grid_;
-  const Stretch& stretch_;
+  const PlaceStretch& stretch_;
   std::size_t row_ = 0;
   std::array<std::size_t, 2> rows_ = {kNone, kNone};
   std::unique_ptr<std::array<Strip, 2>> strips_ =
@@ -138,7 +138,7 @@ class RowStrips {
 };
 
 /// The surface at the places u x v, with u inner.
-struct Places {
+struct AxisPlaces {
   const Axis& u;
   const Axis& v;
   NormalColumns columns;
@@ -147,7 +147,7 @@ struct Places {
 };
 
 /// The vertices at the ends of a cell's side.
-using Ends = std::array<std::size_t, 2>;
+using SideEnds = std::array<std::size_t, 2>;
 
 class Checker {
  public:
@@ -165,20 +165,20 @@ class Checker {
   /// the same vertex twice inside; is_seen(i, j): whether the side is seen.
   template <class Side, class Seen>
   Largest check(const Axis& u, const Axis& v, Side side, Seen is_seen) {
-    const Places places{u, v, evaluate_normals_on_grid(surface_, u.at, v.at, threads_)};
+    const AxisPlaces places{u, v, evaluate_normals_on_grid(surface_, u.at, v.at, threads_)};
     evaluations_ += u.at.size() * v.at.size();
-    const std::vector<Stretch> stretches = stretches_of(u);
+    const std::vector<PlaceStretch> stretches = stretches_of(u);
     std::vector<Largest> of_rows(v.at.size());
     parallel_chunks(v.at.size(), kRowChunk, threads_, [&](std::size_t begin, std::size_t end) {
       const auto deviations = std::make_unique_for_overwrite<RowDeviations>();
-      for (const Stretch& stretch : stretches) {
+      for (const PlaceStretch& stretch : stretches) {
         RowStrips strips(grid_, stretch);
         for (std::size_t j = begin; j < end; ++j) {
           strips.go_to(v.cell[j]);
           check_row(places, stretch, j, strips, *deviations);
           for (std::size_t k = 0; k < stretch.count; ++k) {
             const std::size_t i = stretch.first + k;
-            const Ends ends = side(i, j);
+            const SideEnds ends = side(i, j);
             if (deviations->is_known[k] > 0) {
               of_rows[j].add({deviations->distance[k], deviations->chord[k]});
             } else if (!is_pole(ends)) {
@@ -198,7 +198,7 @@ class Checker {
 
  private:
   /// Checks the places of a stretch in the j-th row of them.
-  void check_row(const Places& places, const Stretch& stretch, std::size_t j,
+  void check_row(const AxisPlaces& places, const PlaceStretch& stretch, std::size_t j,
                  const RowStrips& strips, RowDeviations& deviations) const {
     RowPlaces row{places.u.part.data() + stretch.first,
                   places.v.part[j],
@@ -214,26 +214,26 @@ class Checker {
   }
 
   /// A side that is a single point: there is no normal, and nothing to be off by.
-  bool is_pole(const Ends& ends) const {
+  bool is_pole(const SideEnds& ends) const {
     return ends[0] != ends[1] && grid_.mesh.point[ends[0]] == grid_.mesh.point[ends[1]];
   }
 
   /// The distance of a position from the chord between two vertices, in local units.
-  double from_chord(const Ends& ends, const dvec3& p) const {
+  double from_chord(const SideEnds& ends, const dvec3& p) const {
     const dvec3 edge = grid_.local(ends[1]) - grid_.local(ends[0]);
     const dvec3 off = p - grid_.local(ends[0]);
     return glm::length(off - glm::dot(off, edge) / glm::dot(edge, edge) * edge);
   }
 
   /// In local units.
-  dvec3 position(const Places& places, std::size_t i, std::size_t j) const {
+  dvec3 position(const AxisPlaces& places, std::size_t i, std::size_t j) const {
     const std::size_t k = places.number(i, j);
     const NormalColumns& columns = places.columns;
     return grid_.local_scale * dvec3(columns[0][k], columns[1][k], columns[2][k]);
   }
 
   /// A closer look at one place.
-  Largest measure(const Places& places, std::size_t i, std::size_t j) const {
+  Largest measure(const AxisPlaces& places, std::size_t i, std::size_t j) const {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     const NormalColumns& columns = places.columns;
     const std::size_t k = places.number(i, j);
@@ -263,7 +263,7 @@ class Checker {
 
 MeasuredError check_cells(const Surface& surface, const Grid& grid, const SeenLines& seen,
                           unsigned threads) {
-  const auto inside_cell = [](std::size_t, std::size_t) { return Ends{0, 0}; };
+  const auto inside_cell = [](std::size_t, std::size_t) { return SideEnds{0, 0}; };
   const auto unseen = [](std::size_t, std::size_t) { return false; };
   const std::size_t cells = grid.cells_u + grid.cells_v;
   const Axis middles_u = inside(grid.u, kMiddles, 0);
@@ -276,13 +276,13 @@ MeasuredError check_cells(const Surface& surface, const Grid& grid, const SeenLi
   largest.add(checker.check(
       middles_u, on(grid.v),
       [&](std::size_t i, std::size_t j) {
-        return Ends{grid.vertex(i, j), grid.vertex(i + 1, j)};
+        return SideEnds{grid.vertex(i, j), grid.vertex(i + 1, j)};
       },
       [&](std::size_t, std::size_t j) { return seen.rows[j] != 0; }));
   largest.add(checker.check(
       on(grid.u), middles_v,
       [&](std::size_t i, std::size_t j) {
-        return Ends{grid.vertex(i, j), grid.vertex(i, j + 1)};
+        return SideEnds{grid.vertex(i, j), grid.vertex(i, j + 1)};
       },
       [&](std::size_t i, std::size_t) { return seen.columns[i] != 0; }));
   return {largest.distance / grid.local_scale, degrees_of_chord(std::sqrt(largest.chord)),

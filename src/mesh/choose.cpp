@@ -14,7 +14,7 @@ namespace {
 constexpr double kForeseen = 1.005;
 /// Lines are placed for a tolerance that is smaller by this factor at least: since a whole number
 /// of cells is between drawn lines, a little closer is often no closer.
-constexpr double kStep = 1.2;
+constexpr double kToleranceStep = 1.2;
 /// A grid that misses by more tolerances does so because of one place, not of its lines' distance.
 constexpr double kWorthCloserLines = 3;
 /// Grids that come to nothing may cost so much of what halving cells does.
@@ -52,7 +52,7 @@ class Chooser {
         choice_.excess = worst = trial.excess;
         if (!(worst > 0 && worst <= kWorthCloserLines)) return std::nullopt;
       }
-      stricter *= std::max(worst, kStep);
+      stricter *= std::max(worst, kToleranceStep);
       // Errors grow with areas. That bounds the search, too: lines need not come closer at once,
       // nor ever, where it is one place that misses.
       if (!is_cheaper(cells_of(plan_.lines) * std::sqrt(stricter))) return std::nullopt;

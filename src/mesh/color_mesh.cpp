@@ -34,7 +34,7 @@ constexpr int kGenerations = 24;
 
 // The limit at a point without a number, as that of normals: see surface/normal.h.
 constexpr double kFirstTau = 0.2;
-constexpr std::size_t kSteps = 12;
+constexpr std::size_t kLimitSteps = 12;
 constexpr std::size_t kHighestPower = 6;
 /// An extrapolation whose best entry changes by more than this share of it has found no limit.
 constexpr double kSettled = 1e-4;
@@ -129,7 +129,7 @@ class ColorMesher {
         done[corner - first] = true;
         corners.push_back(corner);
         double tau = kFirstTau;
-        for (std::size_t i = 0; i < kSteps; ++i, tau /= 2) {
+        for (std::size_t i = 0; i < kLimitSteps; ++i, tau /= 2) {
           paths.push_back(mesh_.uv[corner] + (middle - mesh_.uv[corner]) * (tau * tau));
         }
       }
@@ -137,7 +137,7 @@ class ColorMesher {
     if (corners.empty()) return;
     const std::vector<double> numbers = evaluate(paths);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const auto limit = extrapolated(std::span(numbers).subspan(k * kSteps, kSteps));
+      const auto limit = extrapolated(std::span(numbers).subspan(k * kLimitSteps, kLimitSteps));
       if (limit) mesh_.color[corners[k]] = *limit;
     }
   }

@@ -19,16 +19,16 @@ constexpr double kLeftOut = 0.05;
 /// to the last digits of the parameters. Two steps of each length reach any place that is within
 /// four of the first: a cell of the mesh away.
 constexpr double kFirstStep = 1.0 / 32;
-constexpr int kHalvings = 40;
+constexpr int kClimbHalvings = 40;
 constexpr int kStepsOfALength = 2;
 /// A top is a pole if numbers at this share of the ranges on both sides of it, one way or another,
 /// are lower by this share of the whole range, however far down the climb began. A logarithm's fall
 /// by a third.
-constexpr double kAround = 1e-8;
+constexpr double kBesideTop = 1e-8;
 constexpr double kFalls = 0.1;
 
 /// Numbers whose differences are this share of them are the same but for what rounding adds up to.
-constexpr double kRounding = 1e-9;
+constexpr double kRoundedNumbers = 1e-9;
 
 /// Where numbers go to infinity few triangles have most of the range: there each counts as so many
 /// parts a side.
@@ -38,7 +38,7 @@ constexpr int kParts = 6;
 using Sample = std::pair<double, double>;
 
 /// The number below which `share` of the area is.
-double quantile(std::span<const Sample> sorted, double share) {
+double sample_quantile(std::span<const Sample> sorted, double share) {
   double total = 0;
   for (const auto& [number, area] : sorted) total += area;
   double passed = 0;
@@ -103,12 +103,12 @@ class Climber {
     const Domain& d = surface_.domain;
     const dvec2 ranges(std::abs(d.u1 - d.u0), std::abs(d.v1 - d.v0));
     dvec2 step = kFirstStep * ranges;
-    for (int i = 0; i < kHalvings && std::isfinite(height_); ++i, step *= 0.5) {
+    for (int i = 0; i < kClimbHalvings && std::isfinite(height_); ++i, step *= 0.5) {
       for (int k = 0; k < kStepsOfALength && go_up(step); ++k) {
       }
     }
     if (!std::isfinite(height_)) return std::nullopt;
-    if (is_needle(kAround * ranges, kFalls * (height_ - bottom))) return std::nullopt;
+    if (is_needle(kBesideTop * ranges, kFalls * (height_ - bottom))) return std::nullopt;
     return sign_ * height_;
   }
 
@@ -185,7 +185,7 @@ bool are_one_number(const ColorRange& all, const ColorRange& most, double roundi
   const double size = std::max(std::abs(all.low), std::abs(all.high));
   const bool is_rounding = rounding > 0 && most.high - most.low <= rounding;
   return is_rounding || all.low == all.high ||
-         (std::isfinite(size) && all.high - all.low <= kRounding * size);
+         (std::isfinite(size) && all.high - all.low <= kRoundedNumbers * size);
 }
 
 }  // namespace
@@ -195,9 +195,9 @@ std::optional<DrawnColors> drawn_colors(const Surface& surface, const Mesh& mesh
   const std::vector<Sample> samples = samples_of(mesh);
   if (samples.empty()) return std::nullopt;
   const Ends ends(mesh);
-  const ColorRange most{quantile(samples, kLeftOut), quantile(samples, 1 - kLeftOut)};
+  const ColorRange most{sample_quantile(samples, kLeftOut), sample_quantile(samples, 1 - kLeftOut)};
   if (are_one_number(ends.range, most, rounding)) {
-    const double middle = quantile(samples, 0.5);
+    const double middle = sample_quantile(samples, 0.5);
     return DrawnColors{{middle, middle}};
   }
   const double spread = samples.back().first - samples.front().first;  // finite
@@ -210,8 +210,9 @@ std::optional<DrawnColors> drawn_colors(const Surface& surface, const Mesh& mesh
   const std::optional<double> high = top(ends.highest, 1);
   if (low && high) return DrawnColors{{*low, *high}};
   const std::vector<Sample> fine = fine_samples_of(surface, mesh);
-  return DrawnColors{
-      {low ? *low : quantile(fine, kLeftOut), high ? *high : quantile(fine, 1 - kLeftOut)}, true};
+  return DrawnColors{{low ? *low : sample_quantile(fine, kLeftOut),
+                      high ? *high : sample_quantile(fine, 1 - kLeftOut)},
+                     true};
 }
 
 }  // namespace saddle

@@ -18,16 +18,16 @@ namespace {
 /// Halvings of a line until as many parts as these are too many to be narrowed down: so many of
 /// them stand for all.
 constexpr int kLeastHalvings = 6;
-constexpr std::size_t kMostParts = 8;
+constexpr std::size_t kMostLineParts = 8;
 /// Beside a break that is known to be there, the part of a line that is left without a proof is so
 /// much of it at each step: what that leaves is halved on where bounds are too wide.
 constexpr double kBesideBreak = 1.0 / 1024;
 
 /// A box, by two opposite corners.
-using Box = Line;
+using BoxCorners = Line;
 
-Box box_around(std::span<const LinePart> lines) {
-  Box box = {lines[0].part[0], lines[0].part[0]};
+BoxCorners box_around(std::span<const LinePart> lines) {
+  BoxCorners box = {lines[0].part[0], lines[0].part[0]};
   for (const LinePart& line : lines) {
     for (const dvec2& end : line.part) box = {glm::min(box[0], end), glm::max(box[1], end)};
   }
@@ -47,7 +47,7 @@ bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
 template <class Few, class IsProved, class Leave>
 void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leave leave) {
   if (lines.size() <= few()) return leave(lines);
-  const Box box = box_around(lines);
+  const BoxCorners box = box_around(lines);
   if (is_proved(box, lines.size())) return;
   const int axis = is_wider_along_u(lines, box[1] - box[0]) ? 0 : 1;
   const auto place = [&](const LinePart& line) { return line.part[0][axis] + line.part[1][axis]; };
@@ -69,7 +69,7 @@ class Prover {
   void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
     prove_together(
         lines, [] { return std::size_t{1}; },
-        [this](const Box& box, std::size_t) { return is_proved(box); },
+        [this](const BoxCorners& box, std::size_t) { return is_proved(box); },
         [&](std::span<const LinePart> one) {
           for (const LinePart& line : one) add_unproved(line, result);
         });
@@ -91,7 +91,7 @@ class Prover {
     std::vector<LinePart> level = {line};
     for (int depth = 0; !level.empty() && depth < halvings_; ++depth) {
       std::erase_if(level, [this](const LinePart& part) { return is_proved(part.part); });
-      if (level.size() > kMostParts && depth >= kLeastHalvings) break;
+      if (level.size() > kMostLineParts && depth >= kLeastHalvings) break;
       std::vector<LinePart> next;
       for (const LinePart& part : level) {
         if (const auto parts = cut(part)) {
@@ -102,11 +102,11 @@ class Prover {
       }
       level = std::move(next);
     }
-    const std::size_t step = (level.size() + kMostParts - 1) / kMostParts;
+    const std::size_t step = (level.size() + kMostLineParts - 1) / kMostLineParts;
     for (std::size_t k = 0; k < level.size(); k += step) result.push_back(level[k]);
   }
 
-  bool is_proved(const Box& box) {
+  bool is_proved(const BoxCorners& box) {
     ++boxes_;
     std::array<Interval, 3> position;
     enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), position);
@@ -133,13 +133,13 @@ class NormalProver {
  public:
   explicit NormalProver(const Surface& surface) : enclosure_(surface.bounds, kOutputs) {}
 
-  bool has_continuous_tangents(const Box& box) {
+  bool has_continuous_tangents(const BoxCorners& box) {
     enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), outputs_);
     return std::ranges::all_of(
         outputs_, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
   }
 
-  bool is_proved(const Box& box) { return has_continuous_tangents(box) && has_normals(); }
+  bool is_proved(const BoxCorners& box) { return has_continuous_tangents(box) && has_normals(); }
 
   /// Whether r_u x r_v is not 0 in the last box.
   bool has_normals() const {
@@ -206,7 +206,7 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
     const bool is_vain = in_vain > kInVain + kInVainPerLine * proved;
     return is_vain ? all.size() : result.only_cusps ? kFewIfOnlyCusps : kFew;
   };
-  const auto is_proved = [&](const Box& box, std::size_t count) {
+  const auto is_proved = [&](const BoxCorners& box, std::size_t count) {
     ++boxes;
     const bool is = prover.is_proved(box);
     (is ? proved : in_vain) += is ? count : 1;

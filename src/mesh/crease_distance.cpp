@@ -16,18 +16,18 @@ namespace {
 /// for a distance that is of second order. Where the surface is upright it moves far while its
 /// parameters hardly do: there it is to have moved by no more than that part, too, or to be as near
 /// as the mesh's vertices are, which are found by kAllHalvings.
-constexpr int kHalvings = 12;
+constexpr int kCreaseHalvings = 12;
 constexpr double kArrived = 1.0 / 4096;
 /// Across a cusp normals are opposite, but for how they turn on the way: their cosine is less. They
 /// turn by more than 60 degrees to where the surface is upright.
-constexpr double kOpposite = -0.7;
+constexpr double kAcrossCusp = -0.7;
 constexpr double kUpright = 0.5;
 /// It is not upright if those halvings have it move by no more than this part of what it did: a
 /// root moves by a 64th, what has slopes on both sides by little more than kArrived.
 constexpr double kPlain = 1.0 / 512;
 /// Steps to the nearest point; and the share of the normal equations' diagonal that is added to it
 /// at first, and is ten times as much after a step in vain, a tenth after another.
-constexpr int kSteps = 12;
+constexpr int kNearestSteps = 12;
 constexpr double kDamping = 1e-4;
 
 dvec3 area_of(const SurfacePoint& p) {
@@ -62,9 +62,11 @@ struct CreaseSearch {
   int halvings = 0;
 
   /// Neither a cusp, nor is the surface upright.
-  bool is_plain() const { return !is_cusp && halvings == kHalvings && way <= kPlain * first_way; }
+  bool is_plain() const {
+    return !is_cusp && halvings == kCreaseHalvings && way <= kPlain * first_way;
+  }
   bool is_done() const {
-    const bool has_arrived = halvings >= kHalvings && !(way > kArrived * first_way);
+    const bool has_arrived = halvings >= kCreaseHalvings && !(way > kArrived * first_way);
     return has_arrived || halvings == kAllHalvings || has_no_middle(left);
   }
 };
@@ -79,7 +81,7 @@ std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Li
     const double cosine = glm::dot(normal[0], normal[1]);
     if (!(cosine < kUpright)) continue;
     const std::array position = {first[k].position, last[k].position};
-    searches.push_back({k, lines[k], position, normal, cosine < kOpposite});
+    searches.push_back({k, lines[k], position, normal, cosine < kAcrossCusp});
   }
   return searches;
 }
@@ -142,7 +144,7 @@ std::vector<double> distances_from(std::span<const dvec2> places, const Surface&
     descents.push_back({place, {}, std::numeric_limits<double>::infinity()});
   }
   std::vector<dvec2> uv(places.begin(), places.end());
-  for (int round = 0; round <= kSteps && !active.empty(); ++round) {
+  for (int round = 0; round <= kNearestSteps && !active.empty(); ++round) {
     const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
     for (std::size_t i = 0; i < active.size(); ++i) {
       arrive(uv[i], there[i], chords[active[i]].middle(), descents[active[i]]);

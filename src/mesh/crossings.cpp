@@ -15,17 +15,18 @@ namespace {
 
 /// Bisections of a side that the rim crosses: a side is at most 2^10 times as long as its distance
 /// from 0, so that doubles between its ends run out.
-constexpr int kHalvings = 62;
+constexpr int kRimBisections = 62;
 /// Bisections toward a pole at 0, beside which doubles go down to 2^-1074: the logarithm of these
-/// is -744, and -43 that of what kHalvings lead to.
+/// is -744, and -43 that of what kRimBisections lead to.
 constexpr int kHalvingsToLeast = 1100;
 /// Sides that are looked at together, before anybody asks whether that was enough: some
 /// milliseconds if each one takes hundreds of looks.
 constexpr std::size_t kSidesAtATime = 512;
 
-class Finder {
+class CrossingFinder {
  public:
-  Finder(const CrossingOptions& options, Lattice& lattice) : options_(options), lattice_(lattice) {}
+  CrossingFinder(const CrossingOptions& options, Lattice& lattice)
+      : options_(options), lattice_(lattice) {}
 
   /// Cuts sides that are known to lead to poles: where the surface leaves the clip box on its way
   /// there from either end. Without a box the last vertices on either side of the pole tell where
@@ -135,7 +136,7 @@ class Finder {
       if (!lattice_.is_defined(side[0])) std::swap(ends.back()[0], ends.back()[1]);
     }
     const std::vector<dvec2> uv =
-        last_defined(lattice_.surface(), ends, kHalvings, options_.threads);
+        last_defined(lattice_.surface(), ends, kRimBisections, options_.threads);
     std::vector<Between> places;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       places.push_back({sides[k][0], sides[k][1], uv[k]});
@@ -388,25 +389,27 @@ void look_until_tired(std::span<const Side> sides, const CrossingOptions& option
 }  // namespace
 
 void find_crossings(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
-  look_until_tired(sides, options, lattice,
-                   [&](std::span<const Side> some) { Finder(options, lattice).look_at(some); });
+  look_until_tired(sides, options, lattice, [&](std::span<const Side> some) {
+    CrossingFinder(options, lattice).look_at(some);
+  });
 }
 
 void find_jumps(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
-  look_until_tired(sides, options, lattice,
-                   [&](std::span<const Side> some) { Finder(options, lattice).find_jumps(some); });
+  look_until_tired(sides, options, lattice, [&](std::span<const Side> some) {
+    CrossingFinder(options, lattice).find_jumps(some);
+  });
 }
 
 void cut_poles(std::span<const Side> sides, const CrossingOptions& options, Lattice& lattice) {
   for (std::size_t begin = 0; begin < sides.size(); begin += kSidesAtATime) {
     const std::size_t count = std::min(sides.size() - begin, kSidesAtATime);
-    Finder(options, lattice).cut_poles(sides.subspan(begin, count));
+    CrossingFinder(options, lattice).cut_poles(sides.subspan(begin, count));
   }
 }
 
 void find_poles_beside_cuts(std::span<const Side> sides, const CrossingOptions& options,
                             Lattice& lattice) {
-  Finder(options, lattice).find_poles_beside_cuts(sides);
+  CrossingFinder(options, lattice).find_poles_beside_cuts(sides);
 }
 
 void append_unsearched(const Leaf& leaf, const Lattice& lattice, std::vector<Side>& sides) {

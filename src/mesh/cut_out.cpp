@@ -192,7 +192,7 @@ struct Sides {
 
 /// A wall need not be far off: where nothing clips a surface that goes to infinity, tolerances are
 /// a share of its height without end, and all sides of leaves may lead to poles.
-Sides sort_sides(const RefineOptions& options, const Lattice& lattice, const Measured& mesh) {
+Sides classify_sides(const RefineOptions& options, const Lattice& lattice, const Measured& mesh) {
   Sides result;
   const bool has_poles = lattice.has_poles();
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
@@ -291,7 +291,7 @@ void cut_walls(const RefineOptions& options, bool search, Lattice& lattice, Meas
   const CrossingOptions with_poles{options.tolerance, true, options.threads, options.clip,
                                    options.max_triangles};
   if (!options.clip && lattice.has_poles()) leave_out_needles(options, lattice, mesh);
-  Sides sides = sort_sides(options, lattice, mesh);
+  Sides sides = classify_sides(options, lattice, mesh);
   cut_poles(sides.lead_to_poles, with_poles, lattice);
   if (search) find_jumps(sides.unsearched, with_poles, lattice);
   follow_crossings(with_poles, mesh.leaves, lattice);

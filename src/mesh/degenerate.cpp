@@ -13,7 +13,7 @@ namespace {
 
 /// Vertices, then centres of cells, that are tried when all vertices are singular, as those of a
 /// sphere of one cell are.
-constexpr std::size_t kProbes = 1024;
+constexpr std::size_t kMostTried = 1024;
 /// Points this near to a line, as a part of the diagonal, are on it.
 constexpr double kStraight = 1e-9;
 
@@ -36,7 +36,7 @@ bool any_vertex_is_regular(const Grid& grid) {
 /// Some of the vertices, all of them used and singular, with their tangents.
 std::vector<SurfacePoint> probe(const Surface& surface, const Grid& grid, unsigned threads) {
   std::vector<dvec2> uv;
-  const std::size_t stride = grid.singular.size() / kProbes + 1;
+  const std::size_t stride = grid.singular.size() / kMostTried + 1;
   for (std::size_t k = 0; k < grid.singular.size(); k += stride) {
     uv.push_back(grid.uv(grid.singular[k]));
   }
@@ -57,7 +57,7 @@ bool all_degenerate(std::span<const SurfacePoint> points, const dvec3& scale) {
 
 bool any_centre_is_regular(const Surface& surface, const Grid& grid, unsigned threads) {
   std::vector<dvec2> centres;
-  const std::size_t stride = grid.cell_count() / kProbes + 1;
+  const std::size_t stride = grid.cell_count() / kMostTried + 1;
   for (std::size_t cell = 0; cell < grid.cell_count(); cell += stride) {
     if (!grid.is_kept(cell)) continue;
     centres.push_back(grid.cell_centre(cell));

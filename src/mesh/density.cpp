@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kProbes = 64;
 /// Largest shift of a probe's line from the middle of its stretch, in stretches: a surface that
 /// oscillates in step with an even grid does not with this one.
-constexpr double kJitter = 0.4;
+constexpr double kProbeJitter = 0.4;
 /// Density falls by at most this factor from one probe to the next, and to no less than this share
 /// of the largest: a straight stretch between curved ones is not skipped in one step.
 constexpr double kFallOff = 0.7;
@@ -50,7 +50,7 @@ constexpr double kNoArea = 1e-6;
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
   std::vector<double> values;
   for (std::size_t i = 0; i < kProbes; ++i) {
-    const double shift = kJitter * (2 * random_unit(key + i) - 1);
+    const double shift = kProbeJitter * (2 * random_unit(key + i) - 1);
     const double part = (static_cast<double>(i) + 0.5 + shift) / kProbes;
     values.push_back(first * (1 - part) + last * part);
   }

@@ -23,7 +23,7 @@ constexpr std::size_t kLeastTries = 4;
 /// halves of a leaf are not turned over in (u, v).
 constexpr double kMostShift = 0.24;
 /// Vertices that are moved at a time, to save memory.
-constexpr std::size_t kBlock = 4096;
+constexpr std::size_t kVertexBlock = 4096;
 
 /// What is known of a vertex.
 struct Reach {
@@ -100,8 +100,9 @@ std::size_t reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
   if (movable.empty()) return 0;
   const std::size_t tries = std::clamp(kAllTries / movable.size(), kLeastTries, kMostTries);
   std::vector<dvec2> places;
-  for (std::size_t first = 0; first < movable.size(); first += kBlock) {
-    const auto block = std::span(movable).subspan(first, std::min(kBlock, movable.size() - first));
+  for (std::size_t first = 0; first < movable.size(); first += kVertexBlock) {
+    const auto block =
+        std::span(movable).subspan(first, std::min(kVertexBlock, movable.size() - first));
     places.clear();
     for (const auto& [vertex, reach] : block) {
       for (std::size_t k = 0; k < tries; ++k) {

@@ -9,7 +9,7 @@ namespace {
 /// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
 constexpr double kSeam = 1e-9;
 /// Where they are compared, in parts of their length.
-constexpr std::array kPlaces = {0.07, 0.19, 0.41, 0.83};
+constexpr std::array kComparedAt = {0.07, 0.19, 0.41, 0.83};
 
 bool is_near(const dvec3& a, const dvec3& b, double diagonal) {
   return glm::distance(a, b) <= kSeam * diagonal;  // not so for NaN
@@ -20,7 +20,7 @@ Seam find_seam(const Surface& surface, double diagonal, bool along_v) {
   const auto add = [&](double end, double along) {
     uv.push_back(surface.domain.at(along_v ? dvec2(end, along) : dvec2(along, end)));
   };
-  for (const double along : kPlaces) {
+  for (const double along : kComparedAt) {
     add(0, along);
     for (const Seam& seam : kSeams) add(1, seam.partner(along, 1.0));
   }
@@ -38,7 +38,7 @@ Seam find_seam(const Surface& surface, double diagonal, bool along_v) {
 /// Whether each half of an edge lies on the other. An edge that is a point is not folded.
 bool is_folded(const Surface& surface, double diagonal, bool along_v, double end) {
   std::vector<dvec2> uv;
-  for (const double along : kPlaces) {
+  for (const double along : kComparedAt) {
     for (const double at : {along, kFold.partner(along, 1.0)}) {
       uv.push_back(surface.domain.at(along_v ? dvec2(end, at) : dvec2(at, end)));
     }

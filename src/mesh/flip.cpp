@@ -36,18 +36,18 @@ double doubled_area(const Mesh& mesh, const Triangle& t) {
 }
 
 /// Two triangles with a common side, the other way around: the same two corners of both.
-struct Chord {
+struct SharedSide {
   std::uint32_t a, b;  ///< the chord; from a to b in the first
   std::uint32_t c, d;  ///< the tips
 };
 
-std::optional<Chord> common_side(const Triangle& first, const Triangle& second) {
+std::optional<SharedSide> common_side(const Triangle& first, const Triangle& second) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const std::uint32_t a = first[i];
       const std::uint32_t b = first[(i + 1) % 3];
       if (second[j] == b && second[(j + 1) % 3] == a) {
-        return Chord{a, b, first[(i + 2) % 3], second[(j + 2) % 3]};
+        return SharedSide{a, b, first[(i + 2) % 3], second[(j + 2) % 3]};
       }
     }
   }
@@ -89,7 +89,7 @@ class SharedPoints {
 };
 
 bool flip(const Grid& grid, SideCounts& sides, Triangle& first, Triangle& second) {
-  const std::optional<Chord> pair = common_side(first, second);
+  const std::optional<SharedSide> pair = common_side(first, second);
   if (!pair || sides.of(pair->a, pair->b) <= 2 || sides.of(pair->c, pair->d) > 0) return false;
   const Triangle one = {pair->c, pair->a, pair->d};
   const Triangle other = {pair->d, pair->b, pair->c};

@@ -12,7 +12,7 @@ namespace {
 
 /// The share of the samples that are looked at together at which leaves must be hopeless: the
 /// second derivatives of waves are small between their crests.
-constexpr double kOscillatingShare = 0.4;
+constexpr double kHopelessShare = 0.4;
 /// The share of them at which the surface must be defined: beside a rim second derivatives may be
 /// endless, and nothing oscillates.
 constexpr double kLeastKnown = 0.3;
@@ -67,7 +67,7 @@ glm::bvec2 Forecast::around(const Departures& departures, std::size_t column, st
     }
   }
   if (known < kLeastKnown * all) return glm::bvec2(false);
-  return glm::greaterThan(count, dvec2(kOscillatingShare * known));
+  return glm::greaterThan(count, dvec2(kHopelessShare * known));
 }
 
 glm::bvec2 Forecast::at(const dvec2& uv) const {

@@ -17,12 +17,12 @@ namespace {
 /// One fresh sample in each quarter of a leaf, up to this part of its sides from the quarter's
 /// middle: there the error of an arc with a turning point is largest, which its middle does not
 /// show.
-constexpr double kJitter = 0.1;
+constexpr double kQuarterJitter = 0.1;
 
 /// Samples on a chord. An arc with a turning point is not highest above its middle; but mesh/peaks
 /// goes from there to where more is foreseen, in leaves that nothing cuts.
-constexpr std::array kOnChord = {0.36, 0.5, 0.64};
-constexpr std::span<const double> kInMiddle = std::span(kOnChord).subspan(1, 1);
+constexpr std::array kChordSamples = {0.36, 0.5, 0.64};
+constexpr std::span<const double> kInMiddle = std::span(kChordSamples).subspan(1, 1);
 
 /// How far from its chord a crease is looked for, in chords.
 constexpr double kBesideCrease = 0.3;
@@ -59,7 +59,7 @@ PlacesInLeaf sample_places(const Leaf& leaf) {
     seed ^= seed >> 32U;
   }
   const auto jitter = [&](std::uint64_t key) {
-    return kJitter * (2 * random_unit(seed + key) - 1);
+    return kQuarterJitter * (2 * random_unit(seed + key) - 1);
   };
   return {dvec2(0.25 + jitter(0), 0.25 + jitter(1)), dvec2(0.75 + jitter(2), 0.25 + jitter(3)),
           dvec2(0.25 + jitter(4), 0.75 + jitter(5)), dvec2(0.75 + jitter(6), 0.75 + jitter(7))};
@@ -118,7 +118,7 @@ void Sampler::append_chords(std::size_t number, const Leaf& leaf,
       sample.crease = Chord{a, b};
       sample.across = kBesideCrease * size * dvec2(-along.y, along.x);
     }
-    for (const double share : on_crease ? kOnChord : kInMiddle) {
+    for (const double share : on_crease ? kChordSamples : kInMiddle) {
       sample.uv = glm::mix(at[a], at[b], share);
       samples.push_back(sample);
     }
@@ -144,7 +144,7 @@ void Sampler::append_singular_sides(const Measured& mesh, std::span<const std::s
     if (leaf.is_split || leaf.on_rim || !cells.contains(leaf)) continue;
     for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t b) {
       if (!is_cusp(a, b, lattice_)) return;
-      for (const double share : kOnChord) {
+      for (const double share : kChordSamples) {
         samples.push_back({k, glm::mix(at[a], at[b], share), nullptr, true, Chord{a, b}, {}});
       }
     });

@@ -349,7 +349,7 @@ bool Halving::splits_u(std::size_t number) {
 }
 
 /// Whether one of a leaf's two sides along u (0) or along v (1) is singular at both ends.
-bool Halving::has_singular_side(const Samples& samples, std::size_t along) const {
+bool Halving::has_singular_side(const SampleVertices& samples, std::size_t along) const {
   const auto& corner = samples.corner;
   return is_cusp(corner[along], corner[along + 1], lattice_) ||
          is_cusp(corner[along + 2], corner[(along + 3) % 4], lattice_);

@@ -83,7 +83,7 @@ class Halving {
   void measure(std::span<const std::size_t> which, const SingularCorners& singular);
   bool measure_singular();
   bool splits_u(std::size_t number);
-  bool has_singular_side(const Samples& samples, std::size_t along) const;
+  bool has_singular_side(const SampleVertices& samples, std::size_t along) const;
   bool has_lasting_triangles(std::size_t number) const;
   bool is_cut_unclearly(std::size_t number) const;
   bool is_turned(std::size_t number) const;

@@ -19,11 +19,11 @@ namespace {
 /// Ways to a place, all around it. Every other one is aslant to the axes and diagonals along which
 /// formulas like to be undefined, or 0.
 constexpr std::size_t kWays = 16;
-constexpr double kAslant = 0.07;  // of a turn between two ways
+constexpr double kAslantTurn = 0.07;  // of a turn between two ways
 /// How far away the ways begin, in ranges of the parameters; and where on them, as parts, the
 /// surface is looked at: 1e-6 and 1e-12 of the ranges away.
 constexpr double kReach = 0x1p-8;
-constexpr std::array kLooks = {0x1p-12, 0x1p-32};
+constexpr std::array kLooksOnWay = {0x1p-12, 0x1p-32};
 /// Chords of a curve that are looked at together, if a place is near to the box around them.
 constexpr std::size_t kChordsPerBox = 16;
 
@@ -33,7 +33,7 @@ constexpr std::size_t kManyWays = 512;
 /// Places that agree to this part of the diagonal are one; what differs by no more than this part
 /// of what it did farther away is on its way to agree.
 constexpr double kAgree = 1e-4;
-constexpr double kShrinks = 0.5;
+constexpr double kApproaches = 0.5;
 
 /// The ways to one place that are in the domain.
 struct Ways {
@@ -50,7 +50,7 @@ Ways ways_to(const dvec2& place, const Domain& d) {
   Ways ways;
   for (std::size_t k = 0; k < kWays; ++k) {
     const bool is_aslant = k % 2 != 0;
-    const double turn = (static_cast<double>(k) + (is_aslant ? kAslant : 0)) / kWays;
+    const double turn = (static_cast<double>(k) + (is_aslant ? kAslantTurn : 0)) / kWays;
     const double angle = 2 * std::numbers::pi * turn;
     dvec2 way(std::cos(angle), std::sin(angle));
     if (!is_aslant) way = glm::round(1.1 * way);  // along axes and diagonals to the last digit
@@ -66,7 +66,7 @@ Ways ways_to(const dvec2& place, const Domain& d) {
 void look(const Surface& surface, std::span<Ways> all, unsigned threads) {
   std::vector<dvec2> uv;
   for (const Ways& ways : all) {
-    for (const double share : kLooks) {
+    for (const double share : kLooksOnWay) {
       for (const Line& line : ways.lines) uv.push_back(line[0] + share * (line[1] - line[0]));
     }
   }
@@ -92,17 +92,17 @@ Hole::Kind kind_of_point(const Surface& surface, const Ways& ways, double agree,
   if (std::ranges::count(far, true) > 0) return Hole::Kind::Pole;
   const double before = ways.at_looks[0].diagonal();
   const double near = ways.at_looks[1].diagonal();
-  return near > agree && near > kShrinks * before ? Hole::Kind::NoLimit : Hole::Kind::Limit;
+  return near > agree && near > kApproaches * before ? Hole::Kind::NoLimit : Hole::Kind::Limit;
 }
 
 /// Where the surface is all around a place, as near to it as digits allow; nothing where it is not
 /// defined all around.
 std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsigned threads) {
   const Domain& d = surface.domain;
-  const dvec2 reach = kReach * kLooks.back() * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
+  const dvec2 reach = kReach * kLooksOnWay.back() * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
   std::vector<dvec2> uv;
   for (std::size_t k = 0; k < kManyWays; ++k) {
-    const double turn = (static_cast<double>(k) + kAslant) / kManyWays;
+    const double turn = (static_cast<double>(k) + kAslantTurn) / kManyWays;
     const double angle = 2 * std::numbers::pi * turn;
     uv.push_back(place + reach * dvec2(std::cos(angle), std::sin(angle)));
   }
@@ -116,8 +116,8 @@ std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsig
 
 /// A box is halved so many times each way, and so many of its parts are followed: four meet at a
 /// point on their corners.
-constexpr int kHalvings = 40;
-constexpr std::size_t kMostParts = 16;
+constexpr int kBoxHalvings = 40;
+constexpr std::size_t kMostBoxParts = 16;
 /// What is left then is one point if it is no larger than this part of the box.
 constexpr double kOnePoint = 0x1p-30;
 /// Of more parts those are followed in which the surface varies the most, and this share of that:
@@ -133,14 +133,14 @@ class Narrowing {
   std::optional<dvec2> operator()(const ParameterBox& whole) {
     std::vector<ParameterBox> parts = {whole};
     bool is_followed = false;
-    for (int depth = 0; depth < 2 * kHalvings; ++depth) {
+    for (int depth = 0; depth < 2 * kBoxHalvings; ++depth) {
       std::erase_if(parts, [this](const ParameterBox& part) { return is_proved(part); });
-      if (parts.size() > kMostParts && !is_followed && diagonal_ && followed_ < kMostFollowed) {
+      if (parts.size() > kMostBoxParts && !is_followed && diagonal_ && followed_ < kMostFollowed) {
         is_followed = true;
         ++followed_;
       }
       if (is_followed) keep_varied(parts);
-      if (parts.empty() || parts.size() > kMostParts) return std::nullopt;
+      if (parts.empty() || parts.size() > kMostBoxParts) return std::nullopt;
       const dvec2 size = glm::abs(parts[0].high - parts[0].low) / range_of(surface_.domain);
       const int axis = size.x < size.y ? 1 : 0;
       std::vector<ParameterBox> halves;
@@ -185,7 +185,7 @@ class Narrowing {
       if (most <= *diagonal_ && sizes[k] > least) order.push_back(k);
     }
     std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return sizes[k]; });
-    if (order.size() > kMostParts) order.resize(kMostParts);
+    if (order.size() > kMostBoxParts) order.resize(kMostBoxParts);
     std::vector<ParameterBox> kept;
     kept.reserve(order.size());
     for (const std::size_t k : order) kept.push_back(parts[k]);

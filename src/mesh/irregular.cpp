@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxRows = 64;
 
 /// |r_u x r_v| that is no more than this part of what there is around it is 0 but for rounding.
-constexpr double kRounding = 1e-12;
+constexpr double kRoundedCross = 1e-12;
 
 /// Vertices that are not regular.
 struct Irregular {
@@ -152,7 +152,7 @@ Irregular look_at(const Surface& surface, const Window& window, Grid& grid) {
       const SurfacePoint& point = around.point(i, j);
       const auto known = known_normal(point, surface.flip);
       const double size = safe_length(glm::cross(point.r_u, point.r_v));
-      if (known && size > kRounding * around.terms(i, j)) {
+      if (known && size > kRoundedCross * around.terms(i, j)) {
         found.doubtful.push_back(vertex);
         found.normals.push_back(*known);
       } else {

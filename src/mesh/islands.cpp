@@ -21,7 +21,7 @@ constexpr int kTiles = 8;
 constexpr int kEnoughTiles = 4;
 constexpr int kMaxZooms = 6;
 /// Cells of the grid, each way, on whose vertices an island is sampled then.
-constexpr std::size_t kSamples = 32;
+constexpr std::size_t kIslandSamples = 32;
 constexpr std::size_t kBoxesForIsland = 40'000;
 /// Parts of a tile that are followed: along the rim of a strip there are as many as digits.
 constexpr std::size_t kPartsOfTile = 16;
@@ -31,10 +31,10 @@ struct Part {
   std::size_t whole;  ///< which of the boxes it is a part of
 };
 
-class Search {
+class IslandSearch {
  public:
-  Search(const Surface& surface, std::span<const ParameterBox> where, std::size_t& boxes,
-         unsigned threads, std::size_t most_parts)
+  IslandSearch(const Surface& surface, std::span<const ParameterBox> where, std::size_t& boxes,
+               unsigned threads, std::size_t most_parts)
       : surface_(surface),
         boxes_(boxes),
         most_parts_(most_parts),
@@ -129,7 +129,7 @@ std::vector<std::optional<dvec2>> find_defined(const Surface& surface,
                                                std::span<const ParameterBox> where,
                                                std::size_t& boxes, unsigned threads,
                                                std::size_t most_parts) {
-  return Search(surface, where, boxes, threads, most_parts).run();
+  return IslandSearch(surface, where, boxes, threads, most_parts).run();
 }
 
 std::optional<Island> find_island(const Surface& surface, unsigned threads) {
@@ -159,8 +159,8 @@ std::optional<Island> find_island(const Surface& surface, unsigned threads) {
   }
   if (known.empty()) return std::nullopt;
   const auto [low, high] = island.where;
-  for (const double v : even_lines(low.y, high.y, kSamples)) {
-    for (const double u : even_lines(low.x, high.x, kSamples)) known.emplace_back(u, v);
+  for (const double v : even_lines(low.y, high.y, kIslandSamples)) {
+    for (const double u : even_lines(low.x, high.x, kIslandSamples)) known.emplace_back(u, v);
   }
   for (const SurfacePoint& point : evaluate(surface, known, threads)) {
     if (is_finite(point.position)) island.positions.push_back(point.position);

@@ -118,7 +118,7 @@ struct Judge::ChordSample {
 void request_samples(Leaf& leaf, Lattice& lattice) {
   auto& [corner, side, centre] = leaf.samples;
   const auto ask = [&](std::uint32_t& vertex, LatticePlace place) {
-    if (vertex == Samples::kUnasked) vertex = lattice.vertex(place);
+    if (vertex == SampleVertices::kUnasked) vertex = lattice.vertex(place);
   };
   const LatticePlace m = leaf.middle();
   const auto& [low, high] = std::pair(leaf.low, leaf.high);
@@ -128,7 +128,7 @@ void request_samples(Leaf& leaf, Lattice& lattice) {
   ask(side[1], {high.u, m.v});
   ask(side[2], {m.u, high.v});
   ask(side[3], {low.u, m.v});
-  if (centre != Samples::kUnasked) return;
+  if (centre != SampleVertices::kUnasked) return;
   const bool is_inside = leaf.size_u() > 1 && leaf.size_v() > 1;
   centre = is_inside ? lattice.vertex_inside(m) : lattice.vertex(m);
 }
@@ -152,7 +152,7 @@ double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
 }
 
 int count_defined(const Lattice& lattice, const Leaf& leaf) {
-  const Samples& samples = leaf.samples;
+  const SampleVertices& samples = leaf.samples;
   int count = lattice.is_defined(samples.centre) ? 1 : 0;
   for (std::size_t k = 0; k < 4; ++k) {
     count += lattice.is_defined(samples.corner[k]) ? 1 : 0;
@@ -162,7 +162,7 @@ int count_defined(const Lattice& lattice, const Leaf& leaf) {
 }
 
 /// The distance of the leaf's triangles from the surface in their midst.
-double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) const {
+double Judge::bulge_of_triangles(const SampleVertices& samples, std::size_t first) const {
   const auto& [corner, side, centre] = samples;
   const auto is_far = [&](std::uint32_t vertex) {
     return far_ && !far_->contains(mesh_.position[vertex]);
@@ -183,7 +183,7 @@ double Judge::bulge_of_triangles(const Samples& samples, std::size_t first) cons
 /// Of a leaf's centre, which may be far off the diagonal that starts from corner `first`, but near
 /// the triangles: where the surface is upright they are a wall, as it is.
 double Judge::distance_from_triangles(const Leaf& leaf, std::size_t first) const {
-  const Samples& samples = leaf.samples;
+  const SampleVertices& samples = leaf.samples;
   const auto at = [&](std::size_t k) { return samples.corner[(first + k) % 4]; };
   const std::array triangles = {Triangle{at(0), at(1), at(2)}, Triangle{at(2), at(3), at(0)}};
   return distance_from(grid_, triangles, mesh_.uv[samples.centre], mesh_.position[samples.centre]);
@@ -239,7 +239,7 @@ Scores Judge::turn_scores(const Scores& squares_of_tangents) const {
 
 double Judge::allowed(const Leaf& leaf) const {
   if (options_.tolerance.is_same_everywhere()) return options_.tolerance(dvec3(0));
-  const Samples& samples = leaf.samples;
+  const SampleVertices& samples = leaf.samples;
   Ball ball;
   ball.add(mesh_.position[samples.centre]);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -295,7 +295,7 @@ bool Judge::splits_rim_u(const Leaf& leaf) const {
   return along_u == along_v || is_slender ? u >= v : along_u > along_v;
 }
 
-std::vector<dvec3> Judge::defined_positions(const Samples& samples) const {
+std::vector<dvec3> Judge::defined_positions(const SampleVertices& samples) const {
   std::vector<dvec3> positions;
   const auto add = [&](std::uint32_t vertex) {
     if (lattice_.is_defined(vertex)) positions.push_back(mesh_.position[vertex]);
@@ -349,7 +349,7 @@ bool Judge::is_seen(const Leaf& leaf, std::size_t side) const {
 
 /// Whether the normals of two neighbours among the samples that have one are opposed: a smooth
 /// surface may well turn as much from corner to corner.
-bool Judge::has_opposed(const Samples& samples) const {
+bool Judge::has_opposed(const SampleVertices& samples) const {
   const auto& n = mesh_.normal;
   const auto is_opposed = [&](std::uint32_t a, std::uint32_t middle, std::uint32_t b) {
     if (!is_regular(middle)) return glm::dot(n[a], n[b]) < 0;

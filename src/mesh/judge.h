@@ -97,16 +97,16 @@ class Judge {
   using Corners = std::array<std::uint32_t, 4>;
   struct ChordSample;
 
-  std::vector<dvec3> defined_positions(const Samples& samples) const;
+  std::vector<dvec3> defined_positions(const SampleVertices& samples) const;
   double diameter(const Corners& corner) const;
   bool is_regular(std::uint32_t vertex) const { return lattice_.is_regular(vertex); }
-  bool has_opposed(const Samples& samples) const;
+  bool has_opposed(const SampleVertices& samples) const;
   /// `vertices`: the chord's ends and the sample.
   double distance_of_sample(const ChordSample& arc, const std::array<std::uint32_t, 3>& vertices,
                             bool border) const;
   std::size_t cut_from(const Corners& corner) const;
   double distance_from_triangles(const Leaf& leaf, std::size_t first) const;
-  double bulge_of_triangles(const Samples& samples, std::size_t first) const;
+  double bulge_of_triangles(const SampleVertices& samples, std::size_t first) const;
   double square_of_tangent(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double turn_score(double square_of_tangent) const;
 

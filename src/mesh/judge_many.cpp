@@ -20,7 +20,7 @@ void take(const Mesh& mesh, std::uint32_t vertex, std::size_t i, LeafVertices& t
 /// Takes a leaf in as the i-th.
 void take_leaf(const Leaf& leaf, const Judge& judge, const Lattice& lattice, double eps,
                std::size_t i, LeafSamples& to) {
-  const Samples& samples = leaf.samples;
+  const SampleVertices& samples = leaf.samples;
   const Mesh& mesh = lattice.mesh();
   for (std::size_t k = 0; k < 4; ++k) {
     take(mesh, samples.corner[k], i, to.corner[k]);
@@ -33,7 +33,7 @@ void take_leaf(const Leaf& leaf, const Judge& judge, const Lattice& lattice, dou
 }
 
 /// Whether normals of samples are limits, which say nothing of the leaf.
-bool has_limits(const Samples& samples, const Lattice& lattice) {
+bool has_limits(const SampleVertices& samples, const Lattice& lattice) {
   const auto is_limit = [&](std::uint32_t vertex) { return !lattice.is_regular(vertex); };
   return is_limit(samples.centre) || std::ranges::any_of(samples.corner, is_limit) ||
          std::ranges::any_of(samples.side, is_limit);

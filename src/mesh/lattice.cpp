@@ -20,7 +20,7 @@ namespace {
 
 /// A place between two vertices that is this near to one of them, beside their distance, counts as
 /// the same: what lies between is a sliver made of rounding.
-constexpr double kBeside = 1e-9;
+constexpr double kSameVertex = 1e-9;
 
 }  // namespace
 
@@ -385,7 +385,7 @@ std::uint32_t Lattice::add_between(std::span<const Between> places, unsigned thr
     const dvec2 whole = grid_.mesh.uv[between.b] - from;
     const dvec2 part = between.uv - from;
     double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
-    if (share < kBeside || share > 1 - kBeside) share = std::round(share);
+    if (share < kSameVertex || share > 1 - kSameVertex) share = std::round(share);
     number({static_cast<std::uint32_t>(places_between_.size()), kBetween});
     places_between_.push_back(glm::mix(place_between(between.a), place_between(between.b), share));
     u.push_back(between.uv.x);

@@ -2,8 +2,8 @@
 
 namespace saddle {
 
-Samples Samples::of_half(bool across_u, bool is_lower) const {
-  Samples half;
+SampleVertices SampleVertices::of_half(bool across_u, bool is_lower) const {
+  SampleVertices half;
   if (across_u) {
     half.corner = is_lower ? std::array{corner[0], side[0], side[2], corner[3]}
                            : std::array{side[0], corner[1], corner[2], side[2]};

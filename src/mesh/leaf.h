@@ -17,7 +17,7 @@ struct LatticePlace {
 };
 
 /// The vertices that a leaf is judged by, counter-clockwise in (u, v) from its low corner.
-struct Samples {
+struct SampleVertices {
   /// Not known: the lattice is to be asked.
   static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
 
@@ -27,13 +27,14 @@ struct Samples {
   std::uint32_t centre = kUnasked;
 
   /// Those of a half that are the whole's as well.
-  Samples of_half(bool across_u, bool is_lower) const;
+  SampleVertices of_half(bool across_u, bool is_lower) const;
 };
 
 /// A rectangle of the refined grid.
 struct Leaf {
   LatticePlace low, high;
-  Samples samples = {};      ///< known once it was judged: nobody has to look its vertices up again
+  SampleVertices samples =
+      {};                    ///< known once it was judged: nobody has to look its vertices up again
   bool on_rim = false;       ///< not defined at all of its samples
   std::uint8_t in_vain = 0;  ///< halvings in a row that did not help distances
   std::uint8_t turned_in_vain = 0;  ///< nor normals

@@ -18,13 +18,13 @@ namespace saddle {
 namespace {
 
 /// Cells that are measured at most, three points each: a sixth of the points of a default grid.
-constexpr std::size_t kMaxCells = 2048;
+constexpr std::size_t kMostMeasuredCells = 2048;
 /// Places in a cell where an error is largest: its middle and the middles of two edges (the other
 /// two belong to the neighbours).
-constexpr std::array<dvec2, 3> kPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(0, 0.5)};
+constexpr std::array<dvec2, 3> kWorstPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(0, 0.5)};
 /// Random offset from the middle, in cells. An error that is a parabola over the cell is seen to
 /// 1 - (2 * 0.1)^2 = 96 % at least.
-constexpr double kJitter = 0.1;
+constexpr double kMiddleJitter = 0.1;
 constexpr std::size_t kCellChunk = 256;
 
 /// The point of a triangle nearest to `p`, as weights of its corners.
@@ -132,14 +132,14 @@ class Measurer {
   MeasuredError measure() const {
     const std::vector<std::size_t> cells = choose_cells();
     std::vector<dvec2> uv;
-    uv.reserve(cells.size() * kPlaces.size());
+    uv.reserve(cells.size() * kWorstPlaces.size());
     for (const std::size_t cell : cells) append_places(cell, uv);
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
 
     std::vector<Deviation> errors(points.size());
     parallel_chunks(points.size(), kCellChunk, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        const std::size_t cell = cells[k / kPlaces.size()];
+        const std::size_t cell = cells[k / kWorstPlaces.size()];
         errors[k] = deviation(grid_, grid_.triangles(cell), uv[k], points[k], surface_.flip);
       }
     });
@@ -170,8 +170,8 @@ class Measurer {
   /// All cells with triangles, if they are few; else as many spread over the domain as chosen from
   /// the worst.
   std::vector<std::size_t> choose_cells() const {
-    if (grid_.cell_count() <= kMaxCells) return spread_cells(grid_.cell_count());
-    const std::size_t half = kMaxCells / 2;
+    if (grid_.cell_count() <= kMostMeasuredCells) return spread_cells(grid_.cell_count());
+    const std::size_t half = kMostMeasuredCells / 2;
     std::vector<std::size_t> cells = spread_cells(half);
     std::vector<CellError> worst = grid_.worst;
     for (const std::size_t cell : opened_) worst.push_back({cell, estimate(cell)});
@@ -210,11 +210,11 @@ class Measurer {
     const auto vertices = grid_.vertices(cell);
     const dvec2 low = grid_.uv(vertices[0]);
     const dvec2 high = grid_.uv(vertices[2]);
-    for (std::size_t k = 0; k < kPlaces.size(); ++k) {
-      const std::uint64_t key = 2 * (cell * kPlaces.size() + k);
+    for (std::size_t k = 0; k < kWorstPlaces.size(); ++k) {
+      const std::uint64_t key = 2 * (cell * kWorstPlaces.size() + k);
       const dvec2 random(random_unit(key), random_unit(key + 1));
-      const dvec2 off = glm::sign(kPlaces[k]) * (2.0 * random - 1.0) * kJitter;
-      const dvec2 part = kPlaces[k] + off;
+      const dvec2 off = glm::sign(kWorstPlaces[k]) * (2.0 * random - 1.0) * kMiddleJitter;
+      const dvec2 part = kWorstPlaces[k] + off;
       uv.push_back(low * (1.0 - part) + high * part);
     }
   }

@@ -31,15 +31,15 @@ constexpr double kForeseenHopeless = 4 * kHopeless;
 /// to which the surface is ever steeper, as sqrt and ln are, some ten leaves side by side are still
 /// to be halved at any size, and a slanting line meets them twice.
 constexpr double kOscillatingShare = 0.4;
-constexpr double kBlock = 16;
-constexpr double kMostLines = 16;
+constexpr double kBlockWidths = 16;
+constexpr double kMostCrossings = 16;
 /// Lines of a mesh that are dense make blocks as narrow as leaves: across what is narrow, one leaf
 /// counts for no more of a block than this, so that a row of them, along a pole, is no area.
 constexpr double kMostOfOne = 0.25;
 
 /// The side of a block in units: root cells, of which a range has so many, halved or doubled.
 std::uint32_t block_size(std::size_t cells, double narrow) {
-  const double size = kBlock * narrow * static_cast<double>(cells);  // in root cells
+  const double size = kBlockWidths * narrow * static_cast<double>(cells);  // in root cells
   return std::bit_floor(static_cast<std::uint32_t>(std::clamp(size * kCellUnit, 1.0, 0x1p31)));
 }
 
@@ -96,7 +96,7 @@ bool Oscillation::contains(const Leaf& leaf, const Lattice& lattice) const {
   const dvec2 size = size_of(leaf, lattice);
   // A leaf that is narrow in one direction would be halved in the other as well, whenever its
   // samples happen to be alike.
-  return (area > kOscillatingShare || length > kMostLines) && std::min(size.x, size.y) <= 1;
+  return (area > kOscillatingShare || length > kMostCrossings) && std::min(size.x, size.y) <= 1;
 }
 
 std::optional<bool> Oscillation::splits_foreseen_u(const Leaf& leaf, const Lattice& lattice) const {

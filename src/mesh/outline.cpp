@@ -20,8 +20,8 @@ Polygon outline(const Leaf& leaf, const Lattice& lattice) {
 }
 
 /// Adds the point of the surface at a singular vertex, if it is not among those yet.
-void add_singular_point(std::uint32_t vertex, const Lattice& lattice,
-                        std::vector<std::uint32_t>& points) {
+void add_singular_vertex(std::uint32_t vertex, const Lattice& lattice,
+                         std::vector<std::uint32_t>& points) {
   if (lattice.is_regular(vertex)) return;
   const std::uint32_t point = lattice.mesh().point[vertex];
   if (std::ranges::count(points, point) == 0) points.push_back(point);
@@ -30,7 +30,7 @@ void add_singular_point(std::uint32_t vertex, const Lattice& lattice,
 /// The different points of the surface at the singular vertices of a polygon.
 std::vector<std::uint32_t> singular_points(const Polygon& polygon, const Lattice& lattice) {
   std::vector<std::uint32_t> points;
-  for (const PolygonCorner& corner : polygon) add_singular_point(corner.corner, lattice, points);
+  for (const PolygonCorner& corner : polygon) add_singular_vertex(corner.corner, lattice, points);
   return points;
 }
 
@@ -342,7 +342,7 @@ CutCount count_cuts(const Leaf& leaf, const Lattice& lattice) {
   CutCount count;
   std::vector<std::uint32_t> singular;
   for_sides(leaf, lattice, [&](std::uint32_t a, std::uint32_t b) {
-    add_singular_point(a, lattice, singular);
+    add_singular_vertex(a, lattice, singular);
     const std::optional<Crossing> crossing = lattice.crossing(a, b);
     count.leads_to_pole = count.leads_to_pole || lattice.leads_to_pole(a, b);
     if (!crossing) return;

@@ -213,7 +213,7 @@ class Refiner {
   }
 
   /// Whether one of the samples has no limit: what of the leaf it is a corner of is left out.
-  bool is_torn(const Samples& samples) const {
+  bool is_torn(const SampleVertices& samples) const {
     const auto has_none = [this](std::uint32_t vertex) {
       return lattice_.hole(vertex) == Hole::Kind::NoLimit;
     };

@@ -17,20 +17,20 @@ namespace {
 /// It is looked at so near, in ranges of the parameters; what is found must agree to this part of
 /// the diagonal. A smooth surface moves by 1e-6 of its size, and the mean is off by its square.
 constexpr double kNear = 1e-6;
-constexpr double kAgree = 1e-4;
+constexpr double kLimitAgrees = 1e-4;
 
 /// The nearest points around a place: two along u, and two along v.
 constexpr std::size_t kNearest = 4;
 
 /// A place beside, if there is the surface.
-struct Look {
+struct NearbyLook {
   bool is_defined;
   std::optional<dvec3> known;  ///< its position, if that is not rounding
 };
 
 /// The middle of those pairs that are both known: 0/0 may run along one axis; on the other it is
 /// looked at from both sides.
-std::optional<dvec3> middle_of_pairs(std::span<const Look, kNearest> looks) {
+std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook, kNearest> looks) {
   dvec3 sum(0);
   double count = 0;
   for (std::size_t k = 0; k < kNearest; k += 2) {
@@ -43,14 +43,14 @@ std::optional<dvec3> middle_of_pairs(std::span<const Look, kNearest> looks) {
 }
 
 /// What all that is known agrees on.
-Beside judge(std::span<const Look> looks, double diagonal) {
+Beside judge(std::span<const NearbyLook> looks, double diagonal) {
   Beside beside;
   Bounds bounds;
-  for (const Look& look : looks) {
+  for (const NearbyLook& look : looks) {
     beside.is_defined = beside.is_defined || look.is_defined;
     if (look.known) bounds.add(*look.known);
   }
-  if (!bounds.empty() && bounds.diagonal() <= kAgree * diagonal) {
+  if (!bounds.empty() && bounds.diagonal() <= kLimitAgrees * diagonal) {
     beside.limit = middle_of_pairs(looks.first<kNearest>());
   }
   return beside;
@@ -61,7 +61,7 @@ Beside judge(std::span<const Look> looks, double diagonal) {
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
   const double moved =
       safe_length(point.r_u) * std::fabs(uv.x) + safe_length(point.r_v) * std::fabs(uv.y);
-  return std::numeric_limits<double>::epsilon() * moved > kAgree * diagonal;
+  return std::numeric_limits<double>::epsilon() * moved > kLimitAgrees * diagonal;
 }
 
 std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,
@@ -81,7 +81,7 @@ std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> p
       for (const dvec2& way : where) uv.push_back(places[k] + way);
     }
     count += uv.size();
-    std::vector<Look> found;
+    std::vector<NearbyLook> found;
     const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
     for (std::size_t k = 0; k < points.size(); ++k) {
       found.push_back({is_finite(points[k].position), std::nullopt});

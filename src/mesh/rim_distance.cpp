@@ -14,17 +14,17 @@ namespace saddle {
 namespace {
 
 /// Halvings of the way across a leaf to its rim: a millionth of it is enough for a distance.
-constexpr int kRimHalvings = 20;
+constexpr int kWayHalvings = 20;
 /// To a face of the box beside a pole, where a millionth of the way is as far off as the first
 /// half: as many as there are in doubles.
 constexpr int kFaceHalvings = 1100;
 
 /// Where a leaf without triangles is looked at, in sides of the leaf, and in which directions from
 /// there its border is.
-constexpr std::array kPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3), dvec2(0.7, 0.8),
-                                dvec2(0.2, 0.7)};
-constexpr std::array kWays = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
-constexpr std::size_t kGroup = 1 + kWays.size();  // a place and those beside it
+constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
+                                    dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
+constexpr std::array kLeafDirections = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
+constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
 
 /// The end of the way from `from`, inside of the unit square, along `way`, on the square's border.
 dvec2 border(const dvec2& from, const dvec2& way) {
@@ -44,9 +44,9 @@ void RimDistance::add(const Leaf& leaf, std::size_t number, std::span<const Tria
   holes_.push_back(number);
   const dvec2 low = lattice_.parameters(leaf.low);
   const dvec2 size = lattice_.parameters(leaf.high) - low;
-  for (const dvec2& place : kPlaces) {
+  for (const dvec2& place : kLeafPlaces) {
     in_holes_.push_back(low + size * place);
-    for (const dvec2& way : kWays) in_holes_.push_back(low + size * border(place, way));
+    for (const dvec2& way : kLeafDirections) in_holes_.push_back(low + size * border(place, way));
   }
 }
 
@@ -104,7 +104,7 @@ double RimDistance::foot(std::uint32_t from, std::uint32_t to, std::uint32_t abo
 
 /// Where the surface, or what is in the box, ends on ways across chords.
 std::vector<dvec2> RimDistance::ends_of(std::span<const Line> ways) const {
-  std::vector<dvec2> ends = last_defined(surface_, ways, kRimHalvings, threads_, clip_);
+  std::vector<dvec2> ends = last_defined(surface_, ways, kWayHalvings, threads_, clip_);
   std::vector<Line> to_faces;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (chords_[k].is_at_face) to_faces.push_back({ends[k], ways[k][1]});
@@ -148,7 +148,7 @@ void RimDistance::measure_chords(std::vector<Found>& found) {
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
   const std::vector<dvec2> rim = ends_of(ways_to_rim(at_middle));
   const std::vector<SurfacePoint> at_rim = evaluate(surface_, rim, threads_);
-  evaluations_ += chords_.size() * (2 + kRimHalvings);
+  evaluations_ += chords_.size() * (2 + kWayHalvings);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const Chord& chord = chords_[k];
     const auto off = [&](const dvec2& uv, const SurfacePoint& point) {
@@ -169,14 +169,14 @@ void RimDistance::measure_chords(std::vector<Found>& found) {
 void RimDistance::measure_holes(std::vector<Found>& found) {
   const std::vector<SurfacePoint> points = evaluate(surface_, in_holes_, threads_);
   evaluations_ += points.size();
-  for (std::size_t k = 0; k < points.size(); k += kGroup) {
+  for (std::size_t k = 0; k < points.size(); k += kPlaceGroup) {
     if (!is_seen(points[k].position)) continue;
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t way = 1; way < kGroup; ++way) {
+    for (std::size_t way = 1; way < kPlaceGroup; ++way) {
       const dvec3& beside = points[k + way].position;
       if (is_finite(beside)) nearest = std::min(nearest, glm::distance(beside, points[k].position));
     }
-    found.push_back({holes_[k / (kGroup * kPlaces.size())], nearest});
+    found.push_back({holes_[k / (kPlaceGroup * kLeafPlaces.size())], nearest});
   }
 }
 

@@ -34,7 +34,7 @@ constexpr std::size_t kTries = 256;
 /// Lines each way through the middles of even stretches of a domain, moved by up to so much of one
 /// so that waves do not keep step with them: a twentieth of what is along one of them is six.
 constexpr std::size_t kLines = 128;
-constexpr double kJitter = 0.4;
+constexpr double kLineJitter = 0.4;
 
 /// An interval on a line.
 struct Stretch {
@@ -141,7 +141,7 @@ Bounds rough_box(std::span<const dvec3> points) {
 std::vector<dvec3> balanced_positions(const Surface& surface, unsigned threads) {
   std::vector<double> parts(kLines);
   for (std::size_t i = 0; i < kLines / 2; ++i) {
-    const double shift = kJitter * (2 * random_unit(i) - 1);
+    const double shift = kLineJitter * (2 * random_unit(i) - 1);
     parts[i] = (static_cast<double>(i) + 0.5 + shift) / kLines;
     parts[kLines - 1 - i] = 1 - parts[i];
   }

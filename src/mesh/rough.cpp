@@ -17,7 +17,7 @@ namespace {
 /// r, r_u, r_v.
 constexpr std::size_t kOutputs = 9;
 /// The domain is halved so many times each way: to neighbours in double precision.
-constexpr int kHalvings = 60;
+constexpr int kDomainHalvings = 60;
 /// Boxes that are followed at a time: four meet at a point on their corners. Along a line there are
 /// more.
 constexpr std::size_t kMostBoxes = 64;
@@ -40,7 +40,7 @@ std::vector<ParameterBox> rough_boxes(const Surface& surface) {
   Enclosure enclosure(surface.bounds, kOutputs);
   std::size_t budget = ProofBudget(surface.bounds).boxes / kProofsPerBox;
   std::vector<ParameterBox> boxes = {{{d.u0, d.v0}, {d.u1, d.v1}}};
-  for (int depth = 0; depth < 2 * kHalvings; ++depth) {
+  for (int depth = 0; depth < 2 * kDomainHalvings; ++depth) {
     if (boxes.size() > budget) return {};
     budget -= boxes.size();
     std::erase_if(boxes, [&](const ParameterBox& box) { return is_smooth(enclosure, box); });

@@ -31,7 +31,7 @@ constexpr std::array kWithin = {0.0, 0.25, 0.5, 0.75, 1.0};
 /// farther ones: steps as shares of the leaf's sides, each tried to all four sides. Of sides whose
 /// middles are nearer than that to what is at their parameters nobody asks what is nearest.
 constexpr double kWorthASearch = 0.85;
-constexpr std::array kSteps = {0.2, 0.1, 0.05};
+constexpr std::array kStepShares = {0.2, 0.1, 0.05};
 
 bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
   const auto turns = [&](std::size_t a, std::size_t b) {
@@ -51,7 +51,7 @@ std::array<std::uint32_t, 2> diagonal_of(std::span<const Triangle> two) {
 
 /// How far the middle of a leaf's diagonal is from the surface, to second order: from the plane at
 /// the leaf's centre, and how the surface turns away from that on the way aside to the middle.
-double distance_of_diagonal(const Mesh& mesh, const Samples& samples,
+double distance_of_diagonal(const Mesh& mesh, const SampleVertices& samples,
                             const std::array<std::uint32_t, 2>& diagonal) {
   const auto& position = mesh.position;
   const auto& normal = mesh.normal;
@@ -185,7 +185,7 @@ void SharpBends::look(Measured& mesh) {
 void SharpBends::climb(Measured& mesh) {
   constexpr std::array kWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
   std::vector<dvec2> uv;
-  for (const double step : kSteps) {
+  for (const double step : kStepShares) {
     std::erase_if(bends_, [&](const Bend& bend) {
       return !mesh.is_near(bend.leaf) || bend.distance < kWorthASearch * mesh.allowed[bend.leaf];
     });

@@ -22,31 +22,31 @@ namespace {
 
 /// Steps of a descent: from a sample beside a simple or a double zero five are enough; of others
 /// each step leaves a third or a half of the way.
-constexpr int kSteps = 48;
+constexpr int kDescentSteps = 48;
 /// After the first few of them, none leaves more of |r_u x r_v| than this, or there is no zero.
-constexpr int kFirstSteps = 3;
+constexpr int kFirstDescents = 3;
 constexpr double kLeaves = 0.5;
 /// No step is longer, in ranges, four of the stretches that samples are apart; it is tried doubled,
 /// too.
 constexpr double kLongest = 1.0 / 16;
 /// A step that is no longer has used up a double's digits.
-constexpr double kArrived = 1e-15;
+constexpr double kArrivedAtZero = 1e-15;
 /// Squares of singular values of a matrix that differ by more are one and 0: along a curve of zeros
 /// there is no way to go.
 constexpr double kRankOne = 1e-10;
 
 /// |r_u x r_v| is compared with what it is so far away, in ranges; it is 0 if it is less than this
 /// part of it. Double zeros, known to 1e-8 only, are 1e-8 of it.
-constexpr double kAround = 1e-4;
+constexpr double kAroundZero = 1e-4;
 constexpr double kZero = 1e-6;
 /// Places all around are as many.
-constexpr std::size_t kWays = 8;
+constexpr std::size_t kPlacesAround = 8;
 
 /// Zeros that are this near to each other, in ranges, are one: double ones are known to 1e-8.
 constexpr double kSame = 1e-6;
 /// So many zeros on a line of constant u or v, and this part of some places on it, tell that all of
 /// it is.
-constexpr std::size_t kFew = 4;
+constexpr std::size_t kFewZeros = 4;
 constexpr std::size_t kOnLine = 32;
 /// How far from a zero descents begin, in ranges, that tell whether there are others beside it, and
 /// the part of that within which they then end if there are none.
@@ -59,7 +59,7 @@ constexpr std::size_t kMostUnclear = 64;
 /// Squares of singular values of a matrix that differ by less are both not 0.
 constexpr double kRankTwo = 1e-6;
 /// Squares of derivatives that are less than this part of those beside are rounding.
-constexpr double kRounding = 1e-8;
+constexpr double kRoundedDerivative = 1e-8;
 
 using Places = std::vector<dvec2>;  // in parts of the ranges
 
@@ -74,10 +74,10 @@ struct Area {
   double square() const { return glm::dot(by_u, by_u) + glm::dot(by_v, by_v); }
 };
 
-class Finder {
+class ZeroFinder {
  public:
-  Finder(const Surface& surface, const Bounds& bounds, unsigned threads,
-         std::span<const double> even_u, std::span<const double> even_v)
+  ZeroFinder(const Surface& surface, const Bounds& bounds, unsigned threads,
+             std::span<const double> even_u, std::span<const double> even_v)
       : surface_(surface), threads_(threads), scale_(axis_scale(bounds)) {
     const Domain& d = surface.domain;
     low_ = {d.u0, d.v0};
@@ -102,7 +102,7 @@ class Finder {
       places[k] = clamped(places[k]);
       going[k] = k;
     }
-    for (int step = 0; step < kSteps && !going.empty(); ++step) {
+    for (int step = 0; step < kDescentSteps && !going.empty(); ++step) {
       Places from;
       for (const std::size_t k : going) from.push_back(places[k]);
       const Places ways = ways_down(from, along);
@@ -117,9 +117,9 @@ class Finder {
         const std::size_t best = 2 * i + (sizes[2 * i + 1] < sizes[2 * i] ? 1 : 0);
         places[going[i]] = trials[best];
         double& size = left[going[i]];
-        const bool comes_down = step < kFirstSteps || sizes[best] < kLeaves * size;
+        const bool comes_down = step < kFirstDescents || sizes[best] < kLeaves * size;
         size = sizes[best];
-        if (comes_down && size > 0 && glm::distance(trials[best], from[i]) > kArrived) {
+        if (comes_down && size > 0 && glm::distance(trials[best], from[i]) > kArrivedAtZero) {
           still.push_back(going[i]);
         }
       }
@@ -147,15 +147,15 @@ class Finder {
   std::vector<bool> are_zeros(const Places& places) const {
     Places around;
     for (const dvec2& place : places) {
-      for (const dvec2& way : ways()) around.push_back(place + kAround * way);
+      for (const dvec2& way : ways()) around.push_back(place + kAroundZero * way);
     }
     const std::vector<double> sizes = sizes_at(places);
     const std::vector<double> beside = sizes_at(around);
     std::vector<bool> are;
     for (std::size_t k = 0; k < places.size(); ++k) {
       double largest = 0;
-      for (std::size_t w = 0; w < kWays; ++w) {
-        const double size = beside[k * kWays + w];
+      for (std::size_t w = 0; w < kPlacesAround; ++w) {
+        const double size = beside[k * kPlacesAround + w];
         if (std::isfinite(size)) largest = std::max(largest, size);
       }
       are.push_back(largest > 0 && sizes[k] <= kZero * largest);
@@ -202,17 +202,17 @@ class Finder {
     for (std::size_t k = 0; k < places.size(); ++k) {
       const dvec3 normal = glm::cross(here[k].by_u, here[k].by_v);
       const double square = here[k].square();
-      do_stand.push_back(square > kRounding * there[k].square() &&
+      do_stand.push_back(square > kRoundedDerivative * there[k].square() &&
                          glm::dot(normal, normal) > kRankTwo * square * square);
     }
     return do_stand;
   }
 
   /// Ways all around a place, aslant to the axes.
-  static std::array<dvec2, kWays> ways() {
-    std::array<dvec2, kWays> ways;
-    for (std::size_t k = 0; k < kWays; ++k) {
-      const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.3) / kWays;
+  static std::array<dvec2, kPlacesAround> ways() {
+    std::array<dvec2, kPlacesAround> ways;
+    for (std::size_t k = 0; k < kPlacesAround; ++k) {
+      const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.3) / kPlacesAround;
       ways[k] = {std::cos(angle), std::sin(angle)};
     }
     return ways;
@@ -283,7 +283,7 @@ bool are_near(const dvec2& a, const dvec2& b, double reach) {
 
 /// Each zero once, that which is the nearest to 0: about one to which |r_u x r_v| falls in
 /// different ways from different sides, descents end before it.
-Places distinct(const Finder& finder, const Places& places) {
+Places distinct(const ZeroFinder& finder, const Places& places) {
   const std::vector<double> sizes = finder.sizes_at(places);
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -304,7 +304,7 @@ std::vector<double> shared_coordinates(const Places& places, int axis) {
   std::vector<double> shared;
   for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
     while (end < sorted.size() && sorted[end] - sorted[begin] <= kSame) ++end;
-    if (end - begin >= kFew) shared.push_back(sorted[begin + (end - begin) / 2]);
+    if (end - begin >= kFewZeros) shared.push_back(sorted[begin + (end - begin) / 2]);
   }
   return shared;
 }
@@ -316,7 +316,7 @@ Places places_in_line(Places places, int axis) {
   Places result;
   for (std::size_t begin = 0, end = 1; begin < places.size(); begin = end++) {
     while (end < places.size() && places[end][axis] - places[end - 1][axis] <= kReach) ++end;
-    if (end - begin < kFew) continue;
+    if (end - begin < kFewZeros) continue;
     result.insert(result.end(), places.begin() + static_cast<std::ptrdiff_t>(begin),
                   places.begin() + static_cast<std::ptrdiff_t>(end));
   }
@@ -324,7 +324,7 @@ Places places_in_line(Places places, int axis) {
 }
 
 /// The lines of zeros across `axis` among the ends of descents.
-std::vector<double> find_lines(const Finder& finder, int axis, const Places& ends) {
+std::vector<double> find_lines(const ZeroFinder& finder, int axis, const Places& ends) {
   std::vector<double> lines;
   const Places places = finder.zeros(places_in_line(ends, axis));
   for (const double line : shared_coordinates(places, axis)) {
@@ -341,7 +341,7 @@ std::vector<double> find_lines(const Finder& finder, int axis, const Places& end
 }
 
 /// Takes the zeros away that have no others beside them.
-Places take_isolated(const Finder& finder, Places& places) {
+Places take_isolated(const ZeroFinder& finder, Places& places) {
   Places isolated;
   Places unclear;
   const std::vector<bool> stand_alone = finder.stand_alone(places);
@@ -352,14 +352,14 @@ Places take_isolated(const Finder& finder, Places& places) {
   if (places.size() > kMostUnclear) return isolated;
   Places starts;
   for (const dvec2& place : places) {
-    for (const dvec2& way : Finder::ways()) starts.push_back(place + kBeside * way);
+    for (const dvec2& way : ZeroFinder::ways()) starts.push_back(place + kBeside * way);
   }
   const Places ends = finder.descend(std::move(starts), Along::Both);
   const std::vector<bool> are = finder.are_zeros(ends);
   Places others;
   for (std::size_t k = 0; k < places.size(); ++k) {
     bool is_isolated = true;
-    for (std::size_t w = k * kWays; w < (k + 1) * kWays; ++w) {
+    for (std::size_t w = k * kPlacesAround; w < (k + 1) * kPlacesAround; ++w) {
       is_isolated = is_isolated && (!are[w] || are_near(ends[w], places[k], kBack * kBeside));
     }
     (is_isolated ? isolated : others).push_back(places[k]);
@@ -374,7 +374,7 @@ SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<co
                           std::span<const double> even_v, unsigned threads) {
   SingularSet result{{}, {}, dips.edges_u, dips.edges_v, {}};
   if (dips.along_u.empty() && dips.along_v.empty()) return result;
-  const Finder finder(surface, dips.bounds, threads, even_u, even_v);
+  const ZeroFinder finder(surface, dips.bounds, threads, even_u, even_v);
   // Across lines of zeros first: free descents are drawn along them to where they meet.
   Places places = finder.descend(finder.parts(dips.along_u), Along::U);
   for (const double line : find_lines(finder, 0, places)) {
@@ -408,7 +408,7 @@ SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<co
 std::vector<bool> are_singular(const Surface& surface, std::span<const dvec2> uv,
                                unsigned threads) {
   if (uv.empty()) return {};
-  const Finder finder(surface, {}, threads, {}, {});
+  const ZeroFinder finder(surface, {}, threads, {}, {});
   return finder.are_zeros(finder.parts(uv));
 }
 

@@ -54,7 +54,7 @@ class SignedSets {
 };
 
 /// Two points or corners, in order.
-using PointPair = std::pair<std::uint32_t, std::uint32_t>;
+using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// A side of a triangle, filed under the smaller one of its points.
 struct HalfEdge {
@@ -99,10 +99,10 @@ HalfEdges half_edges(const Mesh& mesh) {
 }
 
 /// The corners that a triangle's side between two points goes through, in order.
-PointPair corners_of(const Mesh& mesh, const HalfEdge& side, const PointPair& points) {
+IndexPair corners_of(const Mesh& mesh, const HalfEdge& side, const IndexPair& points) {
   const Triangle& t = mesh.triangles[side.triangle];
   for (std::size_t k = 0; k < 3; ++k) {
-    const PointPair ends = std::minmax(mesh.point[t[k]], mesh.point[t[(k + 1) % 3]]);
+    const IndexPair ends = std::minmax(mesh.point[t[k]], mesh.point[t[(k + 1) % 3]]);
     if (ends == points) return std::minmax(t[k], t[(k + 1) % 3]);
   }
   return {};
@@ -110,10 +110,10 @@ PointPair corners_of(const Mesh& mesh, const HalfEdge& side, const PointPair& po
 
 /// The sides between two points, parted into edges: those of two triangles that share corners are
 /// one that others may lie on, as where leaves around a point have chords to the same neighbour.
-std::vector<std::vector<HalfEdge>> edges_between(const Mesh& mesh, const PointPair& points,
+std::vector<std::vector<HalfEdge>> edges_between(const Mesh& mesh, const IndexPair& points,
                                                  std::span<const HalfEdge> sides) {
   if (sides.size() == 1) return {{sides[0]}};
-  std::map<PointPair, std::vector<HalfEdge>> by_corners;
+  std::map<IndexPair, std::vector<HalfEdge>> by_corners;
   for (const HalfEdge& side : sides) by_corners[corners_of(mesh, side, points)].push_back(side);
   std::vector<std::vector<HalfEdge>> edges;
   std::vector<HalfEdge> rest;

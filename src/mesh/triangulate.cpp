@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::array<std::size_t, 2>, 2> kCuts = {{{1, 3}, {2, 0}}};
 
 /// How one cell is cut.
-struct Cut {
+struct CellCut {
   std::uint8_t diagonal = 0;  ///< the slot that it starts from
   std::array<bool, 2> exists = {false, false};
 
@@ -50,7 +50,8 @@ dvec3 rounding_of_areas(const std::array<dvec3, 4>& p, const std::array<dvec3, 4
 
 /// A triangle is flat if its area is rounding, or if it is a needle whose width is to its length as
 /// rounding is to 1: the spike over a sample beside a pole.
-bool is_flat(const dvec3& area, const dvec3& least, const dvec3& edge_a, const dvec3& edge_b) {
+bool is_flat_corner(const dvec3& area, const dvec3& least, const dvec3& edge_a,
+                    const dvec3& edge_b) {
   const double needle = kRounding * (glm::dot(edge_a, edge_a) + glm::dot(edge_b, edge_b));
   return glm::dot(area, area) <= needle * needle ||
          glm::all(glm::lessThanEqual(glm::abs(area), least));
@@ -80,7 +81,7 @@ SlotTriangles slot_triangles(const CellCorners& cell, bool mirrored) {
     const bool collapsed =
         point[before] == point[k] || point[k] == point[after] || point[after] == point[before];
     const dvec3 area = glm::cross(edges[before], edges[k]);
-    result.exists[k] = !collapsed && !is_flat(area, least, edges[before], edges[k]);
+    result.exists[k] = !collapsed && !is_flat_corner(area, least, edges[before], edges[k]);
     const double front = glm::dot(area, normal[before] + normal[k] + normal[after]);
     result.faces_front[k] = mirrored ? front < 0 : front > 0;
   }
@@ -99,9 +100,9 @@ bool second_diagonal_is_nearer(const CellCorners& cell) {
   return is_smaller(square(p[3] - p[1]), square(p[2] - p[0]));
 }
 
-Cut cut_cell(const CellCorners& cell, bool mirrored) {
+CellCut cut_cell(const CellCorners& cell, bool mirrored) {
   const SlotTriangles triangles = slot_triangles(cell, mirrored);
-  std::array<Cut, 2> cuts;
+  std::array<CellCut, 2> cuts;
   std::array<int, 2> facing{};
   for (std::uint8_t d = 0; d < 2; ++d) {
     cuts[d].diagonal = d;
@@ -144,12 +145,12 @@ bool is_collapsed(const Grid& grid, const Triangle& t) {
   const std::array<dvec3, 4> edges = {p[1] - p[0], p[2] - p[1], p[0] - p[2], dvec3(0)};
   const dvec3 area = glm::cross(edges[0], edges[1]);
   if (is_surely_not_flat(p[0], edges[0], edges[1], area)) return false;
-  return is_flat(area, rounding_of_areas(p, edges), edges[0], edges[1]);
+  return is_flat_corner(area, rounding_of_areas(p, edges), edges[0], edges[1]);
 }
 
 void cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners,
               Array<Triangle>& triangles) {
-  const Cut cut = cut_cell(gather(grid, corners), grid.mirrored);
+  const CellCut cut = cut_cell(gather(grid, corners), grid.mirrored);
   for (std::size_t t = 0; t < 2; ++t) {
     if (!cut.exists[t]) continue;
     const std::size_t slot = kCuts[cut.diagonal][t];

@@ -10,7 +10,7 @@ namespace {
 /// Plain sums along the columns, then along the rows: the compiler makes vectors of both loops.
 /// `sums` has room for a row of samples.
 template <int kPerSide>
-void average_row_opaque(const Samples& samples, const std::uint8_t* row, std::uint8_t* out,
+void average_row_opaque(const RgbaSamples& samples, const std::uint8_t* row, std::uint8_t* out,
                         std::vector<std::uint16_t>& sums) {
   const int n = kPerSide != 0 ? kPerSide : samples.per_side;
   const std::size_t size = sums.size();
@@ -30,7 +30,7 @@ void average_row_opaque(const Samples& samples, const std::uint8_t* row, std::ui
   }
 }
 
-void average_row_translucent(const Samples& samples, const std::uint8_t* row, std::uint8_t* out,
+void average_row_translucent(const RgbaSamples& samples, const std::uint8_t* row, std::uint8_t* out,
                              std::size_t width) {
   const std::size_t n = samples.per_side;
   const unsigned area = n * n;
@@ -51,7 +51,7 @@ void average_row_translucent(const Samples& samples, const std::uint8_t* row, st
   }
 }
 
-void average_row(const Samples& samples, const std::uint8_t* row, std::uint8_t* out,
+void average_row(const RgbaSamples& samples, const std::uint8_t* row, std::uint8_t* out,
                  std::size_t width, std::vector<std::uint16_t>& sums) {
   if (samples.per_side == 1) {
     std::memcpy(out, row, 4 * width);
@@ -66,7 +66,7 @@ void average_row(const Samples& samples, const std::uint8_t* row, std::uint8_t* 
 
 }  // namespace
 
-void average_samples(const Samples& samples, const PixelRect& rect, Image& image) {
+void average_samples(const RgbaSamples& samples, const PixelRect& rect, Image& image) {
   assert(samples.per_side >= 1 && samples.per_side <= kMostSamplesPerSide);
   const std::size_t width = rect.width;
   std::vector<std::uint16_t> sums(4 * width * samples.per_side);

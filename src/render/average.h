@@ -12,8 +12,8 @@ namespace saddle {
 /// in 16 bits.
 inline constexpr int kMostSamplesPerSide = 16;
 
-/// Samples as GL leaves them: straight RGBA, rows from the bottom.
-struct Samples {
+/// RgbaSamples as GL leaves them: straight RGBA, rows from the bottom.
+struct RgbaSamples {
   const std::uint8_t* rgba = nullptr;  ///< the sample at the lower left
   std::size_t row_bytes = 0;           ///< from a row to the one above it
   int per_side = 1;                    ///< samples per pixel and side, 1 to kMostSamplesPerSide
@@ -27,6 +27,6 @@ struct PixelRect {
 
 /// Fills `rect` of `image` with the mean of each pixel's samples, rounded to nearest. Colours are
 /// weighted by their alpha, as light adds up, and are straight again in the result.
-void average_samples(const Samples& samples, const PixelRect& rect, Image& image);
+void average_samples(const RgbaSamples& samples, const PixelRect& rect, Image& image);
 
 }  // namespace saddle

@@ -15,8 +15,8 @@
 namespace saddle {
 namespace {
 
-constexpr std::array kLibraries{"libEGL.so.1", "libEGL.so"};
-const char* const kPackage = "libegl1";
+constexpr std::array kEglLibraries{"libEGL.so.1", "libEGL.so"};
+const char* const kEglPackage = "libegl1";
 
 struct EglFunctions {
   decltype(&eglGetPlatformDisplay) get_platform_display;
@@ -29,7 +29,7 @@ struct EglFunctions {
   decltype(&eglGetProcAddress) get_proc_address;
 
   EglFunctions() {
-    const Library library(kLibraries, kPackage);
+    const Library library(kEglLibraries, kEglPackage);
     library.load(get_platform_display, "eglGetPlatformDisplay");
     library.load(initialize, "eglInitialize");
     library.load(terminate, "eglTerminate");
@@ -42,8 +42,9 @@ struct EglFunctions {
 };
 
 [[noreturn]] void fail(const std::string& what) {
-  throw Error(Status::Machine, what, {},
-              std::string("the packages ") + kPackage + " and libgl1-mesa-dri have what it needs");
+  throw Error(
+      Status::Machine, what, {},
+      std::string("the packages ") + kEglPackage + " and libgl1-mesa-dri have what it needs");
 }
 
 class EglContext final : public Context {

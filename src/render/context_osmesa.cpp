@@ -17,8 +17,8 @@
 namespace saddle {
 namespace {
 
-constexpr std::array kLibraries{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
-const char* const kPackage = "libosmesa6";
+constexpr std::array kOsmesaLibraries{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+const char* const kOsmesaPackage = "libosmesa6";
 
 struct OsmesaFunctions {
   decltype(&OSMesaCreateContextAttribs) create;
@@ -27,7 +27,7 @@ struct OsmesaFunctions {
   decltype(&OSMesaGetProcAddress) get_proc_address;
 
   OsmesaFunctions() {
-    const Library library(kLibraries, kPackage);
+    const Library library(kOsmesaLibraries, kOsmesaPackage);
     library.load(create, "OSMesaCreateContextAttribs");
     library.load(destroy, "OSMesaDestroyContext");
     library.load(make_current, "OSMesaMakeCurrent");
@@ -67,7 +67,7 @@ class OsmesaContext final : public Context {
  private:
   [[noreturn]] static void refuse() {
     throw Error(Status::Machine, "OSMesa's OpenGL 3.3 cannot be used", {},
-                std::string("update the package ") + kPackage);
+                std::string("update the package ") + kOsmesaPackage);
   }
 
   using Handle = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;

@@ -11,7 +11,7 @@ namespace saddle {
 namespace {
 
 /// Letters that are smaller, in pixels, tell nobody anything.
-constexpr double kLeastLetters = 6;
+constexpr double kLeastReadable = 6;
 /// Lines up and down that a text may be from where it belongs.
 constexpr int kFarthest = 4;
 
@@ -45,7 +45,7 @@ bool LabelWriter::write_near(const std::string& text, const dvec2& at, const dve
                              double size, const Rect& avoid) {
   if (write(text, at, way, size)) return true;
   const double fitting = std::min(size, size * size_.x / font_.width(text, size));
-  if (fitting < kLeastLetters) return false;
+  if (fitting < kLeastReadable) return false;
   const Rect wanted = rect_beside(text, at, way, fitting);
   const dvec2 half = (wanted.high - wanted.low) / 2.0;
   const dvec2 middle = glm::clamp((wanted.low + wanted.high) / 2.0, half, size_ - half);

@@ -30,7 +30,7 @@ constexpr double kMostAttenuation = 1e30;
 /// formula, each of which may take the room of four.
 constexpr int kOtherComponents = 160 + 4 * static_cast<int>(kMostConstants);
 
-dvec3 rgb(const Color& color) {
+dvec3 clamped_rgb(const Color& color) {
   return glm::min(dvec3(color.r, color.g, color.b), dvec3(kBrightest));
 }
 
@@ -173,9 +173,9 @@ constexpr int kComponentsPerLight = 4 * static_cast<int>(kLightUniforms.size());
 
 ShaderLight shader_light(const Light& light, const Frames& frames, double unit, bool perspective) {
   ShaderLight result;
-  result.color = rgb(light.color);
-  result.highlight = light.specular ? rgb(*light.specular) : result.color;
-  result.ambient = rgb(light.ambient);
+  result.color = clamped_rgb(light.color);
+  result.highlight = light.specular ? clamped_rgb(*light.specular) : result.color;
+  result.ambient = clamped_rgb(light.ambient);
   result.attenuation = attenuation_in_units(light.attenuation, unit);
   result.position = light.directional ? frames.direction(light.frame, light.position)
                                       : in_units(frames.point(light.frame, light.position), unit);

@@ -94,7 +94,7 @@ Ends constant_ends(Scope& scope, const RangeText& range, double t) {
 }
 
 /// A formula of u, v, x, y, z and the curvatures.
-NodeId parse_color(Graph& graph, Scope& scope, const std::string& text, bool flip) {
+NodeId parse_color_formula(Graph& graph, Scope& scope, const std::string& text, bool flip) {
   const auto curvature = [&](std::size_t which) {
     const Coordinates r = {scope.node("x"), scope.node("y"), scope.node("z")};
     return curvature_outputs(graph, tangents_of(graph, r))[which];
@@ -149,7 +149,8 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   result.domain = {u.min, u.max, v.min, v.max};
   result.flip = spec.flip != runs_backwards(result.domain);
   std::vector<NodeId> roots = {scope.node("x"), scope.node("y"), scope.node("z")};
-  if (!spec.color.empty()) roots.push_back(parse_color(graph, scope, spec.color, result.flip));
+  if (!spec.color.empty())
+    roots.push_back(parse_color_formula(graph, scope, spec.color, result.flip));
   const auto depends_on_t = [&](NodeId node) { return depends(graph, node, kDependsT); };
   result.moves = std::ranges::any_of(roots, depends_on_t) ||
                  std::ranges::any_of(ends_u, depends_on_t) ||

@@ -38,7 +38,7 @@ constexpr double kFrame = 1000.0 / 60;  // milliseconds
 
 /// Errors are drawn from the truth's own rounding up to more than any.
 constexpr double kNoError = 1e-16;
-constexpr double kLargest = 1e12;
+constexpr double kLargestError = 1e12;
 
 /// Okabe and Ito's colours that anybody can tell apart, without the yellow, which is lost on white.
 struct Style {
@@ -65,16 +65,16 @@ std::string quoted(const std::string& text) {
 }
 
 double drawn_error(double error) {
-  return std::clamp(error, kNoError, kLargest);
+  return std::clamp(error, kNoError, kLargestError);
 }
 
-const char* panel_title(Panel panel) {
+const char* panel_title(StudyPanel panel) {
   static constexpr std::array kTitles = {"Evaluation: a grid of positions", "Normals on a grid",
                                          "Mesh", "Image"};
   return kTitles[static_cast<std::size_t>(panel)];
 }
 
-const char* error_title(Panel panel) {
+const char* error_title(StudyPanel panel) {
   static constexpr std::array kTitles = {
       "largest error, units in the last place", "largest error, degrees",
       "largest distance of mesh and surface, pixels", "RMS error, share of full scale"};
@@ -87,7 +87,7 @@ struct Curve {
   bool is_limit() const { return points.front()->is_limit; }
 };
 
-std::vector<Curve> curves_of(std::span<const Measurement> measurements, Panel panel) {
+std::vector<Curve> curves_of(std::span<const Measurement> measurements, StudyPanel panel) {
   std::vector<Curve> curves;
   for (const Measurement& m : measurements) {
     if (m.panel != panel) continue;
@@ -115,7 +115,7 @@ dvec2 log_range(const std::vector<double>& values) {
 /// One panel of the chart, as commands for gnuplot.
 class PanelScript {
  public:
-  PanelScript(std::span<const Measurement> measurements, Panel panel)
+  PanelScript(std::span<const Measurement> measurements, StudyPanel panel)
       : panel_(panel), curves_(curves_of(measurements, panel)) {
     const int column = static_cast<int>(panel) % 2;
     const int row = static_cast<int>(panel) / 2;
@@ -143,7 +143,7 @@ class PanelScript {
         errors.push_back(drawn_error(m->error));
       }
     }
-    if (panel_ == Panel::Mesh) errors.push_back(kHalfPixel);
+    if (panel_ == StudyPanel::Mesh) errors.push_back(kHalfPixel);
     times_ = log_range(times);
     errors_ = log_range(errors);
   }
@@ -200,8 +200,8 @@ class PanelScript {
 
   /// The lines of 0.5 pixels and of a frame of a film, where the panel has them.
   void guides(LabelPlacer& placer) {
-    const bool has_frame = panel_ == Panel::Mesh || panel_ == Panel::Image;
-    if (panel_ == Panel::Mesh) {
+    const bool has_frame = panel_ == StudyPanel::Mesh || panel_ == StudyPanel::Image;
+    if (panel_ == StudyPanel::Mesh) {
       line(
           formatted("set arrow from graph 0,first %g to graph 1,first %g nohead dt 3 lc rgb "
                     "'#606060' back",
@@ -300,7 +300,7 @@ class PanelScript {
     }
   }
 
-  Panel panel_;
+  StudyPanel panel_;
   std::vector<Curve> curves_;
   Rectangle area_;
   dvec2 times_{1, 1};
@@ -328,7 +328,8 @@ std::string make_script(std::span<const Measurement> measurements, const std::st
       "set grid xtics ytics lt 1 lw 0.5 lc rgb '#e4e4e4' back\n";
   // Labels of the head and foot are drawn with the first panel.
   bool first = true;
-  for (const Panel panel : {Panel::Evaluation, Panel::Normals, Panel::Mesh, Panel::Image}) {
+  for (const StudyPanel panel :
+       {StudyPanel::Evaluation, StudyPanel::Normals, StudyPanel::Mesh, StudyPanel::Image}) {
     std::string text = PanelScript(measurements, panel).text();
     if (text.empty()) continue;
     if (first) text.replace(0, text.find('\n') + 1, "");

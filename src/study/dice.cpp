@@ -20,7 +20,7 @@ constexpr std::size_t kMostTriangles = 4'000'000;
 /// Pieces of a generation. Those of a smooth surface are small enough long before; along poles and
 /// jumps that run across both parameters each generation has twice as many, without end.
 constexpr std::size_t kMostPieces = 2'000'000;
-constexpr std::size_t kBlock = 16'384;  // that are evaluated at a time
+constexpr std::size_t kPieceBlock = 16'384;  // that are evaluated at a time
 
 /// A rectangle of parameters.
 struct Piece {
@@ -57,8 +57,9 @@ class Dicer {
     std::vector<Piece> pieces = first_pieces();
     while (!pieces.empty() && pieces.size() <= kMostPieces && result_.size() < kMostTriangles) {
       std::vector<Piece> next;
-      for (std::size_t begin = 0; begin < pieces.size(); begin += kBlock) {
-        take_block(std::span(pieces).subspan(begin, std::min(kBlock, pieces.size() - begin)), next);
+      for (std::size_t begin = 0; begin < pieces.size(); begin += kPieceBlock) {
+        take_block(std::span(pieces).subspan(begin, std::min(kPieceBlock, pieces.size() - begin)),
+                   next);
       }
       pieces = std::move(next);
     }

@@ -109,8 +109,8 @@ std::vector<Measurement> measure_evaluation(const Subject& subject, const StudyP
                            const std::function<void()>& work) {
     bar.next(method, setting);
     const Timing time = time_repeatedly(work);
-    Measurement m{
-        Panel::Evaluation, method, setting, time, error_of(outputs, reference), "ulp", {}};
+    Measurement m{StudyPanel::Evaluation,       method, setting, time,
+                  error_of(outputs, reference), "ulp",  {}};
     m.no_answer = std::isinf(m.error);
     result.push_back(m);
   };

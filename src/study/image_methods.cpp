@@ -14,11 +14,11 @@
 namespace saddle {
 namespace {
 
-const std::array<double, 7> kTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125};
+const std::array<double, 7> kImageTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125};
 constexpr double kUsual = 0.5;  // pixels
 const std::array<int, 4> kSamples = {1, 2, 3, 4};
 /// A method whose picture takes longer is not asked for a better one.
-constexpr double kPatience = 1500;  // milliseconds
+constexpr double kImagePatience = 1500;  // milliseconds
 
 /// The scene as the exact image has it.
 Scene plain_scene(const Subject& subject) {
@@ -37,7 +37,7 @@ class ImageStudy {
  public:
   ImageStudy(const Subject& subject, const StudyProgress& progress)
       : subject_(subject),
-        progress_(progress, 3 * kTolerances.size() + kSamples.size()),
+        progress_(progress, 3 * kImageTolerances.size() + kSamples.size()),
         scene_(plain_scene(subject)),
         exact_(draw_exactly(subject)),
         context_(make_context(Backend::Any)) {}
@@ -48,7 +48,7 @@ class ImageStudy {
           std::pair{Shading::Pixel, "per pixel"}}) {
       scene_.picture.shading = shading;
       compile_shaders();
-      for (const double pixels : kTolerances) {
+      for (const double pixels : kImageTolerances) {
         if (!add(method, rounded(pixels, kSettingDigits) + " px", pixels, subject_.antialias))
           break;
       }
@@ -78,12 +78,12 @@ class ImageStudy {
     const Timing time = time_repeatedly(draw);
     if (triangles == 0) return false;
     result_.push_back(
-        {Panel::Image, method, setting, time, rms_error(image, exact_), "rms", {}, triangles});
-    return time.median < kPatience;
+        {StudyPanel::Image, method, setting, time, rms_error(image, exact_), "rms", {}, triangles});
+    return time.median < kImagePatience;
   }
 
   void compile_shaders() {
-    const std::optional<GridMesh> mesh = tessellate(kTolerances.front());
+    const std::optional<GridMesh> mesh = tessellate(kImageTolerances.front());
     if (!mesh) return;
     renderer_.set_surface(scene_, 0, mesh->mesh);
     draw_image(renderer_, scene_, subject_.camera, {64, 48, 1});

@@ -10,7 +10,7 @@ namespace saddle {
 namespace {
 
 /// Rectangles in each direction to begin with: their halves have 256 x 320 points.
-constexpr std::size_t kFirst = 32;
+constexpr std::size_t kFirstRectangles = 32;
 /// Points that may be evaluated: some tenths of a second.
 constexpr std::size_t kMostPoints = 600'000;
 /// Differences that together are no more than this share are rounding.
@@ -19,23 +19,23 @@ constexpr double kRounded = 1e-12;
 constexpr double kWorst = 1.0 / 16;
 
 /// A place in [-1, 1] and its weight; the weights add up to 1.
-struct Node {
+struct GaussNode {
   double place, weight;
 };
 
 /// Different numbers of points along u and v: no point of a square is on its diagonal.
-constexpr std::array<Node, 4> kAlongU = {{{-0.86113631159405258, 0.17392742256872693},
-                                          {-0.33998104358485626, 0.32607257743127307},
-                                          {0.33998104358485626, 0.32607257743127307},
-                                          {0.86113631159405258, 0.17392742256872693}}};
-constexpr std::array<Node, 5> kAlongV = {{{-0.90617984593866399, 0.11846344252809454},
-                                          {-0.53846931010568309, 0.23931433524968324},
-                                          {0.0, 0.28444444444444444},
-                                          {0.53846931010568309, 0.23931433524968324},
-                                          {0.90617984593866399, 0.11846344252809454}}};
+constexpr std::array<GaussNode, 4> kAlongU = {{{-0.86113631159405258, 0.17392742256872693},
+                                               {-0.33998104358485626, 0.32607257743127307},
+                                               {0.33998104358485626, 0.32607257743127307},
+                                               {0.86113631159405258, 0.17392742256872693}}};
+constexpr std::array<GaussNode, 5> kAlongV = {{{-0.90617984593866399, 0.11846344252809454},
+                                               {-0.53846931010568309, 0.23931433524968324},
+                                               {0.0, 0.28444444444444444},
+                                               {0.53846931010568309, 0.23931433524968324},
+                                               {0.90617984593866399, 0.11846344252809454}}};
 constexpr std::size_t kPoints = kAlongU.size() * kAlongV.size();
 
-struct Box {
+struct UvRectangle {
   dvec2 low, high;
 };
 
@@ -45,7 +45,7 @@ struct Sums {
 };
 
 struct Cell {
-  Box box;
+  UvRectangle rectangle;
   Sums sums;
   std::array<std::array<Sums, 2>, 2> halves;  ///< of each axis
   Estimate area, volume;
@@ -53,9 +53,9 @@ struct Cell {
   int axis = 0;      ///< the one to halve
 };
 
-Box half_of(const Box& box, int axis, std::size_t which) {
-  Box half = box;
-  const double middle = 0.5 * box.low[axis] + 0.5 * box.high[axis];
+UvRectangle half_of(const UvRectangle& rectangle, int axis, std::size_t which) {
+  UvRectangle half = rectangle;
+  const double middle = 0.5 * rectangle.low[axis] + 0.5 * rectangle.high[axis];
   (which == 0 ? half.high : half.low)[axis] = middle;
   return half;
 }
@@ -84,42 +84,42 @@ class Integrator {
   void begin() {
     const Domain& d = surface_.domain;
     const auto at = [](double first, double last, std::size_t k) {
-      const double part = static_cast<double>(k) / kFirst;
+      const double part = static_cast<double>(k) / kFirstRectangles;
       return first * (1 - part) + last * part;
     };
-    std::vector<Box> boxes;
-    for (std::size_t j = 0; j < kFirst; ++j) {
-      for (std::size_t i = 0; i < kFirst; ++i) {
-        boxes.push_back({{at(d.u0, d.u1, i), at(d.v0, d.v1, j)},
-                         {at(d.u0, d.u1, i + 1), at(d.v0, d.v1, j + 1)}});
+    std::vector<UvRectangle> rectangles;
+    for (std::size_t j = 0; j < kFirstRectangles; ++j) {
+      for (std::size_t i = 0; i < kFirstRectangles; ++i) {
+        rectangles.push_back({{at(d.u0, d.u1, i), at(d.v0, d.v1, j)},
+                              {at(d.u0, d.u1, i + 1), at(d.v0, d.v1, j + 1)}});
       }
     }
-    const std::vector<Sums> sums = integrate(boxes);
-    std::vector<Cell> cells(boxes.size());
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      cells[k].box = boxes[k];
+    const std::vector<Sums> sums = integrate(rectangles);
+    std::vector<Cell> cells(rectangles.size());
+    for (std::size_t k = 0; k < rectangles.size(); ++k) {
+      cells[k].rectangle = rectangles[k];
       cells[k].sums = sums[k];
     }
     add(std::move(cells));
   }
 
-  /// Gauss's rule for each of some boxes; what is not defined counts as 0.
-  std::vector<Sums> integrate(const std::vector<Box>& boxes) {
+  /// Gauss's rule for each of some rectangles; what is not defined counts as 0.
+  std::vector<Sums> integrate(const std::vector<UvRectangle>& rectangles) {
     std::vector<dvec2> uv;
-    uv.reserve(boxes.size() * kPoints);
-    for (const Box& box : boxes) {
-      const dvec2 middle = 0.5 * box.low + 0.5 * box.high;
-      const dvec2 half = 0.5 * (box.high - box.low);
-      for (const Node& v : kAlongV) {
-        for (const Node& u : kAlongU) uv.push_back(middle + half * dvec2(u.place, v.place));
+    uv.reserve(rectangles.size() * kPoints);
+    for (const UvRectangle& rectangle : rectangles) {
+      const dvec2 middle = 0.5 * rectangle.low + 0.5 * rectangle.high;
+      const dvec2 half = 0.5 * (rectangle.high - rectangle.low);
+      for (const GaussNode& v : kAlongV) {
+        for (const GaussNode& u : kAlongU) uv.push_back(middle + half * dvec2(u.place, v.place));
       }
     }
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
     evaluations_ += points.size();
     std::vector<Sums> result;
-    result.reserve(boxes.size());
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      const dvec2 size = boxes[k].high - boxes[k].low;
+    result.reserve(rectangles.size());
+    for (std::size_t k = 0; k < rectangles.size(); ++k) {
+      const dvec2 size = rectangles[k].high - rectangles[k].low;
       Sums sums;
       for (std::size_t n = 0; n < kPoints; ++n) {
         const double weight =
@@ -142,15 +142,15 @@ class Integrator {
 
   /// Adds cells whose own sums are known.
   void add(std::vector<Cell> cells) {
-    std::vector<Box> boxes;
+    std::vector<UvRectangle> rectangles;
     for (const Cell& cell : cells) {
       for (int axis = 0; axis < 2; ++axis) {
         for (std::size_t which = 0; which < 2; ++which) {
-          boxes.push_back(half_of(cell.box, axis, which));
+          rectangles.push_back(half_of(cell.rectangle, axis, which));
         }
       }
     }
-    const std::vector<Sums> sums = integrate(boxes);
+    const std::vector<Sums> sums = integrate(rectangles);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       for (std::size_t n = 0; n < 4; ++n) cells[k].halves[n / 2][n % 2] = sums[4 * k + n];
       compare(cells[k]);
@@ -180,8 +180,8 @@ class Integrator {
       off[axis] = std::max(std::fabs(area[axis]), size_ > 0 ? std::fabs(volume[axis]) / size_ : 0);
     }
     cell.axis = off[0] >= off[1] ? 0 : 1;
-    const double low = cell.box.low[cell.axis];
-    const double high = cell.box.high[cell.axis];
+    const double low = cell.rectangle.low[cell.axis];
+    const double high = cell.rectangle.high[cell.axis];
     const double middle = 0.5 * low + 0.5 * high;
     cell.error = middle == low || middle == high ? 0 : off[0] + off[1];
   }
@@ -198,7 +198,7 @@ class Integrator {
       if (!is_taken) return false;
       for (std::size_t which = 0; which < 2; ++which) {
         Cell half;
-        half.box = half_of(cell.box, cell.axis, which);
+        half.rectangle = half_of(cell.rectangle, cell.axis, which);
         half.sums = cell.halves[static_cast<std::size_t>(cell.axis)][which];
         halves.push_back(half);
       }

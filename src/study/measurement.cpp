@@ -45,7 +45,7 @@ Timing time_repeatedly(const std::function<void()>& work) {
   return {times[last / 2], times[last / 4], times[last - last / 4]};
 }
 
-const char* panel_name(Panel panel) {
+const char* panel_name(StudyPanel panel) {
   static constexpr std::array kNames = {"evaluation", "normals", "mesh", "image"};
   return kNames[static_cast<std::size_t>(panel)];
 }

@@ -37,12 +37,12 @@ class PanelProgress {
 /// unless a single time takes longer.
 Timing time_repeatedly(const std::function<void()>& work);
 
-enum class Panel { Evaluation, Normals, Mesh, Image };
-const char* panel_name(Panel panel);
+enum class StudyPanel { Evaluation, Normals, Mesh, Image };
+const char* panel_name(StudyPanel panel);
 
 /// One method at one setting.
 struct Measurement {
-  Panel panel = Panel::Evaluation;
+  StudyPanel panel = StudyPanel::Evaluation;
   std::string method;
   std::string setting;
   Timing time;

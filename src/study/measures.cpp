@@ -14,7 +14,7 @@ namespace saddle {
 namespace {
 
 /// Triangles whose points are evaluated together: some MB.
-constexpr std::size_t kBlock = 4096;
+constexpr std::size_t kTriangleBlock = 4096;
 /// An integral over a triangle that differs from the flat triangle's by more than this share is
 /// spoilt by a derivative that goes to infinity; the flat one is then the better.
 constexpr double kSpoilt = 0.1;
@@ -26,18 +26,18 @@ constexpr double kShortTangent = 1e-5;
 /// that is more so grows toward a place where there is none.
 constexpr double kBetweenVertices = 0.25;
 /// Corner weights and weight of a point of Radon's rule.
-struct Node {
+struct RadonNode {
   std::array<double, 3> corners;
   double weight;
 };
 
-std::array<Node, 7> radon_rule() {
+std::array<RadonNode, 7> radon_rule() {
   const double root = std::sqrt(15.0);
-  std::array<Node, 7> nodes{};
+  std::array<RadonNode, 7> nodes{};
   nodes[0] = {{1.0 / 3, 1.0 / 3, 1.0 / 3}, 9.0 / 40};
   const auto add = [&](std::size_t first, double near, double weight) {
     for (std::size_t k = 0; k < 3; ++k) {
-      Node& node = nodes[first + k];
+      RadonNode& node = nodes[first + k];
       node = {{near, near, near}, weight};
       node.corners[k] = 1 - 2 * near;
     }
@@ -96,9 +96,9 @@ class Measurer {
   }
 
   void integrate_triangles() {
-    for (std::size_t begin = 0; begin < mesh_.triangles.size(); begin += kBlock) {
+    for (std::size_t begin = 0; begin < mesh_.triangles.size(); begin += kTriangleBlock) {
       integrate(std::span(mesh_.triangles)
-                    .subspan(begin, std::min(kBlock, mesh_.triangles.size() - begin)));
+                    .subspan(begin, std::min(kTriangleBlock, mesh_.triangles.size() - begin)));
     }
     result_.area.error = std::fabs(result_.area.value - flat_.area);
     result_.volume.error = std::fabs(result_.volume.value - flat_.volume);
@@ -108,7 +108,7 @@ class Measurer {
     std::vector<dvec2> uv;
     uv.reserve(triangles.size() * rule_.size());
     for (const Triangle& t : triangles) {
-      for (const Node& node : rule_) {
+      for (const RadonNode& node : rule_) {
         dvec2 place(0);
         for (std::size_t k = 0; k < 3; ++k) place += node.corners[k] * mesh_.uv[t[k]];
         uv.push_back(place);
@@ -231,7 +231,7 @@ class Measurer {
   const Mesh& mesh_;
   unsigned threads_;
   dvec3 centre_;  // volumes are taken around it, which keeps their digits far from the origin
-  std::array<Node, 7> rule_ = radon_rule();
+  std::array<RadonNode, 7> rule_ = radon_rule();
   double usual_u_ = 0;  // lengths of tangents
   double usual_v_ = 0;
   struct {

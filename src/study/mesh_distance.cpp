@@ -38,12 +38,12 @@ constexpr std::size_t kSecondTries = 256;
 constexpr int kHalvings = 40;
 /// Steps of their search, directions of a round, and what becomes of a step that helped or not.
 constexpr std::size_t kSearches = 60;
-constexpr std::size_t kWays = 8;
-constexpr std::size_t kSecondStarts = 4 + kWays;
+constexpr std::size_t kDirections = 8;
+constexpr std::size_t kSecondStarts = 4 + kDirections;
 constexpr double kLonger = 1.5;
 constexpr double kShorter = 0.6;
 
-constexpr std::size_t kChunk = 64;
+constexpr std::size_t kPointChunk = 64;
 constexpr std::uint64_t kSeed = 0x5eed;
 
 bool is_inside(const std::optional<Bounds>& box, const dvec3& p) {
@@ -124,7 +124,7 @@ std::vector<std::size_t> largest(const std::vector<double>& values, std::size_t 
 std::vector<double> distances(const TriangleTree& tree, const std::vector<dvec3>& points,
                               unsigned threads) {
   std::vector<double> result(points.size());
-  parallel_chunks(points.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
+  parallel_chunks(points.size(), kPointChunk, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       result[k] = is_finite(points[k]) ? tree.distance(points[k]) : 0;
     }
@@ -146,7 +146,7 @@ dvec2 size_of(const std::array<dvec2, 3>& corners) {
 
 /// Ways from a place evenly around it.
 dvec2 way_around(std::size_t way, double turn) {
-  const double angle = 2 * std::numbers::pi * (static_cast<double>(way) + turn) / kWays;
+  const double angle = 2 * std::numbers::pi * (static_cast<double>(way) + turn) / kDirections;
   return {std::cos(angle), std::sin(angle)};
 }
 
@@ -212,7 +212,7 @@ void search(const Subject& subject, std::vector<Descent>& points) {
     std::vector<dvec2> tries;
     for (std::size_t k = 0; k < points.size(); ++k) {
       const double turn = random_unit(kSeed + round * points.size() + k);
-      for (std::size_t way = 0; way < kWays; ++way) {
+      for (std::size_t way = 0; way < kDirections; ++way) {
         const dvec2 step = reach[k] * size * way_around(way, turn);
         tries.push_back(in_domain(domain, points[k].uv + step));
       }
@@ -221,7 +221,7 @@ void search(const Subject& subject, std::vector<Descent>& points) {
     for (std::size_t k = 0; k < points.size(); ++k) {
       Descent& d = points[k];
       const double before = d.distance;
-      for (std::size_t i = k * kWays; i < (k + 1) * kWays; ++i) {
+      for (std::size_t i = k * kDirections; i < (k + 1) * kDirections; ++i) {
         const double distance = glm::distance(there[i].position, d.from);
         if (!(distance < d.distance)) continue;
         d.uv = tries[i];
@@ -267,12 +267,12 @@ std::vector<Descent> mesh_points(const Mesh& mesh, const std::optional<Bounds>& 
   return points;
 }
 
-/// Where the surface begins on ways to the points' places from all around, kWays of each; the
+/// Where the surface begins on ways to the points' places from all around, kDirections of each; the
 /// place itself if it is defined, or the way is not.
 std::vector<dvec2> beside_places(const Subject& subject, const std::vector<Descent>& points) {
   std::vector<dvec2> defined, beyond;
   for (const Descent& d : points) {
-    for (std::size_t way = 0; way < kWays; ++way) {
+    for (std::size_t way = 0; way < kDirections; ++way) {
       const dvec2 end = d.place + size_of(d.corners) * way_around(way, 0);
       defined.push_back(in_domain(subject.bound.domain, end));
       beyond.push_back(d.place);
@@ -311,7 +311,7 @@ std::vector<Descent> second_tries(const Subject& subject, const std::vector<Desc
     std::vector<dvec2> starts = {is_known ? uv[static_cast<std::size_t>(nearest - known.begin())]
                                           : next.place};
     starts.insert(starts.end(), next.corners.begin(), next.corners.end());
-    const auto own = std::span(beside).subspan(k * kWays, kWays);
+    const auto own = std::span(beside).subspan(k * kDirections, kDirections);
     starts.insert(starts.end(), own.begin(), own.end());
     for (const dvec2& start : starts) {
       next.uv = start;

@@ -17,17 +17,17 @@ namespace {
 
 const std::array<int, 7> kGrids = {8, 16, 32, 64, 128, 256, 512};
 /// In pixels, from what everybody sees to what nobody does.
-const std::array<double, 9> kTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
+const std::array<double, 9> kMeshTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
 /// Fewer are no limit worth drawing.
 constexpr double kSomeTriangles = 2;
 /// A method whose mesh takes longer is not asked for a finer one.
-constexpr double kPatience = 1500;  // milliseconds
+constexpr double kMeshPatience = 1500;  // milliseconds
 
 class MeshStudy {
  public:
   MeshStudy(const Subject& subject, const StudyProgress& progress)
       : subject_(subject),
-        progress_(progress, kGrids.size() + 3 * kTolerances.size()),
+        progress_(progress, kGrids.size() + 3 * kMeshTolerances.size()),
         distance_(subject) {}
 
   std::vector<Measurement> measure() {
@@ -54,7 +54,7 @@ class MeshStudy {
   /// A method that promises a tolerance.
   template <class F>
   void add_over_tolerances(const char* method, F mesh) {
-    for (const double pixels : kTolerances) {
+    for (const double pixels : kMeshTolerances) {
       const AdaptiveOptions options = within(pixels);
       const auto make = [&] { return mesh(options); };
       if (!add(method, rounded(pixels, kSettingDigits) + " px", pixels, make)) return;
@@ -76,9 +76,9 @@ class MeshStudy {
     if (!mesh) return false;
     least_ = std::max(least_, promise ? mesh->report.least_triangles * *promise : 0);
     const double error = distance_(mesh->mesh) / subject_.pixel;
-    result_.push_back(
-        {Panel::Mesh, method, setting, time, error, "px", promise, mesh->mesh.triangles.size()});
-    return time.median < kPatience;
+    result_.push_back({StudyPanel::Mesh, method, setting, time, error, "px", promise,
+                       mesh->mesh.triangles.size()});
+    return time.median < kMeshPatience;
   }
 
   std::optional<GridMesh> uniform(int n) const {
@@ -105,16 +105,16 @@ class MeshStudy {
   /// What a mesher would take that made the least number of triangles, each at the least cost of
   /// those measured.
   void add_limit() {
-    if (least_ / kTolerances.back() < kSomeTriangles) return;  // developable, but for rounding
-    double cheapest = HUGE_VAL;                                // milliseconds for a triangle
+    if (least_ / kMeshTolerances.back() < kSomeTriangles) return;  // developable, but for rounding
+    double cheapest = HUGE_VAL;                                    // milliseconds for a triangle
     for (const Measurement& m : result_) {
       if (m.triangles == 0) continue;
       cheapest = std::min(cheapest, m.time.median / static_cast<double>(m.triangles));
     }
-    for (const double pixels : kTolerances) {
+    for (const double pixels : kMeshTolerances) {
       const double triangles = least_ / pixels;
       const double time = cheapest * triangles;
-      Measurement m{Panel::Mesh,
+      Measurement m{StudyPanel::Mesh,
                     "least triangles",
                     rounded(pixels, kSettingDigits) + " px",
                     {time, time, time},

@@ -13,13 +13,13 @@ namespace saddle {
 namespace {
 
 /// Normals on a grid of so many intervals each way; those of every kStride-th vertex are compared.
-constexpr std::size_t kIntervals = 192;
+constexpr std::size_t kNormalIntervals = 192;
 constexpr std::size_t kStride = 8;
 /// A normal that is missing is as wrong as one can be.
 constexpr double kMissing = 180;
 
-const std::array<double, 11> kSteps = {1e-1, 1e-2, 1e-3, 1e-4,  1e-5, 1e-6,
-                                       1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+const std::array<double, 11> kDifferenceSteps = {1e-1, 1e-2, 1e-3, 1e-4,  1e-5, 1e-6,
+                                                 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
 constexpr const char* kDifferences = "central differences";
 /// Times that the grid of faces is finer than the grid of normals.
 const std::array<std::size_t, 4> kFiner = {1, 2, 4, 8};
@@ -52,7 +52,7 @@ dvec3 vector_at(const Columns& columns, std::size_t first, std::size_t i) {
 
 /// The cell that a vertex of the grid belongs to: the next one, or the last of its row.
 std::size_t cell_of(std::size_t line) {
-  return std::min(line, kIntervals - 1);
+  return std::min(line, kNormalIntervals - 1);
 }
 
 Approach approach(const Lines& at, std::size_t i, std::size_t j) {
@@ -65,13 +65,13 @@ class NormalStudy {
  public:
   NormalStudy(const Subject& subject, const StudyProgress& progress)
       : subject_(subject),
-        progress_(progress, kSteps.size() + kFiner.size() + 2),
-        at_(lines(subject.bound.domain, kIntervals)),
+        progress_(progress, kDifferenceSteps.size() + kFiner.size() + 2),
+        at_(lines(subject.bound.domain, kNormalIntervals)),
         positions_(compile(subject.bound.graph, subject.bound.r)),
-        normals_(kIntervals + 1, std::vector<dvec3>(kIntervals + 1)) {
+        normals_(kNormalIntervals + 1, std::vector<dvec3>(kNormalIntervals + 1)) {
     std::vector<Approach> approaches;
-    for (std::size_t j = 0; j <= kIntervals; j += kStride) {
-      for (std::size_t i = 0; i <= kIntervals; i += kStride) {
+    for (std::size_t j = 0; j <= kNormalIntervals; j += kStride) {
+      for (std::size_t i = 0; i <= kNormalIntervals; i += kStride) {
         approaches.push_back(approach(at_, i, j));
       }
     }
@@ -79,15 +79,16 @@ class NormalStudy {
   }
 
   std::vector<Measurement> measure() {
-    const Timing time = time_repeatedly([&] { differences(kSteps[0]); });  // the same for any h
-    for (const double h : kSteps) {
+    const Timing time =
+        time_repeatedly([&] { differences(kDifferenceSteps[0]); });  // the same for any h
+    for (const double h : kDifferenceSteps) {
       const std::string setting = "h=" + rounded(h, kSettingDigits);
       progress_.next(kDifferences, setting);
       differences(h);
       add(kDifferences, setting, time);
     }
     for (const std::size_t finer : kFiner) {
-      const std::string n = std::to_string(finer * kIntervals);
+      const std::string n = std::to_string(finer * kNormalIntervals);
       add("mean of faces", n + "x" + n, [&] { mean_of_faces(finer); });
     }
     add("derivative", "plain", [&] { derivatives(); });
@@ -101,7 +102,7 @@ class NormalStudy {
     add(method, setting, time_repeatedly(work));
   }
   void add(const char* method, const std::string& setting, const Timing& time) {
-    Measurement m{Panel::Normals, method, setting, time, error(), "degrees", {}};
+    Measurement m{StudyPanel::Normals, method, setting, time, error(), "degrees", {}};
     m.no_answer = m.error >= kMissing;
     result_.push_back(m);
   }
@@ -109,8 +110,8 @@ class NormalStudy {
   double error() const {
     double worst = 0;
     std::size_t k = 0;
-    for (std::size_t j = 0; j <= kIntervals; j += kStride) {
-      for (std::size_t i = 0; i <= kIntervals; i += kStride, ++k) {
+    for (std::size_t j = 0; j <= kNormalIntervals; j += kStride) {
+      for (std::size_t i = 0; i <= kNormalIntervals; i += kStride, ++k) {
         if (!truth_[k]) continue;
         const double off = degrees_between(normals_[j][i], *truth_[k]);
         worst = std::max(worst, is_finite(normals_[j][i]) ? off : kMissing);
@@ -121,8 +122,8 @@ class NormalStudy {
 
   template <class F>
   void set_normals(F normal) {
-    for (std::size_t j = 0; j <= kIntervals; ++j) {
-      for (std::size_t i = 0; i <= kIntervals; ++i) normals_[j][i] = normal(i, j);
+    for (std::size_t j = 0; j <= kNormalIntervals; ++j) {
+      for (std::size_t i = 0; i <= kNormalIntervals; ++i) normals_[j][i] = normal(i, j);
     }
   }
 
@@ -150,9 +151,9 @@ class NormalStudy {
 
   /// The mean of the normals of the faces around each vertex, weighted by their areas.
   void mean_of_faces(std::size_t finer) {
-    const Lines fine = lines(subject_.bound.domain, finer * kIntervals);
+    const Lines fine = lines(subject_.bound.domain, finer * kNormalIntervals);
     const std::vector<Column> p = run(positions_, fine, subject_.threads);
-    const std::size_t last = finer * kIntervals;
+    const std::size_t last = finer * kNormalIntervals;
     const auto position = [&](std::size_t i, std::size_t j) {
       return vector_at(p, 0, j * fine.u.size() + i);
     };

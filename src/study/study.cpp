@@ -9,14 +9,15 @@ namespace saddle {
 namespace {
 
 struct Part {
-  Panel panel;
+  StudyPanel panel;
   double start;  ///< share of the time that is over when it begins, about
   std::vector<Measurement> (*measure)(const Subject&, const StudyProgress&);
 };
 
-constexpr std::array kParts = {
-    Part{Panel::Evaluation, 0, measure_evaluation}, Part{Panel::Normals, 0.03, measure_normals},
-    Part{Panel::Mesh, 0.06, measure_meshes}, Part{Panel::Image, 0.45, measure_images}};
+constexpr std::array kParts = {Part{StudyPanel::Evaluation, 0, measure_evaluation},
+                               Part{StudyPanel::Normals, 0.03, measure_normals},
+                               Part{StudyPanel::Mesh, 0.06, measure_meshes},
+                               Part{StudyPanel::Image, 0.45, measure_images}};
 
 }  // namespace
 

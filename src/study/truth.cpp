@@ -19,7 +19,7 @@ const char* const kNoDirection = "1e-14";
 /// The way to a corner: shares tau^2 of the way from inside. In tau, normals with a square root in
 /// them are analytic. Of a cross product that vanishes like the square of the way, 26 digits are
 /// left at the last.
-constexpr int kSteps = 4;
+constexpr int kExtrapolations = 4;
 constexpr int kFirstExponent = 3;  // tau = 1e-3, 1e-4 ...
 
 /// Limits that the last step of extrapolation still moves by more (radians) are none.
@@ -54,9 +54,9 @@ std::optional<RealVector> direction(const ExactPoint& p, const Real& least) {
 
 /// The limit along the way from inside, by Richardson's extrapolation to tau = 0.
 std::optional<dvec3> limit(const ExactSurface& surface, const Approach& approach) {
-  std::array<RealVector, kSteps> row;
+  std::array<RealVector, kExtrapolations> row;
   RealVector before;
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kExtrapolations; ++i) {
     const Real share = pow(Real(10), -2 * (kFirstExponent + i));
     const auto at = [&](double corner, double inside) {
       return Real(corner + (Real(inside) - corner) * share);
@@ -74,7 +74,7 @@ std::optional<dvec3> limit(const ExactSurface& surface, const Approach& approach
       for (std::size_t c = 0; c < 3; ++c) entry[c] += (entry[c] - last[c]) / (power - 1);
     }
     row[static_cast<std::size_t>(i)] = entry;
-    if (i + 1 < kSteps) before = entry;
+    if (i + 1 < kExtrapolations) before = entry;
   }
   const RealVector& last = row.back();
   if (glm::distance(rounded(last), rounded(before)) > kSettled) return std::nullopt;

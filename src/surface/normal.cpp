@@ -30,7 +30,7 @@ constexpr double kLost = 1e-2;
 /// and by this much (radians); one that oscillates, as of u*sin(1/u), does.
 constexpr double kRelapse = 0.1;
 /// Corners whose paths are evaluated together: 4.3 MB of points.
-constexpr std::size_t kBlock = 4096;
+constexpr std::size_t kApproachBlock = 4096;
 /// How far from a singular point its sides are looked at, as a part of the ranges.
 constexpr double kBeside = 1.0 / 128;
 /// On so many ways, aslant to the axes: two of them are within the corner of a domain.
@@ -197,8 +197,9 @@ std::vector<NormalLimit> limit_normals(const Surface& surface, std::span<const A
                                        unsigned threads) {
   std::vector<NormalLimit> limits;
   limits.reserve(approaches.size());
-  for (std::size_t begin = 0; begin < approaches.size(); begin += kBlock) {
-    const auto block = approaches.subspan(begin, std::min(kBlock, approaches.size() - begin));
+  for (std::size_t begin = 0; begin < approaches.size(); begin += kApproachBlock) {
+    const auto block =
+        approaches.subspan(begin, std::min(kApproachBlock, approaches.size() - begin));
     const std::vector<SurfacePoint> points = evaluate(surface, paths(block), threads);
     for (std::size_t i = 0; i < block.size(); ++i) {
       const auto normal = extrapolate(std::span(points).subspan(i * kSteps, kSteps));

@@ -13,7 +13,7 @@
 namespace saddle {
 namespace {
 
-Measurement point(double milliseconds, double error, Panel panel = Panel::Mesh) {
+Measurement point(double milliseconds, double error, StudyPanel panel = StudyPanel::Mesh) {
   Measurement m;
   m.panel = panel;
   m.method = "m";
@@ -54,7 +54,7 @@ TEST(ParetoFront, IsWhatNothingBeatsInBothTimeAndError) {
 }
 
 TEST(ParetoFront, HoldsEqualsAndLooksAtEachPanelAlone) {
-  EXPECT_EQ(fronts({point(1, 1), point(1, 1), point(2, 2, Panel::Image)}),
+  EXPECT_EQ(fronts({point(1, 1), point(1, 1), point(2, 2, StudyPanel::Image)}),
             (std::vector{true, true, true}));
 }
 
@@ -65,7 +65,7 @@ TEST(ParetoFront, LeavesLimitsOutAndIsNotBeatenByThem) {
 }
 
 TEST(ChartTable, HasARowForEachMeasurement) {
-  std::vector<Measurement> rows = {point(1.5, 0.25), point(2, 3, Panel::Normals)};
+  std::vector<Measurement> rows = {point(1.5, 0.25), point(2, 3, StudyPanel::Normals)};
   rows[0].promise = 0.5;
   rows[0].triangles = 12;
   rows[0].pareto = true;
