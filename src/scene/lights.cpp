@@ -76,15 +76,6 @@ void resolve_rows(const Rows& rows, Resolver& resolver, const std::string& prefi
   }
 }
 
-bool is_plain(const Number& number, double value) {
-  return number.text.empty() && number.value == value;
-}
-
-bool is_black(const Color& color) {
-  return is_plain(color.r, 0) && is_plain(color.g, 0) && is_plain(color.b, 0) &&
-         is_plain(color.a, 1);
-}
-
 // --- spot = { direction = [0, 0, -1], cutoff = 30 } ---------------------------------------------
 
 void read_falloff(const Reading& in, Spot& spot) {
@@ -115,7 +106,7 @@ constexpr auto kSpotKeys = std::to_array<LightKey<Spot>>({
          }},
     {.key = "exponent",
      .read = [](const Reading& in, Spot& s) { s.exponent = in.number(); },
-     .write = [](const Spot& s) { return is_plain(s.exponent, 0) ? "" : toml_number(s.exponent); },
+     .write = [](const Spot& s) { return s.exponent == Number(0) ? "" : toml_number(s.exponent); },
      .resolve = [](const Resolving& at, Spot& s) { at.number(s.exponent, kNotNegative); }},
     {.key = "falloff",
      .read = read_falloff,
@@ -174,7 +165,7 @@ std::string write_attenuation(const Light& light) {
     table.add("range", toml_number(*a.range));
     return table.text();
   }
-  const bool none = is_plain(a.constant, 1) && is_plain(a.linear, 0) && is_plain(a.quadratic, 0);
+  const bool none = a.constant == Number(1) && a.linear == Number(0) && a.quadratic == Number(0);
   return none ? "" : toml_numbers({a.constant, a.linear, a.quadratic});
 }
 
@@ -259,7 +250,7 @@ constexpr auto kLightKeys = std::to_array<LightKey<Light>>({
          }},
     {.key = "ambient",
      .read = [](const Reading& in, Light& l) { l.ambient = in.color(); },
-     .write = [](const Light& l) { return is_black(l.ambient) ? "" : toml_color(l.ambient); },
+     .write = [](const Light& l) { return l.ambient == Color{} ? "" : toml_color(l.ambient); },
      .resolve = [](const Resolving& at, Light& l) { at.color(l.ambient); }},
     {.key = "attenuation",
      .read = read_attenuation,
@@ -268,7 +259,7 @@ constexpr auto kLightKeys = std::to_array<LightKey<Light>>({
     {.key = "spot", .read = read_spot, .write = write_spot, .resolve = resolve_spot},
     {.key = "enabled",
      .read = read_enabled,
-     .write = [](const Light& l) { return is_plain(l.enabled, 1) ? "" : toml_number(l.enabled); },
+     .write = [](const Light& l) { return l.enabled == Number(1) ? "" : toml_number(l.enabled); },
      .resolve = [](const Resolving& at, Light& l) { at.number(l.enabled, kAny); }},
 });
 
