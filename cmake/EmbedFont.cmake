@@ -6,6 +6,7 @@ find_file(SADDLE_FONT DejaVuSans.ttf
 if(NOT SADDLE_FONT)
   message(FATAL_ERROR "DejaVuSans.ttf is missing: install fonts-dejavu-core, or set SADDLE_FONT")
 endif()
+list(APPEND SADDLE_SEPARATE ${CMAKE_SOURCE_DIR}/src/render/font_file.cpp)
 add_library(saddle_font STATIC ${CMAKE_SOURCE_DIR}/src/render/font_file.cpp)
 target_compile_definitions(saddle_font PRIVATE SADDLE_FONT="${SADDLE_FONT}")
 set_source_files_properties(${CMAKE_SOURCE_DIR}/src/render/font_file.cpp PROPERTIES

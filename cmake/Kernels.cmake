@@ -19,6 +19,7 @@ function(add_kernel file function)
     target_link_libraries(${name} PRIVATE saddle_options)
     target_sources(saddle_kernels INTERFACE $<TARGET_OBJECTS:${name}>)
   endforeach()
+  set(SADDLE_SEPARATE ${SADDLE_SEPARATE} ${CMAKE_SOURCE_DIR}/src/${file} PARENT_SCOPE)
 endfunction()
 
 add_kernel(eval/kernel_loops.cpp kernels sse2 sse2_without_fma avx2 avx512)

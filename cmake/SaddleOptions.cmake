@@ -1,7 +1,9 @@
 # Compiler settings shared by everything that is ours.
 add_library(saddle_options INTERFACE)
 target_compile_options(saddle_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow
+  -Wall -Wextra -Wpedantic
+  # Files compiled together see each other's names, and their unnamed namespaces look like a header's.
+  $<IF:$<BOOL:${SADDLE_UNITY}>,$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>,-Wshadow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps where a string gets a literal
   $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas>  # GCC's
   -ffp-contract=off  # no fused multiply-add behind our back: the same picture on every machine

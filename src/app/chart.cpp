@@ -20,11 +20,11 @@ namespace {
 /// Meshes of a study have no more: it has many to make.
 constexpr std::size_t kMostChartTriangles = 400'000;
 
-enum class Kind { Csv, Svg, Png };
+enum class ChartFile { Csv, Svg, Png };
 
 struct ChartOutput {
   std::string path;  ///< "-": standard output
-  Kind kind = Kind::Csv;
+  ChartFile kind = ChartFile::Csv;
 };
 
 std::string lower_case(std::string text) {
@@ -37,9 +37,9 @@ ChartOutput checked_output(const std::string& path, const std::string& format) {
   std::string ending = std::filesystem::path(path).extension().string();
   ending = path == "-" || ending.empty() ? format : ending.substr(1);
   const std::string name = lower_case(ending);
-  if (name == "csv") return {path, Kind::Csv};
-  if (name == "svg") return {path, Kind::Svg};
-  if (name == "png") return {path, Kind::Png};
+  if (name == "csv") return {path, ChartFile::Csv};
+  if (name == "svg") return {path, ChartFile::Svg};
+  if (name == "png") return {path, ChartFile::Png};
   if (ending.empty()) {
     throw Error(Status::Input, "nothing says which kind of chart " + path + " is",
                 {"--output", path, {0, path.size()}},
@@ -63,7 +63,7 @@ std::vector<ChartOutput> checked_chart_outputs(const CommandLine& line) {
   for (const std::string& path : line.outputs) {
     outputs.push_back(checked_output(path, line.format));
     if (path != "-") check_writable(path);
-    if (path == "-" && outputs.back().kind == Kind::Png && standard_output_is_terminal()) {
+    if (path == "-" && outputs.back().kind == ChartFile::Png && standard_output_is_terminal()) {
       throw Error(Status::Input, "pictures are not written to a terminal",
                   {"--output", "-", {0, 1}}, "redirect standard output, or name a file");
     }
@@ -106,12 +106,12 @@ void add_picture(const CommandLine& line, Subject& subject) {
 void write(const ChartOutput& output, std::span<const Measurement> measurements,
            const std::string& title) {
   const std::string picture =
-      output.kind == Kind::Csv
+      output.kind == ChartFile::Csv
           ? std::string()
           : draw_chart(measurements, title,
-                       output.kind == Kind::Svg ? ChartFormat::Svg : ChartFormat::Png);
+                       output.kind == ChartFile::Svg ? ChartFormat::Svg : ChartFormat::Png);
   const auto to = [&](std::ostream& out) {
-    if (output.kind == Kind::Csv) {
+    if (output.kind == ChartFile::Csv) {
       write_csv(out, measurements);
     } else {
       out.write(picture.data(), static_cast<std::streamsize>(picture.size()));
@@ -139,7 +139,7 @@ std::string title_of(const Scene& scene, const CommandLine& line) {
 void run_chart(const CommandLine& line) {
   const std::vector<ChartOutput> outputs = checked_chart_outputs(line);
   const bool draws = std::ranges::any_of(
-      outputs, [](const ChartOutput& output) { return output.kind != Kind::Csv; });
+      outputs, [](const ChartOutput& output) { return output.kind != ChartFile::Csv; });
   if (draws) check_gnuplot();
   Scene scene = build_scene(line);
   check_one_surface(scene);

@@ -12,12 +12,8 @@ namespace saddle {
 
 namespace {
 
-using words::number;
-using words::plural;
-using words::range;
-
 std::string percent(double share) {
-  return number(100 * share) + " %";
+  return words::number(100 * share) + " %";
 }
 
 /// Without what is 0 next to `size` but for rounding.
@@ -27,8 +23,8 @@ double clean(double x, double size) {
 
 std::string domain(const Facts& facts) {
   const Domain& d = facts.domain;
-  return range("u", d.u0, d.u1) + ", " +
-         (facts.range_v.empty() ? range("v", d.v0, d.v1) : "v = " + facts.range_v);
+  return words::range("u", d.u0, d.u1) + ", " +
+         (facts.range_v.empty() ? words::range("v", d.v0, d.v1) : "v = " + facts.range_v);
 }
 
 std::string defined(const SurfaceReport& s, const Mesh& mesh) {
@@ -48,7 +44,8 @@ std::string defined(const SurfaceReport& s, const Mesh& mesh) {
 
 std::string edges(const std::string& name, double first, double last, const std::string& how,
                   const Shift& shift) {
-  const std::string both = name + " = " + number(first) + " and " + name + " = " + number(last);
+  const std::string both =
+      name + " = " + words::number(first) + " and " + name + " = " + words::number(last);
   if (how == "reversed") return both + " join reversed";
   if (how == "shifted") {
     return both + " join shifted by " + std::to_string(shift.parts) + "/" +
@@ -68,8 +65,8 @@ std::string seams(const SurfaceReport& s) {
     text += (text.empty() ? "" : "; ") + edge + " is folded: its halves join";
   };
   for (std::size_t k = 0; k < 2; ++k) {
-    if (s.mesh.folded_u[k]) add_fold("u = " + number(k == 0 ? d.u0 : d.u1));
-    if (s.mesh.folded_v[k]) add_fold("v = " + number(k == 0 ? d.v0 : d.v1));
+    if (s.mesh.folded_u[k]) add_fold("u = " + words::number(k == 0 ? d.u0 : d.u1));
+    if (s.mesh.folded_v[k]) add_fold("v = " + words::number(k == 0 ? d.v0 : d.v1));
   }
   return text.empty() ? "none" : text;
 }
@@ -94,30 +91,31 @@ std::string kind(const Topology& t) {
   if (filled == "sphere" && holes == 1) return " (a disc)";
   if (filled == "sphere" && holes == 2) return " (a band)";
   if (filled == "projective plane" && holes == 1) return " (a Moebius band)";
-  return " (a " + filled + (holes > 0 ? " with " + plural(t.boundary_loops, "hole") : "") + ")";
+  return " (a " + filled + (holes > 0 ? " with " + words::plural(t.boundary_loops, "hole") : "") +
+         ")";
 }
 
 std::string shape(const Topology& t) {
   std::string text = "Euler number " + std::to_string(t.euler_number) + kind(t) + ", ";
-  if (t.components != 1) text += plural(t.components, "part") + ", ";
+  if (t.components != 1) text += words::plural(t.components, "part") + ", ";
   if (t.is_closed()) return text + "closed";
   text += t.boundary_loops == 1 ? "one edge" : std::to_string(t.boundary_loops) + " edges";
   if (t.shared_edges > 0)
-    text += ", " + plural(t.shared_edges, "line piece") + " where sheets meet";
+    text += ", " + words::plural(t.shared_edges, "line piece") + " where sheets meet";
   return text;
 }
 
 std::string extents(const Bounds& b) {
   const auto side = [&](const char* name, int k) {
-    return range(name, clean(b.low[k], b.diagonal()), clean(b.high[k], b.diagonal()));
+    return words::range(name, clean(b.low[k], b.diagonal()), clean(b.high[k], b.diagonal()));
   };
   return side("x", 0) + ", " + side("y", 1) + ", " + side("z", 2);
 }
 
 std::string curvatures(const Measures& m) {
   if (m.gauss.empty() || m.mean.empty()) return "none: no regular point was found";
-  return "Gauss " + number(m.gauss.low) + " to " + number(m.gauss.high) + ", mean " +
-         number(m.mean.low) + " to " + number(m.mean.high);
+  return "Gauss " + words::number(m.gauss.low) + " to " + words::number(m.gauss.high) + ", mean " +
+         words::number(m.mean.low) + " to " + words::number(m.mean.high);
 }
 
 /// Gauss curvatures that are 0 but for rounding, times the diagonal's square.
@@ -125,10 +123,10 @@ constexpr double kFlatSurface = 1e-9;
 
 std::string mesh(const SurfaceReport& s) {
   const double flat = kFlatSurface / (s.bounds.diagonal() * s.bounds.diagonal());
-  std::string text = plural(s.triangles, "triangle");
+  std::string text = words::plural(s.triangles, "triangle");
   if (s.mesh.tolerance) {
-    text += " for a tolerance of " + number(*s.mesh.tolerance) + " (measured " +
-            number(s.mesh.max_error) + ")";
+    text += " for a tolerance of " + words::number(*s.mesh.tolerance) + " (measured " +
+            words::number(s.mesh.max_error) + ")";
   }
   const double least = s.mesh.least_triangles;
   if (!(least >= 1)) {
@@ -136,8 +134,8 @@ std::string mesh(const SurfaceReport& s) {
     return text + (is_flat ? "; what unrolls into a plane has no least number" : "");
   }
   const std::string times = rounded(static_cast<double>(s.triangles) / least, 3);
-  return text + ": " + times + " times the least possible, about " + number(std::ceil(least)) +
-         "; half the tolerance takes twice as many";
+  return text + ": " + times + " times the least possible, about " +
+         words::number(std::ceil(least)) + "; half the tolerance takes twice as many";
 }
 
 /// The first place of each reason, and how many others it has.
@@ -154,8 +152,9 @@ std::string proof(const MeshReport& report, const Domain& d) {
           is_everywhere || (other.contains({d.u0, d.v0}) && other.contains({d.u1, d.v1}));
     }
     text += (k > 0 ? "; " : "") + words_for(place.why) + ": " +
-            range("u", place.low.x, place.high.x) + ", " + range("v", place.low.y, place.high.y);
-    if (next > k + 1) text += " and " + plural(next - k - 1, "other place");
+            words::range("u", place.low.x, place.high.x) + ", " +
+            words::range("v", place.low.y, place.high.y);
+    if (next > k + 1) text += " and " + words::plural(next - k - 1, "other place");
     k = next;
   }
   if (is_everywhere) return "samples only: " + text;

@@ -1,127 +1,37 @@
 // Scenes as TOML text: tables in a fixed order, what has its default left out, so that equal
 // scenes give equal bytes. Source: T. Preston-Werner and others, "TOML v1.0.0", 2021.
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <string_view>
 
-#include "scene/color.h"
 #include "scene/lights.h"
 #include "scene/scene_file.h"
+#include "scene/toml_writer.h"
 #include "scene/values.h"
 
 namespace saddle {
 namespace {
 
-/// A basic string with everything escaped that TOML wants escaped.
-std::string toml_string(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += {'\\', c};
-    } else if (byte < 0x20 || byte == 0x7f) {
-      std::array<char, 7> escape{};  // \uXXXX and the end
-      std::snprintf(escape.data(), escape.size(), "\\u%04X", static_cast<unsigned>(byte));
-      result += escape.data();
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
-/// Integers have 64 bits in TOML, which this many digits always fit.
-constexpr std::size_t kIntegerDigits = 18;
-
-/// With a point where TOML would see an integer of more than 64 bits.
-std::string number(const Number& n) {
-  if (!n.text.empty()) return toml_string(n.text);
-  const std::string text = format_number(n.value);
-  const bool integer = text.find_first_of(".e") == std::string::npos;
-  return integer && text.size() > kIntegerDigits ? text + ".0" : text;
-}
-
-std::string numbers(const std::vector<Number>& all) {
-  std::string text;
-  for (const Number& n : all) text += (text.empty() ? "[" : ", ") + number(n);
-  return text + "]";
-}
-
-std::string vector(const Vector& v) {
-  return numbers({v.x, v.y, v.z});
-}
-
-bool same(const Number& a, const Number& b) {
+bool same_value(const Number& a, const Number& b) {
   return a.text == b.text && (!a.text.empty() || a.value == b.value);
 }
 
-bool same(const Vector& a, const Vector& b) {
-  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+bool same_value(const Vector& a, const Vector& b) {
+  return same_value(a.x, b.x) && same_value(a.y, b.y) && same_value(a.z, b.z);
 }
 
-bool same(const Color& a, const Color& b) {
-  return same(a.r, b.r) && same(a.g, b.g) && same(a.b, b.b) && same(a.a, b.a);
-}
-
-/// A string where eight bits per channel hold the colour, numbers where they don't.
-std::string color(const Color& c) {
-  const std::string text = format_color(c);
-  if (same(parse_color("color", text), c)) return toml_string(text);
-  return same(c.a, 1) ? numbers({c.r, c.g, c.b}) : numbers({c.r, c.g, c.b, c.a});
-}
-
-/// An inline table, or what stands in one.
-class InlineTable {
- public:
-  void add(const std::string& key, const std::string& value) {
-    inside_ += (inside_.empty() ? "" : ", ") + key + " = " + value;
-  }
-  bool empty() const { return inside_.empty(); }
-  std::string text() const { return "{ " + inside_ + " }"; }
-
- private:
-  std::string inside_;
-};
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-/// Drops the digits that `text` begins with, and says how many there were.
-std::size_t skip_digits(std::string_view& text) {
-  const std::size_t count = std::ranges::find_if_not(text, is_digit) - text.begin();
-  text.remove_prefix(count);
-  return count;
-}
-
-/// Whether a number of the formula language means the same in TOML, which wants digits on both
-/// sides of a point and no leading zeros.
-bool is_toml_number(std::string_view text) {
-  if (text.starts_with('-')) text.remove_prefix(1);
-  const bool zero_first = text.starts_with('0');
-  const std::size_t integer = skip_digits(text);
-  if (integer == 0 || (zero_first && integer > 1)) return false;
-  if (text.empty()) return integer <= kIntegerDigits;
-  if (text.starts_with('.')) {
-    text.remove_prefix(1);
-    if (skip_digits(text) == 0) return false;
-  }
-  if (text.empty()) return true;
-  if (text[0] != 'e' && text[0] != 'E') return false;
-  text.remove_prefix(1);
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  return skip_digits(text) > 0 && text.empty();
+bool same_value(const Color& a, const Color& b) {
+  return same_value(a.r, b.r) && same_value(a.g, b.g) && same_value(a.b, b.b) &&
+         same_value(a.a, b.a);
 }
 
 /// The inline table of what differs from `standard`, empty if nothing does.
 InlineTable material(const Material& m, const Material& standard) {
   InlineTable table;
-  if (!same(m.diffuse, standard.diffuse)) table.add("diffuse", color(m.diffuse));
-  if (!same(m.specular, standard.specular)) table.add("specular", color(m.specular));
-  if (!same(m.shininess, standard.shininess)) table.add("shininess", number(m.shininess));
-  if (m.ambient) table.add("ambient", color(*m.ambient));
-  if (!same(m.emission, standard.emission)) table.add("emission", color(m.emission));
+  if (!same_value(m.diffuse, standard.diffuse)) table.add("diffuse", toml_color(m.diffuse));
+  if (!same_value(m.specular, standard.specular)) table.add("specular", toml_color(m.specular));
+  if (!same_value(m.shininess, standard.shininess))
+    table.add("shininess", toml_number(m.shininess));
+  if (m.ambient) table.add("ambient", toml_color(*m.ambient));
+  if (!same_value(m.emission, standard.emission)) table.add("emission", toml_color(m.emission));
   return table;
 }
 
@@ -131,8 +41,8 @@ std::string parameter(const Definition& d, const std::vector<Slider>& sliders) {
   if (slider == sliders.end()) return value;
   InlineTable table;
   table.add("value", value);
-  table.add("min", number(slider->min));
-  table.add("max", number(slider->max));
+  table.add("min", toml_number(slider->min));
+  table.add("max", toml_number(slider->max));
   return table.text();
 }
 
@@ -186,7 +96,8 @@ std::string surface(const SurfaceSpec& spec) {
   if (!front.empty()) text += "front = " + front.text() + "\n";
   if (!back.empty()) text += "back = " + back.text() + "\n";
   if (spec.flip) text += "flip = true\n";
-  if (!same(spec.opacity, standard.opacity)) text += "opacity = " + number(spec.opacity) + "\n";
+  if (!same_value(spec.opacity, standard.opacity))
+    text += "opacity = " + toml_number(spec.opacity) + "\n";
   if (!spec.in.empty()) text += "in = " + names(spec.in) + "\n";
   return text;
 }
@@ -196,13 +107,14 @@ std::string transform(const Transform& step) {
   const Vector& v = step.vector;
   switch (step.kind) {
     case Transform::Kind::Translate:
-      table.add("translate", vector(v));
+      table.add("translate", toml_vector(v));
       break;
     case Transform::Kind::Rotate:
-      table.add("rotate", numbers({step.angle, v.x, v.y, v.z}));
+      table.add("rotate", toml_numbers({step.angle, v.x, v.y, v.z}));
       break;
     case Transform::Kind::Scale:
-      table.add("scale", same(v.x, v.y) && same(v.x, v.z) ? number(v.x) : vector(v));
+      table.add("scale",
+                same_value(v.x, v.y) && same_value(v.x, v.z) ? toml_number(v.x) : toml_vector(v));
       break;
   }
   return table.text();
@@ -220,11 +132,11 @@ std::string node(const SceneNode& n) {
 std::string camera(const Camera& c) {
   const Camera standard;
   std::string text;
-  if (!same(c.view, standard.view)) text += "view = " + vector(c.view) + "\n";
-  if (!same(c.up, standard.up)) text += "up = " + vector(c.up) + "\n";
-  if (c.target) text += "target = " + vector(*c.target) + "\n";
-  if (c.distance) text += "distance = " + number(*c.distance) + "\n";
-  if (!same(c.fov, standard.fov)) text += "fov = " + number(c.fov) + "\n";
+  if (!same_value(c.view, standard.view)) text += "view = " + toml_vector(c.view) + "\n";
+  if (!same_value(c.up, standard.up)) text += "up = " + toml_vector(c.up) + "\n";
+  if (c.target) text += "target = " + toml_vector(*c.target) + "\n";
+  if (c.distance) text += "distance = " + toml_number(*c.distance) + "\n";
+  if (!same_value(c.fov, standard.fov)) text += "fov = " + toml_number(c.fov) + "\n";
   if (c.ortho) text += "ortho = true\n";
   return text.empty() ? "" : "\n[camera]\n" + text;
 }
@@ -234,7 +146,7 @@ std::string clip(const Clip& c) {
   if (!c.box) return c.automatic ? "" : "clip = \"off\"\n";
   std::string ranges;
   for (int k = 0; k < 3; ++k) {
-    ranges += (k == 0 ? "" : ",") + number(c.box->low[k]) + ":" + number(c.box->high[k]);
+    ranges += (k == 0 ? "" : ",") + toml_number(c.box->low[k]) + ":" + toml_number(c.box->high[k]);
   }
   return "clip = " + toml_string(ranges) + "\n";
 }
@@ -261,7 +173,7 @@ std::string settings(const MeshSettings& mesh, const PictureSettings& picture) {
     text += "tolerance = " + (mesh.tolerance->pixels ? toml_string(value + "px") : value) + "\n";
   }
   if (mesh.normal_tolerance != standard.normal_tolerance) {
-    text += "normal-tolerance = " + number(mesh.normal_tolerance) + "\n";
+    text += "normal-tolerance = " + toml_number(mesh.normal_tolerance) + "\n";
   }
   if (mesh.max_triangles) {
     text += "max-triangles = " + std::to_string(*mesh.max_triangles) + "\n";
@@ -272,8 +184,8 @@ std::string settings(const MeshSettings& mesh, const PictureSettings& picture) {
 
 std::string animation(const Animation& a) {
   const Animation standard;
-  std::string text = "\n[animation]\nt = " + numbers({a.from, a.to}) + "\n";
-  if (!same(a.fps, standard.fps)) text += "fps = " + number(a.fps) + "\n";
+  std::string text = "\n[animation]\nt = " + toml_numbers({a.from, a.to}) + "\n";
+  if (!same_value(a.fps, standard.fps)) text += "fps = " + toml_number(a.fps) + "\n";
   if (a.frames != standard.frames) text += "frames = " + std::to_string(a.frames) + "\n";
   return text;
 }
@@ -284,13 +196,13 @@ std::string write_scene(const Scene& scene) {
   const Scene standard;
   std::string text;
   if (scene.title != standard.title) text += "title = " + toml_string(scene.title) + "\n";
-  if (!same(scene.background, standard.background)) {
-    text += "background = " + color(scene.background) + "\n";
+  if (!same_value(scene.background, standard.background)) {
+    text += "background = " + toml_color(scene.background) + "\n";
   }
   if (scene.axes) text += "axes = true\n";
   text += settings(scene.mesh, scene.picture) + clip(scene.clip);
   const Number start = scene.animation ? scene.animation->from : standard.t;
-  if (!same(scene.t, start)) text += "t = " + number(scene.t) + "\n";
+  if (!same_value(scene.t, start)) text += "t = " + toml_number(scene.t) + "\n";
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
   for (const SurfaceSpec& spec : scene.surfaces) text += surface(spec);

@@ -16,6 +16,7 @@ NAMESPACE = re.compile(r"(?:inline )?(?:namespace ?|(?=extern$))([\w:]*)$")  # o
 TYPE = re.compile(r"(?:class|struct|union|enum class|enum) (?:alignas\(.*?\) )?(\w+)(?: final)?"
                   r"(?: : .*)?$")
 ALIAS = re.compile(r"using (\w+) = ")
+USING_DECLARATION = re.compile(r"^using (?!namespace)[\w:]+;", re.MULTILINE)
 FUNCTION = re.compile(r"(?:.*[ *&])?((?:[\w<>, ]+::)*(?:operator ?\W+|operator ?\(\)|~?\w+))\((.*)\)"
                       r"[^()=]*$")
 INITIALISERS = re.compile(r"\)(?: noexcept)? : .*")  # of a constructor
@@ -87,6 +88,8 @@ def complaints(sources):
         code = NO_CODE.sub(" ", (tree.ROOT / source).read_text(encoding="utf-8"))
         if "SADDLE_LEVEL" in code:
             continue  # compiled by itself, once for each CPU level
+        for name in USING_DECLARATION.findall(code) if source.suffix == ".cpp" else []:
+            yield f"{source}: '{name}' holds for all files that are compiled with this one"
         for namespaces, name, head in definitions(code):
             if "" in namespaces:
                 unnamed[layer, name][source] = head
