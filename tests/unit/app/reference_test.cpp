@@ -1,28 +1,46 @@
 #include "app/reference.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "base/error.h"
+#include "base/image_png.h"
+#include "temporary_folder.h"
 
 namespace saddle {
 namespace {
 
-TEST(Reference, IsKeptByAnEqualPictureWhateverTheThreshold) {
-  const Image image(8, 8);
-  const std::string figures = check_against_reference(image, image, "ref.png", 0);
-  EXPECT_TRUE(figures.starts_with("ref.png: error 0 (threshold 0)")) << figures;
+class Reference : public testing::Test {
+ protected:
+  /// A black picture in a file.
+  void SetUp() override {
+    std::ofstream out(path_, std::ios::binary);
+    write_png(out, Image(8, 8));
+  }
+
+  ReferenceCheck check_of(const Image& picture) const {
+    ReferenceCheck check(path_, 0);
+    check.take(picture);
+    return check;
+  }
+
+  TemporaryFolder folder_;
+  std::string path_ = (folder_.path() / "ref.png").string();
+};
+
+TEST_F(Reference, IsKeptByAnEqualPictureWhateverTheThreshold) {
+  const std::string figures = check_of(Image(8, 8)).compare();
+  EXPECT_TRUE(figures.starts_with(path_ + ": error 0 (threshold 0)")) << figures;
 }
 
-TEST(Reference, IsMissedByAPictureThatDiffersByMoreThanTheThreshold) {
-  const std::string path = testing::TempDir() + "ref-" + std::to_string(getpid()) + ".png";
+TEST_F(Reference, IsMissedByAPictureThatDiffersByMoreThanTheThreshold) {
   Image image(8, 8);
-  image.pixel(3, 3)[0] = 255;
-  EXPECT_THROW(check_against_reference(image, Image(8, 8), path, 0), Error);
-  EXPECT_TRUE(std::filesystem::remove(path + ".diff.png"));
+  image.pixel(3, 3)[3] = 255;
+  EXPECT_THROW(check_of(image).compare(), Error);
+  EXPECT_TRUE(std::filesystem::exists(path_ + ".diff.png"));
 }
 
 }  // namespace
