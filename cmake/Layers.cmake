@@ -48,8 +48,6 @@ foreach(layer study app mesh ${layers})
   endif()
   add_objects(${layer} ${sources})
 endforeach()
-# CLI11 is half a minute's work for the optimizer at its best, two seconds' for the better part.
-set_source_files_properties(${CMAKE_SOURCE_DIR}/src/app/cli.cpp PROPERTIES COMPILE_OPTIONS -O1)
 target_compile_definitions(saddle_app PRIVATE SADDLE_VERSION="${PROJECT_VERSION}")
 if(NOT SADDLE_VIEWER)
   target_compile_definitions(saddle_app PRIVATE SADDLE_WITHOUT_VIEWER)

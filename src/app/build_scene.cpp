@@ -69,7 +69,7 @@ Scene build_scene(const CommandLine& line) {
     names.empty() ? assign(scene, assignment) : override_assignment(scene, assignment);
   }
   if (scene.surfaces.empty()) scene.surfaces.emplace_back();
-  for (const auto& edit : line.edits) edit(scene);
+  for (const auto& [option, text] : line.given) apply_option(*option, text, scene);
   return resolve(std::move(scene));
 }
 

@@ -51,17 +51,17 @@ ChartOutput checked_output(const std::string& path, const std::string& format) {
 }
 
 std::vector<ChartOutput> checked_chart_outputs(const CommandLine& line) {
-  if (line.outputs.empty()) {
+  if (line.run.outputs.empty()) {
     throw Error(Status::Input, "nothing says where the chart goes", {},
                 "name an output: -o chart.svg, .png or .csv");
   }
-  if (std::ranges::count(line.outputs, "-") > 1) {
+  if (std::ranges::count(line.run.outputs, "-") > 1) {
     throw Error(Status::Input, "only one thing can go to standard output", {},
                 "give the others a file");
   }
   std::vector<ChartOutput> outputs;
-  for (const std::string& path : line.outputs) {
-    outputs.push_back(checked_output(path, line.format));
+  for (const std::string& path : line.run.outputs) {
+    outputs.push_back(checked_output(path, line.run.format));
     if (path != "-") check_writable(path);
     if (path == "-" && outputs.back().kind == ChartFile::Png && standard_output_is_terminal()) {
       throw Error(Status::Input, "pictures are not written to a terminal",
@@ -86,9 +86,9 @@ void add_picture(const CommandLine& line, Subject& subject) {
   Scene one_pixel = scene;
   one_pixel.mesh.tolerance = ToleranceValue{1, true};
   one_pixel.mesh.samples.reset();
-  const Tessellation mesh = tessellate(one_pixel, subject.spec, {true, false}, line.threads);
+  const Tessellation mesh = tessellate(one_pixel, subject.spec, {true, false}, line.run.threads);
   const MeshReport& report = mesh.report;
-  subject.threads = line.threads;
+  subject.threads = line.run.threads;
   subject.width = scene.picture.width;
   subject.height = scene.picture.height;
   subject.antialias = scene.picture.antialias;
@@ -149,7 +149,7 @@ void run_chart(const CommandLine& line) {
   add_picture(line, subject);
   std::vector<Measurement> measurements;
   {
-    Progress progress(!line.quiet);
+    Progress progress(!line.run.quiet);
     measurements = study(subject, [&progress](double share, const std::string& what) {
       progress.show(share, what);
     });

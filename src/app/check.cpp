@@ -17,7 +17,7 @@ void run_check(const CommandLine& line, Clock::time_point start) {
   RunReport report;
   std::string words;
   for (const SurfaceSpec& spec : scene.surfaces) {
-    CheckedSurface checked = check_surface(scene, spec, line.threads);
+    CheckedSurface checked = check_surface(scene, spec, line.run.threads);
     add_times(checked.tessellation, report.times);
     std::ranges::move(checked.tessellation.warnings, std::back_inserter(report.warnings));
     SurfaceReport& surface =
@@ -27,9 +27,9 @@ void run_check(const CommandLine& line, Clock::time_point start) {
   }
   print_warnings(line, report.warnings);
   report.times.total = milliseconds_since(start);
-  if (line.report != "-") print(words);
-  send_report(line.report, report);
-  if (line.strict) fail_on_warnings(report);
+  if (line.run.report != "-") print(words);
+  send_report(line.run.report, report);
+  if (line.run.strict) fail_on_warnings(report);
 }
 
 }  // namespace saddle

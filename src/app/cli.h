@@ -1,43 +1,45 @@
 // The command line as data.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "render/context.h"
-#include "scene/scene.h"
-#include "scene/values.h"
+#include "scene/options.h"
+#include "scene/run_settings.h"
 
 namespace saddle {
 
-/// Largest --reference error that passes: pictures up to it are hard to tell apart.
-inline constexpr double kDefaultThreshold = 0.04;
-
-struct CommandLine {
-  enum class Command { Graph, Check, Chart, List, Show, Help, Functions, Keys, Version };
-
-  Command command = Command::Graph;
-  std::vector<std::string> arguments;  ///< assignments and names, without a verb
-  std::vector<std::string> outputs;
-  std::string format;                              ///< of outputs without an extension of their own
-  std::vector<std::function<void(Scene&)>> edits;  ///< what options change, in their order
-  std::optional<FrameRange> frame_range;           ///< of the animation; none: all
-  std::string frame_option;                        ///< the last one that is about frames
-  bool has_moment = false;                         ///< --t
-  std::string reference;
-  double threshold = kDefaultThreshold;
-  bool watch = false;
-  Backend renderer = Backend::Any;
-  unsigned threads = 0;  ///< 0: all
-  std::string report;
-  bool strict = false;  ///< warnings are failures
-  bool quiet = false;
-  bool verbose = false;
+/// An option of the command line with its value, "" for a flag.
+struct GivenOption {
+  const Option* option;
+  std::string text;
 };
 
-/// Throws Error (Input): an unknown option, a value that is missing, malformed or out of range.
+/// The first word of a command line.
+struct Verb {
+  std::string_view name;
+  Command command;
+  std::string_view hint;  ///< for whoever gives it an option that it does not take
+};
+
+/// nullptr if no verb has the name.
+const Verb* find_verb(std::string_view name);
+
+struct CommandLine {
+  Command command = Command::Graph;
+  std::vector<std::string> arguments;    ///< assignments and names, without a verb
+  std::vector<GivenOption> given;        ///< in their order
+  RunSettings run;                       ///< what those of the run say
+  std::vector<std::string> help_topics;  ///< the words after a first argument --help
+
+  /// The last of these options that is given, by name and without "--"; nullptr: none is.
+  const Option* last_given(const std::vector<std::string_view>& names) const;
+};
+
+/// Options are those of scene/options.h: `--name VALUE`, `--name=VALUE`, `-n VALUE`, `-nVALUE`,
+/// flags together (`-qh`), in any place; what follows `--` is no option. Of an option that is given
+/// again the last counts. Throws Error (Input): an unknown option or one that the command does not
+/// take, a value that is missing; of the run's options also one that is malformed or out of range.
 CommandLine parse_command_line(int argc, const char* const* argv);
 
 }  // namespace saddle

@@ -28,13 +28,13 @@ Error located(const Error& error, const Shot& shot) {
 }
 
 std::optional<ReferenceCheck> reference_of(const CommandLine& line) {
-  if (line.reference.empty()) return std::nullopt;
-  return ReferenceCheck(line.reference, line.threshold);
+  if (line.run.reference.empty()) return std::nullopt;
+  return ReferenceCheck(line.run.reference, line.run.threshold);
 }
 
 std::optional<PictureDrawer> drawer_for(const CommandLine& line, const Plan& plan) {
   if (!plan.purpose.picture) return std::nullopt;
-  return PictureDrawer(line.renderer);
+  return PictureDrawer(line.run.renderer);
 }
 
 Framing framing_of(Plan& plan, unsigned threads) {
@@ -56,10 +56,10 @@ class Run {
         start_(start),
         plan_(line),
         reference_(reference_of(line)),
-        writer_(plan_.outputs, plan_.scene(), line.threads),
+        writer_(plan_.outputs, plan_.scene(), line.run.threads),
         drawer_(drawer_for(line, plan_)),
-        framing_(framing_of(plan_, line.threads)),
-        meshes_(purpose_of(plan_, framing_), line.threads) {}
+        framing_(framing_of(plan_, line.run.threads)),
+        meshes_(purpose_of(plan_, framing_), line.run.threads) {}
 
   void go() {
     const auto begin = Clock::now();
@@ -69,18 +69,18 @@ class Run {
       report_.times.frame = milliseconds_since(begin) / static_cast<double>(plan_.shots.size());
     }
     gather_warnings();
-    if (line_.strict && !report_.warnings.empty()) fail_strictly();
+    if (line_.run.strict && !report_.warnings.empty()) fail_strictly();
     writer_.finish(plan_.scene());
     report();
     if (!reference_) return;
     const std::string passed = reference_->compare();
-    if (line_.verbose) std::cerr << passed << '\n';
+    if (line_.run.verbose) std::cerr << passed << '\n';
   }
 
  private:
   void take_shots(Clock::time_point begin) {
     std::optional<Progress> progress;
-    if (plan_.frames() > 1) progress.emplace(!line_.quiet);
+    if (plan_.frames() > 1) progress.emplace(!line_.run.quiet);
     for (std::size_t i = 0; i < plan_.shots.size(); ++i) {
       if (progress) progress->show_frames(i, plan_.shots.size(), milliseconds_since(begin) / 1000);
       try {
@@ -97,11 +97,11 @@ class Run {
     Scene seen = scene;
     framing_.apply(seen);
     const std::vector<std::size_t> updated = meshes_.update(seen, name_of(shot));
-    if (line_.strict && meshes_.warn()) warn_and_fail();
+    if (line_.run.strict && meshes_.warn()) warn_and_fail();
     writer_.write_meshes_of(shot, scene, meshes_.meshes());
     if (!drawer_) return;
     Image image = drawer_->draw(seen, meshes_.meshes(), updated);
-    if (line_.strict && !drawer_->warnings().empty()) warn_and_fail();
+    if (line_.run.strict && !drawer_->warnings().empty()) warn_and_fail();
     if (shot.still && reference_) reference_->take(image);
     if (!report_.image) report_.image = drawer_->describe(image, seen);
     writer_.start_writing(shot, scene, std::move(image));
@@ -129,7 +129,7 @@ class Run {
   void fail_strictly() {
     report_.times.encode = writer_.milliseconds();
     report_.times.total = milliseconds_since(start_);
-    send_report(line_.report, report_);
+    send_report(line_.run.report, report_);
     fail_on_warnings(report_);
   }
 
@@ -140,8 +140,8 @@ class Run {
       report_.image->shaders = drawer_->shader_texts();
     }
     report_.times.total = milliseconds_since(start_);
-    send_report(line_.report, report_);
-    if (line_.verbose) std::cerr << summary(report_);
+    send_report(line_.run.report, report_);
+    if (line_.run.verbose) std::cerr << summary(report_);
   }
 
   const CommandLine& line_;

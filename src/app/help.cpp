@@ -1,17 +1,27 @@
-// The text of --help. Every option of app/cli.cpp has its line here, with unit and default.
+// The texts of --help. What it says about options and scene keys is from scene/options.
 #include "app/help.h"
+
+#include <array>
+#include <utility>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "export/formats.h"
+#include "formula/language.h"
+#include "scene/options.h"
+#include "view/keys.h"
 
 namespace saddle {
 
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kUsage =
     R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
 
   saddle NAME=EXPRESSION... [options]                  graph formulas
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
-  saddle check FORMULAS or GALLERY-NAME [options]      what is true of the surface, no picture
+  saddle check ...same arguments...                    what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
                                                        this surface: .svg .png .csv
   saddle list [-v]                                     names of the built-in surfaces, described
@@ -26,66 +36,164 @@ Examples:
   saddle torus r=0.4 -o torus.ply -o torus.png
   saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
   saddle z='sin(3*u+t)*cos(v)' t=0:tau -o waves.gif
-
-Output (none: a window opens)
-  -o, --output FILE     what to write, by extension: .png .ply, .toml (the scene), .gif .mp4 .webm
-                        (all frames); frame-%04d.png, also .ply, is a file for each frame; may be
-                        repeated; - is standard output, with --format
-      --format EXT      png, ply, toml, gif, mp4 or webm: for - and names without an extension
-  -s, --size WxH        picture size in pixels, up to 16384 each way (default 800x600)
-      --reference FILE  compare the picture with a PNG; exit 1 and write FILE.diff.png if it differs
-      --threshold E     largest error that passes: 1 - SSIM, 0 to 1 (default 0.04)
-      --report FILE     the run's report as JSON; - is standard output
-      --strict          warnings are failures: exit 2, and no output but the report
-Camera
-      --view X,Y,Z      direction from the target toward the eye (default 2,-3,1.5)
-      --up X,Y,Z        direction that points up (default 0,0,1)
-      --target X,Y,Z    point in the middle of the picture (default: centre of the bounding box)
-      --distance D      of eye and target (default: the bounding sphere just fits)
-      --fov DEG         vertical field of view, degrees, more than 0 and less than 180 (default 30)
-      --ortho           orthographic, with the height that is seen at the target (default: off)
-Look
-      --background COLOR, --front COLOR, --back COLOR   (default black, #ffff80, #8080ff)
-                        #rrggbb, #rrggbbaa, a CSS colour name or transparent
-      --axes            a box with ticks, labels and the title (default: off)
-      --color EXPR      by a number of u, v, x, y, z or curvature (gauss, mean), with a bar (off)
-      --colormap NAME   viridis plasma inferno magma cividis turbo coolwarm gray (default viridis)
-      --flip            swap front and back (the front is where r_u x r_v points)
-      --opacity A       0 to 1; below 1 surfaces are see-through, their lines are not (default 1)
-      --grid MxN        lines of constant u and of constant v, or off (default 16x16)
-      --shading HOW     vertex (colours at corners, blended), pixel (normals, blended) or exact (the
-                        normal of the formula at each pixel) (default pixel)
-      --specular HOW    highlights: phong or blinn (default phong)
-      --antialias N     samples per pixel and side, 1 to 16; 1 is off (default 2)
-Mesh
-      --tolerance T     largest distance of mesh and surface: 0.5px, or 1e-3 of the diagonal of the
-                        bounding box (default: 0.5px for pictures, 1e-3 for meshes; the stricter)
-      --normal-tolerance DEG  largest angle of interpolated and true normal, 0 to 180 (default 3)
-      --max-triangles N stop refining there and say so (default 4000000; 1000000 if no --tolerance)
-      --clip BOX        X0:X1,Y0:Y1,Z0:Z1, off, or auto: where the surface goes to infinity, the
-                        box that most of it is in (default auto)
-      --samples MxN     a uniform grid of M cells in u by N in v instead (default: off)
-Time
-      --t T             the moment, the value of t in formulas (default: the start of the range of
-                        time, 0 without one)
-      --frames N        of the animation; frame k of 0 to N-1 is at MIN+(MAX-MIN)*k/N (default 120;
-                        t=MIN:MAX is 0:1 unless given)
-      --fps F           frames per second, between 0.01 and 1000 (default 30)
-      --frame-range A:B draw frames A to B alone, both included (default: all)
-Computing
-      --watch           in the viewer: redraw when the scene file changes
-      --renderer NAME   osmesa or egl (default: the first that starts)
-      --threads N       worker threads, 1 to 1024 (default: all)
-  -q, --quiet           no warnings        -v, --verbose   say what was done and how long it took
-  -h, --help            this text; --help functions lists the formula language,
-                        --help keys the keys of the viewer
-      --version         the version
 )";
+
+constexpr const char* kScene =
+    R"text(A scene file is TOML. Any number may be an expression of the parameters and t, in quotes.
+`saddle show torus` prints one; -o FILE.toml writes the scene of a command line. Beside the keys
+below it has [params] (NAME = VALUE, or { value = 1, min = 0, max = 2 } with a slider), [functions]
+("f(s)" = "exp(-s*s)"), [[node]] (name, in, transform) and [[light]]; docs/LIGHTING.md and
+examples/ explain nodes and lights.
+)text";
+
+constexpr const char* kStatus =
+    R"(0  done
+1  the machine failed: a file cannot be written, no display, out of memory; or the picture differs
+   from --reference
+2  the input is wrong: usage, formula, scene file; or a warning with --strict
+3  there is nothing to draw: the surface is undefined everywhere, or has no finite extent
+An output file appears whole or not at all.
+)";
+
+/// Columns of a terminal, and where the second column of --help begins.
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kIndent = 24;
+
+constexpr std::array<std::pair<Section, const char*>, 6> kSections = {{
+    {Section::Output, "Output"},
+    {Section::Camera, "Camera"},
+    {Section::Look, "Look"},
+    {Section::Mesh, "Mesh"},
+    {Section::Time, "Time"},
+    {Section::Run, "The run"},
+}};
+
+/// `left`, and `text` beside it in lines of up to kWidth columns.
+std::string entry(const std::string& left, const std::string& text) {
+  std::string result = left;
+  result.resize(std::max(left.size() + 2, kIndent), ' ');
+  std::size_t column = result.size();
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::size_t length = end - begin;
+    if (begin > 0 && column + 1 + length > kWidth) {
+      result += '\n' + std::string(kIndent, ' ');
+      column = kIndent;
+    } else if (begin > 0) {
+      result += ' ';
+      ++column;
+    }
+    result.append(text, begin, length);
+    column += length;
+    begin = end + 1;
+  }
+  return result + '\n';
+}
+
+std::string with_default(const std::string& text, const std::string& standard) {
+  return standard.empty() ? text : text + " (default " + standard + ")";
+}
+
+/// The text with the names that it stands for in place of {formats} and {choices}.
+std::string expanded(std::string_view text, const Option& option) {
+  std::string result(text);
+  const auto replace = [&result](const std::string& mark, const std::string& names) {
+    const std::size_t at = result.find(mark);
+    if (at != std::string::npos) result.replace(at, mark.size(), names);
+  };
+  std::string words;
+  for (const std::string& word : choices(option)) words += (words.empty() ? "" : " ") + word;
+  replace("{formats}", format_list());
+  replace("{choices}", words);
+  return result;
+}
+
+std::string names_of(const Option& option) {
+  const std::string letter = option.letter == 0 ? "    " : std::string("-") + option.letter + ", ";
+  const std::string value = option.is_flag() ? "" : " " + std::string(option.value);
+  return "  " + letter + dashed(option) + value;
+}
+
+std::string options_text() {
+  std::string text = kUsage;
+  for (const auto& [section, heading] : kSections) {
+    text += std::string("\n") + heading + '\n';
+    for (const Option& option : options()) {
+      if (!option.is_option() || option.section != section) continue;
+      text += entry(names_of(option),
+                    with_default(expanded(option.help, option), default_text(option)));
+    }
+  }
+  return text;
+}
+
+const char* table_name(Table table) {
+  switch (table) {
+    case Table::None:
+      return "";
+    case Table::Scene:
+      return "at the top of the file";
+    case Table::Surface:
+      return "[[surface]]";
+    case Table::Camera:
+      return "[camera]";
+    case Table::Animation:
+      return "[animation]";
+  }
+  return "";
+}
+
+std::string scene_text() {
+  std::string text = kScene;
+  for (const Table table : {Table::Scene, Table::Surface, Table::Camera, Table::Animation}) {
+    text += std::string("\n") + table_name(table) + '\n';
+    for (const Option& option : options()) {
+      if (option.table != table) continue;
+      text += entry("  " + std::string(option.name),
+                    with_default(expanded(option.help, option), default_text(option)));
+    }
+  }
+  return text;
+}
+
+std::string option_text(const Option& option) {
+  std::string text = names_of(option).substr(2 + (option.letter == 0 ? 4 : 0)) + "\n  " +
+                     expanded(option.help, option) + '\n';
+  if (!option.more.empty()) text += expanded(option.more, option) + '\n';
+  std::string words;
+  for (const std::string& word : choices(option)) words += " " + word;
+  if (!words.empty()) text += "Values:" + words + '\n';
+  const std::string standard = default_text(option);
+  if (!standard.empty()) text += "Default: " + standard + '\n';
+  if (option.table != Table::None) {
+    text += "Scene files: " + std::string(option.name) + ", " + table_name(option.table) + '\n';
+  }
+  return text;
+}
+
+std::string topic_text(const std::string& topic) {
+  if (topic == "functions") return language_help();
+  if (topic == "scene") return scene_text();
+  if (topic == "status") return kStatus;
+  if (topic == "keys") return key_help();
+  const std::string name = topic.substr(std::min(topic.find_first_not_of('-'), topic.size()));
+  if (const Option* const option = find_option(name)) return option_text(*option);
+  std::vector<std::string> known = {"functions", "scene", "status", "keys"};
+  for (const Option& option : options()) {
+    if (option.is_option()) known.emplace_back(option.name);
+  }
+  const auto nearest = nearest_name(topic, known);
+  throw Error(Status::Input, "there is no help on '" + topic + "'", {},
+              (nearest ? "did you mean '" + *nearest + "'? " : "") +
+                  std::string("saddle --help lists the options; other topics are functions, scene, "
+                              "status and keys"));
+}
 
 }  // namespace
 
-std::string help_text() {
-  return kHelp;
+std::string help_text(const std::vector<std::string>& topics) {
+  return topics.size() == 1 ? topic_text(topics[0]) : options_text();
 }
 
 std::string version() {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace saddle {
 
-/// `saddle --help`: fits one screen.
-std::string help_text();
+/// `saddle --help TOPIC`: an option's name (with or without its dashes), `functions`, `scene`,
+/// `status` or `keys`; every option in a line where `topics` has no single word. Throws Error
+/// (Input) with the nearest topic for an unknown word.
+std::string help_text(const std::vector<std::string>& topics);
 
 /// `saddle --version`.
 std::string version_text();

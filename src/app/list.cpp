@@ -12,7 +12,7 @@ void run_list(const CommandLine& line) {
   if (!line.arguments.empty()) {
     throw Error(Status::Input, "saddle list takes no arguments, not '" + line.arguments[0] + "'");
   }
-  const bool describe = line.verbose || standard_output_is_terminal();
+  const bool describe = line.run.verbose || standard_output_is_terminal();
   std::size_t width = 0;
   for (const GalleryEntry& entry : gallery()) width = std::max(width, entry.name.size());
   std::string text;

@@ -12,13 +12,13 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/heap.h"
-#include "formula/language.h"
-#include "view/keys.h"
 
 namespace {
 
 void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
-  using Command = saddle::CommandLine::Command;
+  using saddle::Command;
+  if (line.run.help) return saddle::print(saddle::help_text(line.help_topics));
+  if (line.run.version) return saddle::print(saddle::version_text());
   switch (line.command) {
     case Command::Graph:
       return saddle::wants_viewer(line) ? saddle::run_view(line) : saddle::run_graph(line, start);
@@ -30,14 +30,6 @@ void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
       return saddle::run_list(line);
     case Command::Show:
       return saddle::run_show(line);
-    case Command::Help:
-      return saddle::print(saddle::help_text());
-    case Command::Functions:
-      return saddle::print(saddle::language_help());
-    case Command::Keys:
-      return saddle::print(saddle::key_help());
-    case Command::Version:
-      return saddle::print(saddle::version_text());
   }
 }
 

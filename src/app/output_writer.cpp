@@ -33,8 +33,9 @@ void OutputWriter::write_meshes_of(const Shot& shot, const Scene& scene,
   const auto begin = Clock::now();
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Mesh) || !shot.is_for(output)) continue;
-    write_to(output.path_of(shot.frame.value_or(0)),
-             [&](std::ostream& out) { output.format->write_mesh(out, {meshes, scene}); });
+    write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
+      output.format->write_mesh(out, {meshes, scene});
+    });
   }
   milliseconds_ += milliseconds_since(begin);
 }

@@ -102,14 +102,14 @@ void check_format_is_used(const CommandLine& line) {
   const auto uses_format = [](const std::string& path) {
     return path == "-" || extension_of(path).empty();
   };
-  if (line.format.empty() || std::ranges::any_of(line.outputs, uses_format)) return;
-  throw Error(Status::Input, "no output needs a format", {"--format", line.format, {}},
+  if (line.run.format.empty() || std::ranges::any_of(line.run.outputs, uses_format)) return;
+  throw Error(Status::Input, "no output needs a format", {"--format", line.run.format, {}},
               "--format is for -o - and for names without an extension");
 }
 
 void check_standard_output(const CommandLine& line) {
-  const auto outputs = std::ranges::count(line.outputs, "-");
-  if (outputs + (line.report == "-" ? 1 : 0) > 1) {
+  const auto outputs = std::ranges::count(line.run.outputs, "-");
+  if (outputs + (line.run.report == "-" ? 1 : 0) > 1) {
     throw Error(Status::Input, "only one thing can go to standard output", {},
                 "give the others a file");
   }
@@ -132,7 +132,7 @@ void check_names_differ(const CommandLine& line, const std::vector<Output>& outp
     const auto other = [&](const Output& o) {
       return o.format != output.format && clash(o.path, output.path);
     };
-    const bool report = !line.report.empty() && clash(line.report, output.path);
+    const bool report = !line.run.report.empty() && clash(line.run.report, output.path);
     if (!report && std::ranges::none_of(outputs, other)) continue;
     throw Error(Status::Input, "two outputs of different kinds are called " + output.path, {},
                 "give each its own name");
@@ -151,18 +151,18 @@ std::string Output::path_of(int frame) const {
 }
 
 bool wants_viewer(const CommandLine& line) {
-  return line.outputs.empty() && line.report.empty() && line.reference.empty();
+  return line.run.outputs.empty() && line.run.report.empty() && line.run.reference.empty();
 }
 
 std::vector<Output> checked_outputs(const CommandLine& line) {
-  if (line.watch && !wants_viewer(line)) {
+  if (line.run.watch && !wants_viewer(line)) {
     throw Error(Status::Input, "only the viewer watches a file", {"--watch", "", {}},
                 "leave out --output, --report and --reference");
   }
-  const Format* const fallback = checked_format(line.format);
+  const Format* const fallback = checked_format(line.run.format);
   check_format_is_used(line);
   std::vector<Output> outputs;
-  for (const std::string& path : line.outputs) {
+  for (const std::string& path : line.run.outputs) {
     outputs.push_back({path, format_of(path, fallback), checked_number(path)});
     unescape(outputs.back());
   }
@@ -171,7 +171,7 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   for (const Output& output : outputs) {
     if (output.path != "-") check_writable(output.path_of(0));
   }
-  if (!line.report.empty() && line.report != "-") check_writable(line.report);
+  if (!line.run.report.empty() && line.run.report != "-") check_writable(line.run.report);
   return outputs;
 }
 

@@ -11,7 +11,7 @@ Purpose purpose_of(const CommandLine& line, const std::vector<Output>& outputs) 
   const auto is_picture = [](const Output& output) { return output.format->is_drawn(); };
   const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
   Purpose purpose;
-  purpose.picture = !line.reference.empty() || std::ranges::any_of(outputs, is_picture);
+  purpose.picture = !line.run.reference.empty() || std::ranges::any_of(outputs, is_picture);
   purpose.mesh = !purpose.picture || std::ranges::any_of(outputs, is_mesh);
   return purpose;
 }

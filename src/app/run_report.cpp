@@ -27,7 +27,7 @@ void add_times(const Tessellation& tessellation, RunTimes& times) {
 }
 
 void print_warnings(const CommandLine& line, std::span<const std::string> warnings) {
-  if (line.quiet) return;
+  if (line.run.quiet) return;
   for (const std::string& warning : warnings) {
     std::cerr << "saddle: warning: " << warning << '\n';
   }

@@ -10,14 +10,15 @@
 namespace saddle {
 namespace {
 
-using Kind = Format::Kind;
+using FormatKind = Format::Kind;
 
 std::string how_to_have_frames() {
-  return "number the files: -o frame-%04d.png; or name a video, " + extension_list(Kind::Animation);
+  return "number the files: -o frame-%04d.png; or name a video, " +
+         extension_list(FormatKind::Animation);
 }
 
 bool writes_scene(std::span<const Output> outputs) {
-  return std::ranges::any_of(outputs, [](const Output& o) { return o.is(Kind::Scene); });
+  return std::ranges::any_of(outputs, [](const Output& o) { return o.is(FormatKind::Scene); });
 }
 
 std::string frames_text(int count) {
@@ -26,8 +27,8 @@ std::string frames_text(int count) {
 
 FrameRange range_of(const CommandLine& line, const Animation& animation) {
   const FrameRange all{0, animation.frames - 1};
-  if (!line.frame_range) return all;
-  const FrameRange range = *line.frame_range;
+  if (!line.run.frame_range) return all;
+  const FrameRange range = *line.run.frame_range;
   if (range.last <= all.last) return range;
   const std::string text = std::to_string(range.first) + ":" + std::to_string(range.last);
   throw Error(Status::Input, "there is no frame " + std::to_string(range.last),
@@ -37,10 +38,11 @@ FrameRange range_of(const CommandLine& line, const Animation& animation) {
 
 /// An option about frames needs an output that has some, or a scene file that says so.
 void check_frames_are_used(const CommandLine& line, std::span<const Output> outputs) {
-  if (line.frame_option.empty()) return;
-  const bool in_scene = line.frame_option != "--frame-range" && writes_scene(outputs);
+  const Option* const given = line.last_given({"frames", "fps", "frame-range"});
+  if (given == nullptr) return;
+  const bool in_scene = given->scene != nullptr && writes_scene(outputs);
   if (in_scene || has_frames(line, outputs)) return;
-  throw Error(Status::Input, "no output has frames", {line.frame_option, "", {}},
+  throw Error(Status::Input, "no output has frames", {dashed(*given), "", {}},
               how_to_have_frames());
 }
 
@@ -61,7 +63,7 @@ void check_moment_is_used(const CommandLine& line, std::span<const Output> outpu
   if (writes_scene(outputs) || std::ranges::any_of(shots, is_own)) return;
   const char* const way_out =
       "frames are of the range t=MIN:MAX; one moment is a picture: -o FILE.png";
-  if (line.has_moment) {
+  if (line.last_given({"t"}) != nullptr) {
     throw Error(Status::Input, "no output is of one moment", {"--t", "", {}}, way_out);
   }
   if (const auto argument = assigned_moment(line)) {
@@ -72,9 +74,9 @@ void check_moment_is_used(const CommandLine& line, std::span<const Output> outpu
 
 void check_videos(const Scene& scene, std::span<const Output> outputs) {
   for (const Output& output : outputs) {
-    if (!output.is(Kind::Animation) && !output.is(Kind::Scene)) continue;
+    if (!output.is(FormatKind::Animation) && !output.is(FormatKind::Scene)) continue;
     if (output.number) {
-      const std::string what = output.is(Kind::Animation) ? "a video" : "a scene";
+      const std::string what = output.is(FormatKind::Animation) ? "a video" : "a scene";
       throw Error(Status::Input, what + " is one file for all frames",
                   {"--output", output.path, *output.number}, "leave out the number");
     }
@@ -91,11 +93,11 @@ void check_videos(const Scene& scene, std::span<const Output> outputs) {
 
 /// Something is asked for that is of one moment.
 bool wants_still(const CommandLine& line, std::span<const Output> outputs) {
-  return !line.reference.empty() || std::ranges::any_of(outputs, &Output::is_still);
+  return !line.run.reference.empty() || std::ranges::any_of(outputs, &Output::is_still);
 }
 
 void check_one_frame(const CommandLine& line, std::span<const Output> outputs, int frames) {
-  if (frames == 1 || !line.frame_range || !wants_still(line, outputs)) return;
+  if (frames == 1 || !line.run.frame_range || !wants_still(line, outputs)) return;
   const auto still = std::ranges::find_if(outputs, &Output::is_still);
   const std::string what = still == outputs.end() ? "--reference" : still->path;
   throw Error(Status::Input,
@@ -112,7 +114,7 @@ std::string name_of(const Shot& shot) {
 
 bool has_frames(const CommandLine& line, std::span<const Output> outputs) {
   return std::ranges::any_of(outputs, &Output::takes_frames) ||
-         (line.frame_range && wants_still(line, outputs));
+         (line.run.frame_range && wants_still(line, outputs));
 }
 
 std::vector<Shot> shots_of(const CommandLine& line, const Scene& scene,
@@ -127,11 +129,11 @@ std::vector<Shot> shots_of(const CommandLine& line, const Scene& scene,
   const Animation& animation = *scene.animation;
   const FrameRange range = range_of(line, animation);
   check_one_frame(line, outputs, range.count());
-  if (!line.frame_range && wants_still(line, outputs)) {
+  if (!line.run.frame_range && wants_still(line, outputs)) {
     shots.push_back({scene.t, std::nullopt, true});
   }
   for (int frame = range.first; frame <= range.last; ++frame) {
-    shots.push_back({animation.moment(frame), frame, line.frame_range.has_value()});
+    shots.push_back({animation.moment(frame), frame, line.run.frame_range.has_value()});
   }
   check_moment_is_used(line, outputs, shots);
   return shots;

@@ -18,15 +18,15 @@ constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display"
 /// Throws Error (Input) for options that would do nothing.
 void check_options(const CommandLine& line) {
   checked_outputs(line);
-  if (line.renderer != Backend::Any) {
+  if (line.run.renderer != Backend::Any) {
     throw Error(Status::Input, "the viewer draws with the OpenGL of its display",
                 {"--renderer", "", {}}, "it is for outputs: -o FILE.png");
   }
-  if (line.frame_range) {
+  if (line.run.frame_range) {
     throw Error(Status::Input, "the viewer plays all frames", {"--frame-range", "", {}},
                 "it is for outputs: -o frame-%04d.png");
   }
-  if (line.strict) {
+  if (line.run.strict) {
     throw Error(Status::Input, "the viewer shows warnings and goes on", {"--strict", "", {}},
                 "it is for outputs, -o FILE.png, and for saddle check");
   }
@@ -39,16 +39,16 @@ ViewerSetup viewer_setup(const CommandLine& line) {
   ViewerSetup setup;
   setup.scene = build_scene(line);
   setup.reload = [line] { return build_scene(line); };
-  if (line.watch) {
+  if (line.run.watch) {
     setup.watched = scene_file_of(line);
     if (setup.watched.empty()) {
       throw Error(Status::Input, "there is no scene file to watch", {"--watch", "", {}},
                   "-o FILE.toml writes one");
     }
   }
-  setup.threads = line.threads;
-  setup.quiet = line.quiet;
-  setup.verbose = line.verbose;
+  setup.threads = line.run.threads;
+  setup.quiet = line.run.quiet;
+  setup.verbose = line.run.verbose;
   return setup;
 }
 

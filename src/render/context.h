@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "scene/run_settings.h"
+
 namespace saddle {
 
 /// A current OpenGL 3.3 core context; GL functions are loaded once it exists. What is drawn goes
@@ -31,15 +33,8 @@ class Context {
 /// one by its name. Throws Error (Machine) if it is older than OpenGL 3.3.
 void load_gl_functions(void (*(*address)(const char* name))());
 
-/// Ways to OpenGL without a window.
-enum class Backend {
-  Any,     ///< the first of the others that starts
-  Osmesa,  ///< off-screen Mesa: in software, the same picture on every machine
-  Egl      ///< EGL without a surface: what newer Mesa has left, or a graphics card
-};
-
-/// Their libraries are loaded here and only here, when a picture is wanted. Throws Error (Machine)
-/// that names what is missing and the package that has it.
+/// The backends' libraries are loaded here and only here, when a picture is wanted. Throws Error
+/// (Machine) that names what is missing and the package that has it.
 std::unique_ptr<Context> make_context(Backend backend);
 std::unique_ptr<Context> make_osmesa_context();
 std::unique_ptr<Context> make_egl_context();

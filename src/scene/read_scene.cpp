@@ -1,13 +1,12 @@
 // TOML to Scene, a function per table. Each says first which keys the table may have.
 #include "base/error.h"
 #include "scene/assignments.h"
-#include "scene/colormap.h"
 #include "scene/lights.h"
+#include "scene/options.h"
 #include "scene/prepare.h"
 #include "scene/resolve.h"
 #include "scene/scene_file.h"
 #include "scene/toml_reader.h"
-#include "scene/values.h"
 
 namespace saddle {
 namespace {
@@ -60,86 +59,10 @@ void read_functions(TomlReader& reader, const TomlValue& table, Scene& scene) {
   }
 }
 
-/// A table, or the diffuse colour alone.
-void read_material(TomlReader& reader, const std::string& prefix, const TomlValue& value,
-                   Material& material) {
-  if (value.kind != Kind::Table) {
-    material.diffuse = reader.color(prefix + "diffuse", value);
-    return;
-  }
-  reader.source().check_keys("", value,
-                             {"diffuse", "specular", "ambient", "emission", "shininess"});
-  const auto color = [&](const char* key, auto& into) {
-    with(value, key, [&](const TomlValue& v) { into = reader.color(prefix + key, v); });
-  };
-  color("diffuse", material.diffuse);
-  color("specular", material.specular);
-  color("ambient", material.ambient);
-  color("emission", material.emission);
-  with(value, "shininess",
-       [&](const TomlValue& v) { material.shininess = reader.number(prefix + "shininess", v); });
-}
-
-Range read_range(TomlReader& reader, const std::string& subject, const TomlValue& value) {
-  if (value.kind != Kind::Array || value.items.size() != 2) {
-    throw reader.source().wrong_type(subject, value, "two ends, such as [\"0\", \"2*pi\"]");
-  }
-  Range range{reader.formula(subject, value.items[0]), reader.formula(subject, value.items[1])};
-  reader.note(subject, range.min + ":" + range.max, value.span);
-  return range;
-}
-
-std::vector<std::string> read_names(TomlReader& reader, const std::string& subject,
-                                    const TomlValue& value) {
-  constexpr const char* kWanted = "a name, or an array of names";
-  if (value.kind != Kind::Array) return {reader.text(subject, value, kWanted)};
-  if (value.items.empty()) {
-    throw reader.source().error(subject, "there is no node in it", value.span,
-                                "leave it out, and the surface is in the world");
-  }
-  std::vector<std::string> names;
-  for (const TomlValue& item : value.items) names.push_back(reader.text(subject, item, kWanted));
-  return names;
-}
-
 SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
-  reader.source().check_keys("surface", table,
-                             {"name", "x", "y", "z", "u", "v", "color", "colormap", "grid", "front",
-                              "back", "flip", "opacity", "in"});
+  reader.source().check_keys("surface", table, keys_of(Table::Surface));
   SurfaceSpec spec;
-  const auto formula = [&](const char* key, std::string& into) {
-    with(table, key, [&](const TomlValue& v) { into = reader.formula(prefix + key, v); });
-  };
-  with(table, "name",
-       [&](const TomlValue& v) { spec.name = reader.text(prefix + "name", v, "a name"); });
-  formula("x", spec.x);
-  formula("y", spec.y);
-  formula("z", spec.z);
-  with(table, "u", [&](const TomlValue& v) { spec.u = read_range(reader, prefix + "u", v); });
-  with(table, "v", [&](const TomlValue& v) { spec.v = read_range(reader, prefix + "v", v); });
-  formula("color", spec.color);
-  with(table, "colormap", [&](const TomlValue& v) {
-    const std::string text = reader.text("colormap", v, "the name of a colormap");
-    if (spec.color.empty()) {
-      throw reader.source().error("colormap", "there is nothing to colour", v.span,
-                                  "color = \"z\" colours by height");
-    }
-    spec.colormap = reader.in_place([&] { return parse_colormap("colormap", text); });
-  });
-  with(table, "grid", [&](const TomlValue& v) {
-    const std::string text = reader.option("grid", v, "two whole numbers, [16, 16], or \"off\"");
-    const GridSize lines = reader.in_place([&] { return parse_grid_lines("grid", text); });
-    spec.grid_u = lines.u;
-    spec.grid_v = lines.v;
-  });
-  with(table, "front",
-       [&](const TomlValue& v) { read_material(reader, prefix + "front: ", v, spec.front); });
-  with(table, "back",
-       [&](const TomlValue& v) { read_material(reader, prefix + "back: ", v, spec.back); });
-  with(table, "flip", [&](const TomlValue& v) { spec.flip = reader.boolean("flip", v); });
-  with(table, "opacity",
-       [&](const TomlValue& v) { spec.opacity = reader.number(prefix + "opacity", v); });
-  with(table, "in", [&](const TomlValue& v) { spec.in = read_names(reader, prefix + "in", v); });
+  read_keys(reader, prefix, table, spec);
   if (spec.z.empty()) {
     throw reader.source().error("surface", "z has no formula", table.span,
                                 "x and y default to u and v, z has no default");
@@ -204,100 +127,27 @@ SceneNode read_node(TomlReader& reader, const TomlValue& table) {
   return node;
 }
 
-Camera read_camera(TomlReader& reader, const TomlValue& table) {
-  reader.source().check_keys("camera", table, {"view", "up", "target", "distance", "fov", "ortho"});
-  Camera camera;
-  with(table, "view", [&](const TomlValue& v) { camera.view = reader.vector("view", v); });
-  with(table, "up", [&](const TomlValue& v) { camera.up = reader.vector("up", v); });
-  with(table, "target", [&](const TomlValue& v) { camera.target = reader.vector("target", v); });
-  with(table, "distance",
-       [&](const TomlValue& v) { camera.distance = reader.number("distance", v); });
-  with(table, "fov", [&](const TomlValue& v) { camera.fov = reader.number("fov", v); });
-  with(table, "ortho", [&](const TomlValue& v) { camera.ortho = reader.boolean("ortho", v); });
-  return camera;
-}
-
-void read_animation(TomlReader& reader, const TomlValue& table, Scene& scene) {
-  reader.source().check_keys("animation", table, {"t", "fps", "frames"});
-  Animation& animation = scene.animation.emplace();
-  with(table, "fps", [&](const TomlValue& v) { animation.fps = reader.number("fps", v); });
-  with(table, "frames",
-       [&](const TomlValue& v) { animation.frames = reader.whole("frames", v, 1, kMaxFrames); });
-  with(table, "t", [&](const TomlValue& v) {
-    const auto ends = reader.numbers("animation: t", v, 2, "two moments, such as [0, 12]");
-    set_time_range(scene, ends[0], ends[1]);
-  });
-}
-
-/// The keys that are options of the command line, too.
-void read_settings(TomlReader& reader, const TomlValue& table, Scene& scene) {
-  with(table, "size", [&](const TomlValue& v) {
-    const std::string text = reader.option("size", v, "two whole numbers, such as [800, 600]");
-    const GridSize size = reader.in_place([&] { return parse_pair("size", text, 1, kMaxPixels); });
-    scene.picture.width = size.u;
-    scene.picture.height = size.v;
-  });
-  with(table, "antialias", [&](const TomlValue& v) {
-    scene.picture.antialias = reader.whole("antialias", v, 1, kMaxAntialias);
-  });
-  with(table, "shading", [&](const TomlValue& v) {
-    const std::string text = reader.text("shading", v, "\"vertex\", \"pixel\" or \"exact\"");
-    scene.picture.shading = reader.in_place([&] { return parse_shading("shading", text); });
-  });
-  with(table, "specular", [&](const TomlValue& v) {
-    const std::string text = reader.text("specular", v, "\"phong\" or \"blinn\"");
-    scene.picture.specular = reader.in_place([&] { return parse_specular("specular", text); });
-  });
-  with(table, "tolerance", [&](const TomlValue& v) {
-    const std::string text = reader.option("tolerance", v, "a length: \"0.5px\", or 1e-3");
-    scene.mesh.tolerance = reader.in_place([&] { return parse_tolerance("tolerance", text); });
-  });
-  with(table, "normal-tolerance", [&](const TomlValue& v) {
-    const std::string text = reader.option("normal-tolerance", v, "an angle in degrees");
-    scene.mesh.normal_tolerance =
-        reader.in_place([&] { return parse_degrees("normal-tolerance", text); });
-  });
-  with(table, "max-triangles", [&](const TomlValue& v) {
-    scene.mesh.max_triangles = reader.whole("max-triangles", v, 2, kMaxTriangles);
-  });
-  with(table, "samples", [&](const TomlValue& v) {
-    const std::string text = reader.option("samples", v, "two whole numbers, such as [100, 50]");
-    scene.mesh.samples = reader.in_place([&] { return parse_samples("samples", text); });
-  });
-  with(table, "clip", [&](const TomlValue& v) {
-    const std::string text = reader.text("clip", v, "\"auto\", \"off\" or \"-1:1,-1:1,0:5\"");
-    scene.clip = reader.in_place([&] { return parse_clip("clip", text); });
+/// [camera] or [animation].
+void read_table(TomlReader& reader, const TomlValue& root, const char* name, Table table,
+                Scene& scene) {
+  with(root, name, [&](const TomlValue& v) {
+    reader.source().check_keys(name, v, keys_of(table));
+    if (table == Table::Animation) scene.animation.emplace();
+    read_keys(table, reader, "", v, scene);
   });
 }
 
 Scene read_tables(TomlReader& reader, const TomlValue& root) {
-  reader.source().check_keys("scene", root, {"title",
-                                             "background",
-                                             "axes",
-                                             "size",
-                                             "antialias",
-                                             "shading",
-                                             "specular",
-                                             "tolerance",
-                                             "normal-tolerance",
-                                             "max-triangles",
-                                             "samples",
-                                             "clip",
-                                             "t",
-                                             "params",
-                                             "functions",
-                                             "surface",
-                                             "node",
-                                             "light",
-                                             "camera",
-                                             "animation"});
+  std::vector<std::string> keys = keys_of(Table::Scene);
+  for (const char* table :
+       {"params", "functions", "surface", "node", "light", "camera", "animation"}) {
+    keys.emplace_back(table);
+  }
+  reader.source().check_keys("scene", root, keys);
   Scene scene;
-  with(root, "title",
-       [&](const TomlValue& v) { scene.title = reader.text("title", v, "text in quotes"); });
-  with(root, "background",
-       [&](const TomlValue& v) { scene.background = reader.color("background", v, true); });
-  with(root, "axes", [&](const TomlValue& v) { scene.axes = reader.boolean("axes", v); });
-  read_settings(reader, root, scene);
+  read_table(reader, root, "animation", Table::Animation, scene);
+  read_keys(Table::Scene, reader, "", root, scene);  // the moment may be another than its start
+  read_table(reader, root, "camera", Table::Camera, scene);
   with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
   with(root, "functions", [&](const TomlValue& v) { read_functions(reader, v, scene); });
   with(root, "surface", [&](const TomlValue& v) {
@@ -317,9 +167,6 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
       scene.lights.push_back(read_light(reader, light_prefix(scene.lights.size()), table));
     }
   });
-  with(root, "camera", [&](const TomlValue& v) { scene.camera = read_camera(reader, v); });
-  with(root, "animation", [&](const TomlValue& v) { read_animation(reader, v, scene); });
-  with(root, "t", [&](const TomlValue& v) { scene.t = reader.number("t", v); });
   if (scene.surfaces.empty()) {
     throw reader.source().error("", "the scene has no [[surface]]", {0, 0},
                                 "saddle show torus prints a scene");

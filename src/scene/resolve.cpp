@@ -1,13 +1,13 @@
 // One visit of every number of a scene, each with its name and range.
 #include "scene/resolve.h"
 
-#include <cmath>
 #include <map>
 #include <vector>
 
 #include "base/error.h"
 #include "base/nearest.h"
 #include "scene/lights.h"
+#include "scene/options.h"
 #include "scene/resolver.h"
 
 namespace saddle {
@@ -15,14 +15,6 @@ namespace {
 
 /// Deepest nesting of nodes: a robot has ten.
 constexpr int kMaxNodeDepth = 256;
-
-void resolve_material(Resolver& resolver, const std::string& prefix, Material& material) {
-  resolver.color(prefix + "diffuse", material.diffuse, kNotNegative);
-  resolver.color(prefix + "specular", material.specular, kNotNegative);
-  resolver.number(prefix + "shininess", material.shininess, kNotNegative);
-  if (material.ambient) resolver.color(prefix + "ambient", *material.ambient, kNotNegative);
-  resolver.color(prefix + "emission", material.emission, kNotNegative);
-}
 
 void resolve_node(Resolver& resolver, SceneNode& node) {
   const std::string prefix = node_prefix(node);
@@ -42,14 +34,6 @@ void resolve_node(Resolver& resolver, SceneNode& node) {
   }
 }
 
-void resolve_camera(Resolver& resolver, Camera& camera) {
-  resolver.direction("view", camera.view);
-  resolver.direction("up", camera.up);
-  if (camera.target) resolver.vector("target", *camera.target);
-  if (camera.distance) resolver.number("distance", *camera.distance, kPositive);
-  resolver.number("fov", camera.fov, kFieldOfView);
-}
-
 void resolve_slider(Resolver& resolver, Slider& slider) {
   resolver.number(slider.name + ": min", slider.min, kAny);
   resolver.number(slider.name + ": max", slider.max, kAny);
@@ -57,39 +41,18 @@ void resolve_slider(Resolver& resolver, Slider& slider) {
   throw Error(Status::Input, "min must be less than max", {slider.name + ": max", {}, {}});
 }
 
-void resolve_animation(Resolver& resolver, Animation& animation) {
-  resolver.number("animation: t", animation.from, kAny);
-  resolver.number("animation: t", animation.to, kAny);
-  resolver.number("fps", animation.fps, kFramesPerSecond);
-  if (animation.from < animation.to && std::isfinite(animation.to - animation.from)) return;
-  const std::string from = format_number(animation.from);
-  const std::string to = format_number(animation.to);
-  const std::string text = animation.to.text.empty() ? to : animation.to.text;
-  throw Error(Status::Input,
-              animation.from == double(animation.to) ? "the range of t is empty"
-              : animation.from < animation.to        ? "the range of t is too wide"
-                                                     : "the range of t runs backwards",
-              {"animation: t", text, {0, text.size()}},
-              "it is " + from + ":" + to +
-                  "; t runs from the lower to the upper end, for example "
-                  "t=0:2*pi; one moment is t=VALUE");
-}
-
 /// Everything but the moment itself.
 void resolve_at(Resolver& resolver, Scene& scene) {
   resolver.set_time(scene.t);
-  resolver.color("background", scene.background, kShare);
+  resolve_keys(resolver, Table::Scene, scene);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    const std::string prefix = surface_prefix(i);
-    resolve_material(resolver, prefix + "front: ", scene.surfaces[i].front);
-    resolve_material(resolver, prefix + "back: ", scene.surfaces[i].back);
-    resolver.number(prefix + "opacity", scene.surfaces[i].opacity, kShare);
+    resolve_keys(resolver, surface_prefix(i), scene.surfaces[i]);
   }
   for (SceneNode& node : scene.nodes) resolve_node(resolver, node);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     resolve_light(resolver, light_prefix(i), scene.lights[i]);
   }
-  resolve_camera(resolver, scene.camera);
+  resolve_keys(resolver, Table::Camera, scene);
   for (Slider& slider : scene.sliders) resolve_slider(resolver, slider);
 }
 
@@ -177,7 +140,7 @@ Timeline::Timeline(Scene scene)
   check_nodes(scene_);
   Resolver& resolver = parsed_->resolver;
   resolver.number("t", scene_.t, kAny);
-  if (scene_.animation) resolve_animation(resolver, *scene_.animation);
+  if (scene_.animation) resolve_keys(resolver, Table::Animation, scene_);
 }
 
 Timeline::~Timeline() = default;

@@ -10,7 +10,7 @@ namespace saddle {
 void Resolver::number(const std::string& name, Number& number, const Limits& limits) {
   if (!number.text.empty()) number.value = scope().constant(name, number.text, {}, t_);
   if (std::isfinite(number.value) && limits.contain(number.value)) return;
-  const std::string text = number.text.empty() ? format_number(number.value) : number.text;
+  const std::string text = expression_of(number);
   const Place place{name, text, {0, text.size()}};
   const std::string is = number.text.empty() ? "" : "it is " + format_number(number.value);
   if (!std::isfinite(number.value)) {

@@ -24,14 +24,6 @@ std::size_t skip_digits(std::string_view& text) {
   return count;
 }
 
-bool same(const Number& a, const Number& b) {
-  return a.text == b.text && (!a.text.empty() || a.value == b.value);
-}
-
-bool same(const Color& a, const Color& b) {
-  return same(a.r, b.r) && same(a.g, b.g) && same(a.b, b.b) && same(a.a, b.a);
-}
-
 }  // namespace
 
 std::string toml_string(std::string_view text) {
@@ -70,9 +62,9 @@ std::string toml_vector(const Vector& vector) {
 
 std::string toml_color(const Color& color) {
   const std::string text = format_color(color);
-  if (same(parse_color("color", text), color)) return toml_string(text);
-  return same(color.a, 1) ? toml_numbers({color.r, color.g, color.b})
-                          : toml_numbers({color.r, color.g, color.b, color.a});
+  if (parse_color("color", text) == color) return toml_string(text);
+  return color.a == Number(1) ? toml_numbers({color.r, color.g, color.b})
+                              : toml_numbers({color.r, color.g, color.b, color.a});
 }
 
 std::string toml_pair(int a, int b) {

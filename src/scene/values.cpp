@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -79,22 +80,16 @@ Bounds parse_box(const std::string& option, const std::string& text) {
   }
   return box;
 }
-/// The place of a word among those that there are.
-std::size_t choice(const std::string& option, const std::string& text,
-                   const std::vector<std::string>& words) {
-  const auto found = std::ranges::find(words, text);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  std::string hint = "one of:";
-  for (const std::string& word : words) hint += " " + word;
-  if (const auto nearest = nearest_name(text, words)) hint += "; did you mean '" + *nearest + "'?";
-  throw Error(Status::Input, "unknown value '" + text + "'", {option, text, whole(text)}, hint);
-}
 
 }  // namespace
 
 std::string format_number(double value) {
   std::array<char, 32> text{};  // the longest is 24 characters
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string expression_of(const Number& number) {
+  return number.text.empty() ? format_number(number.value) : number.text;
 }
 
 std::string describe(const Limits& limits) {
@@ -105,29 +100,10 @@ std::string describe(const Limits& limits) {
                      : "from " + low + " to " + high;
 }
 
-double parse_number(const std::string& option, const std::string& text) {
-  return number_in(option, text, whole(text));
-}
-
-double parse_number_between(const std::string& option, const std::string& text, double low,
-                            double high) {
-  const double value = parse_number(option, text);
-  if (value > low && value < high) return value;
-  std::string message = "must be more than " + format_number(low);
-  if (std::isfinite(high)) message += " and less than " + format_number(high);
-  throw Error(Status::Input, message, {option, text, whole(text)});
-}
-
-double parse_share(const std::string& option, const std::string& text) {
-  const double value = parse_number(option, text);
-  if (value >= 0 && value <= 1) return value;
-  throw Error(Status::Input, "must be from 0 to 1", {option, text, whole(text)});
-}
-
-double parse_degrees(const std::string& option, const std::string& text) {
-  const double value = parse_number(option, text);
-  if (value >= 0 && value <= 180) return value;
-  throw Error(Status::Input, "must be from 0 to 180 degrees", {option, text, whole(text)});
+double parse_number(const std::string& option, const std::string& text, const Limits& limits) {
+  const double value = number_in(option, text, whole(text));
+  if (limits.contain(value)) return value;
+  throw Error(Status::Input, "must be " + describe(limits), {option, text, whole(text)});
 }
 
 int parse_whole(const std::string& option, const std::string& text, int low, int high) {
@@ -176,8 +152,10 @@ ToleranceValue parse_tolerance(const std::string& option, const std::string& tex
 }
 
 Clip parse_clip(const std::string& option, const std::string& text) {
-  Clip clip{text == "auto" || text == "AUTO", {}};
-  if (!clip.automatic && text != "off") clip.box = parse_box(option, text);
+  std::string word = text;
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  Clip clip{word == "auto", {}};
+  if (!clip.automatic && word != "off") clip.box = parse_box(option, text);
   return clip;
 }
 
@@ -191,12 +169,14 @@ GridSize parse_pair(const std::string& option, const std::string& text, int low,
           whole_in(option, text, {x + 1, text.size()}, low, high)};
 }
 
-Shading parse_shading(const std::string& option, const std::string& text) {
-  return static_cast<Shading>(choice(option, text, {"vertex", "pixel", "exact"}));
-}
-
-Specular parse_specular(const std::string& option, const std::string& text) {
-  return static_cast<Specular>(choice(option, text, {"phong", "blinn"}));
+std::size_t parse_choice(const std::string& option, const std::string& text,
+                         const std::vector<std::string>& words) {
+  const auto found = std::ranges::find(words, text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string hint = "one of:";
+  for (const std::string& word : words) hint += " " + word;
+  if (const auto nearest = nearest_name(text, words)) hint += "; did you mean '" + *nearest + "'?";
+  throw Error(Status::Input, "unknown value '" + text + "'", {option, text, whole(text)}, hint);
 }
 
 GridSize parse_samples(const std::string& option, const std::string& text) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "base/vec.h"
 #include "scene/scene.h"
@@ -18,6 +19,9 @@ inline constexpr int kMaxGridLines = kMaxPixels;
 
 /// The shortest decimal that reads back as the same double.
 std::string format_number(double value);
+
+/// A number's expression, or its value.
+std::string expression_of(const Number& number);
 
 /// What a number may be, the ends included unless `open`.
 struct Limits {
@@ -41,18 +45,9 @@ inline constexpr Limits kFramesPerSecond = {kMinFps, kMaxFps, true};
 /// "from 0 to 1", "more than 0"
 std::string describe(const Limits& limits);
 
-/// A finite number; a constant expression such as 2*pi is one too.
-double parse_number(const std::string& option, const std::string& text);
-
-/// A number more than `low` and less than `high`.
-double parse_number_between(const std::string& option, const std::string& text, double low,
-                            double high);
-
-/// A number from 0 to 1.
-double parse_share(const std::string& option, const std::string& text);
-
-/// An angle from 0 to 180 degrees.
-double parse_degrees(const std::string& option, const std::string& text);
+/// A finite number within its limits; a constant expression such as 2*pi is one too.
+double parse_number(const std::string& option, const std::string& text,
+                    const Limits& limits = kAny);
 
 /// A whole number from `low` to `high`, in digits.
 int parse_whole(const std::string& option, const std::string& text, int low, int high);
@@ -75,11 +70,9 @@ Clip parse_clip(const std::string& option, const std::string& text);
 /// `MxN`, both from `low` to `high`.
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high);
 
-/// `vertex`, `pixel` or `exact`.
-Shading parse_shading(const std::string& option, const std::string& text);
-
-/// `phong` or `blinn`.
-Specular parse_specular(const std::string& option, const std::string& text);
+/// The place of a word among those that there are.
+std::size_t parse_choice(const std::string& option, const std::string& text,
+                         const std::vector<std::string>& words);
 
 /// Cells of a uniform grid, `MxN`.
 GridSize parse_samples(const std::string& option, const std::string& text);

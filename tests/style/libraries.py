@@ -8,7 +8,6 @@ import tree
 # study a method that others are compared with.
 HOMES = {
     r"muParser\w*\.h": r"src/formula/parser\.cpp|src/study/muparser_method\.cpp|tests/.*",
-    r"CLI/.*": r"src/app/cli\.cpp",
     r"GL/osmesa\.h": r"src/render/context_osmesa\.cpp",
     r"EGL/.*": r"src/render/context_egl\.cpp",
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",

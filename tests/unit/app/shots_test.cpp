@@ -43,8 +43,8 @@ Error error_of(const CommandLine& line, const std::vector<Output>& outputs,
 
 CommandLine with_range(int first, int last) {
   CommandLine line;
-  line.frame_range = FrameRange{first, last};
-  line.frame_option = "--frame-range";
+  line.run.frame_range = FrameRange{first, last};
+  line.given.push_back({find_option("frame-range"), {}});
   return line;
 }
 
@@ -101,7 +101,7 @@ TEST(Shots, RefuseSeveralFramesForOneFile) {
 
 TEST(Shots, RefuseOptionsAboutFramesWithoutAny) {
   CommandLine line;
-  line.frame_option = "--frames";
+  line.given.push_back({find_option("frames"), {}});
   EXPECT_EQ(std::string(error_of(line, {kPicture}).what()), "no output has frames");
   EXPECT_EQ(shots_of(line, ten_frames(), std::vector{kScene}).size(), 1U);  // they are in the scene
   EXPECT_EQ(std::string(error_of(with_range(0, 0), {kScene}).what()), "no output has frames");

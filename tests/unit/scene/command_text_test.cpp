@@ -40,9 +40,9 @@ TEST(CommandText, SaysCameraLookAndSettings) {
   scene.picture.specular = Specular::Blinn;
   scene.mesh.tolerance = ToleranceValue{0.25, true};
   EXPECT_EQ(command_text(scene),
-            "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --axes --color 'u*v' "
-            "--colormap magma --flip --opacity 0.5 --grid off "
-            "--size 100x600 --shading exact --specular blinn --tolerance 0.25px");
+            "saddle z=u --view 0,0,1 --ortho --background '#ffffff' --axes --size 100x600 "
+            "--shading exact --specular blinn --color 'u*v' --colormap magma --grid off --flip "
+            "--opacity 0.5 --tolerance 0.25px");
 }
 
 TEST(CommandText, SaysTheRangeOfTime) {
@@ -52,7 +52,7 @@ TEST(CommandText, SaysTheRangeOfTime) {
   scene.animation->frames = 60;
   EXPECT_EQ(command_text(resolve(scene)), "saddle 'z=u*t' t=1:tau --frames 60");
   scene.t = 3;
-  EXPECT_EQ(command_text(resolve(scene)), "saddle 'z=u*t' t=1:tau --frames 60 --t 3");
+  EXPECT_EQ(command_text(resolve(scene)), "saddle 'z=u*t' t=1:tau --t 3 --frames 60");
 }
 
 TEST(CommandText, LeavesToASceneFileWhatOnlyThatCanSay) {
