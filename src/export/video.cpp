@@ -7,10 +7,10 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
 #include "base/error.h"
+#include "base/format.h"
 
 namespace saddle {
 namespace {
@@ -72,13 +72,13 @@ Words webm_encoder(Alpha alpha) {
 }
 
 Words command(const VideoOptions& options, const std::string& file) {
-  std::array<char, 32> fps{};
-  std::snprintf(fps.data(), fps.size(), "%.9g", options.fps);
+  const std::string fps = rounded(options.fps, 9);
   const std::string size = std::to_string(stored(options.width, *options.format)) + "x" +
                            std::to_string(stored(options.height, *options.format));
-  Words words = {"ffmpeg", "-nostdin",   "-hide_banner",  "-loglevel", "error",
-                 "-f",     "rawvideo",   "-pixel_format", "rgba",      "-video_size",
-                 size,     "-framerate", fps.data(),      "-i",        "pipe:0"};
+  Words words = {"ffmpeg", "-nostdin",    "-hide_banner", "-loglevel",
+                 "error",  "-f",          "rawvideo",     "-pixel_format",
+                 "rgba",   "-video_size", size,           "-framerate",
+                 fps,      "-i",          "pipe:0"};
   append(words, options.format->encoder(options.alpha));
   // No dates, no random numbers: the same frames give the same bytes.
   append(words, {"-fflags", "+bitexact", "-flags:v", "+bitexact"});

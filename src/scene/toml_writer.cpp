@@ -1,9 +1,8 @@
 #include "scene/toml_writer.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
+#include "base/format.h"
 #include "scene/color.h"
 #include "scene/values.h"
 
@@ -33,9 +32,7 @@ std::string toml_string(std::string_view text) {
     if (c == '"' || c == '\\') {
       result += {'\\', c};
     } else if (byte < 0x20 || byte == 0x7f) {
-      std::array<char, 7> escape{};  // \uXXXX and the end
-      std::snprintf(escape.data(), escape.size(), "\\u%04X", static_cast<unsigned>(byte));
-      result += escape.data();
+      result += formatted("\\u%04X", static_cast<unsigned>(byte));
     } else {
       result += c;
     }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include "meshing/clip_box.h"
 
 namespace saddle {
 namespace {
@@ -40,7 +40,6 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
 }
 
 TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
-  constexpr double kNoFace = std::numeric_limits<double>::infinity();
   GridMesh cut = mesh_between({-1, 0}, {1, 2});
   cut.report.clip = Bounds{{-kNoFace, -2, 3}, {4, 5, kNoFace}};
   cut.report.poles = {{0, 1}};
