@@ -1,5 +1,6 @@
-// The one table of options and scene keys. The command line, --help, hints, scene files in both
-// directions, `resolve()` and the command that a scene is as text all read it.
+// The one table of options and scene keys; its rows are in option_table.cpp. The command line,
+// --help, hints, scene files in both directions, `resolve()` and the command that a scene is as
+// text all read it.
 #pragma once
 
 #include <span>
