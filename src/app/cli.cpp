@@ -15,7 +15,7 @@ constexpr const char* kList = "saddle --help lists the options";
 
 constexpr auto kVerbs = std::to_array<Verb>({
     {"check", Command::Check,
-     "it writes no pictures and no meshes; its report goes to --report FILE, its moment is --t T"},
+     "it writes no pictures and no meshes, but a report: --report FILE; --t T sets the moment"},
     {"chart", Command::Chart, "it compares all methods: saddle chart ... -o FILE.svg"},
     {"list", Command::List, "saddle list, or saddle list --verbose"},
     {"show", Command::Show, "saddle show NAME, with assignments"},
@@ -35,6 +35,10 @@ constexpr auto kVerbs = std::to_array<Verb>({
 const Option* find_letter(char letter) {
   const auto found = std::ranges::find(options(), letter, &Option::letter);
   return found == options().end() ? nullptr : &*found;
+}
+
+bool asks_for_help(std::string_view argument) {
+  return argument == "--help" || argument == "-h";
 }
 
 /// Sorts arguments into options with their values, and what is no option.
@@ -122,9 +126,11 @@ void check_given_options(const CommandLine& line) {
     }
     if ((option->commands & bit(line.command)) != 0) continue;
     const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
+    const bool has_verb = verb != kVerbs.end();
     throw Error(Status::Input,
-                "saddle " + std::string(verb->name) + " takes no option " + dashed(*option), {},
-                std::string(verb->hint));
+                "saddle " + (has_verb ? std::string(verb->name) + " " : "") + "takes no option " +
+                    dashed(*option),
+                {}, has_verb ? std::string(verb->hint) : kList);
   }
 }
 
@@ -145,6 +151,11 @@ const Option* CommandLine::last_given(const std::vector<std::string_view>& names
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
+  if (argc > 1 && asks_for_help(argv[1])) {
+    line.run.help = true;
+    line.help_topics.assign(argv + 2, argv + argc);
+    return line;
+  }
   Splitter(argc, argv, line).split();
   if (argc > 1) {
     if (const Verb* const verb = find_verb(argv[1])) {
@@ -154,8 +165,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   for (const auto& [option, text] : line.given) apply_option(*option, text, line.run);
   if (!line.run.help && !line.run.version) check_given_options(line);
-  const bool option_first = argc > 1 && argv[1][0] == '-' && !line.given.empty();
-  if (option_first && line.given[0].option->name == "help") line.help_topics = line.arguments;
   return line;
 }
 

@@ -106,6 +106,7 @@ std::string expanded(std::string_view text, const Option& option) {
   for (const std::string& word : choices(option)) words += (words.empty() ? "" : " ") + word;
   replace("{formats}", format_list());
   replace("{choices}", words);
+  replace("{limits}", limits_text(option));
   return result;
 }
 
@@ -163,7 +164,9 @@ std::string option_text(const Option& option) {
   if (!option.more.empty()) text += expanded(option.more, option) + '\n';
   std::string words;
   for (const std::string& word : choices(option)) words += " " + word;
-  if (!words.empty()) text += "Values:" + words + '\n';
+  if (!words.empty() && option.help.find("{choices}") == std::string_view::npos) {
+    text += "Values:" + words + '\n';
+  }
   const std::string standard = default_text(option);
   if (!standard.empty()) text += "Default: " + standard + '\n';
   if (option.table != Table::None) {

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "scene/color.h"
 #include "scene/colormap.h"
+#include "scene/materials.h"
 #include "scene/prepare.h"
 #include "scene/toml_writer.h"
 
@@ -28,63 +29,6 @@ auto read_option(const InFile& in, const char* wanted, Parse parse) {
   const std::string text = in.reader.option(in.subject, in.value, wanted);
   return in.reader.in_place([&] { return parse(in.subject, text); });
 }
-
-/// The parts of a material, in the order in which they are written.
-template <typename Visit>
-void visit_material(const Visit& visit, Material& m, const Material& standard) {
-  visit("diffuse", m.diffuse, standard.diffuse);
-  visit("specular", m.specular, standard.specular);
-  visit("shininess", m.shininess, standard.shininess);
-  visit("ambient", m.ambient, standard.ambient);
-  visit("emission", m.emission, standard.emission);
-}
-
-struct ReadMaterial {
-  const InFile& in;
-
-  void operator()(const std::string& key, auto& part, const auto& /*standard*/) const {
-    with(in.value, key, [&](const TomlValue& v) { read(key, v, part); });
-  }
-
- private:
-  void read(const std::string& key, const TomlValue& v, Number& part) const {
-    part = in.reader.number(in.subject + ": " + key, v);
-  }
-  void read(const std::string& key, const TomlValue& v, auto& part) const {
-    part = in.reader.color(in.subject + ": " + key, v);
-  }
-};
-
-struct WriteMaterial {
-  InlineTable& table;
-
-  void operator()(const std::string& key, const auto& part, const auto& standard) const {
-    const std::string text = written(part);
-    if (text != written(standard)) table.add(key, text);
-  }
-
- private:
-  static std::string written(const Number& number) { return toml_number(number); }
-  static std::string written(const Color& color) { return toml_color(color); }
-  static std::string written(const std::optional<Color>& color) {
-    return color ? toml_color(*color) : "";
-  }
-};
-
-struct ResolveMaterial {
-  Resolver& resolver;
-  const std::string& name;
-
-  void operator()(const std::string& key, Number& part, const Number& /*standard*/) const {
-    resolver.number(name + ": " + key, part, kNotNegative);
-  }
-  void operator()(const std::string& key, Color& part, const auto& /*standard*/) const {
-    resolver.color(name + ": " + key, part, kNotNegative);
-  }
-  void operator()(const std::string& key, std::optional<Color>& part, const auto& usual) const {
-    if (part) (*this)(key, *part, usual);
-  }
-};
 
 }  // namespace
 
@@ -158,10 +102,6 @@ std::string Names::write() const {
 
 void ColormapName::parse(const Given& given) const {
   surface->colormap = parse_colormap(given.option, given.text);
-  const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
-  if (!std::ranges::all_of(given.scene.surfaces, has_no_color)) return;
-  throw Error(Status::Input, "there is nothing to colour", {given.option, given.text, {}},
-              "--color z colours by height, --color gauss by curvature");
 }
 
 std::string ColormapName::format() const {
@@ -198,8 +138,14 @@ void Choice::read(const InFile& in) const {
   in.reader.in_place([&] { set(parse_choice(in.subject, text, words)); });
 }
 
+std::string Choice::format() const {
+  const std::optional<std::size_t> place = get();
+  return place ? words[*place] : "";
+}
+
 std::string Choice::write() const {
-  return toml_string(words[get()]);
+  const std::string word = format();
+  return word.empty() ? "" : toml_string(word);
 }
 
 // --- numbers ------------------------------------------------------------------------------------
@@ -373,25 +319,15 @@ std::string Side::format() const {
 }
 
 void Side::read(const InFile& in) const {
-  if (in.value.kind != Kind::Table) {
-    value->diffuse = in.reader.color(in.subject + ": diffuse", in.value);
-    return;
-  }
-  std::vector<std::string> keys;
-  const auto name = [&keys](const std::string& key, auto&&...) { keys.push_back(key); };
-  visit_material(name, *value, *standard);
-  in.reader.source().check_keys("", in.value, keys);
-  visit_material(ReadMaterial{in}, *value, *standard);
+  read_material(in.reader, in.subject, in.value, *value);
 }
 
 std::string Side::write() const {
-  InlineTable table;
-  visit_material(WriteMaterial{table}, *value, *standard);
-  return table.empty() ? "" : table.text();
+  return write_material(*value, *standard);
 }
 
 void Side::resolve(Resolver& resolver, const std::string& name) const {
-  visit_material(ResolveMaterial{resolver, name}, *value, *standard);
+  resolve_material(resolver, name, *value);
 }
 
 // --- sizes --------------------------------------------------------------------------------------
@@ -481,8 +417,8 @@ std::string ClipBox::format() const {
   if (!value->box) return value->automatic ? "" : "off";
   std::string ranges;
   for (int k = 0; k < 3; ++k) {
-    ranges += (k == 0 ? "" : ",") + toml_number(value->box->low[k]) + ":" +
-              toml_number(value->box->high[k]);
+    ranges += (k == 0 ? "" : ",") + format_number(value->box->low[k]) + ":" +
+              format_number(value->box->high[k]);
   }
   return ranges;
 }

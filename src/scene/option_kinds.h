@@ -50,7 +50,8 @@ struct Flag {
   std::string write() const;
 };
 
-/// A text that is not empty: a shell's variable that is not set should not go unnoticed.
+/// A text. On the command line it is not empty: a shell's variable that is not set should not go
+/// unnoticed.
 struct Text {
   std::string* value;
   const char* wanted = "text in quotes";
@@ -174,7 +175,7 @@ struct Paint {
 /// The material of one side. The option is its diffuse colour.
 struct Side {
   Material* value;
-  const Material* standard;  ///< what has its values is not written
+  const Material* standard;  ///< values equal to these are not written
 
   void parse(const Given& given) const;
   std::string format() const;
@@ -196,11 +197,11 @@ struct ColormapName {
 /// One of a few words.
 struct Choice {
   std::vector<std::string> words;
-  std::function<std::size_t()> get;
+  std::function<std::optional<std::size_t>()> get;  ///< none: a value without a word
   std::function<void(std::size_t)> set;
 
   void parse(const Given& given) const;
-  std::string format() const { return words[get()]; }
+  std::string format() const;
   void read(const InFile& in) const;
   std::string write() const;
 };
@@ -214,10 +215,11 @@ Choice choice(Enum* value, const std::vector<std::pair<const char*, Enum>>& word
     result.words.emplace_back(word);
     values.push_back(each);
   }
-  result.get = [value, values] {
-    std::size_t i = 0;
-    while (i + 1 < values.size() && values[i] != *value) ++i;
-    return i;
+  result.get = [value, values]() -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] == *value) return i;
+    }
+    return std::nullopt;
   };
   result.set = [value, values](std::size_t i) { *value = values[i]; };
   return result;

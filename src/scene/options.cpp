@@ -75,10 +75,27 @@ std::string line(const Option& option, const kinds::Slot& slot, const kinds::Slo
   return key_of(option) + " = " + text + "\n";
 }
 
-/// What messages call a key: the range of time is not the moment.
+/// What messages call a key.
 std::string subject(const Option& option) {
-  const bool range_of_time = option.table == Table::Animation && !option.is_option();
-  return (range_of_time ? "animation: " : "") + key_of(option);
+  return option.subject.empty() ? key_of(option) : std::string(option.subject);
+}
+
+std::string limits_of(const kinds::Real& kind) {
+  return describe(kind.limits);
+}
+
+std::string limits_of(const kinds::Plain& kind) {
+  return describe(kind.limits);
+}
+
+std::string limits_of(const kinds::Whole& kind) {
+  return std::to_string(kind.low) + " to " + std::to_string(kind.high);
+}
+
+template <typename Kind, typename Value>
+std::string limits_of(const kinds::Maybe<Kind, Value>& maybe) {
+  if constexpr (requires { limits_of(maybe.kind); }) return limits_of(maybe.kind);
+  return "";
 }
 
 }  // namespace
@@ -100,6 +117,18 @@ std::string default_text(const Option& option) {
   SurfaceSpec surface;
   RunSettings run;
   return format_slot(slot_of(option, scene, surface, run));
+}
+
+std::string limits_text(const Option& option) {
+  Scene scene;
+  SurfaceSpec surface;
+  RunSettings run;
+  return std::visit(
+      [](const auto& kind) -> std::string {
+        if constexpr (requires { limits_of(kind); }) return limits_of(kind);
+        return "";
+      },
+      slot_of(option, scene, surface, run));
 }
 
 std::vector<std::string> choices(const Option& option) {

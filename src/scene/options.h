@@ -25,32 +25,34 @@ enum class Command { Graph, Check, Chart, List, Show };
 constexpr unsigned bit(Command command) {
   return 1U << static_cast<unsigned>(command);
 }
-inline constexpr unsigned kNoOption = 0;  ///< the row is a key of scene files alone
+inline constexpr unsigned kKeyOnly = 0;  ///< the row is a key of scene files alone
 inline constexpr unsigned kGraph = bit(Command::Graph);
 inline constexpr unsigned kGraphCheck = kGraph | bit(Command::Check);
 inline constexpr unsigned kGraphChart = kGraph | bit(Command::Chart);
-inline constexpr unsigned kAll = kGraphCheck | kGraphChart;
-inline constexpr unsigned kEvery = kAll | bit(Command::List) | bit(Command::Show);
+inline constexpr unsigned kSurfaceCommands = kGraphCheck | kGraphChart;
+inline constexpr unsigned kAllCommands = kSurfaceCommands | bit(Command::List) | bit(Command::Show);
 
-/// A row. Exactly one of `scene`, `surface` and `run` is there: whose value it is. An option of a
-/// surface is for each surface of the scene.
+/// A row. In `help` and `more`, --help fills in {choices}, {limits} and {formats}. Exactly one of
+/// `scene`, `surface` and `run` is there: whose value it is. An option of a surface is for each
+/// surface of the scene.
 struct Option {
   std::string_view name;           ///< without "--"; also the key
   char letter = 0;                 ///< of "-s"; 0: none
   std::string_view value = {};     ///< "WxH"; of an option: empty for a flag
   Section section = Section::Run;  ///< of --help
-  std::string_view help = {};      ///< one line, without the default
+  std::string_view help = {};      ///< one line, without the default; may have marks, see below
   std::string_view usual = {};  ///< default in words; empty: the value that its owner begins with
   std::string_view more = {};   ///< what --help NAME adds
-  unsigned commands = kAll;     ///< that take it
-  std::string_view needs = {};  ///< an option without which it would do nothing
-  std::string_view excludes = {};  ///< an option that says the opposite
-  Table table = Table::None;       ///< of the scene file
+  unsigned commands = kSurfaceCommands;  ///< that take it
+  std::string_view needs = {};           ///< an option without which it would do nothing
+  std::string_view excludes = {};        ///< an option that says the opposite
+  Table table = Table::None;             ///< of the scene file
+  std::string_view subject = {};         ///< what messages call the key; empty: its name
   kinds::Slot (*scene)(Scene&) = nullptr;
   kinds::Slot (*surface)(SurfaceSpec&) = nullptr;
   kinds::Slot (*run)(RunSettings&) = nullptr;
 
-  bool is_option() const { return commands != kNoOption; }
+  bool is_option() const { return commands != kKeyOnly; }
   bool is_flag() const { return value.empty(); }
 };
 
@@ -65,6 +67,9 @@ std::string dashed(const Option& option);
 
 /// The default as text, "" if there is none to tell.
 std::string default_text(const Option& option);
+
+/// What its number may be: "more than 0", "1 to 16"; "" for others.
+std::string limits_text(const Option& option);
 
 /// The words of a choice.
 std::vector<std::string> choices(const Option& option);

@@ -1,4 +1,4 @@
-// One visit of every number of a scene, each with its name and range.
+// Replaces each expression of a scene by its number, by the tables of options and lights.
 #include "scene/resolve.h"
 
 #include <map>

@@ -15,7 +15,11 @@ namespace saddle {
 /// anything wrong with the expression, a value that is not finite or outside of its limits.
 class Resolver {
  public:
+  /// The scene stays where it is.
   explicit Resolver(const Scene& scene) : scene_(scene) {}
+  explicit Resolver(Scene&&) = delete;
+  Resolver(const Resolver&) = delete;
+  Resolver& operator=(const Resolver&) = delete;
 
   /// The value of t in expressions; none: they may not use it.
   void set_time(std::optional<double> t) { t_ = t; }

@@ -64,10 +64,6 @@ std::string toml_color(const Color& color) {
                               : toml_numbers({color.r, color.g, color.b, color.a});
 }
 
-std::string toml_pair(int a, int b) {
-  return toml_string(std::to_string(a) + "x" + std::to_string(b));
-}
-
 std::string toml_names(const std::vector<std::string>& names) {
   if (names.size() == 1) return toml_string(names[0]);
   std::string text;

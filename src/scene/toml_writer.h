@@ -23,9 +23,6 @@ std::string toml_vector(const Vector& vector);
 /// A string where eight bits per channel hold the colour, numbers where they don't.
 std::string toml_color(const Color& color);
 
-/// Two whole numbers as an option has them: "80x60".
-std::string toml_pair(int a, int b);
-
 /// One name alone, several as an array.
 std::string toml_names(const std::vector<std::string>& names);
 
@@ -33,7 +30,7 @@ std::string toml_names(const std::vector<std::string>& names);
 /// point and no leading zeros.
 bool is_toml_number(std::string_view text);
 
-/// An inline table, or its inside.
+/// An inline table.
 class InlineTable {
  public:
   void add(const std::string& key, const std::string& value) {

@@ -54,6 +54,7 @@ TEST_F(Usage, HelpExplainsOneOption) {
   EXPECT_TRUE(contains(shading.out, "Default: pixel\n")) << shading.out;
   EXPECT_TRUE(contains(shading.out, "Scene files: shading")) << shading.out;
   EXPECT_TRUE(contains(refusal({"--help", "shadnig"}), "did you mean 'shading'?"));
+  EXPECT_EQ(saddle({"--help", "--shading"}).out, shading.out);
 }
 
 TEST_F(Usage, HelpListsTheKeysOfSceneFiles) {
@@ -78,6 +79,10 @@ TEST_F(Usage, TakesOptionsInEveryForm) {
   EXPECT_TRUE(contains(content("a.toml"), "view = [-1, 2, 3]"));
   EXPECT_EQ(saddle({"z=u", "-s", "9x9", "-s", "7x7", "-o", "a.toml"}).status, 0);
   EXPECT_TRUE(contains(content("a.toml"), "size = \"7x7\"")) << "the last counts";
+  EXPECT_EQ(saddle({"z=u", "--colormap", "magma", "--color", "z", "-o", "a.toml"}).status, 0);
+  EXPECT_TRUE(contains(content("a.toml"), "colormap = \"magma\""));
+  EXPECT_TRUE(contains(error_of(saddle({"z=u", "--colormap", "magma", "-o", "b.toml"}), 2),
+                       "nothing to colour"));
 }
 
 TEST_F(Usage, HelpListsTheFormulaLanguage) {

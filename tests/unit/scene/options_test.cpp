@@ -120,7 +120,7 @@ TEST(Options, KeepTheLimitsOfTheirKeys) {
       {"fov", "180"},      {"distance", "0"}, {"opacity", "1.5"},
       {"antialias", "17"}, {"size", "0x5"},   {"shading", "flat"},
       {"fps", "0"},        {"frames", "0"},   {"normal-tolerance", "181"},
-      {"view", "0,0,0"},   {"grid", "1x4"},   {"colormap", "magma"}};
+      {"view", "0,0,0"},   {"grid", "1x4"},   {"colormap", "magmma"}};
   for (const auto& [name, text] : wrong) {
     Scene scene = plain_scene();
     try {
@@ -133,11 +133,22 @@ TEST(Options, KeepTheLimitsOfTheirKeys) {
   }
 }
 
-TEST(Options, TellTheirDefaultsAndChoices) {
+TEST(Options, AreTakenBySomeCommandOrAreKeys) {
+  for (const Option& option : options()) {
+    EXPECT_EQ(option.commands & ~kAllCommands, 0U) << option.name;
+    if (option.is_option()) EXPECT_NE(option.commands & kGraph, 0U) << option.name;
+  }
+}
+
+TEST(Options, TellTheirDefaultsLimitsAndChoices) {
   EXPECT_EQ(default_text(*find_option("size")), "800x600");
   EXPECT_EQ(default_text(*find_option("fov")), "30");
   EXPECT_EQ(default_text(*find_option("shading")), "pixel");
   EXPECT_EQ(default_text(*find_option("axes")), "");
+  EXPECT_EQ(limits_text(*find_option("fov")), "more than 0 and less than 180");
+  EXPECT_EQ(limits_text(*find_option("distance")), "more than 0");
+  EXPECT_EQ(limits_text(*find_option("antialias")), "1 to 16");
+  EXPECT_EQ(limits_text(*find_option("size")), "");
   EXPECT_EQ(choices(*find_option("shading")),
             (std::vector<std::string>{"vertex", "pixel", "exact"}));
   EXPECT_FALSE(choices(*find_option("colormap")).empty());
