@@ -30,13 +30,14 @@ constexpr std::array kTable{
     KeyBinding{Action::SaveScene, "S", "save the scene with this camera"},
     KeyBinding{Action::CopyCommand, "c", "copy the scene as a command line"},
     KeyBinding{Action::CopyScene, "C", "copy the scene as a scene file"},
-    KeyBinding{Action::Undo, "Ctrl-z", "undo an edit"},
-    KeyBinding{Action::Redo, "Ctrl-y", "do it again"},
+    KeyBinding{Action::Undo, "Ctrl-Z", "undo an edit"},
+    KeyBinding{Action::Redo, "Ctrl-Shift-Z", "do it again"},
+    KeyBinding{Action::Redo, "Ctrl-Y", "do it again"},
     KeyBinding{Action::Reload, "r", "reload"},
     KeyBinding{Action::Panel, "Tab", "panel on or off"},
     KeyBinding{Action::Help, "F1", "this help"},
-    KeyBinding{Action::Quit, "q", "quit"},
-    KeyBinding{Action::Quit, "Escape", "quit"},
+    KeyBinding{Action::Dismiss, "Escape", "close help, list, field or message"},
+    KeyBinding{Action::Quit, "Ctrl-Q", "quit"},
 };
 
 }  // namespace
@@ -50,11 +51,20 @@ const KeyBinding* find_key(std::string_view name) {
   return found == kTable.end() ? nullptr : &*found;
 }
 
+bool types_character(const KeyBinding& key) {
+  const std::string_view name = key.name;
+  return name.size() == 1 || name == "Space";
+}
+
+bool works_while_typing(Action action) {
+  return action == Action::Help || action == Action::Dismiss || action == Action::Quit;
+}
+
 std::string key_help() {
   std::string text;
   for (const KeyBinding& key : kTable) {
     std::string name = key.name;
-    name.resize(10, ' ');
+    name.resize(14, ' ');
     text += name + key.help + "\n";
   }
   return text;

@@ -34,6 +34,7 @@ enum class Action {
   Reload,
   Panel,
   Help,
+  Dismiss,
   Quit,
 };
 
@@ -41,7 +42,7 @@ enum class Action {
 /// character, wherever the keyboard has it; the others by the key.
 struct KeyBinding {
   Action action;
-  const char* name;  ///< "g", "Home", "Ctrl-z"
+  const char* name;  ///< "g", "Home", "Ctrl-Z"
   const char* help;
 };
 
@@ -49,6 +50,12 @@ std::span<const KeyBinding> key_table();
 
 /// What a character, or a special key with its name, does; nullptr: nothing.
 const KeyBinding* find_key(std::string_view name);
+
+/// The key types a character, so it is for fields alone while text is edited.
+bool types_character(const KeyBinding& key);
+
+/// The action's key does the same in a field and in a list.
+bool works_while_typing(Action action);
 
 /// The table as text, a line each.
 std::string key_help();

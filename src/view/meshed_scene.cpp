@@ -60,11 +60,35 @@ std::optional<Sight> look_along(const Meshed& meshed, const Ray& ray) {
 std::optional<PickedPoint> pick(const Meshed& meshed, const Ray& ray) {
   const auto sight = look_along(meshed, ray);
   if (!sight) return std::nullopt;
-  const SurfaceSpec& spec = meshed.scene.surfaces[sight->instance.surface];
+  const Instance& instance = sight->instance;
+  const SurfaceSpec& spec = meshed.scene.surfaces[instance.surface];
   const Surface surface = prepare_surface(meshed.scene, spec, Order::Second).surface;
   const SurfacePlace place = place_on_surface(surface, sight->ray, sight->hit);
-  const dvec3 world(sight->instance.to_world * glm::dvec4(place.position, 1));
-  return PickedPoint{spec.name, place, world};
+  const dvec3 world(instance.to_world * glm::dvec4(place.position, 1));
+  const auto copies = places(meshed.scene, spec);
+  const auto copy = std::ranges::find(copies, instance.to_world) - copies.begin();
+  return PickedPoint{spec.name, instance.surface, static_cast<std::size_t>(copy), place, world};
+}
+
+PickedPoint pick_again(const Meshed& meshed, const PickedPoint& picked) {
+  const auto& surfaces = meshed.scene.surfaces;
+  const auto gone = [&](const std::string& why) {
+    return Error(Status::Input, "the picked point is gone: " + why);
+  };
+  std::size_t index = picked.index;
+  if (index >= surfaces.size() || surfaces[index].name != picked.surface) {
+    const auto found = std::ranges::find(surfaces, picked.surface, &SurfaceSpec::name);
+    if (found == surfaces.end()) throw gone("there is no surface '" + picked.surface + "'");
+    index = static_cast<std::size_t>(found - surfaces.begin());
+  }
+  const SurfaceSpec& spec = surfaces[index];
+  const auto copies = places(meshed.scene, spec);
+  if (picked.copy >= copies.size()) throw gone("its node is");
+  const auto place =
+      place_at(prepare_surface(meshed.scene, spec, Order::Second).surface, picked.place.uv);
+  if (!place) throw gone("its u and v are not on '" + spec.name + "'");
+  const dvec3 world(copies[picked.copy] * glm::dvec4(place->position, 1));
+  return {spec.name, index, picked.copy, *place, world};
 }
 
 std::string describe(const PickedPoint& picked) {

@@ -36,12 +36,18 @@ std::optional<Sight> look_along(const Meshed& meshed, const Ray& ray);
 /// A point that was picked, and the surface it is on.
 struct PickedPoint {
   std::string surface;
-  SurfacePlace place;  ///< in the surface's own coordinates
-  dvec3 world;         ///< where its node has put it
+  std::size_t index = 0;  ///< of the surface
+  std::size_t copy = 0;   ///< which of the nodes that the surface is in
+  SurfacePlace place;     ///< in the surface's own coordinates
+  dvec3 world;            ///< where its node has put it
 };
 
 /// The point of the first surface on a line of sight.
 std::optional<PickedPoint> pick(const Meshed& meshed, const Ray& ray);
+
+/// The point with the same u and v, of the same surface and node, in another scene. Throws Error
+/// (Input) with the reason where there is none.
+PickedPoint pick_again(const Meshed& meshed, const PickedPoint& picked);
 
 /// The point in a line: u, v, x, y, z, the normal and the curvatures.
 std::string describe(const PickedPoint& picked);

@@ -188,7 +188,6 @@ void Model::open(Scene scene) {
   own_lights_ = scene.lights;
   light_setup_ = 0;
   table_up = scene.camera.up;
-  picked_.reset();
   history_.record(scene_, "");
   scene_ = std::move(scene);
   frame();
@@ -263,6 +262,18 @@ void Model::show(Meshed meshed) {
   good_ = std::move(meshed);
   bounds_ = bounds_of(good_);
   radius_.reset();
+  follow_picked();
+}
+
+/// A picked point is one of the surface that is shown, or none.
+void Model::follow_picked() {
+  if (!picked_) return;
+  try {
+    picked_ = pick_again(good_, *picked_);
+  } catch (const Error& error) {
+    picked_.reset();
+    news_ = error.what();
+  }
 }
 
 void Model::pass(Clock::time_point now) {

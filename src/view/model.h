@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -86,6 +87,8 @@ class Model {
 
   /// Takes what the worker has; true if the picture is another.
   bool take_result();
+  /// What the user should read, since the last call.
+  std::optional<std::string> take_news() { return std::exchange(news_, std::nullopt); }
   /// Time goes by: t if it plays, a finer mesh some time after the camera has moved.
   void pass(Clock::time_point now);
   /// When pass() wants to be called next, at the latest.
@@ -108,6 +111,7 @@ class Model {
   bool keeps_up() const;
   bool is_close(const Camera& camera) const;
   void show(Meshed meshed);
+  void follow_picked();
   double surface_radius(const dvec3& centre) const;
   void next_lights();
   bool act_on_looks(Action action);
@@ -129,6 +133,7 @@ class Model {
   std::optional<Error> error_;
   std::size_t faulty_surface_ = 0;
   std::optional<PickedPoint> picked_;
+  std::optional<std::string> news_;
   Bounds bounds_;  ///< of the meshes
   int light_setup_ = 0;
   std::vector<Light> own_lights_;

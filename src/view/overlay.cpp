@@ -1,7 +1,6 @@
 #include "view/overlay.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>
 
 namespace saddle {
 namespace {
@@ -14,7 +13,8 @@ void show_text(const char* id, const std::string& text, const ImVec2& place, con
   ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoSavedSettings;
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin(id, nullptr, kFlags)) {
     // Carets and columns want letters of one width: the last font.
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts.back());
@@ -39,19 +39,6 @@ void show_overlay(const Overlay& overlay) {
   const float radius = ImGui::GetFontSize() / 4;
   background.AddCircleFilled(at, radius + 1.5F, kMarkRim);
   background.AddCircleFilled(at, radius, kMarkColor);
-}
-
-bool is_text_wanted() {
-  const ImGuiContext& context = *ImGui::GetCurrentContext();
-  return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
-}
-
-bool is_popup_open() {
-  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-}
-
-void leave_fields() {
-  ImGui::ClearActiveID();
 }
 
 }  // namespace saddle

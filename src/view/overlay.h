@@ -1,5 +1,4 @@
-// What lies over the picture: the mark of a picked point, messages, help. And the few questions
-// about the panel's state that the viewer asks.
+// What lies over the picture: the mark of a picked point, messages, help.
 #pragma once
 
 #include <optional>
@@ -18,12 +17,5 @@ struct Overlay {
 
 /// Between Window::begin_panel() and end_panel().
 void show_overlay(const Overlay& overlay);
-
-/// Keys go into a field.
-bool is_text_wanted();
-/// A list or menu is open, wherever it reaches.
-bool is_popup_open();
-/// Takes the keyboard from any field.
-void leave_fields();
 
 }  // namespace saddle

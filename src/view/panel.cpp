@@ -17,6 +17,7 @@
 #include "scene/colormap.h"
 #include "scene/gallery.h"
 #include "scene/values.h"
+#include "view/fields.h"
 
 namespace saddle {
 namespace {
@@ -204,14 +205,15 @@ void Panel::show_definitions(Model& model) {
     show_parameter(model, scene, i);
   }
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##new", "new: name = formula", &new_definition_,
-                               ImGuiInputTextFlags_EnterReturnsTrue)) {
+  ImGui::InputTextWithHint("##new", "new: name = formula", &new_definition_);
+  if (is_confirmed_ && ImGui::IsItemActive()) {
     Scene scene = model.scene();
     refused_.clear();
     try {
       assign(scene, new_definition_);
       model.edit(std::move(scene), "");
       new_definition_.clear();
+      clear_text();
     } catch (const Error& error) {
       refused_ = error.what();
     }
@@ -240,9 +242,8 @@ void Panel::show_gallery(Model& model) {
   if (!ImGui::BeginCombo("##gallery", "gallery ...", ImGuiComboFlags_HeightLarge)) return;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  bool take_first = ImGui::InputTextWithHint("##search", "search", &search_,
-                                             ImGuiInputTextFlags_EnterReturnsTrue);
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+  ImGui::InputTextWithHint("##search", "search", &search_);
+  bool take_first = is_confirmed_ && ImGui::IsItemActive();
   for (const GalleryEntry& entry : gallery()) {
     if (!contains(entry.name, search_) && !contains(entry.description, search_)) continue;
     if (ImGui::Selectable(std::string(entry.name).c_str()) || take_first) {
@@ -375,6 +376,12 @@ void Panel::show_figures(const Model& model, const Figures& figures) {
                             model.last_good().milliseconds, model.is_meshing() ? " ..." : ""));
 }
 
+void Panel::confirm(Model& model) {
+  confirm_text();
+  model.end_edit();
+  is_confirmed_ = true;
+}
+
 void Panel::show(Model& model, const Figures& figures, double width, double scale) {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({static_cast<float>(width), ImGui::GetIO().DisplaySize.y});
@@ -401,6 +408,7 @@ void Panel::show(Model& model, const Figures& figures, double width, double scal
   if (active != active_) model.end_edit();
   active_ = active;
   changed_ |= ImGui::GetCurrentContext()->ActiveIdHasBeenEditedThisFrame;
+  is_confirmed_ = false;
 }
 
 }  // namespace saddle

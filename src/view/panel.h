@@ -20,6 +20,9 @@ class Panel {
   /// user's.
   void show(Model& model, const Figures& figures, double width, double scale);
 
+  /// Return was pressed in a field, which keeps the keyboard: what was typed is an edit of its own.
+  void confirm(Model& model);
+
   /// Something was changed that the picture shows, since the last call.
   bool take_change() { return std::exchange(changed_, false); }
 
@@ -52,6 +55,7 @@ class Panel {
   std::optional<Action> action_;
   unsigned active_ = 0;  ///< ImGui's name of the field that has the keyboard or the pointer
   bool changed_ = false;
+  bool is_confirmed_ = false;  ///< Return was pressed since the last frame
   bool has_shown_error_ = false;
   std::string search_;
   std::string new_definition_;

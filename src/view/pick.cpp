@@ -19,6 +19,9 @@ constexpr int kSteps = 8;
 /// Steps that lead farther than this part of the domain from the hit lead to another sheet.
 constexpr double kFarAway = 0.1;
 
+/// A few roundings of a parameter, as a part of its range.
+constexpr double kRounding = 1e-12;
+
 /// Signed distance along the ray and weights of the second and third corner.
 std::optional<dvec3> intersect(const Ray& ray, const std::array<dvec3, 3>& corner) {
   const dvec3 ab = corner[1] - corner[0];
@@ -37,6 +40,16 @@ std::optional<dvec3> intersect(const Ray& ray, const std::array<dvec3, 3>& corne
 dvec2 clamped(const dvec2& uv, const Domain& d) {
   return {std::clamp(uv.x, std::min(d.u0, d.u1), std::max(d.u0, d.u1)),
           std::clamp(uv.y, std::min(d.v0, d.v1), std::max(d.v0, d.v1))};
+}
+
+/// All that is told of a point of the surface, whose u and v here are its own.
+SurfacePlace describe_place(const Surface& surface, const dvec2& own, const SurfacePoint& point) {
+  const auto normal =
+      unit_normal(point, safe_length(point.r_u), safe_length(point.r_v), surface.flip);
+  const Curvature curvature = evaluate_curvature(surface, {&own, 1}, 1).front();
+  dvec2 uv = own;
+  take_user_parameters(surface, {&uv, 1});
+  return {uv, point.position, normal, curvature};
 }
 
 /// Two directions across the ray.
@@ -92,11 +105,24 @@ SurfacePlace place_on_surface(const Surface& surface, const Ray& ray, const Hit&
     if (!near || !(glm::length(next.off) < glm::length(best.off))) break;  // so is what is NaN
     best = next;
   }
-  const auto normal = unit_normal(best.point, safe_length(best.point.r_u),
-                                  safe_length(best.point.r_v), surface.flip);
-  const Curvature curvature = evaluate_curvature(surface, {&best.uv, 1}, 1).front();
-  take_user_parameters(surface, {&best.uv, 1});
-  return {best.uv, best.point.position, normal, curvature};
+  return describe_place(surface, best.uv, best.point);
+}
+
+std::optional<SurfacePlace> place_at(const Surface& surface, const dvec2& uv) {
+  dvec2 own = uv;
+  take_own_parameters(surface, {&own, 1});
+  // A place on an edge is off by rounding after the way to the surface's own parameters and back.
+  const dvec2 inside = clamped(own, surface.domain);
+  const Domain& domain = surface.domain;
+  const dvec2 lengths = glm::abs(dvec2(domain.u1 - domain.u0, domain.v1 - domain.v0));
+  const bool is_inside = glm::all(glm::lessThanEqual(glm::abs(own - inside), kRounding * lengths));
+  if (!is_inside) return std::nullopt;  // so is what is NaN
+  const SurfacePoint point = evaluate(surface, {&inside, 1}, 1).front();
+  const dvec3& p = point.position;
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return std::nullopt;
+  SurfacePlace place = describe_place(surface, inside, point);
+  place.uv = uv;  // stays as it is, however often the surface changes
+  return place;
 }
 
 }  // namespace saddle

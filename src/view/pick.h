@@ -34,4 +34,7 @@ struct SurfacePlace {
 /// If that leads away from the hit, the surface at the hit's u and v.
 SurfacePlace place_on_surface(const Surface& surface, const Ray& ray, const Hit& hit);
 
+/// The surface at the user's u and v; nothing outside its domain and where it is undefined.
+std::optional<SurfacePlace> place_at(const Surface& surface, const dvec2& uv);
+
 }  // namespace saddle

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "scene/command_text.h"
 #include "scene/scene_file.h"
+#include "view/fields.h"
 
 namespace saddle {
 namespace {
@@ -58,11 +59,15 @@ void Viewer::run() {
 void Viewer::step() {
   window_.wait(patience());
   const auto begin = Clock::now();
-  for (const Event& event : window_.take_events()) handle(event);
+  for (const Event& event : window_.take_events()) {
+    if (!is_taken_from_panel(event)) window_.tell_panel(event);
+    handle(event);
+  }
   if (model_.take_result()) {
     drawing_.take_meshes(model_);
     touch();
   }
+  if (const auto news = model_.take_news()) say(*news);
   if (const auto news = saver_.pass()) say(*news);
   model_.pass(Clock::now());
   look_at_file();
@@ -156,17 +161,47 @@ bool Viewer::is_over_picture(const Event& event) const {
 void Viewer::press(const Event& event) {
   if (!is_over_picture(event)) return;
   leave_fields();
+  is_typing_ = false;
   const dvec2 pixel = in_picture(event.place);
   if (!event.twice) return hand_.press(model_, pixel, event.button, event.shift);
   model_.pick(pixel);
   if (model_.picked()) std::cout << describe(*model_.picked()) << std::endl;
 }
 
+/// Escape closes the uppermost thing alone; a field keeps the keyboard after Return.
+bool Viewer::is_taken_from_panel(const Event& event) const {
+  if (event.kind != Event::Kind::KeyDown) return false;
+  if (event.key == "Escape") return help_shown_ || is_popup_open();
+  return event.key == "Return" && is_text_wanted() && !is_editing_number();
+}
+
+/// Letters are keys only while the picture has the keyboard.
 void Viewer::key(const std::string& name) {
   const KeyBinding* const binding = find_key(name);
-  if (binding == nullptr || is_text_wanted() || is_popup_open()) return;
+  if (is_text_wanted() || is_popup_open()) {
+    is_typing_ = is_typing_ || is_text_wanted();
+    if (name == "Return" && is_text_wanted() && !is_editing_number()) panel_.confirm(model_);
+    if (binding == nullptr || !works_while_typing(binding->action)) return;
+  }
+  if (binding == nullptr) return;
+  if (is_typing_ && types_character(*binding)) {
+    return say("click into the picture, or press Escape, to use its keys");
+  }
   act(binding->action);
   change_picture();
+}
+
+/// Closes the uppermost thing; the last is the field, which gives the keyboard to the picture.
+void Viewer::dismiss() {
+  if (is_popup_open()) {
+    close_popups();
+    is_typing_ = false;
+  } else if (help_shown_) {
+    help_shown_ = false;
+  } else {
+    is_typing_ = false;
+    message_.clear();
+  }
 }
 
 void Viewer::act(Action action) {
@@ -183,6 +218,8 @@ void Viewer::act(Action action) {
       case Action::Help:
         help_shown_ = !help_shown_;
         return;
+      case Action::Dismiss:
+        return dismiss();
       case Action::Normals:
         return drawing_.show_normals(model_, !drawing_.has_normals());
       case Action::CopyCommand:

@@ -36,6 +36,8 @@ class Viewer {
 
   /// One round: waits until something happens, does it and draws.
   void step();
+  /// The window is to close, and nothing that it waits for goes on.
+  bool is_to_end();
 
   /// A hand or a keyboard does something: for tests.
   void receive(const Event& event) { window_.receive(event); }
@@ -50,14 +52,15 @@ class Viewer {
   using Clock = Model::Clock;
 
   std::optional<double> patience() const;
-  bool is_to_end();
   void print_times() const;
   void touch();
   void change_picture();
   void say(const std::string& text);
   void handle(const Event& event);
   void press(const Event& event);
+  bool is_taken_from_panel(const Event& event) const;
   void key(const std::string& name);
+  void dismiss();
   void act(Action action);
   void copy(Action action);
   void look_at_file();
@@ -83,7 +86,8 @@ class Viewer {
   bool insisting_ = false;  ///< not even files that are being written are waited for
   bool panel_shown_ = true;
   bool help_shown_ = false;
-  int to_paint_;  ///< frames that the window still needs
+  bool is_typing_ = false;  ///< the last key went to a field, and the picture was not pressed since
+  int to_paint_;            ///< frames that the window still needs
   std::string message_;
   Clock::time_point message_end_;
   // The last members: their threads wake the window.

@@ -65,11 +65,17 @@ Window& of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
-/// The keys that type no character, as the table calls them.
+/// The keys that type no character, as the table calls them. With Ctrl held, letters are upper
+/// case, wherever the keyboard has them.
 std::string special_key(int key, int mods) {
   if ((mods & GLFW_MOD_CONTROL) != 0) {
     const char* const name = glfwGetKeyName(key, 0);
-    return name != nullptr ? std::string("Ctrl-") + name : "";
+    if (name == nullptr) return "";
+    std::string letter(name);
+    for (char& c : letter) {
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    }
+    return ((mods & GLFW_MOD_SHIFT) != 0 ? "Ctrl-Shift-" : "Ctrl-") + letter;
   }
   switch (key) {
     case GLFW_KEY_HOME:
@@ -82,9 +88,57 @@ std::string special_key(int key, int mods) {
       return "F1";
     case GLFW_KEY_ESCAPE:
       return "Escape";
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      return "Return";
     default:
       return "";
   }
+}
+
+// What one frame of Dear ImGui 1.86 makes of keys: it sees which keys are down, inserts the
+// characters typed, unless Ctrl is down, and then does what one editing key says.
+
+bool is_key(const Event& event) {
+  return event.kind == Event::Kind::KeyDown || event.kind == Event::Kind::KeyUp;
+}
+
+bool is_shift(const Event& event) {
+  return is_key(event) && (event.code == GLFW_KEY_LEFT_SHIFT || event.code == GLFW_KEY_RIGHT_SHIFT);
+}
+
+/// Shift, Ctrl, Alt and Super.
+bool is_modifier(const Event& event) {
+  return is_key(event) && event.code >= GLFW_KEY_LEFT_SHIFT && event.code <= GLFW_KEY_RIGHT_SUPER;
+}
+
+/// A key that edits: not a modifier, nor one whose character comes as an event of its own.
+bool is_editing_key(const Event& event) {
+  constexpr int kCommand = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+  const bool is_printable = event.code < GLFW_KEY_ESCAPE;
+  return is_key(event) && !is_modifier(event) && (!is_printable || (event.mods & kCommand) != 0);
+}
+
+bool is_editing_press(const Event& event) {
+  return event.kind == Event::Kind::KeyDown && is_editing_key(event);
+}
+
+/// One frame can tell `next` apart from the events before it.
+bool fits_into_frame(const Event& next, std::span<const Event> before) {
+  using Kind = Event::Kind;
+  const auto is_button = [](const Event& e) {
+    return e.kind == Kind::Press || e.kind == Kind::Release;
+  };
+  const auto is_character = [](const Event& e) { return e.kind == Kind::Character; };
+  const auto has = [&](const auto& condition) { return std::ranges::any_of(before, condition); };
+  if (has(is_button)) return false;
+  if (is_button(next)) return !has(is_character) && !has(is_key);
+  if (is_character(next)) return !has(is_editing_press);
+  if (is_modifier(next)) return !has(is_editing_press) && (is_shift(next) || !has(is_character));
+  if (!is_editing_key(next)) return true;
+  if (has(is_editing_press)) return false;
+  const auto same_key = [&](const Event& e) { return is_key(e) && e.code == next.code; };
+  return next.kind == Kind::KeyUp || (!has(is_character) && !has(same_key));
 }
 
 /// No larger than the screen.
@@ -202,6 +256,7 @@ void Window::start_panel() {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;               // leaves no file behind
+  io.KeyRepeatDelay = 1e9F;               // keys repeat by events
   io.ConfigInputTextCursorBlink = false;  // a frame is drawn when something happens
   const float size = std::round(kFontSize * static_cast<float>(scale_));
   add_font(kFonts, size);
@@ -245,25 +300,9 @@ void Window::wake() {
 }
 
 std::vector<Event> Window::take_events() {
-  using Kind = Event::Kind;
   std::vector<Event> taken;
-  const auto has_taken = [&](auto... kinds) {
-    return std::ranges::any_of(taken, [=](const Event& e) { return ((e.kind == kinds) || ...); });
-  };
-  while (!events_.empty()) {
-    const Event& next = events_.front();
-    const bool is_button = next.kind == Kind::Press || next.kind == Kind::Release;
-    const bool is_key = next.kind == Kind::KeyDown || next.kind == Kind::KeyUp;
-    const auto same_key = [&](const Event& e) {
-      return (e.kind == Kind::KeyDown || e.kind == Kind::KeyUp) && e.code == next.code;
-    };
-    if (has_taken(Kind::Press, Kind::Release)) break;
-    if (is_button && has_taken(Kind::Character, Kind::KeyDown, Kind::KeyUp)) break;
-    // A letter comes with its own key down, which edits nothing.
-    if (is_key && next.kind == Kind::KeyDown && has_taken(Kind::Character)) break;
-    if (is_key && std::ranges::any_of(taken, same_key)) break;
-    tell_panel(next);
-    taken.push_back(next);
+  while (!events_.empty() && fits_into_frame(events_.front(), taken)) {
+    taken.push_back(std::move(events_.front()));
     events_.pop_front();
   }
   return taken;
@@ -286,6 +325,9 @@ void Window::tell_panel(const Event& event) {
     case Event::Kind::KeyDown:
     case Event::Kind::KeyUp: {
       const int action = event.kind == Event::Kind::KeyDown ? GLFW_PRESS : GLFW_RELEASE;
+      // A key that repeats is pressed again, as often as the keyboard says.
+      const bool is_known = event.code >= 0 && event.code <= GLFW_KEY_LAST;
+      if (is_known && is_editing_press(event)) ImGui::GetIO().KeysDownDuration[event.code] = -1;
       return ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, action, event.mods);
     }
     case Event::Kind::Move:

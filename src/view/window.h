@@ -47,9 +47,12 @@ class Window {
   void receive(Event event);
 
   /// What has happened, in order, but no more than what one frame of the panel can tell apart: it
-  /// sees only what is down when it looks. The rest waits for the next frame.
+  /// sees only what is down when it looks. The rest waits for the next frame. tell_panel() passes
+  /// an event on.
   std::vector<Event> take_events();
   bool has_events() const { return !events_.empty(); }
+  /// The panel's next frame takes part in what has happened.
+  void tell_panel(const Event& event);
   /// The window is asked to close, since the last call.
   bool take_close_request();
   /// The window wants to be painted: it was uncovered or has another size.
@@ -74,7 +77,6 @@ class Window {
   void start_panel();
   void listen_to_keys();
   void receive_here(Event event);
-  void tell_panel(const Event& event);
 
   GLFWwindow* window_ = nullptr;
   double scale_ = 1;

@@ -96,7 +96,7 @@ TEST_F(Usage, HelpListsTheFormulaLanguage) {
 TEST_F(Usage, HelpListsTheKeysOfTheViewer) {
   const Outcome run = saddle({"--help", "keys"});
   EXPECT_EQ(run.status, 0);
-  EXPECT_TRUE(contains(run.out, "Escape")) << run.out;
+  EXPECT_TRUE(contains(run.out, "Ctrl-Q")) << run.out;
 }
 
 TEST_F(Usage, RefusesWhatWouldBeIgnored) {

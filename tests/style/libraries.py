@@ -13,7 +13,7 @@ HOMES = {
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",
     r"toml\+\+/.*": r"src/scene/toml\.cpp",
     r"GLFW/.*|backends/imgui.*": r"src/view/window\.cpp",
-    r"imgui.*": r"src/view/(window|panel|overlay)\.cpp",
+    r"imgui.*": r"src/view/(window|panel|overlay|fields)\.cpp",
     r"stb_truetype\.h": r"src/render/font\.cpp",
     r"zlib\.h": r"src/base/png_pixels\.cpp|tests/.*",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",

@@ -148,6 +148,7 @@ class RandomHand {
     Event event = at_pointer(down ? Event::Kind::KeyDown : Event::Kind::KeyUp);
     event.code = code;
     event.mods = mods;
+    if (down && code == kKeyEscape) event.key = "Escape";
     viewer_.receive(event);
   }
 

@@ -29,10 +29,10 @@ bool differ(const Image& a, const Image& b) {
   return a.rgba != b.rgba;
 }
 
-TEST_F(ViewerTest, ShowsASurfaceAndEndsWithEscape) {
+TEST_F(ViewerTest, ShowsASurfaceAndEndsWithCtrlQ) {
   open({"torus"});
   EXPECT_GT(yellow_pixels(picture()), 50'000);
-  act("key Escape");
+  act("key ctrl+q");
   EXPECT_EQ(status(), 0);
 }
 
@@ -130,7 +130,7 @@ TEST_F(ViewerTest, KeepsTheLastGoodSurfaceWhileAFormulaIsWrong) {
   act("type --delay 20 '*2'");
   EXPECT_TRUE(differ(settled_picture(), before));
   act("key Escape sleep 0.3");  // leaves the field: its text is what it was
-  act("mousemove 700 650 key Escape");
+  act("key ctrl+q");
   EXPECT_EQ(status(), 0);
 }
 
@@ -142,6 +142,10 @@ TEST_F(ViewerTest, UndoesAnEdit) {
   act("key ctrl+z");
   EXPECT_FALSE(differ(settled_picture(), before));
   act("key ctrl+y");
+  EXPECT_TRUE(differ(settled_picture(), before));
+  act("key ctrl+z");
+  EXPECT_FALSE(differ(settled_picture(), before));
+  act("key ctrl+shift+z");
   EXPECT_TRUE(differ(settled_picture(), before));
 }
 
@@ -218,7 +222,7 @@ TEST_F(ViewerTest, FollowsTheSceneFile) {
 
 TEST_F(ViewerTest, DrawsNothingWhileNothingHappens) {
   open({"torus", "-v"});
-  act("key Escape");
+  act("key ctrl+q");
   ASSERT_EQ(status(), 0);
   int pictures = 0;
   int frames = 0;
@@ -281,7 +285,7 @@ TEST_F(ViewerTest, SurvivesAnything) {
     }
     act(words);
   }
-  act("mouseup 1 mouseup 3 mousemove 700 300 click 1 sleep 0.5 key Escape sleep 0.5 key Escape");
+  act("mouseup 1 mouseup 3 mousemove 700 300 click 1 sleep 0.5 key ctrl+q");
   EXPECT_EQ(status(), 0) << standard_error();
 }
 
