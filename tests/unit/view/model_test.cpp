@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
+#include <new>
 #include <semaphore>
+#include <utility>
 
 #include "view/hand.h"
 
@@ -14,8 +17,8 @@ namespace {
 /// A model of a plane, meshed.
 class PlaneModel {
  public:
-  explicit PlaneModel(const std::string& size)
-      : model_(setup(size), [this] { meshed_.release(); }) {
+  explicit PlaneModel(const std::string& size, std::function<Scene()> reload = {})
+      : model_(setup(size, std::move(reload)), [this] { meshed_.release(); }) {
     while (!model_.take_result() || model_.last_good().preview) {
       if (!meshed_.try_acquire_for(std::chrono::seconds(30))) break;
     }
@@ -24,8 +27,9 @@ class PlaneModel {
   Model* operator->() { return &model_; }
 
  private:
-  static ViewerSetup setup(const std::string& size) {
+  static ViewerSetup setup(const std::string& size, std::function<Scene()> reload) {
     ViewerSetup result;
+    result.reload = std::move(reload);
     SurfaceSpec& plane = result.scene.surfaces.emplace_back();
     plane.x = size + "*u";
     plane.y = size + "*v";
@@ -63,6 +67,14 @@ TEST(Model, MovesTheCameraWithTheHand) {
   const Grip grip = model->grip();
   model->look_through(moved(grip, grip.fitted.target, {200, 150}, {250, 150}));
   EXPECT_GT(glm::distance(model->grip().fitted.target, before), 0.1);
+}
+
+TEST(Model, KeepsItsMeshesWhereReloadingThrowsWhatIsNoError) {
+  PlaneModel model("1", []() -> Scene { throw std::bad_alloc(); });
+  EXPECT_TRUE(model->act(Action::Reload));
+  ASSERT_TRUE(model->error());
+  EXPECT_STREQ(model->error()->what(), "out of memory");
+  EXPECT_EQ(model->meshes().size(), 1);
 }
 
 }  // namespace
