@@ -69,8 +69,8 @@ Scene build_scene(const CommandLine& line) {
   }
   if (line.arguments.empty()) {
     throw Error(Status::Input, "no surface given", {},
-                "for example saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png\n"
-                "saddle --help says more");
+                {"for example saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png",
+                 "saddle --help says more"});
   }
   check_given_once(assignments);
   Scene scene = names.empty() ? Scene{} : named_scene(names[0]);

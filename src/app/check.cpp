@@ -1,13 +1,15 @@
 // saddle check: what is true of a surface, in words and as a report; nothing is drawn.
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/build_scene.h"
 #include "app/commands.h"
 #include "app/describe.h"
 #include "app/run_report.h"
-#include "app/standard_output.h"
+#include "base/standard_streams.h"
 #include "study/check_surface.h"
 
 namespace saddle {
@@ -15,7 +17,7 @@ namespace saddle {
 void run_check(const CommandLine& line, Clock::time_point start) {
   const Scene scene = build_scene(line);
   RunReport report;
-  std::string words;
+  std::vector<std::string> words;
   for (const SurfaceSpec& spec : scene.surfaces) {
     CheckedSurface checked = check_surface(scene, spec, line.run.threads);
     add_times(checked.tessellation, report.times);
@@ -23,11 +25,11 @@ void run_check(const CommandLine& line, Clock::time_point start) {
     SurfaceReport& surface =
         report.surfaces.emplace_back(report_of(spec.name, checked.tessellation));
     surface.facts = std::move(checked.facts);
-    words += describe(surface, checked.tessellation.mesh);
+    std::ranges::move(describe(surface, checked.tessellation.mesh), std::back_inserter(words));
   }
   print_warnings(line, report.warnings);
   report.times.total = milliseconds_since(start);
-  if (line.run.report != "-") print(words);
+  if (line.run.report != "-") print_lines(words);
   send_report(line.run.report, report);
   if (line.run.strict) fail_on_warnings(report);
 }

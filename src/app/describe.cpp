@@ -163,11 +163,11 @@ std::string proof(const MeshReport& report, const Domain& d) {
 
 }  // namespace
 
-std::string describe(const SurfaceReport& s, const Mesh& triangles) {
+std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles) {
   const Facts& facts = *s.facts;
-  std::string text = s.name + "\n";
-  const auto line = [&text](const std::string& what, const std::string& said) {
-    text += "  " + what + std::string(12 - what.size(), ' ') + said + "\n";
+  std::vector<std::string> lines = {s.name};
+  const auto line = [&lines](const std::string& what, const std::string& said) {
+    lines.push_back("  " + what + std::string(12 - what.size(), ' ') + said);
   };
   line("domain", domain(facts));
   line("defined", defined(s, triangles));
@@ -183,7 +183,7 @@ std::string describe(const SurfaceReport& s, const Mesh& triangles) {
   line("curvature", curvatures(facts.measures));
   line("mesh", mesh(s));
   line("proof", proof(s.mesh, facts.domain));
-  return text;
+  return lines;
 }
 
 }  // namespace saddle

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/report.h"
 
@@ -9,6 +10,6 @@ namespace saddle {
 
 /// A line for each kind of fact, with the surface's name above. For a surface with facts, and its
 /// mesh.
-std::string describe(const SurfaceReport& surface, const Mesh& mesh);
+std::vector<std::string> describe(const SurfaceReport& surface, const Mesh& mesh);
 
 }  // namespace saddle

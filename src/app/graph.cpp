@@ -1,7 +1,6 @@
 // saddle FORMULAS or NAME: check the outputs, then for each moment mesh what is another surface
 // than before, draw and write; report.
 #include <algorithm>
-#include <iostream>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "app/reference.h"
 #include "app/run_report.h"
 #include "app/scene_meshes.h"
+#include "base/standard_streams.h"
 #include "render/framing.h"
 
 namespace saddle {
@@ -74,7 +74,7 @@ class Run {
     report();
     if (!reference_) return;
     const std::string passed = reference_->compare();
-    if (line_.run.verbose) std::cerr << passed << '\n';
+    if (line_.run.verbose) tell(passed);
   }
 
  private:
@@ -141,7 +141,7 @@ class Run {
     }
     report_.times.total = milliseconds_since(start_);
     send_report(line_.run.report, report_);
-    if (line_.run.verbose) std::cerr << summary(report_);
+    if (line_.run.verbose) tell(summary(report_));
   }
 
   const CommandLine& line_;

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "app/commands.h"
-#include "app/standard_output.h"
 #include "base/error.h"
+#include "base/standard_streams.h"
 #include "scene/gallery.h"
 
 namespace saddle {

@@ -1,17 +1,14 @@
 // The program: a command line becomes a command, an Error an exit status.
 #include <cstdlib>
-#include <exception>
-#include <iostream>
-#include <new>
 
 #include "app/cli.h"
 #include "app/commands.h"
 #include "app/help.h"
 #include "app/outputs.h"
-#include "app/standard_output.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/heap.h"
+#include "base/standard_streams.h"
 
 namespace {
 
@@ -34,7 +31,7 @@ void run(const saddle::CommandLine& line, saddle::Clock::time_point start) {
 }
 
 int fail(const saddle::Error& error) {
-  std::cerr << saddle::format_error(error);
+  saddle::tell(error);
   return static_cast<int>(error.status());
 }
 
@@ -42,20 +39,14 @@ int fail(const saddle::Error& error) {
 int run_program(int argc, char** argv) {
   const auto start = saddle::Clock::now();
   saddle::use_huge_pages();
+  saddle::reserve_stack();
   saddle::guard_standard_streams();
   saddle::remove_temporaries_on_signals();
   try {
     run(saddle::parse_command_line(argc, argv), start);
     return 0;
-  } catch (const saddle::Error& error) {
-    return fail(error);
-  } catch (const std::bad_alloc&) {
-    return fail({saddle::Status::Machine,
-                 "out of memory",
-                 {},
-                 "fewer cells (--samples) or a smaller picture (--size) need less"});
-  } catch (const std::exception& error) {
-    return fail({saddle::Status::Machine, error.what()});
+  } catch (...) {
+    return fail(saddle::caught_error());
   }
 }
 
@@ -63,8 +54,7 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const int status = run_program(argc, argv);
-  std::cout.flush();
-  std::cerr.flush();
+  saddle::flush_standard_streams();
   // Everything is written; taking the shader compiler's memory apart would cost some milliseconds.
   std::quick_exit(status);
 }

@@ -5,7 +5,7 @@
 namespace saddle {
 namespace {
 
-VideoOptions video_options(const Output& output, const Scene& scene, unsigned threads) {
+VideoOptions video_options(const Output& output, const Scene& scene) {
   VideoOptions options;
   options.format = output.format->video;
   options.width = scene.picture.width;
@@ -14,7 +14,6 @@ VideoOptions video_options(const Output& output, const Scene& scene, unsigned th
   const Number& alpha = scene.background.a;
   const bool is_part = !alpha.text.empty() || (alpha > 0 && alpha < 1);
   options.alpha = is_part ? Alpha::Part : alpha == 0 ? Alpha::Whole : Alpha::None;
-  options.threads = threads;
   return options;
 }
 
@@ -24,7 +23,7 @@ OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene, 
     : outputs_(outputs), threads_(threads) {
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Animation)) continue;
-    films_.push_back({output.path, std::make_unique<Video>(video_options(output, scene, threads))});
+    films_.push_back({output.path, std::make_unique<Video>(video_options(output, scene))});
   }
 }
 

@@ -13,6 +13,7 @@
 #include "app/outputs.h"
 #include "app/shots.h"
 #include "base/image.h"
+#include "base/parallel.h"
 #include "export/video.h"
 #include "mesh/mesh.h"
 #include "scene/scene.h"
@@ -26,7 +27,7 @@ class WorkBehind {
   template <typename Work>
   void start(Work work) {
     wait();
-    last_ = std::async(std::launch::async, [work = std::move(work)] {
+    last_ = run_beside([work = std::move(work)] {
       const auto begin = Clock::now();
       work();
       return milliseconds_since(begin);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/standard_output.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/nearest.h"
+#include "base/standard_streams.h"
 
 namespace saddle {
 namespace {

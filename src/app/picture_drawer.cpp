@@ -1,11 +1,12 @@
 #include "app/picture_drawer.h"
 
+#include "base/parallel.h"
 #include "scene/instances.h"
 
 namespace saddle {
 
 PictureDrawer::PictureDrawer(Backend backend)
-    : starting_(std::async(std::launch::async, start_picture_maker, backend)) {}
+    : starting_(run_beside([backend] { return start_picture_maker(backend); })) {}
 
 Image PictureDrawer::draw(const Scene& scene, std::span<const Mesh> meshes,
                           std::span<const std::size_t> updated) {

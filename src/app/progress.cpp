@@ -1,25 +1,22 @@
 #include "app/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "base/format.h"
+#include "base/standard_streams.h"
 
 namespace saddle {
 namespace {
 
 constexpr int kBarCells = 30;  // of the bar
-constexpr const char* kClearLine = "\r\033[K";
 
 }  // namespace
 
-Progress::Progress(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool wanted) : shown_(wanted && standard_error_is_terminal()) {}
 
 Progress::~Progress() {
-  if (shown_) std::cerr << kClearLine << std::flush;
+  if (shown_) clear_status();
 }
 
 void Progress::show_frames(std::size_t done, std::size_t all, double seconds) {
@@ -35,9 +32,9 @@ void Progress::show_frames(std::size_t done, std::size_t all, double seconds) {
 void Progress::show(double share, const std::string& what) {
   if (!shown_) return;
   const int full = std::clamp(static_cast<int>(std::lround(share * kBarCells)), 0, kBarCells);
-  std::cerr << kClearLine << '[' << std::string(static_cast<std::size_t>(full), '#')
-            << std::string(static_cast<std::size_t>(kBarCells - full), ' ') << "] "
-            << std::lround(100 * share) << " % " << what << std::flush;
+  show_status('[' + std::string(static_cast<std::size_t>(full), '#') +
+              std::string(static_cast<std::size_t>(kBarCells - full), ' ') + "] " +
+              std::to_string(std::lround(100 * share)) + " % " + what);
 }
 
 }  // namespace saddle

@@ -228,27 +228,27 @@ std::string why(const MeshChoice& choice) {
 
 }  // namespace
 
-std::string summary(const RunReport& report) {
-  std::string text;
+std::vector<std::string> summary(const RunReport& report) {
+  std::vector<std::string> lines;
   for (const SurfaceReport& s : report.surfaces) {
-    if (s.mesh.choice) text += s.name + ": " + why(*s.mesh.choice) + "\n";
-    text += s.name + ": " + std::to_string(s.mesh.cells) + " cells, " +
-            std::to_string(s.triangles) + " triangles, " + std::to_string(s.vertices) +
-            " vertices, " + std::to_string(s.mesh.evaluations) + " evaluations\n";
+    if (s.mesh.choice) lines.push_back(s.name + ": " + why(*s.mesh.choice));
+    lines.push_back(s.name + ": " + std::to_string(s.mesh.cells) + " cells, " +
+                    std::to_string(s.triangles) + " triangles, " + std::to_string(s.vertices) +
+                    " vertices, " + std::to_string(s.mesh.evaluations) + " evaluations");
   }
   if (report.image) {
-    text += "image: " + std::to_string(report.image->width) + "x" +
-            std::to_string(report.image->height) + " by " + report.image->renderer + ", " +
-            std::to_string(report.image->meshes) + " meshes in " +
-            std::to_string(report.image->instances) + " places\n";
+    lines.push_back("image: " + std::to_string(report.image->width) + "x" +
+                    std::to_string(report.image->height) + " by " + report.image->renderer + ", " +
+                    std::to_string(report.image->meshes) + " meshes in " +
+                    std::to_string(report.image->instances) + " places");
   }
-  if (report.frames > 0) text += "frames: " + std::to_string(report.frames) + "\n";
-  text += "milliseconds:";
+  if (report.frames > 0) lines.push_back("frames: " + std::to_string(report.frames));
+  std::string& milliseconds = lines.emplace_back("milliseconds:");
   const Json all = times(report.times);
   for (const auto& [name, value] : all.items()) {
-    text += formatted(" %s %.1f", name.c_str(), value.get<double>());
+    milliseconds += formatted(" %s %.1f", name.c_str(), value.get<double>());
   }
-  return text + "\n";
+  return lines;
 }
 
 }  // namespace saddle

@@ -58,6 +58,6 @@ struct RunReport {
 void write_report(std::ostream& out, const RunReport& report);
 
 /// Lines for --verbose.
-std::string summary(const RunReport& report);
+std::vector<std::string> summary(const RunReport& report);
 
 }  // namespace saddle

@@ -1,11 +1,10 @@
 #include "app/run_report.h"
 
-#include <iostream>
 #include <utility>
 
-#include "app/standard_output.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/standard_streams.h"
 
 namespace saddle {
 
@@ -29,7 +28,7 @@ void add_times(const Tessellation& tessellation, RunTimes& times) {
 void print_warnings(const CommandLine& line, std::span<const std::string> warnings) {
   if (line.run.quiet) return;
   for (const std::string& warning : warnings) {
-    std::cerr << "saddle: warning: " << warning << '\n';
+    tell("saddle: warning: " + warning);
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include "app/build_scene.h"
 #include "app/commands.h"
-#include "app/standard_output.h"
 #include "base/error.h"
+#include "base/standard_streams.h"
 #include "scene/prepare.h"
 #include "scene/scene_file.h"
 

@@ -56,7 +56,7 @@ ViewerSetup viewer_setup(const CommandLine& line) {
 void run_view(const CommandLine& line) {
   viewer_setup(line);  // what is wrong with the scene comes first
   throw Error(Status::Machine, "this saddle was built without its viewer", {},
-              std::string("build it with -DSADDLE_VIEWER=ON\n") + kWayOut);
+              {"build it with -DSADDLE_VIEWER=ON", kWayOut});
 }
 #else
 void run_view(const CommandLine& line) {

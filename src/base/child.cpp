@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 
 #include "base/descriptor.h"
 #include "base/error.h"
@@ -82,7 +83,7 @@ pid_t spawn(const std::vector<std::string>& command, const std::string& package,
       posix_spawnp(&child, arguments[0], actions.get(), nullptr, arguments.data(), environ);
   if (failed != 0) {
     throw Error(Status::Machine, "cannot run " + command[0] + ": " + std::strerror(failed), {},
-                "install the package " + package);
+                failed == ENOENT ? "install the package " + package : "");
   }
   return child;
 }
@@ -101,11 +102,19 @@ Child::Child(const std::vector<std::string>& command, const std::string& package
       spawn(command, package, pipes_->to_child.out.number(), pipes_->from_child.in.number(), files);
   pipes_->to_child.out.close_now();
   pipes_->from_child.in.close_now();
-  listener_ = std::jthread([this] { said_ = read_all(pipes_->from_child.out.number()); });
+  try {
+    listener_ = std::jthread([this] { said_ = read_all(pipes_->from_child.out.number()); });
+  } catch (const std::system_error&) {
+    end();
+    throw;
+  }
 }
 
 Child::~Child() {
-  if (process_ < 0) return;
+  if (process_ >= 0) end();
+}
+
+void Child::end() {
   kill(process_, SIGKILL);
   wait();
 }
@@ -123,7 +132,7 @@ bool Child::feed(std::string_view bytes) {
 /// Its exit status, as waitpid() has it.
 int Child::wait() {
   pipes_->to_child.in.close_now();
-  listener_.join();
+  if (listener_.joinable()) listener_.join();
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -36,6 +36,7 @@ class Child {
  private:
   struct Pipes;
 
+  void end();
   int wait();
 
   std::string name_;

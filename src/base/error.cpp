@@ -1,10 +1,11 @@
 #include "base/error.h"
 
 #include <algorithm>
+#include <new>
+#include <system_error>
 #include <utility>
-#include <vector>
 
-#include "base/utf8.h"
+#include "base/printable.h"
 
 namespace saddle {
 namespace {
@@ -15,70 +16,6 @@ constexpr std::size_t kLineColumns = 100;
 constexpr std::size_t kLeastTextColumns = 40;
 constexpr std::string_view kIndent = "  ";
 constexpr std::string_view kCut = "...";
-
-/// A character of a line as it is shown, with the combining marks that follow it.
-struct Glyph {
-  std::string shown;
-  std::size_t begin = 0;  ///< bytes of the line that it stands for
-  std::size_t end = 0;
-  std::size_t column = 0;
-  std::size_t width = 1;
-};
-
-using Glyphs = std::vector<Glyph>;
-
-/// A terminal would obey these instead of showing them: control characters, line separators, and
-/// the marks that reverse the order of text.
-bool is_control(char32_t c) {
-  return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x200E || c == 0x200F ||
-         (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
-}
-
-Glyphs split_glyphs(std::string_view line) {
-  Glyphs glyphs;
-  std::size_t column = 0;
-  for (std::size_t at = 0; at < line.size();) {
-    const Character c = decode_utf8(line, at);
-    std::string shown(line.substr(at, c.bytes));
-    if (c.code == U'\t') {
-      shown = " ";
-    } else if (is_control(c.code) || c.code == kReplacementCharacter) {
-      shown = "?";
-    }
-    const auto width = static_cast<std::size_t>(display_width(c.code));
-    if (width == 0 && !glyphs.empty()) {
-      glyphs.back().shown += shown;
-      glyphs.back().end = at + c.bytes;
-    } else {
-      glyphs.push_back({std::move(shown), at, at + c.bytes, column, width});
-      column += width;
-    }
-    at += c.bytes;
-  }
-  return glyphs;
-}
-
-std::size_t columns(const Glyphs& glyphs) {
-  return glyphs.empty() ? 0 : glyphs.back().column + glyphs.back().width;
-}
-
-std::string joined(const Glyphs& glyphs) {
-  std::string text;
-  for (const Glyph& glyph : glyphs) text += glyph.shown;
-  return text;
-}
-
-/// `text` safe for a terminal, its line breaks kept.
-std::string printable(std::string_view text) {
-  std::string result;
-  while (true) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    result += joined(split_glyphs(text.substr(0, end)));
-    if (end == text.size()) return result;
-    result += '\n';
-    text.remove_prefix(end + 1);
-  }
-}
 
 /// The line of a text in which a span begins, and the part of the span that is in it.
 struct Line {
@@ -164,16 +101,49 @@ std::string marked_place(const Place& place) {
 
 }  // namespace
 
-Error::Error(Status status, std::string message, Place place, std::string hint)
+Hint::Hint(std::string line) {
+  if (!line.empty()) lines_.push_back(std::move(line));
+}
+
+Error::Error(Status status, std::string message, Place place, Hint hint)
     : status_(status),
       message_(std::move(message)),
       place_(std::move(place)),
       hint_(std::move(hint)) {}
 
+std::string Error::hint() const {
+  std::string text;
+  for (const std::string& line : hint_) text += (text.empty() ? "" : "\n") + line;
+  return text;
+}
+
+Error caught_error() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return {Status::Machine,
+            "out of memory",
+            {},
+            "fewer cells (--samples) or a smaller picture (--size) need less"};
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) {
+      return {Status::Machine, error.what()};
+    }
+    return {Status::Machine,
+            "the system starts no more threads",
+            {},
+            "ulimit -u and ulimit -v show what it allows"};
+  } catch (const std::exception& error) {
+    return {Status::Machine, error.what()};
+  }
+}
+
 Error with_hint_line(const Error& error, std::string_view line) {
-  std::string hint = error.hint();
-  if (!hint.empty()) hint += '\n';
-  return {error.status(), error.what(), error.place(), hint.append(line)};
+  Hint hint = error.hint_lines();
+  hint.add(line);
+  return {error.status(), error.what(), error.place(), std::move(hint)};
 }
 
 std::string format_error(const Error& error) {
@@ -183,8 +153,7 @@ std::string format_error(const Error& error) {
   text += printable(error.what());
   text += '\n';
   text += marked_place(error.place());
-  text += printable(error.hint());
-  if (!text.ends_with('\n')) text += '\n';
+  for (const std::string& line : error.hint_lines()) text += printable(line) + '\n';
   return text;
 }
 

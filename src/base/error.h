@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <exception>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace saddle {
 
@@ -28,24 +30,45 @@ struct Place {
   std::string where = {};
 };
 
+/// The way out of an error, line by line. A line with a line break in it, from a file's name, is
+/// still one line.
+class Hint {
+ public:
+  Hint() = default;
+  Hint(std::string line);
+  Hint(const char* line) : Hint(std::string(line)) {}
+  Hint(std::initializer_list<std::string> lines) : lines_(lines) {}
+
+  void add(std::string_view line) { lines_.emplace_back(line); }
+  std::vector<std::string>::const_iterator begin() const { return lines_.begin(); }
+  std::vector<std::string>::const_iterator end() const { return lines_.end(); }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
 /// The one exception type for everything that is not a programmer's mistake.
 class Error : public std::exception {
  public:
-  /// `hint` says how to get out of it; it may be empty or hold several lines.
-  Error(Status status, std::string message, Place place = {}, std::string hint = {});
+  Error(Status status, std::string message, Place place = {}, Hint hint = {});
 
   /// The message alone, without place and hint.
   const char* what() const noexcept override { return message_.c_str(); }
   Status status() const { return status_; }
   const Place& place() const { return place_; }
-  const std::string& hint() const { return hint_; }
+  const Hint& hint_lines() const { return hint_; }
+  std::string hint() const;  ///< its lines, joined by line breaks
 
  private:
   Status status_;
   std::string message_;
   Place place_;
-  std::string hint_;
+  Hint hint_;
 };
+
+/// The exception that is being handled, whatever its type, as an Error: what is no Error is the
+/// machine's. Called in a catch block.
+Error caught_error();
 
 /// The same error with one more line below its hint.
 Error with_hint_line(const Error& error, std::string_view line);

@@ -1,5 +1,8 @@
 #include "base/heap.h"
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <cstddef>
 
 #ifdef __GLIBC__
@@ -47,5 +50,13 @@ bool use_huge_pages() {
 }
 
 #endif
+
+void reserve_stack() {
+  constexpr rlim_t kReserved = rlim_t{1} << 20;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0) return;
+  const rlim_t bytes = std::min(kReserved, limit.rlim_cur / 2);
+  *static_cast<volatile char*>(__builtin_alloca(bytes)) = 0;  // its lowest byte
+}
 
 }  // namespace saddle

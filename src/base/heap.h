@@ -10,4 +10,8 @@ namespace saddle {
 /// huge pages.
 bool use_huge_pages();
 
+/// Gives the calling thread, the first one, a mebibyte of stack now, or half of what it may have. A
+/// stack that grows where the address space has come to its limit ends the program by a signal.
+void reserve_stack();
+
 }  // namespace saddle

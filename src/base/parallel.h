@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <future>
 #include <stop_token>
+#include <system_error>
+#include <utility>
 
 namespace saddle {
 
@@ -14,6 +17,17 @@ namespace saddle {
 /// machine's). The first exception thrown by a body is rethrown here once all threads have ended.
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// What `work` returns, computed on a thread of its own; if the system starts none, on the thread
+/// that gets it.
+template <typename Work>
+auto run_beside(Work work) -> std::future<decltype(work())> {
+  try {
+    return std::async(std::launch::async, work);
+  } catch (const std::system_error&) {
+    return std::async(std::launch::deferred, std::move(work));
+  }
+}
 
 /// Thrown by parallel_chunks() when its work is no longer wanted.
 class Abandoned : public std::exception {

@@ -44,7 +44,6 @@ struct VideoOptions {
   int height = 0;
   double fps = 30;  ///< frames per second
   Alpha alpha = Alpha::None;
-  unsigned threads = 0;  ///< 0: all
 };
 
 /// A video that is being made, in a file without a name: nothing is left of it if it is not kept.

@@ -24,7 +24,7 @@ std::unique_ptr<Context> make_context(Backend backend) {
     } catch (const Error& egl) {
       throw Error(egl.status(),
                   "nothing here can draw: " + std::string(osmesa.what()) + "; " + egl.what(), {},
-                  osmesa.hint());
+                  osmesa.hint_lines());
     }
   }
 }

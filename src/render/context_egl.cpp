@@ -11,6 +11,7 @@
 #include "render/context.h"
 #include "render/gl.h"
 #include "render/library.h"
+#include "render/mesa_room.h"
 
 namespace saddle {
 namespace {
@@ -68,6 +69,7 @@ class EglContext final : public Context {
 
  private:
   static EGLDisplay open_display(const EglFunctions& functions) {
+    make_room_for_mesa();
     EGLDisplay display =
         functions.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || functions.initialize(display, nullptr, nullptr) != EGL_TRUE) {

@@ -10,6 +10,7 @@
 #include "render/context.h"
 #include "render/gl.h"
 #include "render/library.h"
+#include "render/mesa_room.h"
 
 // After glad's header: the two define the same functions, and the first one wins.
 #include <GL/osmesa.h>
@@ -75,6 +76,7 @@ class OsmesaContext final : public Context {
   /// No depth: OSMesa's own framebuffer, which must exist, is a single pixel that nobody sees.
   static Handle create(const OsmesaFunctions& functions) {
     refuse_unknown_driver();
+    make_room_for_mesa();
     constexpr std::array attributes{OSMESA_FORMAT,
                                     OSMESA_RGBA,
                                     OSMESA_PROFILE,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include <toml++/toml.h>
@@ -12,6 +14,9 @@
 
 namespace saddle {
 namespace {
+
+/// Doubles hold every whole number up to this one.
+constexpr std::int64_t kMostExact = std::int64_t{1} << 53;
 
 /// Where the lines of a text begin.
 class Lines {
@@ -97,9 +102,12 @@ class Converter {
     } else if (const auto* boolean = node.as_boolean()) {
       result.kind = TomlValue::Kind::Boolean;
       result.boolean = boolean->get();
-    } else if (node.is_number()) {
+    } else if (const auto* whole = node.as_integer()) {
       result.kind = TomlValue::Kind::Number;
-      result.number = node.value<double>().value();
+      result.number = exact_number(whole->get(), result.span);
+    } else if (const auto* real = node.as_floating_point()) {
+      result.kind = TomlValue::Kind::Number;
+      result.number = real->get();
       if (!std::isfinite(result.number)) {
         throw source_.error("", "not a finite number", result.span,
                             "every number of a scene is finite");
@@ -113,6 +121,14 @@ class Converter {
   Lines lines() const { return lines_; }
 
  private:
+  /// A whole number as a double. TOML promises all 64 bits of it.
+  double exact_number(std::int64_t whole, Span span) const {
+    if (whole >= -kMostExact && whole <= kMostExact) return static_cast<double>(whole);
+    const std::string text = std::to_string(whole);
+    throw source_.error("", "a whole number beyond 2^53, which is not exact", span,
+                        "write " + text + ".0 for the nearest double");
+  }
+
   void add_entries(const toml::table& table, TomlValue& result) const {
     for (const auto& [key, node] : table) {
       result.entries.push_back({std::string(key.str()), lines_.span(key.source()), value(node)});
@@ -139,7 +155,7 @@ const TomlValue* TomlValue::find(const std::string& key) const {
 }
 
 Error SourceText::error(const std::string& subject, const std::string& message, Span span,
-                        const std::string& hint) const {
+                        const Hint& hint) const {
   const std::string_view before = std::string_view(text).substr(0, span.begin);
   const std::size_t line = static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1;
   const std::size_t column = count_characters(before.substr(before.rfind('\n') + 1)) + 1;

@@ -40,7 +40,7 @@ struct SourceText {
   /// An Error (Input) at these bytes, with line and column. `subject` is what is wrong there, or
   /// "".
   Error error(const std::string& subject, const std::string& message, Span span,
-              const std::string& hint = {}) const;
+              const Hint& hint = {}) const;
 };
 
 /// Reads the whole text. Throws Error (Input) at the place that is no TOML, at numbers that are not

@@ -70,7 +70,7 @@ Error TomlPlaces::located(const Error& error, const std::string& prefix) const {
   const auto same =
       std::find_if(begin, end, [&](const auto& p) { return p.second.text == place.text; });
   const Span span = same != end ? inside(same->second, place.span) : begin->second.span;
-  return text_.error(place.name, error.what(), span, error.hint());
+  return text_.error(place.name, error.what(), span, error.hint_lines());
 }
 
 /// The bytes `part` of a noted text, in the file: unless it is written with escapes there.

@@ -19,7 +19,7 @@ class TomlPlaces {
   explicit TomlPlaces(const SourceText& text) : text_(text) {}
 
   Error error(const std::string& subject, const std::string& message, Span span,
-              const std::string& hint = {}) const {
+              const Hint& hint = {}) const {
     return text_.error(subject, message, span, hint);
   }
 

@@ -1,6 +1,7 @@
 #include "view/drawing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "view/marks.h"
 
@@ -20,10 +21,12 @@ void Drawing::take_meshes(const Model& model) {
   Scene scene = model.last_good().scene;
   scene.picture.shading = model.scene().picture.shading;
   const bool exact = scene.picture.shading == Shading::Exact;
-  if (exact && !exact_) uploaded_.clear();
+  // Without meshes until all of them are there: uploading may throw.
+  auto before = std::exchange(uploaded_, {});
+  if (exact && !exact_) before.clear();
   exact_ = exact;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (i < uploaded_.size() && uploaded_[i] == meshes[i]) continue;
+    if (i < before.size() && before[i] == meshes[i]) continue;
     renderer_.set_surface(scene, i, meshes[i]->mesh);
   }
   renderer_.keep_meshes(meshes.size());
@@ -65,6 +68,7 @@ void Drawing::draw(const Model& model) {
   const bool rested = is_due(begin);
   if (!stale_ && !rested) return;
   if (!exact_ && model.scene().picture.shading == Shading::Exact) take_meshes(model);
+  if (uploaded_ != model.meshes()) return give_up();
   const bool fast_enough = figures_.frame_ms * (per_side_ == 1 ? 4 : 1) <= kSmoothMs;
   PictureSettings picture = model.scene().picture;
   const int most = std::min(2, picture.antialias);

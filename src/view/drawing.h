@@ -41,8 +41,10 @@ class Drawing {
   /// The picture is what it should be.
   bool is_at_rest() const { return !stale_ && !coarse_; }
 
-  /// Draws the picture if it is not what it should be.
+  /// Draws the picture if it is not what it should be and its meshes are on the GPU.
   void draw(const Model& model);
+  /// Keeps the picture that is there until another change.
+  void give_up() { stale_ = coarse_ = false; }
   /// Copies it to the window, its left side at pixel x.
   void show(int x) const { canvas_.show(x, 0); }
   /// The picture's pixels.

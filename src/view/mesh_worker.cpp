@@ -1,7 +1,6 @@
 #include "view/mesh_worker.h"
 
 #include <chrono>
-#include <new>
 #include <utility>
 
 #include "base/parallel.h"
@@ -24,11 +23,10 @@ Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail)
     for (std::size_t& k = result.faulty_surface; k < scene.surfaces.size(); ++k) {
       result.surfaces.push_back(std::make_shared<const Tessellation>(tessellate(scene, k, detail)));
     }
-  } catch (const Error& error) {
-    result.error = error;
-  } catch (const std::bad_alloc&) {
-    result.error = Error(Status::Machine, "not enough memory for this mesh", {},
-                         "a coarser tolerance needs less");
+  } catch (const Abandoned&) {
+    throw;
+  } catch (...) {
+    result.error = caught_error();
   }
   if (result.error) result.surfaces.clear();
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;

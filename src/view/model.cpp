@@ -1,6 +1,7 @@
 #include "view/model.h"
 
 #include <cmath>
+#include <exception>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,7 @@ void frame_animation(Scene& scene, unsigned threads) {
     framing.box.reset();  // what is edited has other ones soon
     framing.colors.clear();
     framing.apply(scene);
-  } catch (const Error&) {
+  } catch (const std::exception&) {
   }
 }
 
@@ -133,8 +134,8 @@ void Model::reload() {
     Scene scene = reload_();
     scene.camera = scene_.camera;
     open(std::move(scene));
-  } catch (const Error& error) {
-    error_ = error;
+  } catch (...) {
+    error_ = caught_error();
     faulty_surface_ = scene_.surfaces.size();
   }
 }
@@ -238,8 +239,8 @@ bool Model::keeps_up() const {
 void Model::request_meshes(Manner manner) {
   try {
     scene_ = resolve(scene_);
-  } catch (const Error& error) {
-    error_ = error;
+  } catch (...) {
+    error_ = caught_error();
     faulty_surface_ = scene_.surfaces.size();
     return;
   }

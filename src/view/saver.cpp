@@ -1,7 +1,6 @@
 #include "view/saver.h"
 
 #include <cctype>
-#include <new>
 #include <utility>
 
 #include "base/error.h"
@@ -48,8 +47,8 @@ std::string write(const Image& image, const Scene& scene) {
     const auto path = free_name(scene.title, ".png");
     write_file_whole(path, [&](std::ostream& out) { write_scene_png(out, {image, scene}); });
     return "saved " + path.string();
-  } catch (const std::exception& error) {
-    return error.what();
+  } catch (...) {
+    return caught_error().what();
   }
 }
 
@@ -88,10 +87,8 @@ std::optional<std::string> Saver::pass() {
     if (meshed->error) throw Error(*meshed->error);
     start_writing(*meshed);
     return std::nullopt;
-  } catch (const Error& error) {
-    news_ = error.what();
-  } catch (const std::bad_alloc&) {
-    news_ = "not enough memory for this picture";
+  } catch (...) {
+    news_ = caught_error().what();
   }
   mesh_next();
   return std::move(news_);

@@ -1,11 +1,13 @@
 #include "view/viewer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iostream>
 #include <utility>
 
 #include "base/error.h"
+#include "base/format.h"
+#include "base/standard_streams.h"
 #include "scene/command_text.h"
 #include "scene/scene_file.h"
 #include "view/fields.h"
@@ -59,21 +61,30 @@ void Viewer::run() {
 void Viewer::step() {
   window_.wait(patience());
   const auto begin = Clock::now();
+  try {
+    react();
+  } catch (...) {
+    say(caught_error().what());
+  }
+  if (window_.take_damage()) touch();
+  paint();
+  busy_ += Clock::now() - begin;
+}
+
+/// To events, to meshes and pictures that are finished, to the time and to the watched file.
+void Viewer::react() {
   for (const Event& event : window_.take_events()) {
     if (!is_taken_from_panel(event)) window_.tell_panel(event);
     handle(event);
   }
   if (model_.take_result()) {
-    drawing_.take_meshes(model_);
     touch();
+    drawing_.take_meshes(model_);
   }
   if (const auto news = model_.take_news()) say(*news);
   if (const auto news = saver_.pass()) say(*news);
   model_.pass(Clock::now());
   look_at_file();
-  if (window_.take_damage()) touch();
-  paint();
-  busy_ += Clock::now() - begin;
 }
 
 /// A file that was asked for is waited for; who asks to end once more does not want to.
@@ -94,10 +105,12 @@ void Viewer::print_times() const {
   const std::size_t pictures = drawing_.figures().frames;
   const Spent all = spent();
   const double outside = ms(all.busy - all.drawing - all.showing);
-  std::cerr << "viewer: " << pictures << " pictures, " << all.frames << " frames, "
-            << ms(all.drawing) / static_cast<double>(std::max<std::size_t>(1, pictures))
-            << " ms in OpenGL for a picture, " << outside << " ms outside of it in all, "
-            << 100 * outside / ms(all.busy) << " %\n";
+  tell(formatted(
+      "viewer: %zu pictures, %zu frames, %g ms in OpenGL for a picture, %g ms outside of it "
+      "in all, %g %%",
+      pictures, all.frames,
+      ms(all.drawing) / static_cast<double>(std::max<std::size_t>(1, pictures)), outside,
+      100 * outside / ms(all.busy)));
 }
 
 // --- what happens
@@ -165,7 +178,7 @@ void Viewer::press(const Event& event) {
   const dvec2 pixel = in_picture(event.place);
   if (!event.twice) return hand_.press(model_, pixel, event.button, event.shift);
   model_.pick(pixel);
-  if (model_.picked()) std::cout << describe(*model_.picked()) << std::endl;
+  if (model_.picked()) print_lines(std::array{describe(*model_.picked())});
 }
 
 /// Escape closes the uppermost thing alone; a field keeps the keyboard after Return.
@@ -233,8 +246,8 @@ void Viewer::act(Action action) {
       default:
         return;
     }
-  } catch (const Error& error) {
-    say(error.what());
+  } catch (...) {
+    say(caught_error().what());
   }
 }
 
@@ -296,13 +309,23 @@ void Viewer::paint() {
     if (const auto action = panel_.take_action()) act(*action);
   }
   show_overlay(overlay());
-  drawing_.draw(model_);
+  draw();
   const auto begin = Clock::now();
   drawing_.show(static_cast<int>(panel_width()));
   window_.end_panel();
   window_.swap();
   showing_ += Clock::now() - begin;
   ++paints_;
+}
+
+/// A picture that cannot be drawn leaves the last one, with a message.
+void Viewer::draw() {
+  try {
+    drawing_.draw(model_);
+  } catch (...) {
+    drawing_.give_up();
+    say(caught_error().what());
+  }
 }
 
 Overlay Viewer::overlay() {

@@ -31,7 +31,7 @@ class Viewer {
   /// Opens a window. Throws Error (Machine) without a display or OpenGL 3.3.
   explicit Viewer(ViewerSetup setup);
 
-  /// Returns when the window is closed. Throws Error (Machine) if OpenGL fails.
+  /// Returns when the window is closed. Errors of the scene and of drawing are shown in it.
   void run();
 
   /// One round: waits until something happens, does it and draws.
@@ -68,7 +68,9 @@ class Viewer {
   bool is_over_picture(const Event& event) const;
   double panel_width() const;
   void fit_picture();
+  void react();
   void paint();
+  void draw();
   Overlay overlay();
 
   bool verbose_;

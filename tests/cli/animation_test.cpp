@@ -336,5 +336,25 @@ TEST_F(AnimationTest, ShowsItsProgressOnATerminalAlone) {
   EXPECT_EQ(on_terminal("-q"), "");
 }
 
+TEST_F(AnimationTest, FilmsAreTheSameOnAnyNumberOfThreads) {
+  // Tall enough for an encoder that cuts frames into a slice for each thread.
+  const Words film = {"z=sin(3*u+t)*cos(v)", "t=0:tau", "--frames", "8", "-s", "256x256"};
+  const auto make = [&](const std::string& threads) {
+    Words words = film;
+    const std::string name = "f" + threads;
+    words.insert(words.end(), {"-o", name + ".mp4", "-o", name + ".webm", "-o", name + ".gif"});
+    words.insert(words.end(), {"--threads", threads});
+    EXPECT_EQ(saddle(words).status, 0);
+  };
+  make("1");
+  for (const std::string threads : {"2", "3", "4", "8"}) {
+    make(threads);
+    for (const char* type : {".mp4", ".webm", ".gif"}) {
+      EXPECT_TRUE(content("f" + threads + type) == content(std::string("f1") + type))
+          << type << " on " << threads << " threads";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace saddle

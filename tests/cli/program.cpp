@@ -24,7 +24,7 @@ void redirect(int stream, const std::string& path) {
 }  // namespace
 
 Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                   const std::string& standard_output) {
+                   const std::string& standard_output, const std::function<void()>& limit) {
   const TemporaryFolder captured;
   const std::string out =
       standard_output.empty() ? (captured.path() / "out").string() : standard_output;
@@ -42,6 +42,7 @@ Outcome run_saddle(const std::vector<std::string>& arguments, const std::filesys
     unsetenv("WAYLAND_DISPLAY");
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
+    if (limit) limit();
     execv(argv[0], argv.data());
     _exit(127);
   }

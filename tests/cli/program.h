@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -19,9 +20,11 @@ struct Outcome {
 };
 
 /// Runs saddle in `folder`; standard output goes to `standard_output` where that is given.
+/// `limit` is called in the new process: what it may take is less there.
 Outcome run_saddle(const std::vector<std::string>& arguments,
                    const std::filesystem::path& folder = ".",
-                   const std::string& standard_output = "");
+                   const std::string& standard_output = "",
+                   const std::function<void()>& limit = {});
 
 /// A folder of its own for each test, removed at the end.
 class ProgramTest : public testing::Test {

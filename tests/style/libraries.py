@@ -5,12 +5,14 @@ import re
 import tree
 
 # What is included -> where it may be. muparser is the language's grammar in the parser, and in the
-# study a method that others are compared with.
+# study a method that others are compared with. std::cout and std::cerr are in the one file that keeps
+# control characters from terminals.
 HOMES = {
     r"muParser\w*\.h": r"src/formula/parser\.cpp|src/study/muparser_method\.cpp|tests/.*",
     r"GL/osmesa\.h": r"src/render/context_osmesa\.cpp",
     r"EGL/.*": r"src/render/context_egl\.cpp",
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",
+    r"iostream": r"src/base/standard_streams\.cpp|tests/.*",
     r"toml\+\+/.*": r"src/scene/toml\.cpp",
     r"GLFW/.*|backends/imgui.*": r"src/view/window\.cpp",
     r"imgui.*": r"src/view/(window|panel|overlay|fields)\.cpp",

@@ -220,6 +220,16 @@ TEST_F(ViewerTest, FollowsTheSceneFile) {
   EXPECT_EQ(scene.definitions.at(0).text, "2");
 }
 
+TEST_F(ViewerTest, KeepsThePictureWhereTheSceneFileHasANumberThatIsTooLong) {
+  write(path("s.toml"), "[[surface]]\nz = \"u*v\"\n");
+  open({"s.toml", "--watch"});
+  const Image before = settled_picture();
+  write(path("s.toml"), "[[surface]]\nz = 9007199254740993\n");
+  ASSERT_TRUE(eventually([&] { return differ(picture(), before); })) << "no message";
+  EXPECT_GT(yellow_pixels(settled_picture()), yellow_pixels(before) / 2)
+      << "the last picture stays";
+}
+
 TEST_F(ViewerTest, DrawsNothingWhileNothingHappens) {
   open({"torus", "-v"});
   act("key ctrl+q");

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace saddle {
 namespace {
@@ -59,7 +62,7 @@ TEST(FormatError, LeavesOutWhatIsNotKnown) {
 }
 
 TEST(FormatError, DoesNotIndentHintsOfSeveralLines) {
-  const Error error(Status::Input, "wrong", {}, "one\ntwo\n");
+  const Error error(Status::Input, "wrong", {}, {"one", "two"});
   EXPECT_EQ(format_error(error), "saddle: wrong\none\ntwo\n");
 }
 
@@ -101,7 +104,7 @@ TEST(FormatError, ShowsOnlyTheLineOfTheSpan) {
 }
 
 TEST(FormatError, EndsTheCaretsWithTheLine) {
-  EXPECT_EQ(formatted("z", "one\ntwo", {1, 6}), "saddle: z: wrong\n  z = one\n       ^~\n");
+  EXPECT_EQ(formatted("z", {"one", "two"}, {1, 6}), "saddle: z: wrong\n  z = one\n       ^~\n");
 }
 
 TEST(FormatError, NeverSendsControlCharactersToATerminal) {
@@ -152,6 +155,27 @@ TEST(FormatError, SurvivesEverySpanOfATextThatIsPartlyBroken) {
       EXPECT_NE(formatted("z", text, {begin, end}).find('^'), std::string::npos);
     }
   }
+}
+
+TEST(FormatError, NamesCannotBeginLines) {
+  const Error error(Status::Machine, "no a\nsaddle: b", {"c\nd", "", {}, "e\nf"}, "mkdir g\nh");
+  EXPECT_EQ(format_error(error), "saddle: e?f: c?d: no a?saddle: b\nmkdir g?h\n");
+}
+
+TEST(CaughtError, IsTheErrorOrOneOfTheMachine) {
+  const auto caught = [](const auto& thrown) {
+    try {
+      throw thrown;
+    } catch (...) {
+      return caught_error();
+    }
+  };
+  EXPECT_EQ(caught(Error(Status::Nothing, "empty")).status(), Status::Nothing);
+  EXPECT_STREQ(caught(std::bad_alloc()).what(), "out of memory");
+  EXPECT_STREQ(caught(std::runtime_error("odd")).what(), "odd");
+  EXPECT_EQ(caught(std::runtime_error("odd")).status(), Status::Machine);
+  const auto again = std::make_error_code(std::errc::resource_unavailable_try_again);
+  EXPECT_STREQ(caught(std::system_error(again)).what(), "the system starts no more threads");
 }
 
 }  // namespace

@@ -274,6 +274,8 @@ INSTANTIATE_TEST_SUITE_P(
         // numbers
         Malformed{kFront + "[camera]\nfov = 180", "4:7", "more than 0 and less than 180"},
         Malformed{kFront + "[camera]\nfov = nan", "4:7", "not a finite number"},
+        Malformed{"[[surface]]\nz = 9007199254740993", "2:5", "beyond 2^53"},
+        Malformed{"[[surface]]\nz = -9223372036854775808", "2:5", "beyond 2^53"},
         Malformed{kFront + "[camera]\nfov = \"0/0\"", "4:8", "not a finite number"},
         Malformed{kFront + "[camera]\nfov = \"90*u\"", "4:8", "not u or v"},
         Malformed{kFront + "[camera]\nfov = \"sin t\"", "4:8", "sin"},

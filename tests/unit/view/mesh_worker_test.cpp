@@ -6,6 +6,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 #include "base/parallel.h"
@@ -135,6 +136,18 @@ TEST(MeshWorker, TellsWhichSurfaceIsWrong) {
   ASSERT_TRUE(result.error);
   EXPECT_EQ(result.faulty_surface, 1U);
   EXPECT_TRUE(result.surfaces.empty());
+}
+
+TEST(MeshWorker, TellsWhatNoErrorIs) {
+  Results results;
+  MeshWorker worker(
+      [](const Scene&, std::size_t, Detail) -> Tessellation { throw std::runtime_error("odd"); },
+      [&] { results.announce(); });
+  worker.request(titled("odd"), Manner::PreviewFirst);
+  const Meshed result = results.wait_for(worker, "odd");
+  ASSERT_TRUE(result.error);
+  EXPECT_STREQ(result.error->what(), "odd");
+  EXPECT_EQ(result.error->status(), Status::Machine);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <new>
 #include <semaphore>
 #include <utility>
 #include <vector>
@@ -18,8 +19,8 @@ namespace {
 /// A model of a plane, meshed.
 class PlaneModel {
  public:
-  explicit PlaneModel(const std::string& size)
-      : model_(setup(size), [this] { meshed_.release(); }) {
+  explicit PlaneModel(const std::string& size, std::function<Scene()> reload = {})
+      : model_(setup(size, std::move(reload)), [this] { meshed_.release(); }) {
     wait();
   }
 
@@ -33,8 +34,9 @@ class PlaneModel {
   Model* operator->() { return &model_; }
 
  private:
-  static ViewerSetup setup(const std::string& size) {
+  static ViewerSetup setup(const std::string& size, std::function<Scene()> reload) {
     ViewerSetup result;
+    result.reload = std::move(reload);
     SurfaceSpec& plane = result.scene.surfaces.emplace_back();
     plane.x = size + "*u";
     plane.y = size + "*v";
@@ -177,6 +179,14 @@ TEST(PickedPoint, StaysWhileTheSceneIsWrong) {
   ASSERT_TRUE(model->error());
   ASSERT_TRUE(model->picked());
   EXPECT_EQ(model->picked()->world, world);
+}
+
+TEST(Model, KeepsItsMeshesWhereReloadingThrowsWhatIsNoError) {
+  PlaneModel model("1", []() -> Scene { throw std::bad_alloc(); });
+  EXPECT_TRUE(model->act(Action::Reload));
+  ASSERT_TRUE(model->error());
+  EXPECT_STREQ(model->error()->what(), "out of memory");
+  EXPECT_EQ(model->meshes().size(), 1);
 }
 
 }  // namespace

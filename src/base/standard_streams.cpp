@@ -1,4 +1,4 @@
-#include "app/standard_output.h"
+#include "base/standard_streams.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,8 +9,19 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/printable.h"
 
 namespace saddle {
+namespace {
+
+/// To the line's begin, and away with what is on it.
+constexpr const char* kClearLine = "\r\033[K";
+
+void write_lines(std::ostream& out, std::span<const std::string> lines) {
+  for (const std::string& line : lines) out << printable(line) << '\n';
+}
+
+}  // namespace
 
 void write_standard_output(const std::function<void(std::ostream&)>& write) {
   errno = 0;
@@ -24,8 +35,41 @@ void print(const std::string& text) {
   write_standard_output([&text](std::ostream& out) { out << text; });
 }
 
+void print_lines(std::span<const std::string> lines) {
+  write_standard_output([lines](std::ostream& out) { write_lines(out, lines); });
+}
+
+void tell(std::span<const std::string> lines) {
+  write_lines(std::cerr, lines);
+}
+
+void tell(const std::string& line) {
+  tell(std::span(&line, 1));
+}
+
+void tell(const Error& error) {
+  std::cerr << format_error(error);
+}
+
+void show_status(const std::string& line) {
+  std::cerr << kClearLine << printable(line) << std::flush;
+}
+
+void clear_status() {
+  std::cerr << kClearLine << std::flush;
+}
+
+void flush_standard_streams() {
+  std::cout.flush();
+  std::cerr.flush();
+}
+
 bool standard_output_is_terminal() {
   return isatty(STDOUT_FILENO) != 0;
+}
+
+bool standard_error_is_terminal() {
+  return isatty(STDERR_FILENO) != 0;
 }
 
 void guard_standard_streams() {
