@@ -32,13 +32,15 @@ constexpr auto kVerbs = std::to_array<Verb>({
               (nearest ? "did you mean '" + *nearest + "'? " : "") + kList);
 }
 
-const Option* find_letter(char letter) {
-  const auto found = std::ranges::find(options(), letter, &Option::letter);
-  return found == options().end() ? nullptr : &*found;
-}
-
-bool asks_for_help(std::string_view argument) {
-  return argument == "--help" || argument == "-h";
+/// The topics of `--help TOPIC...`, `--help=TOPIC` and `-h TOPIC...`; none: the first argument is
+/// something else.
+std::optional<std::vector<std::string>> help_topics(int argc, const char* const* argv) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  const bool has_topic = first.starts_with("--help=");
+  if (first != "--help" && first != "-h" && !has_topic) return std::nullopt;
+  std::vector<std::string> topics(argv + 2, argv + argc);
+  if (has_topic) topics.insert(topics.begin(), first.substr(first.find('=') + 1));
+  return topics;
 }
 
 /// Sorts arguments into options with their values, and what is no option.
@@ -82,8 +84,9 @@ class Splitter {
 
   /// `-s VALUE`, `-sVALUE`, `-qh`
   void split_letters(const std::string& argument) {
+    if (find_option(std::string_view(argument).substr(1)) != nullptr) refuse_unknown(argument);
     for (std::size_t i = 1; i < argument.size(); ++i) {
-      const Option* const option = find_letter(argument[i]);
+      const Option* const option = find_option(argument[i]);
       if (option == nullptr) refuse_unknown(argument);
       const bool ends = option->is_flag() || i + 1 == argument.size();
       take(*option, ends ? std::nullopt : std::optional(argument.substr(i + 1)));
@@ -99,6 +102,11 @@ class Splitter {
       }
       value = rest_[at_++];
     }
+    if (value && value->empty()) {  // a shell's variable that is not set should not go unnoticed
+      throw Error(Status::Input, "the value is empty", {dashed(option), "", {}}, kList);
+    }
+    if (!option.repeats)
+      std::erase_if(line_.given, [&](const auto& g) { return g.option == &option; });
     line_.given.push_back({&option, value.value_or("")});
   }
 
@@ -116,6 +124,15 @@ class Splitter {
 void check_given_options(const CommandLine& line) {
   const auto is_given = [&](std::string_view name) { return line.last_given({name}) != nullptr; };
   for (const auto& [option, text] : line.given) {
+    if ((option->commands & bit(line.command)) != 0) continue;
+    const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
+    const bool has_verb = verb != kVerbs.end();
+    throw Error(Status::Input,
+                "saddle " + (has_verb ? std::string(verb->name) + " " : "") + "takes no option " +
+                    dashed(*option),
+                {}, has_verb ? std::string(verb->hint) : kList);
+  }
+  for (const auto& [option, text] : line.given) {
     if (!option->needs.empty() && !is_given(option->needs)) {
       throw Error(Status::Input, "does nothing without --" + std::string(option->needs),
                   {dashed(*option), "", {}}, kList);
@@ -124,13 +141,6 @@ void check_given_options(const CommandLine& line) {
       throw Error(Status::Input, "says the opposite of --" + std::string(option->excludes),
                   {dashed(*option), "", {}}, "leave one of them out");
     }
-    if ((option->commands & bit(line.command)) != 0) continue;
-    const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
-    const bool has_verb = verb != kVerbs.end();
-    throw Error(Status::Input,
-                "saddle " + (has_verb ? std::string(verb->name) + " " : "") + "takes no option " +
-                    dashed(*option),
-                {}, has_verb ? std::string(verb->hint) : kList);
   }
 }
 
@@ -151,9 +161,9 @@ const Option* CommandLine::last_given(const std::vector<std::string_view>& names
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
-  if (argc > 1 && asks_for_help(argv[1])) {
+  if (auto topics = help_topics(argc, argv)) {
     line.run.help = true;
-    line.help_topics.assign(argv + 2, argv + argc);
+    line.help_topics = std::move(*topics);
     return line;
   }
   Splitter(argc, argv, line).split();
@@ -163,7 +173,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       line.arguments.erase(line.arguments.begin());
     }
   }
-  for (const auto& [option, text] : line.given) apply_option(*option, text, line.run);
+  for (const auto& [option, text] : line.given) {
+    check_value(*option, text);
+    apply_option(*option, text, line.run);
+  }
   if (!line.run.help && !line.run.version) check_given_options(line);
   return line;
 }

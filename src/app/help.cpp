@@ -1,13 +1,16 @@
 // The texts of --help. What it says about options and scene keys is from scene/options.
 #include "app/help.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
+#include "app/cli.h"
 #include "base/error.h"
 #include "base/nearest.h"
 #include "export/formats.h"
 #include "formula/language.h"
+#include "scene/lights.h"
 #include "scene/options.h"
 #include "view/keys.h"
 
@@ -155,6 +158,14 @@ std::string scene_text() {
                     with_default(expanded(option.help, option), default_text(option)));
     }
   }
+  const auto listed = [](const std::vector<std::string>& keys) {
+    std::string names;
+    for (const std::string& key : keys) names += (names.empty() ? "" : ", ") + key;
+    return names;
+  };
+  text += "\n[[light]]\n" + entry("  keys", listed(light_keys()));
+  text += entry("  of spot", listed(spot_keys()));
+  text += "\n[[node]]\n" + entry("  keys", "name, in, transform");
   return text;
 }
 
@@ -181,7 +192,15 @@ std::string topic_text(const std::string& topic) {
   if (topic == "status") return kStatus;
   if (topic == "keys") return key_help();
   const std::string name = topic.substr(std::min(topic.find_first_not_of('-'), topic.size()));
-  if (const Option* const option = find_option(name)) return option_text(*option);
+  const Option* const option = name.size() == 1 && find_option(name[0]) != nullptr
+                                   ? find_option(name[0])
+                                   : find_option(name);
+  if (option != nullptr) return option_text(*option);
+  if (find_verb(topic) != nullptr) return options_text();
+  const auto key = std::ranges::find(options(), topic, &Option::name);
+  if (key != options().end() || topic == "light" || topic == "node" || topic == "params") {
+    return scene_text();
+  }
   std::vector<std::string> known = {"functions", "scene", "status", "keys"};
   for (const Option& option : options()) {
     if (option.is_option()) known.emplace_back(option.name);
@@ -196,7 +215,10 @@ std::string topic_text(const std::string& topic) {
 }  // namespace
 
 std::string help_text(const std::vector<std::string>& topics) {
-  return topics.size() == 1 ? topic_text(topics[0]) : options_text();
+  if (topics.empty()) return options_text();
+  std::string text;
+  for (const std::string& topic : topics) text += (text.empty() ? "" : "\n") + topic_text(topic);
+  return text;
 }
 
 std::string version() {

@@ -7,7 +7,7 @@
 namespace saddle {
 
 /// `saddle --help TOPIC`: an option's name (with or without its dashes), `functions`, `scene`,
-/// `status` or `keys`; every option in a line where `topics` has no single word. Throws Error
+/// `status` or `keys`; several of them; without a topic a line for every option. Throws Error
 /// (Input) with the nearest topic for an unknown word.
 std::string help_text(const std::vector<std::string>& topics);
 

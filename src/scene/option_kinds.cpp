@@ -15,10 +15,6 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-void check_not_empty(const Given& given) {
-  if (given.text.empty()) throw Error(Status::Input, "the value is empty", {given.option, "", {}});
-}
-
 std::string pair_text(int a, int b) {
   return std::to_string(a) + "x" + std::to_string(b);
 }
@@ -51,7 +47,6 @@ std::string Flag::write() const {
 }
 
 void Text::parse(const Given& given) const {
-  check_not_empty(given);
   *value = given.text;
 }
 
@@ -68,7 +63,6 @@ void Texts::parse(const Given& given) const {
 }
 
 void Formula::parse(const Given& given) const {
-  check_not_empty(given);
   *value = given.text == "off" ? std::string() : given.text;
 }
 

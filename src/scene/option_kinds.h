@@ -50,8 +50,7 @@ struct Flag {
   std::string write() const;
 };
 
-/// A text. On the command line it is not empty: a shell's variable that is not set should not go
-/// unnoticed.
+/// A text.
 struct Text {
   std::string* value;
   const char* wanted = "text in quotes";

@@ -106,13 +106,18 @@ const Option* find_option(std::string_view name) {
   return found == options().end() ? nullptr : &*found;
 }
 
+const Option* find_option(char letter) {
+  const auto found = std::ranges::find(options(), letter, &Option::letter);
+  return letter == 0 || found == options().end() ? nullptr : &*found;
+}
+
 std::string dashed(const Option& option) {
   return "--" + std::string(option.name);
 }
 
 std::string default_text(const Option& option) {
   if (!option.usual.empty()) return std::string(option.usual);
-  if (option.is_flag()) return "";
+  if (option.is_flag()) return option.run ? "" : "off";
   Scene scene;
   SurfaceSpec surface;
   RunSettings run;
@@ -145,6 +150,15 @@ std::vector<std::string> keys_of(Table table) {
   std::vector<std::string> keys;
   each_row(table, [&](const Option& option) { keys.push_back(key_of(option)); });
   return keys;
+}
+
+void check_value(const Option& option, const std::string& text) {
+  Scene scene;
+  scene.surfaces.resize(1);
+  RunSettings run;
+  const kinds::Slot slot = slot_of(option, scene, scene.surfaces[0], run);
+  if (std::holds_alternative<kinds::Moment>(slot)) return;  // it may use the scene's parameters
+  parse_slot(slot, {scene, dashed(option), text});
 }
 
 void apply_option(const Option& option, const std::string& text, Scene& scene) {

@@ -44,6 +44,7 @@ struct Option {
   std::string_view usual = {};  ///< default in words; empty: the value that its owner begins with
   std::string_view more = {};   ///< what --help NAME adds
   unsigned commands = kSurfaceCommands;  ///< that take it
+  bool repeats = false;                  ///< each time it is given counts, not only the last
   std::string_view needs = {};           ///< an option without which it would do nothing
   std::string_view excludes = {};        ///< an option that says the opposite
   Table table = Table::None;             ///< of the scene file
@@ -59,8 +60,9 @@ struct Option {
 /// Rows in the order in which scene files have their keys, those of a section together.
 std::span<const Option> options();
 
-/// nullptr if no option has the name, without "--".
+/// nullptr if no option has the name, without "--", or the letter.
 const Option* find_option(std::string_view name);
+const Option* find_option(char letter);
 
 /// "--size", for messages.
 std::string dashed(const Option& option);
@@ -76,6 +78,9 @@ std::vector<std::string> choices(const Option& option);
 
 /// The keys of a table of scene files that are rows.
 std::vector<std::string> keys_of(Table table);
+
+/// Throws Error (Input) for a value that is wrong whatever the scene has.
+void check_value(const Option& option, const std::string& text);
 
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);

@@ -23,6 +23,14 @@ namespace {
 /// than this fit no machine's memory.
 constexpr std::int64_t kMaxSamples = std::int64_t{1} << 26;
 
+/// A value that would do, as an option or as a key of a scene file.
+std::string example(const std::string& option, const std::string& value) {
+  if (option.starts_with("--")) return "for example " + option + " " + value;
+  const std::size_t colon = option.rfind(' ');  // of "surface 1: grid"
+  return "for example " + option.substr(colon == std::string::npos ? 0 : colon + 1) + " = \"" +
+         value + "\"";
+}
+
 Span whole(const std::string& text) {
   return {0, text.size()};
 }
@@ -61,7 +69,7 @@ int whole_in(const std::string& option, const std::string& text, Span part, int 
 
 /// `X0:X1,Y0:Y1,Z0:Z1`
 Bounds parse_box(const std::string& option, const std::string& text) {
-  const std::string hint = "for example " + option + " -1:1,-1:1,0:5";
+  const std::string hint = example(option, "-1:1,-1:1,0:5");
   Bounds box;
   std::size_t begin = 0;
   for (int k = 0; k < 3; ++k) {
@@ -126,7 +134,7 @@ dvec3 parse_vector(const std::string& option, const std::string& text) {
   }
   if (count != parts.size()) {
     throw Error(Status::Input, "a vector has three numbers, this one has " + std::to_string(count),
-                {option, text, whole(text)}, "for example " + option + " 2,-3,1.5");
+                {option, text, whole(text)}, example(option, "2,-3,1.5"));
   }
   return {number_in(option, text, parts[0]), number_in(option, text, parts[1]),
           number_in(option, text, parts[2])};
@@ -146,7 +154,7 @@ ToleranceValue parse_tolerance(const std::string& option, const std::string& tex
   const double value = number_in(option, text, number);
   if (!(value > 0)) {
     throw Error(Status::Input, "must be more than 0", {option, text, number},
-                "for example " + option + " 0.5px, or 1e-3 of the diagonal of the bounding box");
+                example(option, "0.5px") + ", or 1e-3 of the diagonal of the bounding box");
   }
   return {value, pixels};
 }
@@ -163,7 +171,7 @@ GridSize parse_pair(const std::string& option, const std::string& text, int low,
   const std::size_t x = text.find_first_of("xX");
   if (x == std::string::npos) {
     throw Error(Status::Input, "this is two whole numbers with an x between",
-                {option, text, whole(text)}, "for example " + option + " 80x60");
+                {option, text, whole(text)}, example(option, "80x60"));
   }
   return {whole_in(option, text, {0, x}, low, high),
           whole_in(option, text, {x + 1, text.size()}, low, high)};
@@ -189,11 +197,11 @@ GridSize parse_samples(const std::string& option, const std::string& text) {
 }
 
 FrameRange parse_frame_range(const std::string& option, const std::string& text) {
-  const std::string hint = "for example " + option + " 20:40, both ends included";
+  const std::string hint = example(option, "20:40") + ", both ends included";
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
     throw Error(Status::Input, "a range of frames is FIRST:LAST", {option, text, whole(text)},
-                "for example " + option + " 20:40, or 20:20 for one frame");
+                example(option, "20:40") + ", or 20:20 for one frame");
   }
   const FrameRange range = {whole_in(option, text, {0, colon}, 0, kMaxFrames - 1),
                             whole_in(option, text, {colon + 1, text.size()}, 0, kMaxFrames - 1)};

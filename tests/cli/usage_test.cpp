@@ -54,7 +54,13 @@ TEST_F(Usage, HelpExplainsOneOption) {
   EXPECT_TRUE(contains(shading.out, "Default: pixel\n")) << shading.out;
   EXPECT_TRUE(contains(shading.out, "Scene files: shading")) << shading.out;
   EXPECT_TRUE(contains(refusal({"--help", "shadnig"}), "did you mean 'shading'?"));
-  EXPECT_EQ(saddle({"--help", "--shading"}).out, shading.out);
+  for (const std::vector<std::string>& form : std::vector<std::vector<std::string>>{
+           {"--help", "--shading"}, {"--help=shading"}, {"-h", "shading"}}) {
+    EXPECT_EQ(saddle(form).out, shading.out) << form[0];
+  }
+  EXPECT_EQ(saddle({"--help", "-s"}).out, saddle({"--help", "size"}).out);
+  EXPECT_EQ(saddle({"--help", "check"}).out, saddle({"--help"}).out);
+  EXPECT_EQ(saddle({"--help", "title"}).out, saddle({"--help", "scene"}).out);
 }
 
 TEST_F(Usage, HelpListsTheKeysOfSceneFiles) {
@@ -79,6 +85,8 @@ TEST_F(Usage, TakesOptionsInEveryForm) {
   EXPECT_TRUE(contains(content("a.toml"), "view = [-1, 2, 3]"));
   EXPECT_EQ(saddle({"z=u", "-s", "9x9", "-s", "7x7", "-o", "a.toml"}).status, 0);
   EXPECT_TRUE(contains(content("a.toml"), "size = \"7x7\"")) << "the last counts";
+  EXPECT_EQ(saddle({"z=u", "--flip", "-s", "q", "--flip", "-s", "7x7", "-o", "a.toml"}).status, 0);
+  EXPECT_TRUE(contains(content("a.toml"), "flip = true")) << "once";
   EXPECT_EQ(saddle({"z=u", "--colormap", "magma", "--color", "z", "-o", "a.toml"}).status, 0);
   EXPECT_TRUE(contains(content("a.toml"), "colormap = \"magma\""));
   EXPECT_TRUE(contains(error_of(saddle({"z=u", "--colormap", "magma", "-o", "b.toml"}), 2),
@@ -236,11 +244,17 @@ TEST_F(Usage, SaysWhichOptionLacksItsValue) {
   EXPECT_TRUE(contains(refusal({"torus", "-o"}), "--output: the value is missing"));
   EXPECT_TRUE(contains(refusal({"torus", "-o", "--axes"}), "--output: the value is missing"));
   EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--axes=on"}), "takes no value"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--fov="}), "--fov: the value is empty"));
+  EXPECT_TRUE(contains(refusal({"-s", "z=u", "-o", "a.png"}), "--size z=u"));
+  EXPECT_TRUE(contains(refusal({"z=u", "-size", "8x6", "-o", "a.png"}), "did you mean '--size'?"));
+  EXPECT_TRUE(contains(refusal({"nofile.toml", "--grid", "q"}), "--grid"));
 }
 
 TEST_F(Usage, RefusesOptionsThatWouldDoNothing) {
   EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--threshold", "0.1"}), "--reference"));
   EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "-q", "-v"}), "--verbose"));
+  EXPECT_TRUE(contains(refusal({"list", "--format", "png"}), "list takes no option --format"));
+  EXPECT_TRUE(contains(refusal({"torus", "--format", "png"}), "no output needs a format"));
 }
 
 }  // namespace
