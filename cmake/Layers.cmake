@@ -1,7 +1,7 @@
 # saddle_core: all of src/ but the program's main file, layer by layer. A new source file or layer
 # needs no line here. With SADDLE_UNITY the files of a layer are compiled together, UNITY_FILES at a
 # time: their headers are read once for all of them.
-set(UNITY_FILES 12)
+set(UNITY_FILES 18)
 
 # What all of them are compiled with.
 add_library(saddle_needs INTERFACE)
@@ -47,6 +47,10 @@ foreach(layer study app mesh ${layers})
     list(FILTER sources EXCLUDE REGEX "/(window|panel|overlay|viewer)\\.cpp$")
   endif()
   add_objects(${layer} ${sources})
+  # They compute little: -O3 takes a third longer to compile, and gains nothing measurable.
+  if(layer MATCHES "^(app|view)$" AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+    target_compile_options(saddle_${layer} PRIVATE -O1)
+  endif()
 endforeach()
 target_compile_definitions(saddle_app PRIVATE SADDLE_VERSION="${PROJECT_VERSION}")
 if(NOT SADDLE_VIEWER)

@@ -44,8 +44,8 @@ Room room_for(const Scene& scene, std::span<const std::shared_ptr<const Tessella
   return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
 }
 
-std::optional<Sight> look_along(const Meshed& meshed, const Ray& ray) {
-  std::optional<Sight> nearest;
+std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray) {
+  std::optional<SightedPoint> nearest;
   for (const Instance& instance : instances(meshed.scene)) {
     const glm::dmat4 to_surface = glm::inverse(instance.to_world);
     const Ray own{dvec3(to_surface * glm::dvec4(ray.origin, 1)),

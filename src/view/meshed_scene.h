@@ -26,12 +26,12 @@ Room room_for(const Scene& scene, std::span<const std::shared_ptr<const Tessella
 FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture);
 
 /// The first surface on a line of sight, where a node has put it.
-struct Sight {
+struct SightedPoint {
   Instance instance;
   Ray ray;  ///< in the surface's own coordinates; distances along it are the world's
   Hit hit;
 };
-std::optional<Sight> look_along(const Meshed& meshed, const Ray& ray);
+std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray);
 
 /// A point that was picked, and the surface it is on.
 struct PickedPoint {

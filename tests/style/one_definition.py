@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
-"""Each name of src/ has one definition: in namespace saddle, where compilers and linkers overlook a
-second class or inline function in another file; and in the unnamed namespaces of a layer, whose
-files are compiled together."""
+"""Each name has one definition: in namespace saddle, where compilers and linkers overlook a second
+class or inline function in another file; and in the unnamed namespaces of a layer or a folder of tests,
+whose files are compiled together."""
 import collections
 import re
 
@@ -15,7 +15,7 @@ TEMPLATE = re.compile(r"template <(?:[^<>]|<(?:[^<>]|<[^<>]*>)*>)*> ?")
 NAMESPACE = re.compile(r"(?:inline )?(?:namespace ?|(?=extern$))([\w:]*)$")  # or extern "C"
 TYPE = re.compile(r"(?:class|struct|union|enum class|enum) (?:alignas\(.*?\) )?(\w+)(?: final)?"
                   r"(?: : .*)?$")
-ALIAS = re.compile(r"using (\w+) = ")
+ALIAS = re.compile(r"(?:using|namespace) (\w+) = ")
 USING_DECLARATION = re.compile(r"^using (?!namespace)[\w:]+;", re.MULTILINE)
 FUNCTION = re.compile(r"(?:.*[ *&])?((?:[\w<>, ]+::)*(?:operator ?\W+|operator ?\(\)|~?\w+))\((.*)\)"
                       r"[^()=]*$")
@@ -84,11 +84,13 @@ def complaints(sources):
     unnamed = collections.defaultdict(dict)  # (layer, name) -> file: head
     functions = collections.defaultdict(set)  # (layer, name) -> headers that declare it
     for source in sources:
-        layer = source.parts[1]
+        layer = layer_of(source)
         code = NO_CODE.sub(" ", (tree.ROOT / source).read_text(encoding="utf-8"))
         if "SADDLE_LEVEL" in code:
             continue  # compiled by itself, once for each CPU level
-        for name in USING_DECLARATION.findall(code) if source.suffix == ".cpp" else []:
+        for name in USING_DECLARATION.findall(code):
+            if source.suffix == ".h" or layer == source:
+                continue
             yield f"{source}: '{name}' holds for all files that are compiled with this one"
         for namespaces, name, head in definitions(code):
             if "" in namespaces:
@@ -105,11 +107,18 @@ def complaints(sources):
         if differ(heads):
             yield f"{listed(heads)}: {name} is defined in the unnamed namespace of each"
         named = shared.get((("saddle",), name), {})
-        hidden = {header for header in named if header.parts[1] == layer and header.suffix == ".h"}
+        hidden = {header for header in named if layer_of(header) == layer and header.suffix == ".h"}
         hidden |= functions[layer, name.partition("(")[0]]
         hidden -= {source.with_suffix(".h") for source in heads}  # overloads
         if hidden:
             yield f"{listed(heads)}: {name} hides that of {listed(hidden)}"
+
+
+def layer_of(source):
+    """What a source may be compiled together with: its layer, or its folder of tests."""
+    if source.parts[0] == "src":
+        return source.parts[1]
+    return source.parent if source.parts[1] in {"unit", "geometry"} else source
 
 
 def differ(heads):
@@ -122,5 +131,6 @@ def listed(files):
     return ", ".join(sorted(map(str, files)))
 
 
-sources = [name for name in tree.files("src") if name.suffix in {".h", ".cpp"}]
-tree.finish(complaints(sources), len(sources), "files of src/")
+sources = [name for name in tree.files("src", "tests")
+           if name.suffix in {".h", ".cpp"} and name.parts[1] not in {"bench", "fuzz"}]
+tree.finish(complaints(sources), len(sources), "sources")

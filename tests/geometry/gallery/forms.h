@@ -75,7 +75,7 @@ struct Forms {
 };
 
 /// Each entry of a jet comes from some hundred operations.
-inline constexpr double kOperations = 500;
+inline constexpr double kRoundedOperations = 500;
 
 inline Forms forms(const Jet& j) {
   const dvec3 cross = glm::cross(j.u, j.v);
@@ -91,7 +91,7 @@ inline Forms forms(const Jet& j) {
   f.area_squared = area * area;
   f.second_size = glm::length(j.uu) + glm::length(j.uv) + glm::length(j.vv);
   // The cross product cancels where the tangents are nearly parallel.
-  f.rounding = kOperations * kEpsilon * glm::length(j.u) * glm::length(j.v) / area;
+  f.rounding = kRoundedOperations * kEpsilon * glm::length(j.u) * glm::length(j.v) / area;
   return f;
 }
 

@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 #include <string>
 
+#include "geometry/gallery/forms.h"
 #include "geometry/gallery/samples.h"
+#include "surface_from_text.h"
 
 namespace saddle {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kPi = std::numbers::pi;
 
 bool same(const dvec3& a, const dvec3& b) {
   return a == b || (!is_finite(a) && !is_finite(b));

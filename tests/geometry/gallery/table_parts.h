@@ -4,13 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 
 #include "geometry/gallery/table.h"
+#include "surface_from_text.h"
 
 namespace saddle {
 
-inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 inline double sq(double a) {

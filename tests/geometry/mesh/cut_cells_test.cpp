@@ -14,7 +14,7 @@
 namespace saddle {
 namespace {
 
-Surface waves(bool flip = false) {
+Surface plain_waves(bool flip = false) {
   Surface surface = surface_from_text("u+v^2/9", "v", "sin(3*u)*cos(2*v)", {-2, 3, -2, 2});
   surface.flip = flip;
   return surface;
@@ -35,7 +35,7 @@ Grid sample_tiles(const Surface& surface) {
 
 TEST(PlainCells, AreCutAsTheyWouldBeOneByOne) {
   for (const bool flip : {false, true}) {
-    const Surface surface = waves(flip);
+    const Surface surface = plain_waves(flip);
     Grid grid = sample_tiles(surface);
     const auto is_plain = [](Cell cell) { return cell == Cell::Two; };
     ASSERT_TRUE(std::ranges::all_of(grid.cells, is_plain));
@@ -58,7 +58,7 @@ TEST(PlainCells, AreCutAsTheyWouldBeOneByOne) {
 }
 
 TEST(PlainCells, HaveTheirVerticesInPlace) {
-  const Surface surface = waves();
+  const Surface surface = plain_waves();
   const Grid grid = sample_tiles(surface);
   const std::vector<SurfacePoint> points = evaluate_on_grid(surface, grid.u, grid.v);
   for (std::size_t vertex = 0; vertex < grid.vertex_count(); ++vertex) {
@@ -72,9 +72,9 @@ TEST(PlainCells, HaveTheirVerticesInPlace) {
 TEST(PlainCells, AreTheSameForAnyNumberOfThreads) {
   GridOptions options = several_tiles();
   options.threads = 1;
-  const GridMesh one = mesh_on_grid(waves(), options);
+  const GridMesh one = mesh_on_grid(plain_waves(), options);
   options.threads = 3;
-  const GridMesh three = mesh_on_grid(waves(), options);
+  const GridMesh three = mesh_on_grid(plain_waves(), options);
   EXPECT_EQ(one.mesh.position, three.mesh.position);
   EXPECT_EQ(one.mesh.normal, three.mesh.normal);
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);

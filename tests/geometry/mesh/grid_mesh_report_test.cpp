@@ -10,7 +10,7 @@
 namespace saddle {
 namespace {
 
-GridOptions cells(int u, int v) {
+GridOptions options_of(int u, int v) {
   GridOptions options;
   options.cells_u = u;
   options.cells_v = v;
@@ -19,7 +19,7 @@ GridOptions cells(int u, int v) {
 
 /// The message of the error that meshing ends in; its status must be Nothing.
 std::string refusal(const std::string& x, const std::string& y, const std::string& z,
-                    const Domain& domain = {}, const GridOptions& options = cells(20, 20)) {
+                    const Domain& domain = {}, const GridOptions& options = options_of(20, 20)) {
   try {
     mesh_on_grid(surface_from_text(x, y, z, domain), options);
   } catch (const Error& error) {
@@ -36,7 +36,7 @@ TEST(GridMeshReport, MeasuresTheErrorOfATorus) {
   for (const int n : {30, 120}) {  // all cells are measured, and a choice of them
     const double h = 2 * kPi / n;
     const double largest = (3 * h * h + h * h) / 8;  // over a diagonal at the outer equator
-    const MeshReport report = mesh_on_grid(torus, cells(n, n)).report;
+    const MeshReport report = mesh_on_grid(torus, options_of(n, n)).report;
     EXPECT_LT(report.max_error, largest) << n;
     // 4 % for points up to a tenth of a cell off the middle; the fourth order of the series.
     EXPECT_GT(report.max_error, largest * (0.96 - h * h)) << n;
@@ -45,7 +45,7 @@ TEST(GridMeshReport, MeasuresTheErrorOfATorus) {
 
 TEST(GridMeshReport, MeasuresTheErrorOfNormals) {
   const Surface parabola = surface_from_text("u", "v", "u^2/2", {0, 2, 0, 1});
-  const MeshReport report = mesh_on_grid(parabola, cells(8, 8)).report;
+  const MeshReport report = mesh_on_grid(parabola, options_of(8, 8)).report;
   // Between corners the mesh interpolates the angle a = atan(u), linearly to this order, which is
   // off by g |a''|, g = h^2/8. The mesh point nearest to a surface point, g above the chord, is
   // g sin(a) cos(a) further along, where the angle differs by that times a'. The two add up to
@@ -58,7 +58,7 @@ TEST(GridMeshReport, MeasuresTheErrorOfNormals) {
 
 TEST(GridMeshReport, IsExactForAPlane) {
   const MeshReport report =
-      mesh_on_grid(surface_from_text("u", "v", "u+v", {}), cells(7, 3)).report;
+      mesh_on_grid(surface_from_text("u", "v", "u+v", {}), options_of(7, 3)).report;
   EXPECT_LT(report.max_error, 1e-15);
   EXPECT_LT(report.max_normal_error, 1e-13);
   EXPECT_EQ(report.evaluations, 8U * 4 + 3 * 21);
@@ -68,14 +68,14 @@ TEST(GridMeshReport, IsExactForAPlane) {
 
 TEST(GridMeshReport, FindsOutASurfaceThatOscillatesInStepWithTheGrid) {
   const Surface waves = surface_from_text("u", "v", "sin(60*u)", {0, 2 * kPi, 0, 1});
-  const MeshReport report = mesh_on_grid(waves, cells(60, 4)).report;
+  const MeshReport report = mesh_on_grid(waves, options_of(60, 4)).report;
   EXPECT_GT(report.max_error, 0.5);
   EXPECT_GT(report.max_normal_error, 90);
 }
 
 TEST(GridMeshReport, FindsTheWorstCellsOfALargeGrid) {
   const Surface bump = surface_from_text("u", "v", "exp(-400*(u^2+v^2))", {});
-  const MeshReport report = mesh_on_grid(bump, cells(201, 201)).report;
+  const MeshReport report = mesh_on_grid(bump, options_of(201, 201)).report;
   // z_uu + z_vv = -1600 at the top: the sagitta over the diagonal of the middle cell.
   const double h = 2.0 / 201;
   EXPECT_GT(report.max_error, 0.9 * 1600 * h * h / 8);
@@ -105,8 +105,9 @@ TEST(GridMeshReport, SaysThatASurfaceIsACurve) {
 }
 
 TEST(GridMeshReport, SaysThatTheSamplesAreTooFew) {
-  EXPECT_EQ(refusal("cos(u)*sin(v)", "sin(u)*sin(v)", "cos(v)", {0, 2 * kPi, 0, kPi}, cells(1, 1)),
-            "no cell of the grid has any area");
+  EXPECT_EQ(
+      refusal("cos(u)*sin(v)", "sin(u)*sin(v)", "cos(v)", {0, 2 * kPi, 0, kPi}, options_of(1, 1)),
+      "no cell of the grid has any area");
 }
 
 TEST(GridMeshReport, SaysThatARangeHoldsFewDoubles) {
@@ -122,7 +123,7 @@ TEST(GridMeshReport, SaysThatTheExtentIsNotFinite) {
 
 TEST(GridMeshReport, TellsASurfaceThatIsSingularAtAllSamplesFromACurve) {
   // x_u = 6 u (1 - u) is 0 at both ends of the only cell.
-  EXPECT_EQ(refusal("u^2*(3-2*u)", "v", "0", {0, 1, 0, 1}, cells(1, 1)), "a mesh");
+  EXPECT_EQ(refusal("u^2*(3-2*u)", "v", "0", {0, 1, 0, 1}, options_of(1, 1)), "a mesh");
 }
 
 TEST(GridMeshReport, TellsAThinStripFromACurve) {
@@ -137,7 +138,7 @@ TEST(GridMeshReport, TellsASmallSurfaceFarAwayFromAPoint) {
 TEST(GridMeshReport, RefusesGridsThatCannotBeNumbered) {
   const Surface plane = surface_from_text("u", "v", "0", {});
   try {
-    mesh_on_grid(plane, cells(1 << 20, 1 << 20));
+    mesh_on_grid(plane, options_of(1 << 20, 1 << 20));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::Input);

@@ -99,12 +99,12 @@ TEST(CreaseDistance, FindsWhereTheSurfaceIsUprightAsNearAsItsHeightNeeds) {
   EXPECT_NEAR(crease_places(roof, std::span(&across, 1), 1)[0].x, 0.015, 1e-12) << "not upright";
 }
 
-struct Case {
+struct ToleranceCase {
   const char* name;
   std::vector<double> shares;  ///< tolerances, of the diagonal
 };
 
-class WithinTolerance : public testing::TestWithParam<Case> {};
+class WithinTolerance : public testing::TestWithParam<ToleranceCase> {};
 
 TEST_P(WithinTolerance, BothWaysBetweenSamples) {
   const auto& [name, shares] = GetParam();
@@ -136,10 +136,12 @@ TEST_P(WithinTolerance, BothWaysBetweenSamples) {
 
 /// Each was above its tolerance, by up to 3.7 times.
 INSTANTIATE_TEST_SUITE_P(Gallery, WithinTolerance,
-                         testing::Values(Case{"peak", {1e-4}}, Case{"klein-bottle", {1e-3}},
-                                         Case{"kuen", {1e-4}}, Case{"swallowtail", {1e-2}},
-                                         Case{"guimard", {1e-2, 1e-3}},
-                                         Case{"bourke-harmonic", {1e-2, 1e-3}}),
+                         testing::Values(ToleranceCase{"peak", {1e-4}},
+                                         ToleranceCase{"klein-bottle", {1e-3}},
+                                         ToleranceCase{"kuen", {1e-4}},
+                                         ToleranceCase{"swallowtail", {1e-2}},
+                                         ToleranceCase{"guimard", {1e-2, 1e-3}},
+                                         ToleranceCase{"bourke-harmonic", {1e-2, 1e-3}}),
                          [](const auto& test) {
                            std::string name = test.param.name;
                            std::erase(name, '-');

@@ -21,12 +21,12 @@ namespace {
 /// The denominator: at its zeros are the poles.
 using Denominator = double (*)(double u, double v);
 
-struct Case {
+struct PoleCase {
   const char* z;
   Denominator denominator;
 };
 
-const std::vector<Case> kAslant = {
+const std::vector<PoleCase> kAslant = {
     {"1/(u-0.3*v)", [](double u, double v) { return u - 0.3 * v; }},
     {"1/(u-v^2)", [](double u, double v) { return u - v * v; }},
     {"1/(u^2+v^2-0.25)", [](double u, double v) { return u * u + v * v - 0.25; }},
@@ -35,7 +35,7 @@ const std::vector<Case> kAslant = {
     {"1/(u-v^2)^2", [](double u, double v) { return u - v * v; }},
     {"ln(abs(u-v^2))", [](double u, double v) { return u - v * v; }}};
 
-const std::vector<Case> kBesideRims = {
+const std::vector<PoleCase> kBesideRims = {
     {"sqrt(1-u^2-v^2)/(u-0.3)", [](double u, double) { return u - 0.3; }},
     {"sqrt(1-u^2-v^2)/(u-0.1)", [](double u, double) { return u - 0.1; }},
     {"sqrt(1-u^2-v^2)/(u-0.3*v)", [](double u, double v) { return u - 0.3 * v; }}};
@@ -62,7 +62,7 @@ std::size_t walls(const Mesh& mesh, Denominator denominator) {
 }
 
 TEST(Poles, AslantOrCurvedAreCutWithoutABox) {
-  for (const Case& c : kAslant) {
+  for (const PoleCase& c : kAslant) {
     const GridMesh result = mesh_within_tolerance(height_field(c.z), options()).value();
     EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z;
     EXPECT_GT(result.report.pole_count, 0U) << c.z;
@@ -74,7 +74,7 @@ TEST(Poles, AslantOrCurvedAreCutOutOfSamples) {
   struct Cells {
     std::size_t u, v;
   };
-  for (const Case& c : kAslant) {
+  for (const PoleCase& c : kAslant) {
     for (const Cells cells : {Cells{20, 20}, Cells{10, 10}, Cells{7, 9}}) {
       const GridMesh result =
           mesh_of_samples(height_field(c.z), options(), cells.u, cells.v).value();
@@ -91,7 +91,7 @@ TEST(Poles, AreCutWhereTheLimitOfTrianglesEndsTheMesh) {
   for (const std::size_t most : {300U, 1000U, 3000U}) {
     AdaptiveOptions limited = options();
     limited.max_triangles = most;
-    for (const Case& c : kAslant) {
+    for (const PoleCase& c : kAslant) {
       const GridMesh result = mesh_within_tolerance(height_field(c.z), limited).value();
       EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << most;
     }
@@ -103,7 +103,7 @@ TEST(Poles, ThatMeetARimAreCutThere) {
   AdaptiveOptions clipped = options();
   clipped.tolerance = [](const Probe&) -> Tolerance { return 0.0078; };
   clipped.clip = Bounds{dvec3(-kFar, -kFar, -4), dvec3(kFar, kFar, 3)};
-  for (const Case& c : kBesideRims) {
+  for (const PoleCase& c : kBesideRims) {
     const Surface surface = height_field(c.z);
     const std::vector<GridMesh> meshes = {
         mesh_within_tolerance(surface, options()).value(),

@@ -104,7 +104,7 @@ TEST(FormatError, ShowsOnlyTheLineOfTheSpan) {
 }
 
 TEST(FormatError, EndsTheCaretsWithTheLine) {
-  EXPECT_EQ(formatted("z", {"one", "two"}, {1, 6}), "saddle: z: wrong\n  z = one\n       ^~\n");
+  EXPECT_EQ(formatted("z", "one\ntwo", {1, 6}), "saddle: z: wrong\n  z = one\n       ^~\n");
 }
 
 TEST(FormatError, NeverSendsControlCharactersToATerminal) {

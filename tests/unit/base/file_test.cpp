@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// More than the buffer that a stream collects before it writes.
-const std::string kLarge(3'000'000, 'x');
+const std::string kLargeText(3'000'000, 'x');
 
 std::function<void(std::ostream&)> writer(const std::string& content) {
   return [content](std::ostream& out) { out << content; };
@@ -77,24 +77,24 @@ class WriteFileWhole : public testing::Test {
   const fs::path& folder = temporary.path();
 };
 
-using Names = std::set<std::string>;
+using FileNames = std::set<std::string>;
 using CheckWritable = WriteFileWhole;
 using ReadFile = WriteFileWhole;
 
 TEST_F(WriteFileWhole, WritesTheContentAndNothingElse) {
   write_file_whole(folder / "a", writer("hello"));
   EXPECT_EQ(content_of(folder / "a"), "hello");
-  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_EQ(names(), FileNames{"a"});
 }
 
 TEST_F(WriteFileWhole, WritesAnEmptyFile) {
   write_file_whole(folder / "a", [](std::ostream&) {});
-  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_EQ(names(), FileNames{"a"});
   EXPECT_EQ(fs::file_size(folder / "a"), 0u);
 }
 
 TEST_F(WriteFileWhole, WritesMoreThanItsBufferByLettersAndByBlocks) {
-  std::string expected = kLarge + kLarge;
+  std::string expected = kLargeText + kLargeText;
   for (std::size_t i = 0; i < expected.size(); ++i) expected[i] = static_cast<char>(i * 31 / 7);
   write_file_whole(folder / "a", [&](std::ostream& out) {
     const std::size_t half = expected.size() / 2;
@@ -107,31 +107,31 @@ TEST_F(WriteFileWhole, WritesMoreThanItsBufferByLettersAndByBlocks) {
 TEST_F(WriteFileWhole, ReplacesAFileOnlyOnceTheNewOneIsWhole) {
   write_file_whole(folder / "a", writer("old"));
   write_file_whole(folder / "a", [&](std::ostream& out) {
-    out << kLarge << std::flush;
+    out << kLargeText << std::flush;
     EXPECT_EQ(content_of(folder / "a"), "old");
     EXPECT_EQ(names().size(), 2u);
   });
-  EXPECT_EQ(content_of(folder / "a").size(), kLarge.size());
-  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_EQ(content_of(folder / "a").size(), kLargeText.size());
+  EXPECT_EQ(names(), FileNames{"a"});
 }
 
 TEST_F(WriteFileWhole, LeavesEverythingAsItWasWhenTheWriterThrows) {
   const auto throwing = [](std::ostream& out) {
-    out << kLarge;
+    out << kLargeText;
     throw std::runtime_error("mine");
   };
   EXPECT_THROW(write_file_whole(folder / "new", throwing), std::runtime_error);
-  EXPECT_EQ(names(), Names{});
+  EXPECT_EQ(names(), FileNames{});
   write_file_whole(folder / "a", writer("old"));
   EXPECT_THROW(write_file_whole(folder / "a", throwing), std::runtime_error);
   EXPECT_EQ(content_of(folder / "a"), "old");
-  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_EQ(names(), FileNames{"a"});
 }
 
 TEST_F(WriteFileWhole, FailsWhenTheWriterFindsItsStreamBroken) {
   const auto broken = [](std::ostream& out) { out.setstate(std::ios::failbit); };
   EXPECT_TRUE(contains(failure([&] { write_file_whole(folder / "a", broken); }), "cannot write"));
-  EXPECT_EQ(names(), Names{});
+  EXPECT_EQ(names(), FileNames{});
 }
 
 TEST_F(WriteFileWhole, SaysThatThereIsNoSpaceLeft) {
@@ -145,13 +145,14 @@ TEST_F(WriteFileWhole, LeavesEverythingAsItWasWhenTheSystemStopsWriting) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto old_action = signal(SIGXFSZ, SIG_IGN);
-  const rlimit limited{kLarge.size() / 2, before.rlim_max};
+  const rlimit limited{kLargeText.size() / 2, before.rlim_max};
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limited), 0);
-  const std::string by_stream = failure([&] { write_file_whole(folder / "a", writer(kLarge)); });
+  const std::string by_stream =
+      failure([&] { write_file_whole(folder / "a", writer(kLargeText)); });
   // The system's reason wins over a writer that throws because its stream is broken.
   const std::string by_throw = failure([&] {
     write_file_whole(folder / "a", [](std::ostream& out) {
-      out << kLarge << std::flush;
+      out << kLargeText << std::flush;
       if (!out) throw std::runtime_error("stream broken");
     });
   });
@@ -160,7 +161,7 @@ TEST_F(WriteFileWhole, LeavesEverythingAsItWasWhenTheSystemStopsWriting) {
   EXPECT_TRUE(contains(by_stream, "File too large")) << by_stream;
   EXPECT_TRUE(contains(by_throw, "File too large")) << by_throw;
   EXPECT_EQ(content_of(folder / "a"), "old");
-  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_EQ(names(), FileNames{"a"});
 }
 
 mode_t mode_of(const fs::path& path) {
@@ -237,7 +238,7 @@ TEST_F(WriteFileWhole, WritesNamesAsLongAsTheSystemAllows) {
   while (longest.size() < 255) longest += "\u03C0";
   ASSERT_EQ(longest.size(), 255u);
   write_file_whole(folder / longest, writer("x"));
-  EXPECT_EQ(names(), Names{longest});
+  EXPECT_EQ(names(), FileNames{longest});
   EXPECT_TRUE(contains(failure([&] { write_file_whole(folder / (longest + "a"), writer("x")); }),
                        "File name too long"));
 }
@@ -254,16 +255,16 @@ TEST_F(WriteFileWhole, IsWholeWhenSeveralWriteTheSameName) {
   threads.clear();
   const std::string content = content_of(folder / "f");
   EXPECT_EQ(content, std::string(100'000, content.at(0)));
-  EXPECT_EQ(names(), Names{"f"});
+  EXPECT_EQ(names(), FileNames{"f"});
 }
 
 TEST_F(WriteFileWhole, WritesStraightIntoAPipe) {
   ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
   std::string received;
   std::jthread reader([&] { received = content_of(folder / "pipe"); });
-  write_file_whole(folder / "pipe", writer(kLarge));
+  write_file_whole(folder / "pipe", writer(kLargeText));
   reader.join();
-  EXPECT_TRUE(received == kLarge);
+  EXPECT_TRUE(received == kLargeText);
   EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
 }
 
@@ -281,11 +282,11 @@ TEST_F(WriteFileWhole, ContinuesAnOpenFileThroughItsDescriptor) {
 
 TEST_F(CheckWritable, CreatesNothingAndTruncatesNothing) {
   check_writable(folder / "a");
-  EXPECT_EQ(names(), Names{});
+  EXPECT_EQ(names(), FileNames{});
   write_file_whole(folder / "a", writer("old"));
   check_writable(folder / "a");
   EXPECT_EQ(content_of(folder / "a"), "old");
-  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_EQ(names(), FileNames{"a"});
 }
 
 TEST_F(CheckWritable, AcceptsANameInTheCurrentFolderAndDevices) {
@@ -333,7 +334,7 @@ TEST_F(CheckWritable, RefusesADescriptorThatIsClosedOrOnlyRead) {
 }
 
 TEST_F(ReadFile, ReturnsEveryByte) {
-  const std::string content = kLarge + std::string("\0\r\n\xFF", 4);
+  const std::string content = kLargeText + std::string("\0\r\n\xFF", 4);
   write_file_whole(folder / "a", writer(content));
   EXPECT_TRUE(read_file(folder / "a") == content);
 }

@@ -18,15 +18,15 @@ namespace saddle {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::set<std::string>;
+using FileNames = std::set<std::string>;
 
 /// More than the buffer that a stream collects before it writes.
 const std::string kLarge(3'000'000, 'x');
 
 class KilledRun : public testing::Test {
  protected:
-  Names names() const {
-    Names result;
+  FileNames names() const {
+    FileNames result;
     for (const auto& entry : fs::directory_iterator(folder)) {
       result.insert(entry.path().filename().string());
     }
@@ -74,7 +74,7 @@ TEST_F(KilledRun, LeavesNothingAtAllWhenItIsAskedToEnd) {
         end_in_the_middle(folder / "a", signal_number, [this] { EXPECT_EQ(names().size(), 1u); });
     EXPECT_TRUE(WIFSIGNALED(status));
     ASSERT_EQ(WTERMSIG(status), signal_number);
-    EXPECT_EQ(names(), Names{}) << "signal " << signal_number;
+    EXPECT_EQ(names(), FileNames{}) << "signal " << signal_number;
   }
 }
 
@@ -82,7 +82,7 @@ TEST_F(KilledRun, LeavesTheOldFileWhenItIsAskedToEnd) {
   write_file_whole(folder / "a", [](std::ostream& out) { out << "old"; });
   end_in_the_middle(folder / "a", SIGTERM, [] {});
   EXPECT_EQ(read_file(folder / "a"), "old");
-  EXPECT_EQ(names(), Names{"a"});
+  EXPECT_EQ(names(), FileNames{"a"});
 }
 
 TEST_F(KilledRun, LeavesNothingUnderTheFinalNameWhenItCannotEvenCleanUp) {

@@ -11,7 +11,7 @@ std::string round_trip(const std::string& text) {
   return format_color(parse_color("c", text));
 }
 
-Error error_of(const std::string& text) {
+Error color_error(const std::string& text) {
   try {
     parse_color("--front", text);
   } catch (const Error& error) {
@@ -71,7 +71,7 @@ TEST(Color, ClampsWhatIsOutsideOfTheScreensRange) {
 }
 
 TEST(Color, PointsAtTheDigitThatIsNone) {
-  const Error error = error_of("#12g456");
+  const Error error = color_error("#12g456");
   EXPECT_EQ(error.status(), Status::Input);
   EXPECT_EQ(error.place().name, "--front");
   EXPECT_EQ(error.place().span.begin, 3U);
@@ -80,13 +80,14 @@ TEST(Color, PointsAtTheDigitThatIsNone) {
 
 TEST(Color, RefusesOtherNumbersOfDigits) {
   for (const char* text : {"#", "#1", "#12", "#1234", "#12345", "#1234567", "#123456789"}) {
-    EXPECT_EQ(error_of(text).status(), Status::Input) << text;
+    EXPECT_EQ(color_error(text).status(), Status::Input) << text;
   }
 }
 
 TEST(Color, NamesTheNearestColour) {
-  EXPECT_NE(error_of("saddlebrwon").hint().find("did you mean 'saddlebrown'?"), std::string::npos);
-  EXPECT_EQ(error_of("").status(), Status::Input);
+  EXPECT_NE(color_error("saddlebrwon").hint().find("did you mean 'saddlebrown'?"),
+            std::string::npos);
+  EXPECT_EQ(color_error("").status(), Status::Input);
 }
 
 }  // namespace

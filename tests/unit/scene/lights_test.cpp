@@ -68,7 +68,7 @@ TEST(LightKeys, ComeBackAsTheyWereWritten) {
   }
 }
 
-std::string error_of(const std::string& lines) {
+std::string light_error(const std::string& lines) {
   try {
     with_light(lines);
   } catch (const Error& error) {
@@ -81,12 +81,12 @@ TEST(LightKeys, HaveTheirNumbersResolved) {
   for (const std::string& key : light_keys()) {
     if (kWithoutNumbers.contains(key)) continue;
     ASSERT_TRUE(kUnknown.contains(key)) << "no value to try " << key << " with";
-    EXPECT_EQ(error_of(key + " = " + kUnknown.at(key)), "unknown name 'zzz'") << key;
+    EXPECT_EQ(light_error(key + " = " + kUnknown.at(key)), "unknown name 'zzz'") << key;
   }
   for (const std::string& key : spot_keys()) {
     if (kWithoutNumbers.contains(key)) continue;
     ASSERT_TRUE(kSpotUnknown.contains(key)) << "no value to try " << key << " with";
-    EXPECT_EQ(error_of("spot = { " + key + " = " + kSpotUnknown.at(key) + " }"),
+    EXPECT_EQ(light_error("spot = { " + key + " = " + kSpotUnknown.at(key) + " }"),
               "unknown name 'zzz'")
         << key;
   }
@@ -113,8 +113,8 @@ TEST(LightKeys, MakeOneOfDiffuseAndSpecularBlackWhereItIsLeftOut) {
 
 /// The inner angle may be the cutoff: a hard edge.
 TEST(LightKeys, TakeAnInnerAngleUpToTheCutoff) {
-  EXPECT_EQ(error_of("spot = { cutoff = 20, inner = 20 }"), "none");
-  EXPECT_EQ(error_of("spot = { cutoff = 20, inner = 20.1 }"),
+  EXPECT_EQ(light_error("spot = { cutoff = 20, inner = 20 }"), "none");
+  EXPECT_EQ(light_error("spot = { cutoff = 20, inner = 20.1 }"),
             "the inner angle is larger than the cutoff");
 }
 

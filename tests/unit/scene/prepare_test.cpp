@@ -23,7 +23,7 @@ dvec3 point_of(const Surface& surface, dvec2 uv) {
   return evaluate(surface, std::array{uv})[0].position;
 }
 
-Error error_of(const std::vector<std::string>& assignments) {
+Error prepare_error(const std::vector<std::string>& assignments) {
   try {
     surface_of(assignments);
   } catch (const Error& error) {
@@ -33,7 +33,7 @@ Error error_of(const std::vector<std::string>& assignments) {
   return {Status::Done, ""};
 }
 
-std::string marked(const Error& error) {
+std::string marked_part(const Error& error) {
   const Place& place = error.place();
   return place.text.substr(place.span.begin, place.span.end - place.span.begin);
 }
@@ -83,23 +83,23 @@ TEST(Prepare, ComputesRangesWithParameters) {
 }
 
 TEST(Prepare, WantsAZ) {
-  const Error error = error_of({"x=u"});
+  const Error error = prepare_error({"x=u"});
   EXPECT_EQ(error.status(), Status::Input);
   EXPECT_NE(std::string(error.what()).find("z has no formula"), std::string::npos);
 }
 
 TEST(Prepare, PointsIntoTheWholeRange) {
-  const Error error = error_of({"z=u", "v=0:2*foo"});
+  const Error error = prepare_error({"z=u", "v=0:2*foo"});
   EXPECT_EQ(error.place().name, "v");
   EXPECT_EQ(error.place().text, "0:2*foo");
-  EXPECT_EQ(marked(error), "foo");
+  EXPECT_EQ(marked_part(error), "foo");
 }
 
 TEST(Prepare, RefusesRangesThatAreEmptyOrNotFinite) {
-  EXPECT_STREQ(error_of({"z=u", "u=1:2-1"}).what(), "the range of u is empty");
-  EXPECT_EQ(marked(error_of({"z=u", "u=0:1/0"})), "1/0");
-  EXPECT_EQ(marked(error_of({"z=u", "v=nan:1"})), "nan");
-  EXPECT_EQ(error_of({"z=u", "v=-1e308:1e308"}).status(), Status::Input);
+  EXPECT_STREQ(prepare_error({"z=u", "u=1:2-1"}).what(), "the range of u is empty");
+  EXPECT_EQ(marked_part(prepare_error({"z=u", "u=0:1/0"})), "1/0");
+  EXPECT_EQ(marked_part(prepare_error({"z=u", "v=nan:1"})), "nan");
+  EXPECT_EQ(prepare_error({"z=u", "v=-1e308:1e308"}).status(), Status::Input);
 }
 
 TEST(Prepare, TakesVBetweenEndsThatDependOnU) {
@@ -146,12 +146,13 @@ TEST(Prepare, LeavesParametersOfConstantRangesAlone) {
 }
 
 TEST(Prepare, RefusesRangesThatDependOnEachOtherOrThemselves) {
-  EXPECT_STREQ(error_of({"z=u", "u=0:v"}).what(), "the range of u cannot depend on v");
-  EXPECT_STREQ(error_of({"z=u", "u=0:w", "w=v^2"}).what(), "the range of u cannot depend on v");
-  EXPECT_STREQ(error_of({"z=u", "u=u:1"}).what(), "the range of u depends on itself");
-  EXPECT_STREQ(error_of({"z=u", "v=u:v"}).what(), "the range of v depends on itself");
-  EXPECT_STREQ(error_of({"z=u", "v=2*u:2*u"}).what(), "the range of v is empty");
-  EXPECT_EQ(marked(error_of({"z=u", "v=0:2*v"})), "2*v");
+  EXPECT_STREQ(prepare_error({"z=u", "u=0:v"}).what(), "the range of u cannot depend on v");
+  EXPECT_STREQ(prepare_error({"z=u", "u=0:w", "w=v^2"}).what(),
+               "the range of u cannot depend on v");
+  EXPECT_STREQ(prepare_error({"z=u", "u=u:1"}).what(), "the range of u depends on itself");
+  EXPECT_STREQ(prepare_error({"z=u", "v=u:v"}).what(), "the range of v depends on itself");
+  EXPECT_STREQ(prepare_error({"z=u", "v=2*u:2*u"}).what(), "the range of v is empty");
+  EXPECT_EQ(marked_part(prepare_error({"z=u", "v=0:2*v"})), "2*v");
 }
 
 TEST(Prepare, FlipsOnRequest) {

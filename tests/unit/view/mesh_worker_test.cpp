@@ -14,7 +14,7 @@
 namespace saddle {
 namespace {
 
-Scene titled(const std::string& title) {
+Scene titled_scene(const std::string& title) {
   Scene scene;
   scene.title = title;
   scene.surfaces.resize(1);
@@ -62,7 +62,8 @@ TEST(MeshWorker, MeshesWhatIsWishedForLast) {
         return Tessellation{};
       },
       [&] { results.announce(); });
-  for (int i = 0; i < 100; ++i) worker.request(titled(std::to_string(i)), Manner::PreviewFirst);
+  for (int i = 0; i < 100; ++i)
+    worker.request(titled_scene(std::to_string(i)), Manner::PreviewFirst);
   EXPECT_EQ(results.wait_for(worker, "99").surfaces.size(), 1U);
   EXPECT_GE(previews, 1);
   EXPECT_LE(previews, 100);
@@ -78,9 +79,9 @@ TEST(MeshWorker, AbandonsWhatTakesForEver) {
         return Tessellation{};
       },
       [&] { results.announce(); });
-  worker.request(titled("endless"), Manner::Full);
+  worker.request(titled_scene("endless"), Manner::Full);
   while (!begun) std::this_thread::yield();
-  worker.request(titled("quick"), Manner::Full);
+  worker.request(titled_scene("quick"), Manner::Full);
   EXPECT_FALSE(results.wait_for(worker, "quick").error);
 }
 
@@ -95,10 +96,10 @@ TEST(MeshWorker, DoesInTurnWhatMustNotBeAbandoned) {
         return Tessellation{};
       },
       [&] { results.announce(); });
-  worker.request(titled("first"), Manner::Full);
+  worker.request(titled_scene("first"), Manner::Full);
   while (begun == 0) std::this_thread::yield();
-  worker.request(titled("skipped"), Manner::InTurn);
-  worker.request(titled("second"), Manner::InTurn);
+  worker.request(titled_scene("skipped"), Manner::InTurn);
+  worker.request(titled_scene("second"), Manner::InTurn);
   may_end = 1;
   EXPECT_FALSE(results.wait_for(worker, "first").error);
   may_end = 2;
@@ -115,7 +116,7 @@ TEST(MeshWorker, EndsWhileItWorks) {
           return {};
         },
         [] {});
-    worker.request(titled("endless"), Manner::PreviewFirst);
+    worker.request(titled_scene("endless"), Manner::PreviewFirst);
     while (!begun) std::this_thread::yield();
   }
   SUCCEED() << "the destructor returns";
@@ -129,7 +130,7 @@ TEST(MeshWorker, TellsWhichSurfaceIsWrong) {
         return {};
       },
       [&] { results.announce(); });
-  Scene scene = titled("two");
+  Scene scene = titled_scene("two");
   scene.surfaces.resize(2);
   worker.request(scene, Manner::PreviewFirst);
   const Meshed result = results.wait_for(worker, "two");
