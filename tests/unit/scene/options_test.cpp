@@ -144,7 +144,7 @@ TEST(Options, TellTheirDefaultsLimitsAndChoices) {
   EXPECT_EQ(default_text(*find_option("size")), "800x600");
   EXPECT_EQ(default_text(*find_option("fov")), "30");
   EXPECT_EQ(default_text(*find_option("shading")), "pixel");
-  EXPECT_EQ(default_text(*find_option("axes")), "");
+  EXPECT_EQ(default_text(*find_option("axes")), "off");
   EXPECT_EQ(limits_text(*find_option("fov")), "more than 0 and less than 180");
   EXPECT_EQ(limits_text(*find_option("distance")), "more than 0");
   EXPECT_EQ(limits_text(*find_option("antialias")), "1 to 16");
