@@ -144,7 +144,7 @@ TEST(MeshWorker, TellsWhatNoErrorIs) {
   MeshWorker worker(
       [](const Scene&, std::size_t, Detail) -> Tessellation { throw std::runtime_error("odd"); },
       [&] { results.announce(); });
-  worker.request(titled("odd"), Manner::PreviewFirst);
+  worker.request(titled_scene("odd"), Manner::PreviewFirst);
   const Meshed result = results.wait_for(worker, "odd");
   ASSERT_TRUE(result.error);
   EXPECT_STREQ(result.error->what(), "odd");
