@@ -368,7 +368,7 @@ void GridLines::read(const InFile& in) const {
 }
 
 std::string GridLines::write() const {
-  return toml_numbers({surface->grid_u, surface->grid_v});
+  return "[" + std::to_string(surface->grid_u) + ", " + std::to_string(surface->grid_v) + "]";
 }
 
 void Cells::parse(const Given& given) const {
