@@ -202,8 +202,8 @@ std::string topic_text(const std::string& topic) {
     return scene_text();
   }
   std::vector<std::string> known = {"functions", "scene", "status", "keys"};
-  for (const Option& option : options()) {
-    if (option.is_option()) known.emplace_back(option.name);
+  for (const Option& other : options()) {
+    if (other.is_option()) known.emplace_back(other.name);
   }
   const auto nearest = nearest_name(topic, known);
   throw Error(Status::Input, "there is no help on '" + topic + "'", {},

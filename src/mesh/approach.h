@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "mesh/continuity.h"
-#include "mesh/mesh.h"
 #include "surface/surface.h"
 
 namespace saddle {

@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/mesh.h"
+#include "surface/surface.h"
+
 namespace saddle {
 namespace {
 

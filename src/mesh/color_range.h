@@ -3,10 +3,19 @@
 
 #include <optional>
 
-#include "mesh/mesh.h"
-#include "surface/surface.h"
+#include "base/bounds.h"
 
 namespace saddle {
+
+struct Mesh;
+struct Surface;
+
+/// The numbers at the first and the last of the colours; those outside have the colours of the
+/// ends.
+struct ColorRange {
+  double low = 0;
+  double high = 0;
+};
 
 struct DrawnColors {
   ColorRange range;

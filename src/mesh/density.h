@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "mesh/bends.h"
 #include "mesh/islands.h"
-#include "mesh/mesh.h"
 #include "mesh/seam.h"
 #include "mesh/singular.h"
 #include "mesh/tolerance.h"

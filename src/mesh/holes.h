@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "mesh/islands.h"
-#include "mesh/mesh.h"
 #include "surface/surface.h"
 
 namespace saddle {

@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh.h"
 #include "surface/surface.h"
 
 namespace saddle {

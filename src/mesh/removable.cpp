@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "mesh/mesh.h"
+#include "base/bounds.h"
 #include "surface/normal.h"
 
 namespace saddle {

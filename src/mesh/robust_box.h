@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "base/bounds.h"
 #include "surface/surface.h"
 
 namespace saddle {

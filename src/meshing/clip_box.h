@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "mesh/mesh.h"
+#include "base/bounds.h"
 
 namespace saddle {
 

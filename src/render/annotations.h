@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "base/bounds.h"
 #include "render/label_writer.h"
 #include "scene/camera.h"
 #include "scene/color_scale.h"

@@ -5,7 +5,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "mesh/mesh.h"
+#include "base/bounds.h"
 #include "scene/scene.h"
 
 namespace saddle {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "mesh/color_range.h"
 #include "scene/scene.h"
 
 namespace saddle {

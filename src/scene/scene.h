@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/bounds.h"
 #include "base/vec.h"
 #include "formula/scope.h"
-#include "mesh/mesh.h"
+#include "mesh/color_range.h"
 
 namespace saddle {
 

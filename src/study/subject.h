@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "base/bounds.h"
 #include "base/vec.h"
-#include "mesh/mesh.h"
 #include "scene/camera.h"
 #include "scene/prepare.h"
 #include "study/truth.h"
