@@ -6,10 +6,10 @@ find_file(SADDLE_FONT DejaVuSans.ttf
 if(NOT SADDLE_FONT)
   message(FATAL_ERROR "DejaVuSans.ttf is missing: install fonts-dejavu-core, or set SADDLE_FONT")
 endif()
-list(APPEND SADDLE_SEPARATE ${CMAKE_SOURCE_DIR}/src/render/font_file.cpp)
-add_library(saddle_font STATIC ${CMAKE_SOURCE_DIR}/src/render/font_file.cpp)
+list(APPEND SADDLE_SEPARATE ${CMAKE_SOURCE_DIR}/src/render/overlay/font_file.cpp)
+add_library(saddle_font STATIC ${CMAKE_SOURCE_DIR}/src/render/overlay/font_file.cpp)
 target_compile_definitions(saddle_font PRIVATE SADDLE_FONT="${SADDLE_FONT}")
-set_source_files_properties(${CMAKE_SOURCE_DIR}/src/render/font_file.cpp PROPERTIES
+set_source_files_properties(${CMAKE_SOURCE_DIR}/src/render/overlay/font_file.cpp PROPERTIES
   OBJECT_DEPENDS ${SADDLE_FONT})
 target_include_directories(saddle_font PRIVATE ${CMAKE_SOURCE_DIR}/src)
 target_link_libraries(saddle_font PRIVATE saddle_options)

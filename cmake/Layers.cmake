@@ -1,5 +1,5 @@
-# saddle_core: all of src/ but the program's main file, layer by layer. A new source file or layer
-# needs no line here. With SADDLE_UNITY the files of a layer are compiled together, UNITY_FILES at a
+# saddle_core: all of src/ but the program's main file, folder by folder. A new source file or folder
+# needs no line here. With SADDLE_UNITY the files of a folder are compiled together, UNITY_FILES at a
 # time: their headers are read once for all of them.
 set(UNITY_FILES 18)
 
@@ -29,13 +29,18 @@ function(add_objects name)
   target_sources(saddle_core PRIVATE $<TARGET_OBJECTS:saddle_${name}>)
 endfunction()
 
-file(GLOB layers RELATIVE ${CMAKE_SOURCE_DIR}/src CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*)
-list(REMOVE_ITEM layers README.md study app mesh)
+# Every folder of src/ that has sources: a layer, or a room of one.
+file(GLOB_RECURSE folders RELATIVE ${CMAKE_SOURCE_DIR}/src CONFIGURE_DEPENDS
+  ${CMAKE_SOURCE_DIR}/src/*.cpp)
+list(TRANSFORM folders REPLACE "/[^/]*$" "")
+list(REMOVE_DUPLICATES folders)
 # Ninja starts with the objects that come first: those that take longest.
-foreach(layer study app mesh ${layers})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${layer}/*.cpp)
+list(SORT folders ORDER DESCENDING)
+list(REMOVE_ITEM folders study)
+foreach(folder study ${folders})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${folder}/*.cpp)
   list(REMOVE_ITEM sources ${SADDLE_SEPARATE})
-  if(layer STREQUAL study)
+  if(folder STREQUAL study)
     # Boost's numbers of 50 digits are half a minute's work for the optimizer.
     set(exact ${sources})
     list(FILTER exact INCLUDE REGEX "/(high_precision|exact_surface|truth)\\.cpp$")
@@ -43,16 +48,20 @@ foreach(layer study app mesh ${layers})
     add_objects(exact ${exact})
     # GCC 12 has false alarms where numbers of 700 digits become ones of 50.
     target_compile_options(saddle_exact PRIVATE -O1 -Wno-array-bounds)
-  elseif(layer STREQUAL view AND NOT SADDLE_VIEWER)
+  elseif(folder STREQUAL view AND NOT SADDLE_VIEWER)
     list(FILTER sources EXCLUDE REGEX "/(window|panel|overlay|viewer)\\.cpp$")
   endif()
-  add_objects(${layer} ${sources})
+  if(NOT sources)
+    continue()
+  endif()
+  string(REPLACE "/" "_" name ${folder})
+  add_objects(${name} ${sources})
   # They compute little: -O3 takes a third longer to compile, and gains nothing measurable.
-  if(layer MATCHES "^(app|view)$" AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
-    target_compile_options(saddle_${layer} PRIVATE -O1)
+  if(folder MATCHES "^(app|view)(/|$)" AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+    target_compile_options(saddle_${name} PRIVATE -O1)
   endif()
 endforeach()
-target_compile_definitions(saddle_app PRIVATE SADDLE_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(saddle_app_command_line PRIVATE SADDLE_VERSION="${PROJECT_VERSION}")
 if(NOT SADDLE_VIEWER)
-  target_compile_definitions(saddle_app PRIVATE SADDLE_WITHOUT_VIEWER)
+  target_compile_definitions(saddle_app_commands PRIVATE SADDLE_WITHOUT_VIEWER)
 endif()

@@ -1,5 +1,5 @@
 # Run by EmbedShaders.cmake: writes OUTPUT with one case per file of the list SHADERS.
-set(text "// Generated from shaders/*.glsl.\n#include \"render/shaders.h\"\n\nnamespace saddle {\n\n")
+set(text "// Generated from shaders/*.glsl.\n#include \"render/shading/shaders.h\"\n\nnamespace saddle {\n\n")
 string(APPEND text "std::string_view shader_source(std::string_view name) {\n")
 foreach(shader IN LISTS SHADERS)
   get_filename_component(name ${shader} NAME)

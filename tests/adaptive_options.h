@@ -1,7 +1,7 @@
 // What tests ask of meshes within a tolerance.
 #pragma once
 
-#include "mesh/adaptive_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
 
 namespace saddle {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 
 namespace saddle {
 

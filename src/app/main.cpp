@@ -1,10 +1,10 @@
 // The program: a command line becomes a command, an Error an exit status.
 #include <cstdlib>
 
-#include "app/cli.h"
-#include "app/commands.h"
-#include "app/help.h"
-#include "app/outputs.h"
+#include "app/command_line/cli.h"
+#include "app/command_line/help.h"
+#include "app/commands/commands.h"
+#include "app/run/outputs.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/heap.h"

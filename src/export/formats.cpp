@@ -9,7 +9,7 @@
 #include "export/ply.h"
 #include "export/scene_png.h"
 #include "export/video.h"
-#include "scene/scene_file.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 namespace {

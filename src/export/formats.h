@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "base/image.h"
-#include "mesh/mesh.h"
-#include "scene/scene.h"
+#include "mesh/model/mesh.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

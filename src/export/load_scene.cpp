@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "export/formats.h"
-#include "scene/scene_file.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 

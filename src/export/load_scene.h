@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

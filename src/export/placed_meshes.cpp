@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "scene/color_scale.h"
-#include "scene/instances.h"
+#include "scene/model/color_scale.h"
+#include "scene/model/instances.h"
 
 namespace saddle {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh.h"
-#include "scene/scene.h"
+#include "mesh/model/mesh.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

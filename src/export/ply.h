@@ -7,7 +7,7 @@
 
 #include "export/formats.h"
 #include "export/placed_meshes.h"
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 
 namespace saddle {
 

@@ -1,7 +1,7 @@
 #include "export/scene_png.h"
 
 #include "base/image_png.h"
-#include "scene/scene_file.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 namespace {

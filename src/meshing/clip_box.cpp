@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/robust_box.h"
+#include "mesh/features/robust_box.h"
 
 namespace saddle {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "mesh/color_mesh.h"
-#include "mesh/grid_mesh.h"
+#include "mesh/color/color_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
 #include "meshing/tolerance.h"
-#include "scene/prepare.h"
-#include "scene/scene.h"
+#include "scene/model/prepare.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

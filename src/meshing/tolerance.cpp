@@ -7,8 +7,8 @@
 
 #include <glm/common.hpp>
 
-#include "scene/camera.h"
-#include "scene/instances.h"
+#include "scene/model/camera.h"
+#include "scene/model/instances.h"
 
 namespace saddle {
 namespace {

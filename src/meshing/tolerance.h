@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/adaptive_mesh.h"
-#include "scene/instances.h"
-#include "scene/scene.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "scene/model/instances.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/color_mesh.h"
-#include "mesh/grid_mesh.h"
+#include "mesh/color/color_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
 #include "surface/surface.h"
 
 namespace saddle {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meshing/tessellate.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "study/facts.h"
 
 namespace saddle {

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "eval/batch.h"
-#include "mesh/grid.h"
+#include "mesh/grid/grid.h"
 #include "study/methods.h"
 #include "study/muparser_method.h"
 

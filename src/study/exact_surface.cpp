@@ -7,7 +7,7 @@
 
 #include "formula/derive.h"
 #include "formula/lexer.h"
-#include "scene/prepare.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 namespace {

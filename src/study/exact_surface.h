@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formula/scope.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "study/high_precision.h"
 
 namespace saddle {

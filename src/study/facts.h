@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesh.h"
-#include "mesh/topology.h"
+#include "mesh/model/mesh.h"
+#include "mesh/model/topology.h"
 #include "study/measures.h"
 #include "surface/defined_share.h"
 

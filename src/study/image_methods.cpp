@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "base/format.h"
-#include "mesh/choose.h"
-#include "render/context.h"
-#include "render/picture_in_tiles.h"
+#include "mesh/mesher/choose.h"
+#include "render/gl/context.h"
+#include "render/picture/picture_in_tiles.h"
 #include "study/exact_image.h"
 #include "study/methods.h"
 

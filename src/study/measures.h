@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 #include "study/integrals.h"
 #include "surface/surface.h"
 

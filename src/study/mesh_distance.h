@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 #include "study/subject.h"
 
 namespace saddle {

@@ -5,10 +5,10 @@
 
 #include "base/error.h"
 #include "base/format.h"
-#include "mesh/adaptive_mesh.h"
-#include "mesh/choose.h"
-#include "mesh/clip.h"
-#include "mesh/tidy.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/choose.h"
+#include "mesh/model/clip.h"
+#include "mesh/model/tidy.h"
 #include "study/mesh_distance.h"
 #include "study/methods.h"
 

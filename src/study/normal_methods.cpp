@@ -6,7 +6,7 @@
 
 #include "base/format.h"
 #include "eval/batch.h"
-#include "mesh/grid.h"
+#include "mesh/grid/grid.h"
 #include "study/methods.h"
 
 namespace saddle {

@@ -6,8 +6,8 @@
 
 #include "base/bounds.h"
 #include "base/vec.h"
-#include "scene/camera.h"
-#include "scene/prepare.h"
+#include "scene/model/camera.h"
+#include "scene/model/prepare.h"
 #include "study/truth.h"
 
 namespace saddle {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 
 namespace saddle {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "surface/normal.h"
 
 namespace saddle {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/vec.h"
-#include "scene/camera.h"
-#include "scene/scene.h"
+#include "scene/model/camera.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

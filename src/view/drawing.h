@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "render/canvas.h"
-#include "render/renderer.h"
+#include "render/picture/canvas.h"
+#include "render/picture/renderer.h"
 #include "view/model.h"
 
 namespace saddle {

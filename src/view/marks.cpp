@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/instances.h"
+#include "scene/model/instances.h"
 
 namespace saddle {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 
 namespace saddle {
 

@@ -13,7 +13,7 @@
 
 #include "base/error.h"
 #include "meshing/tessellate.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

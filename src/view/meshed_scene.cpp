@@ -5,9 +5,9 @@
 #include <sstream>
 #include <vector>
 
-#include "render/annotations.h"
-#include "scene/color_scale.h"
-#include "scene/prepare.h"
+#include "render/overlay/annotations.h"
+#include "scene/model/color_scale.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 

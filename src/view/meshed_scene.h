@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "scene/camera.h"
-#include "scene/instances.h"
+#include "scene/model/camera.h"
+#include "scene/model/instances.h"
 #include "view/mesh_worker.h"
 #include "view/pick.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/framing.h"
-#include "scene/resolve.h"
+#include "render/picture/framing.h"
+#include "scene/options/resolve.h"
 
 namespace saddle {
 namespace {

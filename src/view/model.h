@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "view/controls.h"
 #include "view/history.h"
 #include "view/keys.h"

@@ -13,10 +13,10 @@
 #include <imgui_stdlib.h>
 
 #include "base/format.h"
-#include "scene/assignments.h"
-#include "scene/colormap.h"
-#include "scene/gallery.h"
-#include "scene/values.h"
+#include "scene/model/assignments.h"
+#include "scene/model/colormap.h"
+#include "scene/model/gallery.h"
+#include "scene/model/values.h"
 #include "view/fields.h"
 
 namespace saddle {

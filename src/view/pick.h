@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 #include "surface/surface.h"
 #include "view/controls.h"
 

@@ -6,10 +6,10 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "export/scene_png.h"
-#include "render/picture_in_tiles.h"
-#include "render/renderer.h"
-#include "scene/resolve.h"
-#include "scene/scene_file.h"
+#include "render/picture/picture_in_tiles.h"
+#include "render/picture/renderer.h"
+#include "scene/options/resolve.h"
+#include "scene/toml/scene_file.h"
 #include "view/model.h"
 
 namespace saddle {

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 #include "view/mesh_worker.h"
 
 namespace saddle {

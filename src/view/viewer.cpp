@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "base/standard_streams.h"
-#include "scene/command_text.h"
-#include "scene/scene_file.h"
+#include "scene/options/command_text.h"
+#include "scene/toml/scene_file.h"
 #include "view/fields.h"
 
 namespace saddle {

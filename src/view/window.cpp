@@ -14,7 +14,7 @@
 #include <imgui.h>
 
 #include "base/error.h"
-#include "render/context.h"
+#include "render/gl/context.h"
 
 namespace saddle {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "meshing/tessellate.h"
-#include "scene/gallery.h"
+#include "scene/model/gallery.h"
 
 namespace saddle {
 namespace {

@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/choose.h"
-#include "mesh/cost_model.h"
-#include "mesh/grid_within.h"
+#include "mesh/mesher/choose.h"
+#include "mesh/mesher/grid_within.h"
+#include "mesh/sizing/cost_model.h"
 #include "meshing/tolerance.h"
-#include "render/context.h"
-#include "render/picture_in_tiles.h"
-#include "scene/gallery.h"
-#include "scene/prepare.h"
-#include "scene/resolve.h"
+#include "render/gl/context.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/gallery.h"
+#include "scene/model/prepare.h"
+#include "scene/options/resolve.h"
 
 namespace {
 

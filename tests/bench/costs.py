@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """The model of what meshes cost against measured times, and what the program chooses by it.
 Usage: costs.py PROGRAM [--fit | --csv FILE] [SURFACE...]. --fit prints the numbers of kCosts in
-src/mesh/cost_model.h as they come out on this machine; --csv reads what PROGRAM printed before.
+src/mesh/sizing/cost_model.h as they come out on this machine; --csv reads what PROGRAM printed before.
 
 Times are the processor's. A surface's best method is the one whose mesh and picture took the least
 of all that were measured: cells halved, the coarsest grid that keeps the tolerance (which nobody
@@ -13,7 +13,7 @@ import statistics
 import subprocess
 import sys
 
-MODEL = pathlib.Path(__file__).parents[2] / "src/mesh/cost_model.h"
+MODEL = pathlib.Path(__file__).parents[2] / "src/mesh/sizing/cost_model.h"
 NAMES = ["grid_sample", "leaf_sample", "operation", "box", "box_operation", "triangle"]
 WHY = ["grid cheaper", "halving cheaper", "asked", "limited", "tolerance varies", "not smooth",
        "grid misses"]

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/adaptive_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
 #include "meshing/tessellate.h"
-#include "scene/assignments.h"
-#include "scene/gallery.h"
-#include "scene/resolve.h"
+#include "scene/model/assignments.h"
+#include "scene/model/gallery.h"
+#include "scene/options/resolve.h"
 #include "study/mesh_distance.h"
 
 namespace {

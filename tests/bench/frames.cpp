@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "app/view.h"
+#include "app/commands/view.h"
 #include "base/error.h"
-#include "scene/gallery.h"
+#include "scene/model/gallery.h"
 #include "view/viewer.h"
 
 namespace {

@@ -11,8 +11,8 @@
 #include "bench_surfaces.h"
 #include "eval/batch.h"
 #include "formula/operations.h"
-#include "scene/gallery.h"
-#include "scene/prepare.h"
+#include "scene/model/gallery.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench_surfaces.h"
-#include "mesh/grid_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
 
 namespace saddle {
 namespace {

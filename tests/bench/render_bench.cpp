@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "bench_surfaces.h"
-#include "mesh/grid_mesh.h"
-#include "render/context.h"
-#include "render/picture_in_tiles.h"
-#include "render/target.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "render/gl/context.h"
+#include "render/gl/target.h"
+#include "render/picture/picture_in_tiles.h"
 
 namespace saddle {
 namespace {

@@ -11,11 +11,11 @@
 #include "base/heap.h"
 #include "base/image_png.h"
 #include "eval/batch.h"
-#include "mesh/choose.h"
-#include "render/context.h"
-#include "render/picture_in_tiles.h"
-#include "scene/gallery.h"
-#include "scene/prepare.h"
+#include "mesh/mesher/choose.h"
+#include "render/gl/context.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/gallery.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 namespace {

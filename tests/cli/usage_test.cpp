@@ -6,7 +6,7 @@
 
 #include "base/file.h"
 #include "cli/program.h"
-#include "scene/options.h"
+#include "scene/options/options.h"
 
 namespace saddle {
 namespace {

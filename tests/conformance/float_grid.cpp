@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render/gl.h"
-#include "render/program.h"
-#include "render/shaders.h"
+#include "render/gl/gl.h"
+#include "render/gl/program.h"
+#include "render/shading/shaders.h"
 
 namespace saddle::testing {
 namespace {

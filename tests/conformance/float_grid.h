@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "conformance/arguments.h"
-#include "render/context.h"
+#include "render/gl/context.h"
 
 namespace saddle::testing {
 

@@ -9,7 +9,7 @@
 #include "formula/derive.h"
 #include "formula/lower.h"
 #include "formula/scope.h"
-#include "scene/prepare.h"
+#include "scene/model/prepare.h"
 #include "study/exact_surface.h"
 #include "surface/normal.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "scene/gallery.h"
+#include "scene/model/gallery.h"
 
 namespace saddle::testing {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "eval/batch.h"
-#include "scene/gallery.h"
-#include "scene/prepare.h"
+#include "scene/model/gallery.h"
+#include "scene/model/prepare.h"
 #include "study_subject.h"
 
 namespace saddle {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "scene/scene_file.h"
+#include "scene/toml/scene_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace saddle;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "mesh/mesh.h"
+#include "mesh/model/mesh.h"
 
 namespace saddle {
 

@@ -1,4 +1,4 @@
-#include "render/average.h"
+#include "render/gl/average.h"
 
 #include <array>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tiles.h"
+#include "render/picture/tiles.h"
 
 namespace saddle {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
-#include "render/annotations.h"
-#include "render/picture_in_tiles.h"
-#include "scene/colormap.h"
+#include "render/overlay/annotations.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/colormap.h"
 
 namespace saddle {
 namespace {

@@ -8,14 +8,14 @@
 #include <numeric>
 #include <span>
 
-#include "mesh/hidden_back.h"
+#include "mesh/model/hidden_back.h"
 #include "meshing/tessellate.h"
-#include "render/context.h"
-#include "render/picture_in_tiles.h"
-#include "render/target.h"
-#include "scene/assignments.h"
-#include "scene/gallery.h"
-#include "scene/resolve.h"
+#include "render/gl/context.h"
+#include "render/gl/target.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/assignments.h"
+#include "scene/model/gallery.h"
+#include "scene/options/resolve.h"
 
 namespace saddle {
 namespace {

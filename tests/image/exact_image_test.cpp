@@ -9,8 +9,8 @@
 #include <string>
 
 #include "image/lighting_reference.h"
-#include "mesh/grid_mesh.h"
-#include "render/picture_in_tiles.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "render/picture/picture_in_tiles.h"
 #include "study/dice.h"
 #include "study/methods.h"
 #include "study_subject.h"

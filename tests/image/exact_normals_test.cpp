@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "image/lighting_reference.h"
-#include "mesh/grid_mesh.h"
-#include "render/picture_in_tiles.h"
-#include "scene/assignments.h"
-#include "scene/prepare.h"
-#include "scene/resolve.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/assignments.h"
+#include "scene/model/prepare.h"
+#include "scene/options/resolve.h"
 
 namespace saddle {
 namespace {

@@ -11,7 +11,7 @@
 #include "base/image_compare.h"
 #include "base/image_png.h"
 #include "paths.h"
-#include "scene/gallery.h"
+#include "scene/model/gallery.h"
 
 namespace saddle {
 namespace {

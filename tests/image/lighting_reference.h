@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "image/lighting_reference.h"
-#include "mesh/grid_mesh.h"
-#include "render/picture.h"
-#include "scene/assignments.h"
-#include "scene/prepare.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "render/picture/picture.h"
+#include "scene/model/assignments.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 

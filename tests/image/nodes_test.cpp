@@ -9,10 +9,10 @@
 
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
-#include "render/context.h"
-#include "render/gl.h"
-#include "render/picture_in_tiles.h"
-#include "scene/instances.h"
+#include "render/gl/context.h"
+#include "render/gl/gl.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/instances.h"
 
 namespace saddle {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <span>
 
-#include "render/context.h"
-#include "render/picture_in_tiles.h"
+#include "render/gl/context.h"
+#include "render/picture/picture_in_tiles.h"
 
 namespace saddle {
 

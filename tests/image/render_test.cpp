@@ -1,5 +1,5 @@
 // What a picture shows: lines, edges, transparency, depth, size, tiles.
-#include "render/picture.h"
+#include "render/picture/picture.h"
 
 #include <algorithm>
 #include <array>
@@ -15,10 +15,10 @@
 #include "base/image_compare.h"
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
-#include "render/context.h"
-#include "render/library.h"
-#include "render/picture_in_tiles.h"
-#include "scene/camera.h"
+#include "render/gl/context.h"
+#include "render/gl/library.h"
+#include "render/picture/picture_in_tiles.h"
+#include "scene/model/camera.h"
 
 namespace saddle {
 namespace {

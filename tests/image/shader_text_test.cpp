@@ -8,8 +8,8 @@
 
 #include "image/analytic_mesh.h"
 #include "image/lit_scene.h"
-#include "render/shader_lights.h"
-#include "render/surface_shader.h"
+#include "render/shading/shader_lights.h"
+#include "render/shading/surface_shader.h"
 
 namespace saddle {
 namespace {

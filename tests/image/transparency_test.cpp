@@ -13,9 +13,9 @@
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
 #include "image/passes.h"
-#include "render/context.h"
-#include "render/layers.h"
-#include "render/picture_in_tiles.h"
+#include "render/gl/context.h"
+#include "render/picture/layers.h"
+#include "render/picture/picture_in_tiles.h"
 
 namespace saddle {
 namespace {

@@ -9,14 +9,14 @@ import tree
 # control characters from terminals.
 HOMES = {
     r"muParser\w*\.h": r"src/formula/parser\.cpp|src/study/muparser_method\.cpp|tests/.*",
-    r"GL/osmesa\.h": r"src/render/context_osmesa\.cpp",
-    r"EGL/.*": r"src/render/context_egl\.cpp",
-    r"(glad|GL|GLES\d|EGL)/.*": r"src/render/[^/]*|tests/image/.*",
+    r"GL/osmesa\.h": r"src/render/gl/context_osmesa\.cpp",
+    r"EGL/.*": r"src/render/gl/context_egl\.cpp",
+    r"(glad|GL|GLES\d|EGL)/.*": r"src/render/.*|tests/image/.*",
     r"iostream": r"src/base/standard_streams\.cpp|tests/.*",
-    r"toml\+\+/.*": r"src/scene/toml\.cpp",
+    r"toml\+\+/.*": r"src/scene/toml/toml\.cpp",
     r"GLFW/.*|backends/imgui.*": r"src/view/window\.cpp",
     r"imgui.*": r"src/view/(window|panel|overlay|fields)\.cpp",
-    r"stb_truetype\.h": r"src/render/font\.cpp",
+    r"stb_truetype\.h": r"src/render/overlay/font\.cpp",
     r"zlib\.h": r"src/base/png_pixels\.cpp|tests/.*",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",
 }

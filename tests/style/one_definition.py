@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """Each name has one definition: in namespace saddle, where compilers and linkers overlook a second
-class or inline function in another file; and in the unnamed namespaces of a layer or a folder of tests,
-whose files are compiled together."""
+class or inline function in another file; and in the unnamed namespaces of a folder, whose files are
+compiled together."""
 import collections
 import re
 
@@ -81,44 +81,43 @@ def type_or_value(head, has_body):
 
 def complaints(sources):
     shared = collections.defaultdict(dict)  # (namespaces, name) -> file: head
-    unnamed = collections.defaultdict(dict)  # (layer, name) -> file: head
-    functions = collections.defaultdict(set)  # (layer, name) -> headers that declare it
+    unnamed = collections.defaultdict(dict)  # (company, name) -> file: head
+    functions = collections.defaultdict(set)  # (company, name) -> headers that declare it
     for source in sources:
-        layer = layer_of(source)
+        company = company_of(source)
         code = NO_CODE.sub(" ", (tree.ROOT / source).read_text(encoding="utf-8"))
         if "SADDLE_LEVEL" in code:
             continue  # compiled by itself, once for each CPU level
         for name in USING_DECLARATION.findall(code):
-            if source.suffix == ".h" or layer == source:
+            if source.suffix == ".h" or company == source:
                 continue
             yield f"{source}: '{name}' holds for all files that are compiled with this one"
         for namespaces, name, head in definitions(code):
             if "" in namespaces:
-                unnamed[layer, name][source] = head
+                unnamed[company, name][source] = head
             else:
                 shared[namespaces, name][source] = head
         if source.suffix == ".h" and "namespace saddle {" in code:
             for name in DECLARED_FUNCTION.findall(code):
-                functions[layer, name].add(source)
+                functions[company, name].add(source)
     for (namespaces, name), heads in shared.items():
         if differ(heads):
             yield f"{listed(heads)}: {'::'.join([*namespaces, name])} is defined in each"
-    for (layer, name), heads in unnamed.items():
+    for (company, name), heads in unnamed.items():
         if differ(heads):
             yield f"{listed(heads)}: {name} is defined in the unnamed namespace of each"
         named = shared.get((("saddle",), name), {})
-        hidden = {header for header in named if layer_of(header) == layer and header.suffix == ".h"}
-        hidden |= functions[layer, name.partition("(")[0]]
+        hidden = {header for header in named if company_of(header) == company and header.suffix == ".h"}
+        hidden |= functions[company, name.partition("(")[0]]
         hidden -= {source.with_suffix(".h") for source in heads}  # overloads
         if hidden:
             yield f"{listed(heads)}: {name} hides that of {listed(hidden)}"
 
 
-def layer_of(source):
-    """What a source may be compiled together with: its layer, or its folder of tests."""
-    if source.parts[0] == "src":
-        return source.parts[1]
-    return source.parent if source.parts[1] in {"unit", "geometry"} else source
+def company_of(source):
+    """What a source may be compiled together with: its folder."""
+    together = source.parts[0] == "src" or source.parts[1] in {"unit", "geometry"}
+    return source.parent if together else source
 
 
 def differ(heads):

@@ -27,8 +27,8 @@ def complaints(names):
         elif folders[0] not in own and name.stem.endswith("_test"):
             source = name.stem.removesuffix("_test")
             tests.add(f"{program}/{folders[0]}/{source}")
-            if not any((tree.ROOT / "src" / folders[0] / source).with_suffix(suffix).is_file()
-                       for suffix in (".h", ".cpp")):
+            units = (tree.ROOT / "src" / folders[0]).rglob(f"{source}.*")  # in its rooms, too
+            if not any(path.suffix in {".h", ".cpp"} for path in units):
                 if f"{program}/{folders[0]}/{source}" not in BEHAVIOURS:
                     yield f"{name}: there is no src/{folders[0]}/{source}.h or .cpp"
     yield from (f"tests/{missing}_test.cpp: listed, and not there"

@@ -1,7 +1,7 @@
 // Counts the names that OpenGL has handed out and not got back, whoever asked for them.
 #pragma once
 
-#include "render/gl.h"
+#include "render/gl/gl.h"
 
 namespace saddle {
 

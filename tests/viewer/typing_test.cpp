@@ -13,7 +13,7 @@
 
 #include "export/load_scene.h"
 #include "meshing/tessellate.h"
-#include "scene/gallery.h"
+#include "scene/model/gallery.h"
 #include "view/viewer.h"
 #include "viewer/display.h"
 

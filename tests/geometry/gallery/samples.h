@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
-#include "scene/assignments.h"
-#include "scene/gallery.h"
-#include "scene/prepare.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "scene/model/assignments.h"
+#include "scene/model/gallery.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 

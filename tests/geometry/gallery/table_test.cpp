@@ -8,8 +8,8 @@
 
 #include "geometry/gallery/forms.h"
 #include "geometry/gallery/table.h"
-#include "mesh/grid_mesh.h"
-#include "mesh/topology.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/topology.h"
 
 namespace saddle {
 namespace {

@@ -1,5 +1,5 @@
 // Meshes within a tolerance: they keep it, everywhere, without cracks and without waste.
-#include "mesh/adaptive_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 #include "adaptive_options.h"
 #include "base/random.h"
-#include "mesh/measure.h"
+#include "mesh/error/measure.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

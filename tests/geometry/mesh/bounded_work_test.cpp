@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
-#include "mesh/lattice.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/tree/lattice.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

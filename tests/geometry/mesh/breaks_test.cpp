@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mesh/breaks.h"
+#include "mesh/features/breaks.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
 

@@ -3,7 +3,7 @@
 
 #include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
-#include "mesh/adaptive_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -1,5 +1,5 @@
 // Grids whose cells are checked row by row come out as they would place by place.
-#include "mesh/check_cells.h"
+#include "mesh/error/check_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/random.h"
-#include "mesh/cell_loops.h"
-#include "mesh/grid.h"
-#include "mesh/vertex_columns.h"
+#include "mesh/grid/cell_loops.h"
+#include "mesh/grid/grid.h"
+#include "mesh/grid/vertex_columns.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -1,6 +1,6 @@
 // Which method meshes a surface: over the gallery the cheapest of those that keep the tolerance, or
 // nearly so, in counted costs.
-#include "mesh/choose.h"
+#include "mesh/mesher/choose.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@
 #include "adaptive_options.h"
 #include "base/random.h"
 #include "geometry/gallery/samples.h"
-#include "mesh/cost_model.h"
-#include "mesh/grid_within.h"
+#include "mesh/mesher/grid_within.h"
+#include "mesh/sizing/cost_model.h"
 #include "mesh_checks.h"
 #include "meshing/tolerance.h"
-#include "scene/resolve.h"
+#include "scene/options/resolve.h"
 #include "study/mesh_distance.h"
 #include "study/triangle_tree.h"
 #include "surface_from_text.h"

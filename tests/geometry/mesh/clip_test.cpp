@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
-#include "mesh/topology.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/topology.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

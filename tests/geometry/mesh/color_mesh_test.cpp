@@ -1,5 +1,5 @@
 // Colours of meshes: right between the corners, without cracks, and honest about what has none.
-#include "mesh/color_mesh.h"
+#include "mesh/color/color_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <string>
 
 #include "base/random.h"
-#include "mesh/topology.h"
+#include "mesh/model/topology.h"
 #include "mesh_checks.h"
 #include "meshing/tessellate.h"
-#include "scene/gallery.h"
-#include "scene/prepare.h"
+#include "scene/model/gallery.h"
+#include "scene/model/prepare.h"
 #include "study_subject.h"
 
 namespace saddle {

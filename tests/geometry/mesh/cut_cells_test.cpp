@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
-#include "mesh/cell_loops.h"
-#include "mesh/corners.h"
-#include "mesh/grid.h"
-#include "mesh/triangulate.h"
+#include "mesh/grid/cell_loops.h"
+#include "mesh/grid/corners.h"
+#include "mesh/grid/grid.h"
+#include "mesh/grid/triangulate.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
-#include "mesh/breaks.h"
+#include "mesh/features/breaks.h"
+#include "mesh/mesher/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

@@ -1,5 +1,5 @@
 // Places without a proof.
-#include "mesh/doubt.h"
+#include "mesh/model/doubt.h"
 
 #include <gtest/gtest.h>
 

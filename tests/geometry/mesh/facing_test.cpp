@@ -1,5 +1,5 @@
 // Triangles beside a bend that is sharper than the mesh sees have normals from their own side.
-#include "mesh/facing.h"
+#include "mesh/grid/facing.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "mesh/grid_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -1,4 +1,4 @@
-#include "mesh/grid_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
 
 #include <gtest/gtest.h>
 

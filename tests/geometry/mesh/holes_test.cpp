@@ -1,5 +1,5 @@
 // Points and lines where a surface is not defined: what there is around them, and their meshes.
-#include "mesh/holes.h"
+#include "mesh/features/holes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
-#include "mesh/topology.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/topology.h"
 #include "mesh_checks.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "mesh/judge_many.h"
-#include "mesh/leaf_loops.h"
-#include "mesh/measure_many.h"
+#include "mesh/error/judge_many.h"
+#include "mesh/error/leaf_loops.h"
+#include "mesh/error/measure_many.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -1,7 +1,7 @@
 // Leaves are as near to the surface as the mesh says, also between the places where they were
 // measured: what is foreseen, creases, needles, sides that got vertices later. Distances are those
 // of study/mesh_distance, which shares nothing with the mesher.
-#include "mesh/peaks.h"
+#include "mesh/error/peaks.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "mesh/adaptive_mesh.h"
-#include "mesh/crease_distance.h"
-#include "mesh/rise.h"
-#include "scene/assignments.h"
-#include "scene/gallery.h"
-#include "scene/resolve.h"
+#include "mesh/error/crease_distance.h"
+#include "mesh/error/rise.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "scene/model/assignments.h"
+#include "scene/model/gallery.h"
+#include "scene/options/resolve.h"
 #include "study/mesh_distance.h"
 #include "surface_from_text.h"
 

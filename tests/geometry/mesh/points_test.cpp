@@ -1,7 +1,7 @@
 // Corners of a mesh that are one point, while the mesh grows.
 #include <gtest/gtest.h>
 
-#include "mesh/points.h"
+#include "mesh/model/points.h"
 
 namespace saddle {
 namespace {

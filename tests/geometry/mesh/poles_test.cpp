@@ -9,9 +9,9 @@
 
 #include "adaptive_options.h"
 #include "base/random.h"
-#include "mesh/adaptive_mesh.h"
-#include "mesh/approach.h"
-#include "mesh/sampled_mesh.h"
+#include "mesh/features/approach.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/sampled_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

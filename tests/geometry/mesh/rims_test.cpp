@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "study/triangle_tree.h"
 #include "surface_from_text.h"

@@ -1,5 +1,5 @@
 // Points without tangents: the apexes of cones.
-#include "mesh/rough.h"
+#include "mesh/features/rough.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
 

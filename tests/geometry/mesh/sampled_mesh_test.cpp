@@ -1,5 +1,5 @@
 // Uniform grids of surfaces that a plain grid would bridge, tear or leave jagged.
-#include "mesh/sampled_mesh.h"
+#include "mesh/mesher/sampled_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
-#include "mesh/topology.h"
+#include "mesh/model/topology.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

@@ -1,5 +1,5 @@
 // Zeros of r_u x r_v between samples: where they are, what they are, and that meshes have them.
-#include "mesh/singular.h"
+#include "mesh/features/singular.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
-#include "mesh/sampled_mesh.h"
-#include "mesh/topology.h"
+#include "mesh/mesher/sampled_mesh.h"
+#include "mesh/model/topology.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
 

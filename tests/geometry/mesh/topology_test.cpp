@@ -1,6 +1,6 @@
 // Euler numbers, edges and sides of meshes made by hand and of changed surfaces; those of the
 // gallery as it is stand in gallery/table.cpp.
-#include "mesh/topology.h"
+#include "mesh/model/topology.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "mesh_checks.h"
-#include "scene/assignments.h"
-#include "scene/resolve.h"
+#include "scene/model/assignments.h"
+#include "scene/options/resolve.h"
 #include "study/check_surface.h"
 #include "surface_from_text.h"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "adaptive_options.h"
-#include "mesh/adaptive_mesh.h"
-#include "mesh/grid_mesh.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
 #include "study_subject.h"
 
 namespace saddle {

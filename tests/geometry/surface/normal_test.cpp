@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/leaf_mesh.h"
+#include "mesh/tree/leaf_mesh.h"
 #include "surface_from_text.h"
 
 namespace saddle {

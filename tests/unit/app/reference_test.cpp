@@ -1,4 +1,4 @@
-#include "app/reference.h"
+#include "app/report/reference.h"
 
 #include <gtest/gtest.h>
 

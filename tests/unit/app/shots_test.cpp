@@ -1,4 +1,4 @@
-#include "app/shots.h"
+#include "app/run/shots.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What `saddle check` says of places.
-#include "app/words.h"
+#include "app/report/words.h"
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,8 @@
 
 #include "base/error.h"
 #include "export/load_scene.h"
-#include "scene/assignments.h"
-#include "scene/scene_file.h"
+#include "scene/model/assignments.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 namespace {

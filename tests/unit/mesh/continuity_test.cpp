@@ -1,4 +1,4 @@
-#include "mesh/continuity.h"
+#include "mesh/proof/continuity.h"
 
 #include <gtest/gtest.h>
 

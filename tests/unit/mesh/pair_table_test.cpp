@@ -1,5 +1,5 @@
 // Many pairs, against std::map.
-#include "mesh/pair_table.h"
+#include "mesh/model/pair_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/robust_box.h"
+#include "mesh/features/robust_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where ticks, labels and bars are, without a picture.
-#include "render/annotations.h"
+#include "render/overlay/annotations.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/framing.h"
+#include "render/picture/framing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "scene/assignments.h"
+#include "scene/model/assignments.h"
 
 namespace saddle {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "render/shader_lights.h"
-#include "render/shaders.h"
-#include "scene/camera.h"
+#include "render/shading/shader_lights.h"
+#include "render/shading/shaders.h"
+#include "scene/model/camera.h"
 
 namespace saddle {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/assignments.h"
+#include "scene/model/assignments.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "scene/resolve.h"
+#include "scene/options/resolve.h"
 
 namespace saddle {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/camera.h"
+#include "scene/model/camera.h"
 
 #include <cmath>
 #include <limits>

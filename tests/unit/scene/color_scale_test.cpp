@@ -1,4 +1,4 @@
-#include "scene/color_scale.h"
+#include "scene/model/color_scale.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/color.h"
+#include "scene/model/color.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/colormap.h"
+#include "scene/model/colormap.h"
 
 #include <gtest/gtest.h>
 

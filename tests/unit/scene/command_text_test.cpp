@@ -1,10 +1,10 @@
-#include "scene/command_text.h"
+#include "scene/options/command_text.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/assignments.h"
-#include "scene/gallery.h"
-#include "scene/resolve.h"
+#include "scene/model/assignments.h"
+#include "scene/model/gallery.h"
+#include "scene/options/resolve.h"
 
 namespace saddle {
 namespace {

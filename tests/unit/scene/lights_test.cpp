@@ -1,5 +1,5 @@
 // The table of a light's keys: each is read, written and resolved.
-#include "scene/lights.h"
+#include "scene/options/lights.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "scene/scene_file.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/options.h"
+#include "scene/options/options.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <set>
 
 #include "base/error.h"
-#include "scene/assignments.h"
-#include "scene/resolve.h"
-#include "scene/scene_file.h"
+#include "scene/model/assignments.h"
+#include "scene/options/resolve.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/prepare.h"
+#include "scene/model/prepare.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "scene/assignments.h"
-#include "scene/resolve.h"
+#include "scene/model/assignments.h"
+#include "scene/options/resolve.h"
 
 namespace saddle {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/gallery.h"
-#include "scene/resolve.h"
-#include "scene/scene_file.h"
+#include "scene/model/gallery.h"
+#include "scene/options/resolve.h"
+#include "scene/toml/scene_file.h"
 
 namespace saddle {
 namespace {

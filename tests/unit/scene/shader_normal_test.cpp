@@ -1,11 +1,11 @@
 // The GLSL of a surface's normal, and why there may be none.
-#include "scene/shader_normal.h"
+#include "scene/model/shader_normal.h"
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/assignments.h"
-#include "scene/resolve.h"
+#include "scene/model/assignments.h"
+#include "scene/options/resolve.h"
 
 namespace saddle {
 namespace {

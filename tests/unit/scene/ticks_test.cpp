@@ -1,4 +1,4 @@
-#include "scene/ticks.h"
+#include "scene/model/ticks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "scene/scene_file.h"
+#include "scene/toml/scene_file.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/assignments.h"
-#include "scene/gallery.h"
+#include "scene/model/assignments.h"
+#include "scene/model/gallery.h"
 
 namespace saddle {
 namespace {

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/grid_mesh.h"
-#include "scene/assignments.h"
-#include "scene/gallery.h"
-#include "scene/prepare.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "scene/model/assignments.h"
+#include "scene/model/gallery.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 namespace {

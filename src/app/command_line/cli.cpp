@@ -1,0 +1,184 @@
+// The command line by the table of options.
+#include "app/command_line/cli.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "base/error.h"
+#include "base/nearest.h"
+
+namespace saddle {
+namespace {
+
+constexpr const char* kList = "saddle --help lists the options";
+
+constexpr auto kVerbs = std::to_array<Verb>({
+    {"check", Command::Check,
+     "it writes no pictures and no meshes, but a report: --report FILE; --t T sets the moment"},
+    {"chart", Command::Chart, "it compares all methods: saddle chart ... -o FILE.svg"},
+    {"list", Command::List, "saddle list, or saddle list --verbose"},
+    {"show", Command::Show, "saddle show NAME, with assignments"},
+});
+
+/// Throws Error (Input) with the nearest option.
+[[noreturn]] void refuse_unknown(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Option& option : options()) {
+    if (option.is_option()) names.push_back(dashed(option));
+  }
+  const auto nearest = nearest_name(name, names);
+  throw Error(Status::Input, "unknown option '" + name + "'", {},
+              (nearest ? "did you mean '" + *nearest + "'? " : "") + kList);
+}
+
+/// The topics of `--help TOPIC...`, `--help=TOPIC` and `-h TOPIC...`; none: the first argument is
+/// something else.
+std::optional<std::vector<std::string>> help_topics(int argc, const char* const* argv) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  const bool has_topic = first.starts_with("--help=");
+  if (first != "--help" && first != "-h" && !has_topic) return std::nullopt;
+  std::vector<std::string> topics(argv + 2, argv + argc);
+  if (has_topic) topics.insert(topics.begin(), first.substr(first.find('=') + 1));
+  return topics;
+}
+
+/// Sorts arguments into options with their values, and what is no option.
+class Splitter {
+ public:
+  Splitter(int argc, const char* const* argv, CommandLine& line)
+      : rest_(argv + std::min(argc, 1), argv + argc), line_(line) {}
+
+  void split() {
+    bool only_arguments = false;
+    while (at_ < rest_.size()) {
+      const std::string argument = rest_[at_++];
+      if (only_arguments || argument.size() < 2 || argument[0] != '-') {
+        line_.arguments.push_back(argument);
+      } else if (argument == "--") {
+        only_arguments = true;
+      } else if (argument[1] == '-') {
+        split_name(argument);
+      } else {
+        split_letters(argument);
+      }
+    }
+  }
+
+ private:
+  /// `--name`, `--name=VALUE`
+  void split_name(const std::string& argument) {
+    const std::size_t equals = argument.find('=');
+    const std::string name = argument.substr(0, equals);
+    const Option* const option = find_option(std::string_view(name).substr(2));
+    if (option == nullptr) refuse_unknown(name);
+    if (equals == std::string::npos) {
+      take(*option, std::nullopt);
+    } else if (option->is_flag()) {
+      throw Error(Status::Input, "takes no value", {name, argument.substr(equals + 1), {}},
+                  "write " + name + " alone");
+    } else {
+      take(*option, argument.substr(equals + 1));
+    }
+  }
+
+  /// `-s VALUE`, `-sVALUE`, `-qh`
+  void split_letters(const std::string& argument) {
+    if (find_option(std::string_view(argument).substr(1)) != nullptr) refuse_unknown(argument);
+    for (std::size_t i = 1; i < argument.size(); ++i) {
+      const Option* const option = find_option(argument[i]);
+      if (option == nullptr) refuse_unknown(argument);
+      const bool ends = option->is_flag() || i + 1 == argument.size();
+      take(*option, ends ? std::nullopt : std::optional(argument.substr(i + 1)));
+      if (!ends) return;
+    }
+  }
+
+  /// `value`: it stands in the same argument; else the next one is it.
+  void take(const Option& option, std::optional<std::string> value) {
+    if (!value && !option.is_flag()) {
+      if (at_ == rest_.size() || names_option(rest_[at_])) {
+        throw Error(Status::Input, "the value is missing", {dashed(option), "", {}}, kList);
+      }
+      value = rest_[at_++];
+    }
+    if (value && value->empty()) {  // a shell's variable that is not set should not go unnoticed
+      throw Error(Status::Input, "the value is empty", {dashed(option), "", {}}, kList);
+    }
+    if (!option.repeats)
+      std::erase_if(line_.given, [&](const auto& g) { return g.option == &option; });
+    line_.given.push_back({&option, value.value_or("")});
+  }
+
+  static bool names_option(const std::string& argument) {
+    return argument.starts_with("--") &&
+           find_option(std::string_view(argument).substr(2)) != nullptr;
+  }
+
+  std::vector<std::string> rest_;
+  std::size_t at_ = 0;
+  CommandLine& line_;
+};
+
+/// Options that would do nothing, or the opposite of another, are refused.
+void check_given_options(const CommandLine& line) {
+  const auto is_given = [&](std::string_view name) { return line.last_given({name}) != nullptr; };
+  for (const auto& [option, text] : line.given) {
+    if ((option->commands & bit(line.command)) != 0) continue;
+    const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
+    const bool has_verb = verb != kVerbs.end();
+    throw Error(Status::Input,
+                "saddle " + (has_verb ? std::string(verb->name) + " " : "") + "takes no option " +
+                    dashed(*option),
+                {}, has_verb ? std::string(verb->hint) : kList);
+  }
+  for (const auto& [option, text] : line.given) {
+    if (!option->needs.empty() && !is_given(option->needs)) {
+      throw Error(Status::Input, "does nothing without --" + std::string(option->needs),
+                  {dashed(*option), "", {}}, kList);
+    }
+    if (!option->excludes.empty() && is_given(option->excludes)) {
+      throw Error(Status::Input, "says the opposite of --" + std::string(option->excludes),
+                  {dashed(*option), "", {}}, "leave one of them out");
+    }
+  }
+}
+
+}  // namespace
+
+const Verb* find_verb(std::string_view name) {
+  const auto found = std::ranges::find(kVerbs, name, &Verb::name);
+  return found == kVerbs.end() ? nullptr : &*found;
+}
+
+const Option* CommandLine::last_given(const std::vector<std::string_view>& names) const {
+  const Option* last = nullptr;
+  for (const auto& [option, text] : given) {
+    if (std::ranges::find(names, option->name) != names.end()) last = option;
+  }
+  return last;
+}
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  if (auto topics = help_topics(argc, argv)) {
+    line.run.help = true;
+    line.help_topics = std::move(*topics);
+    return line;
+  }
+  Splitter(argc, argv, line).split();
+  if (argc > 1) {
+    if (const Verb* const verb = find_verb(argv[1])) {
+      line.command = verb->command;
+      line.arguments.erase(line.arguments.begin());
+    }
+  }
+  for (const auto& [option, text] : line.given) {
+    check_value(*option, text);
+    apply_option(*option, text, line.run);
+  }
+  if (!line.run.help && !line.run.version) check_given_options(line);
+  return line;
+}
+
+}  // namespace saddle

@@ -1,0 +1,46 @@
+// The command line as data.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/options/options.h"
+#include "scene/options/run_settings.h"
+
+namespace saddle {
+
+/// An option of the command line with its value, "" for a flag.
+struct GivenOption {
+  const Option* option;
+  std::string text;
+};
+
+/// The first word of a command line.
+struct Verb {
+  std::string_view name;
+  Command command;
+  std::string_view hint;  ///< for whoever gives it an option that it does not take
+};
+
+/// nullptr if no verb has the name.
+const Verb* find_verb(std::string_view name);
+
+struct CommandLine {
+  Command command = Command::Graph;
+  std::vector<std::string> arguments;    ///< assignments and names, without a verb
+  std::vector<GivenOption> given;        ///< in their order
+  RunSettings run;                       ///< what those of the run say
+  std::vector<std::string> help_topics;  ///< the words after a first argument --help
+
+  /// The last of these options that is given, by name and without "--"; nullptr: none is.
+  const Option* last_given(const std::vector<std::string_view>& names) const;
+};
+
+/// Options are those of scene/options/options.h: `--name VALUE`, `--name=VALUE`, `-n VALUE`,
+/// `-nVALUE`, flags together (`-qh`), in any place; what follows `--` is no option. Of an option
+/// that is given again the last counts. Throws Error (Input): an unknown option or one that the
+/// command does not take, a value that is missing; of the run's options also one that is malformed
+/// or out of range.
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+}  // namespace saddle

@@ -1,0 +1,232 @@
+// The texts of --help. What it says about options and scene keys is from scene/options/options.
+#include "app/command_line/help.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/command_line/cli.h"
+#include "base/error.h"
+#include "base/nearest.h"
+#include "export/formats.h"
+#include "formula/language.h"
+#include "scene/options/lights.h"
+#include "scene/options/options.h"
+#include "view/keys.h"
+
+namespace saddle {
+
+namespace {
+
+constexpr const char* kUsage =
+    R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
+
+  saddle NAME=EXPRESSION... [options]                  graph formulas
+  saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
+  saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
+  saddle check ...same arguments...                    what is true of the surface, no picture
+  saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
+                                                       this surface: .svg .png .csv
+  saddle list [-v]                                     names of the built-in surfaces, described
+  saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
+
+Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
+(default -1:1; the ends of v may depend on u); t=VALUE the moment, t=MIN:MAX the range of time of an
+animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function.
+
+Examples:
+  saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png
+  saddle torus r=0.4 -o torus.ply -o torus.png
+  saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
+  saddle z='sin(3*u+t)*cos(v)' t=0:tau -o waves.gif
+)";
+
+constexpr const char* kScene =
+    R"text(A scene file is TOML. Any number may be an expression of the parameters and t, in quotes.
+`saddle show torus` prints one; -o FILE.toml writes the scene of a command line. Beside the keys
+below it has [params] (NAME = VALUE, or { value = 1, min = 0, max = 2 } with a slider), [functions]
+("f(s)" = "exp(-s*s)"), [[node]] (name, in, transform) and [[light]]; docs/LIGHTING.md and
+examples/ explain nodes and lights.
+)text";
+
+constexpr const char* kStatus =
+    R"(0  done
+1  the machine failed: a file cannot be written, no display, out of memory; or the picture differs
+   from --reference
+2  the input is wrong: usage, formula, scene file; or a warning with --strict
+3  there is nothing to draw: the surface is undefined everywhere, or has no finite extent
+An output file appears whole or not at all.
+)";
+
+/// Columns of a terminal, and where the second column of --help begins.
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kIndent = 24;
+
+constexpr std::array<std::pair<Section, const char*>, 6> kSections = {{
+    {Section::Output, "Output"},
+    {Section::Camera, "Camera"},
+    {Section::Look, "Look"},
+    {Section::Mesh, "Mesh"},
+    {Section::Time, "Time"},
+    {Section::Run, "The run"},
+}};
+
+/// `left`, and `text` beside it in lines of up to kWidth columns.
+std::string entry(const std::string& left, const std::string& text) {
+  std::string result = left;
+  result.resize(std::max(left.size() + 2, kIndent), ' ');
+  std::size_t column = result.size();
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::size_t length = end - begin;
+    if (begin > 0 && column + 1 + length > kWidth) {
+      result += '\n' + std::string(kIndent, ' ');
+      column = kIndent;
+    } else if (begin > 0) {
+      result += ' ';
+      ++column;
+    }
+    result.append(text, begin, length);
+    column += length;
+    begin = end + 1;
+  }
+  return result + '\n';
+}
+
+std::string with_default(const std::string& text, const std::string& standard) {
+  return standard.empty() ? text : text + " (default " + standard + ")";
+}
+
+/// The text with the names that it stands for in place of {formats} and {choices}.
+std::string expanded(std::string_view text, const Option& option) {
+  std::string result(text);
+  const auto replace = [&result](const std::string& mark, const std::string& names) {
+    const std::size_t at = result.find(mark);
+    if (at != std::string::npos) result.replace(at, mark.size(), names);
+  };
+  std::string words;
+  for (const std::string& word : choices(option)) words += (words.empty() ? "" : " ") + word;
+  replace("{formats}", format_list());
+  replace("{choices}", words);
+  replace("{limits}", limits_text(option));
+  return result;
+}
+
+std::string names_of(const Option& option) {
+  const std::string letter = option.letter == 0 ? "    " : std::string("-") + option.letter + ", ";
+  const std::string value = option.is_flag() ? "" : " " + std::string(option.value);
+  return "  " + letter + dashed(option) + value;
+}
+
+std::string options_text() {
+  std::string text = kUsage;
+  for (const auto& [section, heading] : kSections) {
+    text += std::string("\n") + heading + '\n';
+    for (const Option& option : options()) {
+      if (!option.is_option() || option.section != section) continue;
+      text += entry(names_of(option),
+                    with_default(expanded(option.help, option), default_text(option)));
+    }
+  }
+  return text;
+}
+
+const char* table_name(Table table) {
+  switch (table) {
+    case Table::None:
+      return "";
+    case Table::Scene:
+      return "at the top of the file";
+    case Table::Surface:
+      return "[[surface]]";
+    case Table::Camera:
+      return "[camera]";
+    case Table::Animation:
+      return "[animation]";
+  }
+  return "";
+}
+
+std::string scene_text() {
+  std::string text = kScene;
+  for (const Table table : {Table::Scene, Table::Surface, Table::Camera, Table::Animation}) {
+    text += std::string("\n") + table_name(table) + '\n';
+    for (const Option& option : options()) {
+      if (option.table != table) continue;
+      text += entry("  " + std::string(option.name),
+                    with_default(expanded(option.help, option), default_text(option)));
+    }
+  }
+  const auto listed = [](const std::vector<std::string>& keys) {
+    std::string names;
+    for (const std::string& key : keys) names += (names.empty() ? "" : ", ") + key;
+    return names;
+  };
+  text += "\n[[light]]\n" + entry("  keys", listed(light_keys()));
+  text += entry("  of spot", listed(spot_keys()));
+  text += "\n[[node]]\n" + entry("  keys", "name, in, transform");
+  return text;
+}
+
+std::string option_text(const Option& option) {
+  std::string text = names_of(option).substr(2 + (option.letter == 0 ? 4 : 0)) + "\n  " +
+                     expanded(option.help, option) + '\n';
+  if (!option.more.empty()) text += expanded(option.more, option) + '\n';
+  std::string words;
+  for (const std::string& word : choices(option)) words += " " + word;
+  if (!words.empty() && option.help.find("{choices}") == std::string_view::npos) {
+    text += "Values:" + words + '\n';
+  }
+  const std::string standard = default_text(option);
+  if (!standard.empty()) text += "Default: " + standard + '\n';
+  if (option.table != Table::None) {
+    text += "Scene files: " + std::string(option.name) + ", " + table_name(option.table) + '\n';
+  }
+  return text;
+}
+
+std::string topic_text(const std::string& topic) {
+  if (topic == "functions") return language_help();
+  if (topic == "scene") return scene_text();
+  if (topic == "status") return kStatus;
+  if (topic == "keys") return key_help();
+  const std::string name = topic.substr(std::min(topic.find_first_not_of('-'), topic.size()));
+  const Option* const option = name.size() == 1 && find_option(name[0]) != nullptr
+                                   ? find_option(name[0])
+                                   : find_option(name);
+  if (option != nullptr) return option_text(*option);
+  if (find_verb(topic) != nullptr) return options_text();
+  const auto key = std::ranges::find(options(), topic, &Option::name);
+  if (key != options().end() || topic == "light" || topic == "node" || topic == "params") {
+    return scene_text();
+  }
+  std::vector<std::string> known = {"functions", "scene", "status", "keys"};
+  for (const Option& other : options()) {
+    if (other.is_option()) known.emplace_back(other.name);
+  }
+  const auto nearest = nearest_name(topic, known);
+  throw Error(Status::Input, "there is no help on '" + topic + "'", {},
+              (nearest ? "did you mean '" + *nearest + "'? " : "") +
+                  std::string("saddle --help lists the options; other topics are functions, scene, "
+                              "status and keys"));
+}
+
+}  // namespace
+
+std::string help_text(const std::vector<std::string>& topics) {
+  if (topics.empty()) return options_text();
+  std::string text;
+  for (const std::string& topic : topics) text += (text.empty() ? "" : "\n") + topic_text(topic);
+  return text;
+}
+
+std::string version() {
+  return SADDLE_VERSION;
+}
+
+std::string version_text() {
+  return "saddle " + version() + "\n";
+}
+
+}  // namespace saddle

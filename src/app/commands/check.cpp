@@ -1,0 +1,37 @@
+// saddle check: what is true of a surface, in words and as a report; nothing is drawn.
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/commands.h"
+#include "app/report/describe.h"
+#include "app/report/run_report.h"
+#include "app/run/build_scene.h"
+#include "base/standard_streams.h"
+#include "study/check_surface.h"
+
+namespace saddle {
+
+void run_check(const CommandLine& line, Clock::time_point start) {
+  const Scene scene = build_scene(line);
+  RunReport report;
+  std::vector<std::string> words;
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    CheckedSurface checked = check_surface(scene, spec, line.run.threads);
+    add_times(checked.tessellation, report.times);
+    std::ranges::move(checked.tessellation.warnings, std::back_inserter(report.warnings));
+    SurfaceReport& surface =
+        report.surfaces.emplace_back(report_of(spec.name, checked.tessellation));
+    surface.facts = std::move(checked.facts);
+    std::ranges::move(describe(surface, checked.tessellation.mesh), std::back_inserter(words));
+  }
+  print_warnings(line, report.warnings);
+  report.times.total = milliseconds_since(start);
+  if (line.run.report != "-") print_lines(words);
+  send_report(line.run.report, report);
+  if (line.run.strict) fail_on_warnings(report);
+}
+
+}  // namespace saddle

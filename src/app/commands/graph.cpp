@@ -1,0 +1,167 @@
+// saddle FORMULAS or NAME: check the outputs, then for each moment mesh what is another surface
+// than before, draw and write; report.
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/commands/commands.h"
+#include "app/report/progress.h"
+#include "app/report/reference.h"
+#include "app/report/run_report.h"
+#include "app/run/output_writer.h"
+#include "app/run/picture_drawer.h"
+#include "app/run/plan.h"
+#include "app/run/scene_meshes.h"
+#include "base/standard_streams.h"
+#include "render/picture/framing.h"
+
+namespace saddle {
+namespace {
+
+/// What is wrong with the scene at a moment of an animation, with the moment.
+Error located(const Error& error, const Shot& shot) {
+  const std::string name = name_of(shot);
+  if (name.empty() || error.status() == Status::Machine) return error;
+  return with_hint_line(error, "this is " + name);
+}
+
+std::optional<ReferenceCheck> reference_of(const CommandLine& line) {
+  if (line.run.reference.empty()) return std::nullopt;
+  return ReferenceCheck(line.run.reference, line.run.threshold);
+}
+
+std::optional<PictureDrawer> drawer_for(const CommandLine& line, const Plan& plan) {
+  if (!plan.purpose.picture) return std::nullopt;
+  return PictureDrawer(line.run.renderer);
+}
+
+Framing framing_of(Plan& plan, unsigned threads) {
+  return plan.needs_camera() ? frame_scene(plan.timeline, threads) : Framing();
+}
+
+/// The plan's, at the moments of the framing.
+Purpose purpose_of(const Plan& plan, const Framing& framing) {
+  Purpose purpose = plan.purpose;
+  purpose.moments = framing.moments;
+  return purpose;
+}
+
+/// One run of the program: its stages in their order.
+class Run {
+ public:
+  Run(const CommandLine& line, Clock::time_point start)
+      : line_(line),
+        start_(start),
+        plan_(line),
+        reference_(reference_of(line)),
+        writer_(plan_.outputs, plan_.scene(), line.run.threads),
+        drawer_(drawer_for(line, plan_)),
+        framing_(framing_of(plan_, line.run.threads)),
+        meshes_(purpose_of(plan_, framing_), line.run.threads) {}
+
+  void go() {
+    const auto begin = Clock::now();
+    take_shots(begin);
+    report_.frames = plan_.frames();
+    if (report_.frames > 0) {
+      report_.times.frame = milliseconds_since(begin) / static_cast<double>(plan_.shots.size());
+    }
+    gather_warnings();
+    if (line_.run.strict && !report_.warnings.empty()) fail_strictly();
+    writer_.finish(plan_.scene());
+    report();
+    if (!reference_) return;
+    const std::string passed = reference_->compare();
+    if (line_.run.verbose) tell(passed);
+  }
+
+ private:
+  void take_shots(Clock::time_point begin) {
+    std::optional<Progress> progress;
+    if (plan_.frames() > 1) progress.emplace(!line_.run.quiet);
+    for (std::size_t i = 0; i < plan_.shots.size(); ++i) {
+      if (progress) progress->show_frames(i, plan_.shots.size(), milliseconds_since(begin) / 1000);
+      try {
+        take(plan_.shots[i]);
+      } catch (const Error& error) {
+        throw located(error, plan_.shots[i]);
+      }
+    }
+    writer_.wait();
+  }
+
+  void take(const Shot& shot) {
+    const Scene scene = plan_.timeline.at(shot.t);
+    Scene seen = scene;
+    framing_.apply(seen);
+    const std::vector<std::size_t> updated = meshes_.update(seen, name_of(shot));
+    if (line_.run.strict && meshes_.warn()) warn_and_fail();
+    writer_.write_meshes_of(shot, scene, meshes_.meshes());
+    if (!drawer_) return;
+    Image image = drawer_->draw(seen, meshes_.meshes(), updated);
+    if (line_.run.strict && !drawer_->warnings().empty()) warn_and_fail();
+    if (shot.still && reference_) reference_->take(image);
+    if (!report_.image) report_.image = drawer_->describe(image, seen);
+    writer_.start_writing(shot, scene, std::move(image));
+  }
+
+  void gather_warnings() {
+    meshes_.report(report_);
+    const auto add = [this](const std::vector<std::string>& warnings) {
+      std::ranges::copy(warnings, std::back_inserter(report_.warnings));
+    };
+    if (drawer_) add(drawer_->warnings());
+    if (report_.frames > 1 && !meshes_.move() && !plan_.timeline.moves()) {
+      add({"nothing depends on t: all frames are the same"});
+    }
+    add(writer_.warnings());
+    print_warnings(line_, report_.warnings);
+  }
+
+  void warn_and_fail() {
+    gather_warnings();
+    fail_strictly();
+  }
+
+  /// With --strict a warning ends the run; the report has it, other outputs are not written.
+  void fail_strictly() {
+    report_.times.encode = writer_.milliseconds();
+    report_.times.total = milliseconds_since(start_);
+    send_report(line_.run.report, report_);
+    fail_on_warnings(report_);
+  }
+
+  void report() {
+    report_.times.encode = writer_.milliseconds();
+    if (drawer_) {
+      report_.times.render = drawer_->times();
+      report_.image->shaders = drawer_->shader_texts();
+    }
+    report_.times.total = milliseconds_since(start_);
+    send_report(line_.run.report, report_);
+    if (line_.run.verbose) tell(summary(report_));
+  }
+
+  const CommandLine& line_;
+  Clock::time_point start_;
+  Plan plan_;
+  std::optional<ReferenceCheck> reference_;
+  OutputWriter writer_;
+  std::optional<PictureDrawer> drawer_;  ///< if pictures are drawn
+  Framing framing_;
+  SceneMeshes meshes_;
+  RunReport report_;
+};
+
+}  // namespace
+
+void run_graph(const CommandLine& line, Clock::time_point start) {
+  auto run = std::make_unique<Run>(line, start);
+  run->go();
+  // All is written, and the process about to end: taking OpenGL apart is left to the system.
+  static_cast<void>(run.release());
+}
+
+}  // namespace saddle

@@ -1,0 +1,73 @@
+// saddle without an output: the viewer.
+#include "app/commands/view.h"
+
+#include <string>
+#include <utility>
+
+#include "app/commands/commands.h"
+#include "app/run/build_scene.h"
+#include "app/run/outputs.h"
+#include "base/error.h"
+#include "view/viewer.h"
+
+namespace saddle {
+namespace {
+
+constexpr const char* kWayOut = "saddle ... -o FILE.png draws without a display";
+
+/// Throws Error (Input) for options that would do nothing.
+void check_options(const CommandLine& line) {
+  checked_outputs(line);
+  if (line.run.renderer != Backend::Any) {
+    throw Error(Status::Input, "the viewer draws with the OpenGL of its display",
+                {"--renderer", "", {}}, "it is for outputs: -o FILE.png");
+  }
+  if (line.run.frame_range) {
+    throw Error(Status::Input, "the viewer plays all frames", {"--frame-range", "", {}},
+                "it is for outputs: -o frame-%04d.png");
+  }
+  if (line.run.strict) {
+    throw Error(Status::Input, "the viewer shows warnings and goes on", {"--strict", "", {}},
+                "it is for outputs, -o FILE.png, and for saddle check");
+  }
+}
+
+}  // namespace
+
+ViewerSetup viewer_setup(const CommandLine& line) {
+  check_options(line);
+  ViewerSetup setup;
+  setup.scene = build_scene(line);
+  setup.reload = [line] { return build_scene(line); };
+  if (line.run.watch) {
+    setup.watched = scene_file_of(line);
+    if (setup.watched.empty()) {
+      throw Error(Status::Input, "there is no scene file to watch", {"--watch", "", {}},
+                  "-o FILE.toml writes one");
+    }
+  }
+  setup.threads = line.run.threads;
+  setup.quiet = line.run.quiet;
+  setup.verbose = line.run.verbose;
+  return setup;
+}
+
+#ifdef SADDLE_WITHOUT_VIEWER
+void run_view(const CommandLine& line) {
+  viewer_setup(line);  // what is wrong with the scene comes first
+  throw Error(Status::Machine, "this saddle was built without its viewer", {},
+              {"build it with -DSADDLE_VIEWER=ON", kWayOut});
+}
+#else
+void run_view(const CommandLine& line) {
+  ViewerSetup setup = viewer_setup(line);
+  try {
+    Viewer(std::move(setup)).run();
+  } catch (const Error& error) {
+    if (error.status() != Status::Machine) throw;
+    throw with_hint_line(error, kWayOut);
+  }
+}
+#endif
+
+}  // namespace saddle

@@ -1,0 +1,13 @@
+// What the viewer gets from the command line.
+#pragma once
+
+#include "app/command_line/cli.h"
+#include "view/model.h"
+
+namespace saddle {
+
+/// The scene, where to read it anew, and options. Throws Error as
+/// build_scene() does, and (Input) for options that the viewer would ignore.
+ViewerSetup viewer_setup(const CommandLine& line);
+
+}  // namespace saddle

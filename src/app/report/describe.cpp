@@ -1,0 +1,189 @@
+#include "app/report/describe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/report/words.h"
+#include "base/format.h"
+#include "meshing/warnings.h"
+
+namespace saddle {
+
+namespace {
+
+std::string percent(double share) {
+  return words::number(100 * share) + " %";
+}
+
+/// Without what is 0 next to `size` but for rounding.
+double clean(double x, double size) {
+  return std::fabs(x) < 1e-12 * size ? 0 : x;
+}
+
+std::string domain(const Facts& facts) {
+  const Domain& d = facts.domain;
+  return words::range("u", d.u0, d.u1) + ", " +
+         (facts.range_v.empty() ? words::range("v", d.v0, d.v1) : "v = " + facts.range_v);
+}
+
+std::string defined(const SurfaceReport& s, const Mesh& mesh) {
+  const DefinedShare& proved = s.facts->defined;
+  // A mesh that is cut along a box does not show where the surface is defined beyond it.
+  const std::string where = percent(s.mesh.undefined_fraction) + " of the domain" +
+                            (s.mesh.is_clipped ? "" : ", " + where_defined(mesh, s.facts->domain));
+  const std::string large = "larger than doubles can hold on " + where;
+  if (proved.everywhere) {
+    return std::string("everywhere (proved)") + (s.mesh.exceeds_doubles ? ", but " + large : "");
+  }
+  const std::string bounds = " (proved: " + percent(proved.no) + " undefined, " +
+                             percent(proved.yes) + " defined, the rest undecided)";
+  if (s.mesh.undefined_fraction == 0) return "everywhere that was looked at" + bounds;
+  return (s.mesh.exceeds_doubles ? large : "not on " + where) + bounds;
+}
+
+std::string edges(const std::string& name, double first, double last, const std::string& how,
+                  const Shift& shift) {
+  const std::string both =
+      name + " = " + words::number(first) + " and " + name + " = " + words::number(last);
+  if (how == "reversed") return both + " join reversed";
+  if (how == "shifted") {
+    return both + " join shifted by " + std::to_string(shift.parts) + "/" +
+           std::to_string(shift.of) + " of their length";
+  }
+  return both + " join";
+}
+
+std::string seams(const SurfaceReport& s) {
+  const Domain& d = s.facts->domain;
+  std::string text;
+  if (!s.mesh.closed_u.empty()) text += edges("u", d.u0, d.u1, s.mesh.closed_u, s.mesh.shift_u);
+  if (!s.mesh.closed_v.empty()) {
+    text += (text.empty() ? "" : "; ") + edges("v", d.v0, d.v1, s.mesh.closed_v, s.mesh.shift_v);
+  }
+  const auto add_fold = [&text](const std::string& edge) {
+    text += (text.empty() ? "" : "; ") + edge + " is folded: its halves join";
+  };
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (s.mesh.folded_u[k]) add_fold("u = " + words::number(k == 0 ? d.u0 : d.u1));
+    if (s.mesh.folded_v[k]) add_fold("v = " + words::number(k == 0 ? d.v0 : d.v1));
+  }
+  return text.empty() ? "none" : text;
+}
+
+/// A closed surface by its Euler number, which is none of a surface that touches itself in points.
+std::string closed_kind(long euler_number, bool orientable) {
+  if (!orientable) {
+    return euler_number == 1 ? "projective plane" : euler_number == 0 ? "Klein bottle" : "";
+  }
+  if (euler_number == 2) return "sphere";
+  if (euler_number == 0) return "torus";
+  if (euler_number > 0 || euler_number % 2 != 0) return "";
+  return "sphere with " + std::to_string(1 - euler_number / 2) + " handles";
+}
+
+/// What a connected surface is called: a closed one, or one with holes.
+std::string kind(const Topology& t) {
+  if (t.components != 1 || t.shared_edges > 0) return "";
+  const auto holes = static_cast<long>(t.boundary_loops);
+  const std::string filled = closed_kind(t.euler_number + holes, t.orientable);
+  if (filled.empty()) return "";
+  if (filled == "sphere" && holes == 1) return " (a disc)";
+  if (filled == "sphere" && holes == 2) return " (a band)";
+  if (filled == "projective plane" && holes == 1) return " (a Moebius band)";
+  return " (a " + filled + (holes > 0 ? " with " + words::plural(t.boundary_loops, "hole") : "") +
+         ")";
+}
+
+std::string shape(const Topology& t) {
+  std::string text = "Euler number " + std::to_string(t.euler_number) + kind(t) + ", ";
+  if (t.components != 1) text += words::plural(t.components, "part") + ", ";
+  if (t.is_closed()) return text + "closed";
+  text += t.boundary_loops == 1 ? "one edge" : std::to_string(t.boundary_loops) + " edges";
+  if (t.shared_edges > 0)
+    text += ", " + words::plural(t.shared_edges, "line piece") + " where sheets meet";
+  return text;
+}
+
+std::string extents(const Bounds& b) {
+  const auto side = [&](const char* name, int k) {
+    return words::range(name, clean(b.low[k], b.diagonal()), clean(b.high[k], b.diagonal()));
+  };
+  return side("x", 0) + ", " + side("y", 1) + ", " + side("z", 2);
+}
+
+std::string curvatures(const Measures& m) {
+  if (m.gauss.empty() || m.mean.empty()) return "none: no regular point was found";
+  return "Gauss " + words::number(m.gauss.low) + " to " + words::number(m.gauss.high) + ", mean " +
+         words::number(m.mean.low) + " to " + words::number(m.mean.high);
+}
+
+/// Gauss curvatures that are 0 but for rounding, times the diagonal's square.
+constexpr double kFlatSurface = 1e-9;
+
+std::string mesh(const SurfaceReport& s) {
+  const double flat = kFlatSurface / (s.bounds.diagonal() * s.bounds.diagonal());
+  std::string text = words::plural(s.triangles, "triangle");
+  if (s.mesh.tolerance) {
+    text += " for a tolerance of " + words::number(*s.mesh.tolerance) + " (measured " +
+            words::number(s.mesh.max_error) + ")";
+  }
+  const double least = s.mesh.least_triangles;
+  if (!(least >= 1)) {
+    const bool is_flat = s.facts->measures.gauss.low > -flat && s.facts->measures.gauss.high < flat;
+    return text + (is_flat ? "; what unrolls into a plane has no least number" : "");
+  }
+  const std::string times = rounded(static_cast<double>(s.triangles) / least, 3);
+  return text + ": " + times + " times the least possible, about " +
+         words::number(std::ceil(least)) + "; half the tolerance takes twice as many";
+}
+
+/// The first place of each reason, and how many others it has.
+std::string proof(const MeshReport& report, const Domain& d) {
+  if (report.certified) return "nothing hides between the samples (proved)";
+  std::string text;
+  bool is_everywhere = false;
+  for (std::size_t k = 0; k < report.doubts.size();) {
+    const DoubtfulPlace& place = report.doubts[k];
+    std::size_t next = k;
+    for (; next < report.doubts.size() && report.doubts[next].why == place.why; ++next) {
+      const DoubtfulPlace& other = report.doubts[next];
+      is_everywhere =
+          is_everywhere || (other.contains({d.u0, d.v0}) && other.contains({d.u1, d.v1}));
+    }
+    text += (k > 0 ? "; " : "") + words_for(place.why) + ": " +
+            words::range("u", place.low.x, place.high.x) + ", " +
+            words::range("v", place.low.y, place.high.y);
+    if (next > k + 1) text += " and " + words::plural(next - k - 1, "other place");
+    k = next;
+  }
+  if (is_everywhere) return "samples only: " + text;
+  return "nothing hides between the samples (proved), but for places where " + text;
+}
+
+}  // namespace
+
+std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles) {
+  const Facts& facts = *s.facts;
+  std::vector<std::string> lines = {s.name};
+  const auto line = [&lines](const std::string& what, const std::string& said) {
+    lines.push_back("  " + what + std::string(12 - what.size(), ' ') + said);
+  };
+  line("domain", domain(facts));
+  line("defined", defined(s, triangles));
+  line("poles", words::cuts(s.mesh.poles, s.mesh.pole_count, facts.domain));
+  line("jumps", words::jumps(s.mesh, facts.domain));
+  line("singular", words::singular(facts, s.bounds.diagonal()));
+  line("seams", seams(s));
+  line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
+  line("shape", shape(facts.topology));
+  line("extents", extents(facts.measures.extents));
+  line("area", words::number(facts.measures.area));
+  if (encloses_volume(facts)) line("volume", words::number(facts.measures.volume));
+  line("curvature", curvatures(facts.measures));
+  line("mesh", mesh(s));
+  line("proof", proof(s.mesh, facts.domain));
+  return lines;
+}
+
+}  // namespace saddle

@@ -1,0 +1,15 @@
+// What `saddle check` found out, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/report/report.h"
+
+namespace saddle {
+
+/// A line for each kind of fact, with the surface's name above. For a surface with facts, and its
+/// mesh.
+std::vector<std::string> describe(const SurfaceReport& surface, const Mesh& mesh);
+
+}  // namespace saddle

@@ -1,0 +1,254 @@
+// The report, written with nlohmann's JSON, keys in a fixed order.
+#include "app/report/report.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line/help.h"
+#include "base/format.h"
+
+namespace saddle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json vector(const dvec3& v) {
+  return {finite_or_null(v.x), finite_or_null(v.y), finite_or_null(v.z)};
+}
+
+Json closing(const std::string& how) {
+  return how.empty() ? Json(nullptr) : Json(how);
+}
+
+Json places(const std::vector<dvec2>& uvs) {
+  Json list = Json::array();
+  for (const dvec2& uv : uvs)
+    list.push_back({{"u", finite_or_null(uv.x)}, {"v", finite_or_null(uv.y)}});
+  return list;
+}
+
+/// Triangles over the least possible.
+Json efficiency(const SurfaceReport& s) {
+  if (!(s.mesh.least_triangles >= 1)) return nullptr;  // developable, but for rounding
+  return finite_or_null(static_cast<double>(s.triangles) / s.mesh.least_triangles);
+}
+
+Json ends(double low, double high) {
+  return {finite_or_null(low), finite_or_null(high)};
+}
+
+Json doubts(const std::vector<DoubtfulPlace>& places) {
+  Json list = Json::array();
+  for (const DoubtfulPlace& place : places) {
+    list.push_back({{"reason", name_of(place.why)},
+                    {"u", ends(place.low.x, place.high.x)},
+                    {"v", ends(place.low.y, place.high.y)}});
+  }
+  return list;
+}
+
+Json extremes(const Extremes& e) {
+  return e.empty() ? Json(nullptr) : ends(e.low, e.high);
+}
+
+/// `normal` is the one limit of the normal, `normals` are the limits from all sides; `isolated`: on
+/// no curve of such points.
+Json singular_places(const std::vector<SingularPlace>& places) {
+  Json list = Json::array();
+  for (const SingularPlace& place : places) {
+    Json normals = Json::array();
+    for (const dvec3& normal : place.normals) normals.push_back(vector(normal));
+    list.push_back({{"u", finite_or_null(place.uv.x)},
+                    {"v", finite_or_null(place.uv.y)},
+                    {"isolated", place.is_alone},
+                    {"position", vector(place.position)},
+                    {"normal", normals.size() == 1 ? normals[0] : Json(nullptr)},
+                    {"normals", normals}});
+  }
+  return list;
+}
+
+/// The edges of the domain that are folded, each by its u or v.
+Json folded_edges(const SurfaceReport& s) {
+  const Domain& d = s.facts->domain;
+  Json list = Json::array();
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (s.mesh.folded_u[k]) list.push_back({{"u", finite_or_null(k == 0 ? d.u0 : d.u1)}});
+    if (s.mesh.folded_v[k]) list.push_back({{"v", finite_or_null(k == 0 ? d.v0 : d.v1)}});
+  }
+  return list;
+}
+
+/// What `saddle check` adds to a surface's report.
+void add_facts(const SurfaceReport& s, Json& json) {
+  const Facts& facts = *s.facts;
+  const Topology& t = facts.topology;
+  json["singular_points"] = singular_places(facts.singular);
+  json["domain"] = {{"u", ends(facts.domain.u0, facts.domain.u1)},
+                    {"v", ends(facts.domain.v0, facts.domain.v1)}};
+  json["proved_defined_fraction"] = finite_or_null(facts.defined.yes);
+  json["proved_undefined_fraction"] = finite_or_null(facts.defined.no);
+  json["exceeds_doubles"] = s.mesh.exceeds_doubles;
+  json["folded"] = folded_edges(s);
+  json["euler_number"] = t.euler_number;
+  json["components"] = t.components;
+  json["closed"] = t.is_closed();
+  json["open_edges"] = t.open_edges;
+  json["boundary_loops"] = t.boundary_loops;
+  json["extents"] =
+      Json::array({vector(facts.measures.extents.low), vector(facts.measures.extents.high)});
+  json["area"] = finite_or_null(facts.measures.area.value);
+  json["volume"] =
+      encloses_volume(facts) ? finite_or_null(facts.measures.volume.value) : Json(nullptr);
+  json["gauss_curvature"] = extremes(facts.measures.gauss);
+  json["mean_curvature"] = extremes(facts.measures.mean);
+  json["least_triangles"] = finite_or_null(s.mesh.least_triangles);
+}
+
+Json surface(const SurfaceReport& s) {
+  std::vector<dvec2> singular;
+  for (const SingularPoint& point : s.mesh.singular_points) singular.push_back(point.uv);
+  Json json = {{"name", s.name},
+               {"cells", s.mesh.cells},
+               {"triangles", s.triangles},
+               {"vertices", s.vertices},
+               {"evaluations", s.mesh.evaluations},
+               {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
+               {"tolerance", s.mesh.tolerance ? finite_or_null(*s.mesh.tolerance) : Json(nullptr)},
+               {"max_error", finite_or_null(s.mesh.max_error)},
+               {"max_normal_error", finite_or_null(s.mesh.max_normal_error)},
+               {"undefined_fraction", finite_or_null(s.mesh.undefined_fraction)},
+               {"efficiency", efficiency(s)},
+               {"singular_points", places(singular)},
+               {"singular_points_count", s.mesh.singular_point_count},
+               {"poles", places(s.mesh.poles)},
+               {"poles_count", s.mesh.pole_count},
+               {"jumps", places(s.mesh.jumps)},
+               {"jumps_count", s.mesh.jump_count},
+               {"closed_u", closing(s.mesh.closed_u)},
+               {"closed_v", closing(s.mesh.closed_v)},
+               {"orientable", s.mesh.orientable},
+               {"certified", s.mesh.certified},
+               {"uncertified", doubts(s.mesh.doubts)}};
+  if (s.facts) add_facts(s, json);
+  return json;
+}
+
+Json times(const RunTimes& t) {
+  Json result = {{"parse", finite_or_null(t.parse)},
+                 {"compile", finite_or_null(t.compile)},
+                 {"tessellate", finite_or_null(t.tessellate)}};
+  if (t.render) {
+    result["context"] = finite_or_null(t.render->context);
+    result["upload"] = finite_or_null(t.render->upload);
+    result["draw"] = finite_or_null(t.render->draw);
+  }
+  result["encode"] = finite_or_null(t.encode);
+  if (t.frame > 0) result["frame"] = finite_or_null(t.frame);
+  result["total"] = finite_or_null(t.total);
+  return result;
+}
+
+/// The most memory that the process has had in use.
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts KiB
+}
+
+}  // namespace
+
+bool encloses_volume(const Facts& facts) {
+  return facts.topology.is_closed() && facts.topology.orientable;
+}
+
+void write_report(std::ostream& out, const RunReport& report) {
+  Json json = {{"version", version()}, {"surfaces", Json::array()}};
+  for (const SurfaceReport& s : report.surfaces) {
+    json["surfaces"].push_back(surface(s));
+    if (report.frames > 0) json["surfaces"].back()["meshes"] = s.meshes;
+  }
+  if (report.image) {
+    json["image"] = {{"width", report.image->width},
+                     {"height", report.image->height},
+                     {"renderer", report.image->renderer},
+                     {"meshes", report.image->meshes},
+                     {"instances", report.image->instances}};
+  }
+  if (report.frames > 0) json["frames"] = report.frames;
+  json["times"] = times(report.times);
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["warnings"] = report.warnings;
+  // Bytes that are not UTF-8 become replacement characters.
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+namespace {
+
+std::string milliseconds(double value) {
+  return rounded(value, 2) + " ms";
+}
+
+/// Which method made a mesh, and why.
+std::string why(const MeshChoice& choice) {
+  using Why = MeshChoice::Why;
+  const std::string grid =
+      "a grid of " + std::to_string(choice.cells_u) + "x" + std::to_string(choice.cells_v);
+  const std::string costs = milliseconds(choice.halving_cost) + " by the model, " + grid + " " +
+                            milliseconds(choice.grid_cost);
+  switch (choice.why) {
+    case Why::GridIsCheaper:
+      return grid + " cells: " + milliseconds(choice.grid_cost) + " by the model, halving cells " +
+             milliseconds(choice.halving_cost);
+    case Why::HalvingIsCheaper:
+      return "cells halved where they need it: " + costs;
+    case Why::Asked:
+      return "cells halved where they need it: the fewest triangles, as a file wants them";
+    case Why::Limited:
+      return "cells halved where they need it: a grid could not keep to the box or the limit of "
+             "triangles";
+    case Why::VariesTolerance:
+      return "cells halved where they need it: the eye is so near that a pixel is larger in one "
+             "place than in another";
+    case Why::NotSmooth:
+      return "cells halved where they need it: the surface is not smooth everywhere, as a grid "
+             "needs";
+    case Why::GridMisses:
+      break;
+  }
+  return "cells halved where they need it: " + grid + " cells is off by " +
+         rounded(choice.excess, 3) + " tolerances";
+}
+
+}  // namespace
+
+std::vector<std::string> summary(const RunReport& report) {
+  std::vector<std::string> lines;
+  for (const SurfaceReport& s : report.surfaces) {
+    if (s.mesh.choice) lines.push_back(s.name + ": " + why(*s.mesh.choice));
+    lines.push_back(s.name + ": " + std::to_string(s.mesh.cells) + " cells, " +
+                    std::to_string(s.triangles) + " triangles, " + std::to_string(s.vertices) +
+                    " vertices, " + std::to_string(s.mesh.evaluations) + " evaluations");
+  }
+  if (report.image) {
+    lines.push_back("image: " + std::to_string(report.image->width) + "x" +
+                    std::to_string(report.image->height) + " by " + report.image->renderer + ", " +
+                    std::to_string(report.image->meshes) + " meshes in " +
+                    std::to_string(report.image->instances) + " places");
+  }
+  if (report.frames > 0) lines.push_back("frames: " + std::to_string(report.frames));
+  std::string& milliseconds = lines.emplace_back("milliseconds:");
+  const Json all = times(report.times);
+  for (const auto& [name, value] : all.items()) {
+    milliseconds += formatted(" %s %.1f", name.c_str(), value.get<double>());
+  }
+  return lines;
+}
+
+}  // namespace saddle

@@ -1,0 +1,52 @@
+#include "app/report/run_report.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/standard_streams.h"
+
+namespace saddle {
+
+SurfaceReport report_of(const std::string& name, Tessellation& tessellation) {
+  const Mesh& mesh = tessellation.mesh;
+  SurfaceReport report;
+  report.name = name;
+  report.triangles = mesh.triangles.size();
+  report.vertices = mesh.position.size();
+  report.bounds = mesh.bounds;
+  report.mesh = std::move(tessellation.report);
+  return report;
+}
+
+void add_times(const Tessellation& tessellation, RunTimes& times) {
+  times.parse += tessellation.parse_ms;
+  times.compile += tessellation.compile_ms;
+  times.tessellate += tessellation.tessellate_ms;
+}
+
+void print_warnings(const CommandLine& line, std::span<const std::string> warnings) {
+  if (line.run.quiet) return;
+  for (const std::string& warning : warnings) {
+    tell("saddle: warning: " + warning);
+  }
+}
+
+void send_report(const std::string& path, const RunReport& report) {
+  const auto write = [&report](std::ostream& out) { write_report(out, report); };
+  if (path == "-") {
+    write_standard_output(write);
+  } else if (!path.empty()) {
+    write_file_whole(path, write);
+  }
+}
+
+void fail_on_warnings(const RunReport& report) {
+  const std::size_t count = report.warnings.size();
+  if (count == 0) return;
+  throw Error(Status::Input,
+              "--strict: " + (count == 1 ? "a warning" : std::to_string(count) + " warnings"), {},
+              "the first: " + report.warnings.front());
+}
+
+}  // namespace saddle

@@ -1,0 +1,91 @@
+// Writes the meshes, pictures, films and scene files of a run: pictures beside the drawing of the
+// next one, films when all of them are whole.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/report/clock.h"
+#include "app/run/outputs.h"
+#include "app/run/shots.h"
+#include "base/image.h"
+#include "base/parallel.h"
+#include "export/video.h"
+#include "mesh/model/mesh.h"
+#include "scene/model/scene.h"
+
+namespace saddle {
+
+/// One piece of work at a time on a thread of its own, in order.
+class WorkBehind {
+ public:
+  /// Does `work` once the last is done. Throws what that has thrown.
+  template <typename Work>
+  void start(Work work) {
+    wait();
+    last_ = run_beside([work = std::move(work)] {
+      const auto begin = Clock::now();
+      work();
+      return milliseconds_since(begin);
+    });
+  }
+  void wait() {
+    if (last_.valid()) milliseconds_ += last_.get();
+  }
+
+  /// Of the work that was waited for.
+  double milliseconds() const { return milliseconds_; }
+
+ private:
+  std::future<double> last_;
+  double milliseconds_ = 0;
+};
+
+/// A picture's and a mesh's scene is the one that was written, not what an animation's framing has
+/// made of it.
+class OutputWriter {
+ public:
+  /// `outputs` stay where they are. `threads` 0: all. Throws Error (Machine) for a film without
+  /// ffmpeg.
+  OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads);
+
+  /// Into the files of meshes that show this moment.
+  void write_meshes_of(const Shot& shot, const Scene& scene, std::span<const Mesh> meshes);
+
+  /// Into the files and films that show this moment, while the caller goes on. Throws what writing
+  /// the picture before has thrown.
+  void start_writing(const Shot& shot, const Scene& scene, Image image);
+
+  /// Until the last picture is written. Throws what that has thrown.
+  void wait() { behind_.wait(); }
+
+  /// Writes scene files, then films. After wait().
+  void finish(const Scene& scene);
+
+  /// In which ways the films are not what was asked for.
+  std::vector<std::string> warnings() const;
+
+  /// Of writing, but for a picture that is being written.
+  double milliseconds() const { return milliseconds_ + behind_.milliseconds(); }
+
+ private:
+  struct Film {
+    std::string path;
+    std::unique_ptr<Video> video;
+  };
+
+  void write_picture_of(const Shot& shot, const Scene& scene, const Image& image);
+  void write_films();
+
+  std::span<const Output> outputs_;
+  unsigned threads_;
+  std::vector<Film> films_;
+  double milliseconds_ = 0;  ///< of writing that the caller waits for
+  WorkBehind behind_;        // the last member: it ends before what it writes to
+};
+
+}  // namespace saddle

@@ -1,0 +1,30 @@
+// What a run of saddle FORMULAS draws and writes, checked before anything is computed.
+#pragma once
+
+#include <vector>
+
+#include "app/command_line/cli.h"
+#include "app/run/outputs.h"
+#include "app/run/shots.h"
+#include "meshing/tolerance.h"
+#include "scene/options/resolve.h"
+
+namespace saddle {
+
+struct Plan {
+  std::vector<Output> outputs;
+  Timeline timeline;
+  std::vector<Shot> shots;
+  Purpose purpose;  ///< of the meshes, without moments
+
+  /// Throws Error as checked_outputs(), build_scene(), Timeline and shots_of() do, in this order.
+  explicit Plan(const CommandLine& line);
+
+  const Scene& scene() const { return timeline.scene(); }
+  /// Shots that are frames of an animation.
+  int frames() const;
+  /// Pixels are drawn, or are the unit of the mesh's tolerance.
+  bool needs_camera() const;
+};
+
+}  // namespace saddle

@@ -1,0 +1,84 @@
+#include "app/run/scene_meshes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/report/run_report.h"
+#include "scene/model/prepare.h"
+
+namespace saddle {
+
+bool SceneMeshes::is_to_mesh(std::size_t surface) const {
+  return surface >= known_.size() || known_[surface].moves;
+}
+
+bool SceneMeshes::move() const {
+  return std::ranges::any_of(known_, &Known::moves);
+}
+
+bool SceneMeshes::warn() const {
+  return std::ranges::any_of(known_, [](const Known& known) { return !known.warnings.empty(); });
+}
+
+std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::string& frame) {
+  std::vector<std::size_t> updated;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    if (!is_to_mesh(i)) continue;
+    mesh(scene, i, frame);
+    updated.push_back(i);
+  }
+  return updated;
+}
+
+void SceneMeshes::mesh(const Scene& scene, std::size_t surface, const std::string& frame) {
+  if (surface == known_.size()) {
+    known_.emplace_back();
+    known_.back().report.meshes = 0;
+    meshes_.emplace_back();
+  }
+  Known& known = known_[surface];
+  std::vector<std::string> warnings;
+  const int meshes = known.report.meshes + 1;
+  try {
+    Tessellation made = tessellate(scene, scene.surfaces[surface], purpose_, threads_);
+    add_times(made, times_);
+    warnings = std::move(made.warnings);
+    known.report = report_of(scene.surfaces[surface].name, made);
+    meshes_[surface] = std::move(made.mesh);
+    known.moves = made.moves;
+    known.drawn = true;
+  } catch (const Error& error) {
+    const bool may_vanish = !frame.empty() && bind_surface(scene, scene.surfaces[surface]).moves;
+    if (error.status() != Status::Nothing || !may_vanish) throw;
+    if (!nothing_) nothing_ = error;
+    warnings = {scene.surfaces[surface].name + ": " + error.what()};
+    meshes_[surface] = {};
+    known.report.name = scene.surfaces[surface].name;
+    known.moves = true;
+  }
+  known.report.meshes = meshes;
+  if (warnings.empty()) return;
+  if (++known.frames > 1) return;
+  known.warnings = std::move(warnings);
+  known.first = frame;
+}
+
+void SceneMeshes::report(RunReport& report) const {
+  if (nothing_ && std::ranges::none_of(known_, &Known::drawn)) throw *nothing_;
+  report.times.parse = times_.parse;
+  report.times.compile = times_.compile;
+  report.times.tessellate = times_.tessellate;
+  for (const Known& known : known_) {
+    report.surfaces.push_back(known.report);
+    for (std::string warning : known.warnings) {
+      if (known.moves && !known.first.empty()) {
+        warning += " (" + known.first;
+        if (known.frames > 1) warning += ", and in " + std::to_string(known.frames - 1) + " more";
+        warning += ")";
+      }
+      report.warnings.push_back(std::move(warning));
+    }
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,58 @@
+// The meshes of a scene at one moment after another: what t does not move is meshed once.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/report/report.h"
+#include "base/error.h"
+#include "meshing/tessellate.h"
+
+namespace saddle {
+
+class SceneMeshes {
+ public:
+  /// `threads` 0: all.
+  SceneMeshes(Purpose purpose, unsigned threads)
+      : purpose_(std::move(purpose)), threads_(threads) {}
+
+  /// Meshes what is not there yet, and what is another surface at the scene's moment. Returns the
+  /// numbers of those surfaces. A frame of an animation (`frame`: its number and moment, in words)
+  /// may have surfaces of which there is nothing to draw. Throws Error as tessellate() does.
+  std::vector<std::size_t> update(const Scene& scene, const std::string& frame = {});
+
+  std::span<const Mesh> meshes() const { return meshes_; }
+  /// Some surface moves.
+  bool move() const;
+  /// There is something to warn of.
+  bool warn() const;
+
+  /// What was found and done goes into the report. Throws Error (Nothing) if none of the surfaces
+  /// ever had anything to draw.
+  void report(RunReport& report) const;
+
+ private:
+  struct Known {
+    SurfaceReport report;
+    bool moves = false;
+    bool drawn = false;                 ///< there was something to draw
+    std::vector<std::string> warnings;  ///< those of the first frame that had any
+    std::string first;                  ///< that frame
+    int frames = 0;                     ///< that had any
+  };
+
+  bool is_to_mesh(std::size_t surface) const;
+  void mesh(const Scene& scene, std::size_t surface, const std::string& frame);
+
+  Purpose purpose_;
+  unsigned threads_;
+  std::vector<Mesh> meshes_;
+  std::vector<Known> known_;
+  RunTimes times_;
+  std::optional<Error> nothing_;  ///< the first reason why there was nothing to draw
+};
+
+}  // namespace saddle

@@ -1,0 +1,221 @@
+#include "mesh/color/color_range.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/model/mesh.h"
+#include "surface/surface.h"
+
+namespace saddle {
+namespace {
+
+/// Shares of the area that are left outside where the numbers go to infinity: as many below as
+/// above.
+constexpr double kLeftOut = 0.05;
+
+/// A climb begins with steps of this share of the ranges of u and v, and halves them so many times,
+/// to the last digits of the parameters. Two steps of each length reach any place that is within
+/// four of the first: a cell of the mesh away.
+constexpr double kFirstStep = 1.0 / 32;
+constexpr int kClimbHalvings = 40;
+constexpr int kStepsOfALength = 2;
+/// A top is a pole if numbers at this share of the ranges on both sides of it, one way or another,
+/// are lower by this share of the whole range, however far down the climb began. A logarithm's fall
+/// by a third.
+constexpr double kBesideTop = 1e-8;
+constexpr double kFalls = 0.1;
+
+/// Numbers whose differences are this share of them are the same but for what rounding adds up to.
+constexpr double kRoundedNumbers = 1e-9;
+
+/// Where numbers go to infinity few triangles have most of the range: there each counts as so many
+/// parts a side.
+constexpr int kParts = 6;
+
+/// Numbers with the area that has them.
+using Sample = std::pair<double, double>;
+
+/// The number below which `share` of the area is.
+double sample_quantile(std::span<const Sample> sorted, double share) {
+  double total = 0;
+  for (const auto& [number, area] : sorted) total += area;
+  double passed = 0;
+  for (const auto& [number, area] : sorted) {
+    passed += area;
+    if (passed >= share * total) return number;
+  }
+  return sorted.back().first;
+}
+
+/// The triangles' numbers and areas, by number.
+std::vector<Sample> samples_of(const Mesh& mesh) {
+  std::vector<Sample> samples;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const double number = (mesh.color[a] + mesh.color[b] + mesh.color[c]) / 3;
+    const dvec3& p = mesh.position[a];
+    const double area = glm::length(glm::cross(mesh.position[b] - p, mesh.position[c] - p));
+    if (std::isfinite(number)) samples.emplace_back(number, area);
+  }
+  std::ranges::sort(samples);
+  return samples;
+}
+
+/// The same for the parts of triangles: a triangle is cut along even lines into kParts^2 of them.
+std::vector<Sample> fine_samples_of(const Surface& surface, const Mesh& mesh) {
+  std::vector<dvec2> middles;
+  std::vector<Sample> samples;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const dvec3& p = mesh.position[a];
+    const double area = glm::length(glm::cross(mesh.position[b] - p, mesh.position[c] - p));
+    const dvec2 s = (mesh.uv[b] - mesh.uv[a]) / (3.0 * kParts);
+    const dvec2 r = (mesh.uv[c] - mesh.uv[a]) / (3.0 * kParts);
+    for (int i = 0; i < kParts; ++i) {
+      for (int j = 0; i + j < kParts; ++j) {
+        middles.push_back(mesh.uv[a] + (3.0 * i + 1) * s + (3.0 * j + 1) * r);
+        samples.emplace_back(0, area);
+        if (i + j + 1 == kParts) continue;
+        middles.push_back(mesh.uv[a] + (3.0 * i + 2) * s + (3.0 * j + 2) * r);
+        samples.emplace_back(0, area);
+      }
+    }
+  }
+  const std::vector<double> numbers = evaluate_color(surface, middles, 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i].first = numbers[i];
+  std::erase_if(samples, [](const Sample& sample) { return !std::isfinite(sample.first); });
+  std::ranges::sort(samples);
+  return samples;
+}
+
+/// Goes uphill from a corner, over what is drawn of the surface.
+class Climber {
+ public:
+  Climber(const Surface& surface, const std::optional<Bounds>& clip, double sign)
+      : surface_(surface), clip_(clip), sign_(sign) {}
+
+  /// The number at the top, nothing if that is a pole; `spread`: how far the lowest number is
+  /// below.
+  std::optional<double> climb(dvec2 start, double number, double spread) {
+    place_ = start;
+    height_ = sign_ * number;
+    const double bottom = height_ - spread;
+    const Domain& d = surface_.domain;
+    const dvec2 ranges(std::abs(d.u1 - d.u0), std::abs(d.v1 - d.v0));
+    dvec2 step = kFirstStep * ranges;
+    for (int i = 0; i < kClimbHalvings && std::isfinite(height_); ++i, step *= 0.5) {
+      for (int k = 0; k < kStepsOfALength && go_up(step); ++k) {
+      }
+    }
+    if (!std::isfinite(height_)) return std::nullopt;
+    if (is_needle(kBesideTop * ranges, kFalls * (height_ - bottom))) return std::nullopt;
+    return sign_ * height_;
+  }
+
+ private:
+  /// The eight places around, opposite ones four apart.
+  std::array<dvec2, 8> around(const dvec2& step) const {
+    constexpr std::array<dvec2, 8> kWays = {
+        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    const Domain& d = surface_.domain;
+    const auto [low_u, high_u] = std::minmax(d.u0, d.u1);
+    const auto [low_v, high_v] = std::minmax(d.v0, d.v1);
+    std::array<dvec2, 8> places;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const dvec2 place = place_ + kWays[k] * step;
+      places[k] = {std::clamp(place.x, low_u, high_u), std::clamp(place.y, low_v, high_v)};
+    }
+    return places;
+  }
+
+  /// One step to the highest of the places around.
+  bool go_up(const dvec2& step) {
+    const std::array<dvec2, 8> places = around(step);
+    const std::vector<double> numbers = evaluate_color(surface_, places, 1);
+    std::vector<SurfacePoint> points;
+    if (clip_) points = evaluate(surface_, places, 1);
+    bool is_higher = false;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (!(sign_ * numbers[k] > height_)) continue;
+      if (clip_ && !clip_->contains(points[k].position)) continue;
+      height_ = sign_ * numbers[k];
+      place_ = places[k];
+      is_higher = true;
+    }
+    return is_higher;
+  }
+
+  /// Whether numbers fall that much on both sides, as they do not beside a jump.
+  bool is_needle(const dvec2& step, double fall) const {
+    const std::array<dvec2, 8> places = around(step);
+    const std::vector<double> numbers = evaluate_color(surface_, places, 1);
+    const auto falls = [&](std::size_t k) {
+      return places[k] != place_ && !(height_ - sign_ * numbers[k] <= fall);  // NaN falls
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (falls(k) && falls(k + 4)) return true;
+    }
+    return false;
+  }
+
+  const Surface& surface_;
+  const std::optional<Bounds>& clip_;
+  double sign_;
+  dvec2 place_{0, 0};
+  double height_ = 0;
+};
+
+/// The corners with the lowest and the highest number, and these.
+struct Ends {
+  ColorRange range{std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
+  std::size_t lowest = 0;
+  std::size_t highest = 0;
+
+  explicit Ends(const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.color.size(); ++i) {
+      if (mesh.color[i] < range.low) range.low = mesh.color[lowest = i];
+      if (mesh.color[i] > range.high) range.high = mesh.color[highest = i];
+    }
+  }
+};
+
+/// They differ by no more than rounding.
+bool are_one_number(const ColorRange& all, const ColorRange& most, double rounding) {
+  const double size = std::max(std::abs(all.low), std::abs(all.high));
+  const bool is_rounding = rounding > 0 && most.high - most.low <= rounding;
+  return is_rounding || all.low == all.high ||
+         (std::isfinite(size) && all.high - all.low <= kRoundedNumbers * size);
+}
+
+}  // namespace
+
+std::optional<DrawnColors> drawn_colors(const Surface& surface, const Mesh& mesh, double rounding,
+                                        const std::optional<Bounds>& clip) {
+  const std::vector<Sample> samples = samples_of(mesh);
+  if (samples.empty()) return std::nullopt;
+  const Ends ends(mesh);
+  const ColorRange most{sample_quantile(samples, kLeftOut), sample_quantile(samples, 1 - kLeftOut)};
+  if (are_one_number(ends.range, most, rounding)) {
+    const double middle = sample_quantile(samples, 0.5);
+    return DrawnColors{{middle, middle}};
+  }
+  const double spread = samples.back().first - samples.front().first;  // finite
+  const auto top = [&](std::size_t corner, double sign) -> std::optional<double> {
+    const double number = mesh.color[corner];
+    if (!std::isfinite(number)) return std::nullopt;
+    return Climber(surface, clip, sign).climb(mesh.uv[corner], number, spread);
+  };
+  const std::optional<double> low = top(ends.lowest, -1);
+  const std::optional<double> high = top(ends.highest, 1);
+  if (low && high) return DrawnColors{{*low, *high}};
+  const std::vector<Sample> fine = fine_samples_of(surface, mesh);
+  return DrawnColors{{low ? *low : sample_quantile(fine, kLeftOut),
+                      high ? *high : sample_quantile(fine, 1 - kLeftOut)},
+                     true};
+}
+
+}  // namespace saddle

@@ -1,0 +1,82 @@
+// How far the triangles of cells are from places of the surface, one in each cell of a row, as
+// check_cells.cpp tells one by one. This file is compiled once for each CPU level, with
+// SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic (see
+// eval/kernel_loops.cpp).
+#include <math.h>
+
+#include "mesh/grid/cell_loops.h"
+#include "mesh/grid/loop_vectors.h"
+
+namespace saddle {
+namespace {
+
+/// The square of kDegenerateCross of surface/normal.h.
+constexpr double kDegenerate = 1e-14;
+/// A triangle's point is straight above the surface's if it is not farther aside than this part of
+/// the triangle's side: curvature then takes no more than a twentieth of the distance.
+constexpr double kBeside = 0.1;
+
+struct Vertex {
+  LoopVector position, normal;
+};
+static inline Vertex vertex(const Strip& strip, size_t i) {
+  return {{strip.x[i], strip.y[i], strip.z[i]}, {strip.n_x[i], strip.n_y[i], strip.n_z[i]}};
+}
+static inline Vertex choose(double condition, const Vertex& yes, const Vertex& no) {
+  return {choose(condition, yes.position, no.position), choose(condition, yes.normal, no.normal)};
+}
+static inline LoopVector mix(double a, LoopVector v, double b, LoopVector w, double c,
+                             LoopVector x) {
+  return plus(plus(times(a, v), times(b, w)), times(c, x));
+}
+
+}  // namespace
+
+void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& places, size_t count,
+                  RowDeviations& deviations) {
+  const double* const* const column = places.surface.data();
+#pragma GCC ivdep  // what is written overlaps nothing that is read
+  for (size_t i = 0; i < count; ++i) {
+    const Vertex v0 = vertex(lower, i), v1 = vertex(lower, i + 1);
+    const Vertex v3 = vertex(upper, i), v2 = vertex(upper, i + 1);
+    // The corners from the diagonal's first end on, and the place from there.
+    const double second = places.second[i];
+    const Vertex a = choose(second, v1, v0), b = choose(second, v2, v1);
+    const Vertex c = choose(second, v3, v2), d = choose(second, v0, v3);
+    const double p = choose(second, places.along_v, places.along_u[i]);
+    const double q = choose(second, 1 - places.along_u[i], places.along_v);
+    // The triangle that the place is in: a b c or c d a.
+    const double is_first = p - q;
+    const Vertex first = choose(is_first, a, c), next = choose(is_first, b, d);
+    const Vertex last = choose(is_first, c, a);
+    const double of_first = choose(is_first, 1 - p, p);
+    const double of_next = fabs(p - q);
+    const double of_last = choose(is_first, q, 1 - q);
+
+    const LoopVector point =
+        times(places.scale, LoopVector{column[0][i], column[1][i], column[2][i]});
+    const LoopVector normal =
+        times(places.front, LoopVector{column[3][i], column[4][i], column[5][i]});
+    const LoopVector off =
+        minus(mix(of_first, first.position, of_next, next.position, of_last, last.position), point);
+    const double height = dot(off, normal);
+    const double beside = dot(off, off) - height * height;
+    const LoopVector along = minus(next.position, first.position);
+    const LoopVector across = minus(last.position, first.position);
+    const double square = smaller_of(dot(along, along), dot(across, across));
+    const LoopVector mean = mix(of_first, first.normal, of_next, next.normal, of_last, last.normal);
+    const double square_mean = dot(mean, mean);
+    const LoopVector chord = minus(times(1 / sqrt(square_mean), mean), normal);
+    deviations.distance[i] = fabs(height);
+    deviations.chord[i] = dot(chord, chord);
+
+    const double area = column[8][i];
+    const double squares = column[6][i] * column[7][i];
+    const double is_straight = beside <= kBeside * kBeside * square ? 1.0 : 0.0;  // not NaN
+    const double is_regular = area * area > kDegenerate * squares ? is_straight : 0.0;
+    const double has_normal = square_mean > 0 ? is_regular : 0.0;
+    deviations.is_known[i] = second >= 0 ? has_normal : 0.0;
+  }
+}
+
+}  // namespace saddle

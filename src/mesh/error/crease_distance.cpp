@@ -1,0 +1,239 @@
+#include "mesh/error/crease_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+
+#include "mesh/features/follow_gaps.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings of a line on the way to where it crosses a crease: a four thousandth of it is enough
+/// for a distance that is of second order. Where the surface is upright it moves far while its
+/// parameters hardly do: there it is to have moved by no more than that part, too, or to be as near
+/// as the mesh's vertices are, which are found by kAllHalvings.
+constexpr int kCreaseHalvings = 12;
+constexpr double kArrived = 1.0 / 4096;
+/// Across a cusp normals are opposite, but for how they turn on the way: their cosine is less. They
+/// turn by more than 60 degrees to where the surface is upright.
+constexpr double kAcrossCusp = -0.7;
+constexpr double kUpright = 0.5;
+/// It is not upright if those halvings have it move by no more than this part of what it did: a
+/// root moves by a 64th, what has slopes on both sides by little more than kArrived.
+constexpr double kPlain = 1.0 / 512;
+/// Steps to the nearest point; and the share of the normal equations' diagonal that is added to it
+/// at first, and is ten times as much after a step in vain, a tenth after another.
+constexpr int kNearestSteps = 12;
+constexpr double kDamping = 1e-4;
+
+dvec3 area_of(const SurfacePoint& p) {
+  return glm::cross(p.r_u, p.r_v);
+}
+
+std::vector<dvec2> ends_of(std::span<const Line> lines, std::size_t end) {
+  std::vector<dvec2> uv;
+  for (const Line& line : lines) uv.push_back(line[end]);
+  return uv;
+}
+
+dvec2 middle_of(const Line& line) {
+  return 0.5 * (line[0] + line[1]);
+}
+
+/// Whether there are no doubles between its ends.
+bool has_no_middle(const Line& line) {
+  const dvec2 middle = middle_of(line);
+  return middle == line[0] || middle == line[1];
+}
+
+/// A line across a crease on its way there.
+struct CreaseSearch {
+  std::size_t number;             ///< of the line
+  Line left;                      ///< what is left of it
+  std::array<dvec3, 2> position;  ///< of its ends
+  std::array<dvec3, 2> normal;    ///< at the ends of the line
+  bool is_cusp;
+  double first_way = 0;  ///< by how much the surface moves along the line
+  double way = 0;        ///< by how much along what is left
+  int halvings = 0;
+
+  /// Neither a cusp, nor is the surface upright.
+  bool is_plain() const {
+    return !is_cusp && halvings == kCreaseHalvings && way <= kPlain * first_way;
+  }
+  bool is_done() const {
+    const bool has_arrived = halvings >= kCreaseHalvings && !(way > kArrived * first_way);
+    return has_arrived || halvings == kAllHalvings || has_no_middle(left);
+  }
+};
+
+std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Line> lines,
+                                      unsigned threads) {
+  const std::vector<SurfacePoint> first = evaluate(surface, ends_of(lines, 0), threads);
+  const std::vector<SurfacePoint> last = evaluate(surface, ends_of(lines, 1), threads);
+  std::vector<CreaseSearch> searches;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::array normal = {glm::normalize(area_of(first[k])), glm::normalize(area_of(last[k]))};
+    const double cosine = glm::dot(normal[0], normal[1]);
+    if (!(cosine < kUpright)) continue;
+    const std::array position = {first[k].position, last[k].position};
+    searches.push_back({k, lines[k], position, normal, cosine < kAcrossCusp});
+  }
+  return searches;
+}
+
+/// Goes on with the half that the crease is in.
+void narrow(CreaseSearch& search, const dvec2& middle, const SurfacePoint& at_middle) {
+  search.way = glm::distance(search.position[0], at_middle.position) +
+               glm::distance(at_middle.position, search.position[1]);
+  if (search.halvings == 0) search.first_way = search.way;
+  const dvec3 area = area_of(at_middle);
+  const double to_first = glm::dot(area, search.normal[0]);
+  const double to_last = glm::dot(area, search.normal[1]);
+  const std::size_t end = to_first >= to_last ? 0 : 1;
+  search.left[end] = middle;
+  search.position[end] = at_middle.position;
+  ++search.halvings;
+}
+
+/// A point of the mesh on its way down to the surface.
+struct Descent {
+  dvec2 uv;
+  SurfacePoint at;
+  double distance;
+  double damping = kDamping;
+};
+
+dvec2 step(const Descent& d, const dvec3& from) {
+  const dvec3 gap = from - d.at.position;
+  const double a = (1 + d.damping) * glm::dot(d.at.r_u, d.at.r_u);
+  const double b = glm::dot(d.at.r_u, d.at.r_v);
+  const double c = (1 + d.damping) * glm::dot(d.at.r_v, d.at.r_v);
+  const dvec2 right(glm::dot(d.at.r_u, gap), glm::dot(d.at.r_v, gap));
+  const dvec2 way = dvec2(c * right.x - b * right.y, a * right.y - b * right.x) / (a * c - b * b);
+  return std::isfinite(way.x + way.y) ? way : dvec2(0);
+}
+
+/// Stays at a place, if it is nearer, or is to take a shorter step.
+void arrive(const dvec2& uv, const SurfacePoint& there, const dvec3& from, Descent& d) {
+  const double distance = glm::distance(there.position, from);
+  if (distance < d.distance) {
+    d = {uv, there, distance, 0.1 * d.damping};
+  } else {
+    d.damping *= 10;
+  }
+}
+
+dvec2 next_place(const Descent& d, const MiddleOfChord& chord) {
+  const dvec2 begin = middle_of(chord.ends);
+  const dvec2 off = d.uv + step(d, chord.middle()) - begin;
+  return begin + glm::clamp(off, -chord.reach, chord.reach);
+}
+
+/// Goes down to the surface from its places at some parameters.
+std::vector<double> distances_from(std::span<const dvec2> places, const Surface& surface,
+                                   std::span<const MiddleOfChord> chords, unsigned threads) {
+  std::vector<Descent> descents;
+  std::vector<std::size_t> active;  // numbers of those that are still on their way
+  for (const dvec2& place : places) {
+    active.push_back(descents.size());
+    descents.push_back({place, {}, std::numeric_limits<double>::infinity()});
+  }
+  std::vector<dvec2> uv(places.begin(), places.end());
+  for (int round = 0; round <= kNearestSteps && !active.empty(); ++round) {
+    const std::vector<SurfacePoint> there = evaluate(surface, uv, threads);
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      arrive(uv[i], there[i], chords[active[i]].middle(), descents[active[i]]);
+    }
+    std::erase_if(active, [&](std::size_t k) { return descents[k].distance <= chords[k].known; });
+    uv.clear();
+    for (const std::size_t k : active) uv.push_back(next_place(descents[k], chords[k]));
+  }
+  std::vector<double> distances;
+  distances.reserve(descents.size());
+  for (const Descent& d : descents) distances.push_back(std::isfinite(d.distance) ? d.distance : 0);
+  return distances;
+}
+
+/// Where the surface is straight above the middles, on the way from one end to the other.
+std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOfChord> chords,
+                                unsigned threads) {
+  struct Search {
+    std::size_t number;
+    Line left;
+  };
+  std::vector<dvec2> places;
+  std::vector<Search> searches;
+  for (const MiddleOfChord& chord : chords) {
+    searches.push_back({places.size(), chord.ends});
+    places.push_back(middle_of(chord.ends));
+  }
+  std::vector<dvec2> middles;
+  while (!searches.empty()) {
+    middles.clear();
+    for (const Search& search : searches) middles.push_back(middle_of(search.left));
+    const std::vector<SurfacePoint> there = evaluate(surface, middles, threads);
+    for (std::size_t k = 0; k < searches.size(); ++k) {
+      auto& [number, left] = searches[k];
+      const MiddleOfChord& chord = chords[number];
+      const dvec3 along = chord.positions[1] - chord.positions[0];
+      const double beyond = glm::dot(there[k].position - chord.middle(), along);
+      places[number] = middles[k];
+      left[beyond < 0 ? 0 : 1] = middles[k];
+      if (std::fabs(beyond) <= kArrived * glm::dot(along, along)) left = {middles[k], middles[k]};
+    }
+    std::erase_if(searches, [](const Search& search) { return has_no_middle(search.left); });
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
+                                 unsigned threads) {
+  std::vector<dvec2> places;
+  for (const Line& line : lines) places.push_back(middle_of(line));
+  std::vector<CreaseSearch> searches = searches_on(surface, lines, threads);
+  std::vector<dvec2> middles;
+  while (!searches.empty()) {
+    middles.clear();
+    for (const CreaseSearch& search : searches) middles.push_back(middle_of(search.left));
+    const std::vector<SurfacePoint> points = evaluate(surface, middles, threads);
+    for (std::size_t k = 0; k < searches.size(); ++k) narrow(searches[k], middles[k], points[k]);
+    std::erase_if(searches, [](const CreaseSearch& search) { return search.is_plain(); });
+    std::erase_if(searches, [&](const CreaseSearch& search) {
+      if (search.is_done()) places[search.number] = search.left[0];
+      return search.is_done();
+    });
+  }
+  return places;
+}
+
+std::vector<double> distances_from_surface(const Surface& surface,
+                                           std::span<const MiddleOfChord> chords,
+                                           unsigned threads) {
+  std::vector<dvec2> middles(chords.size());
+  std::ranges::transform(chords, middles.begin(), [](const auto& c) { return middle_of(c.ends); });
+  std::vector<double> distances = distances_from(middles, surface, chords, threads);
+  // Where a surface is ever steeper on its way to a cusp, as abs(u)^0.2, steps leap from one side
+  // of that to the other.
+  std::vector<MiddleOfChord> rest;
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < chords.size(); ++k) {
+    if (distances[k] <= chords[k].allowed) continue;
+    rest.push_back(chords[k]);
+    numbers.push_back(k);
+  }
+  const std::vector<double> others =
+      distances_from(places_above(surface, rest, threads), surface, rest, threads);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    distances[numbers[i]] = std::min(distances[numbers[i]], others[i]);
+  }
+  return distances;
+}
+
+}  // namespace saddle

@@ -1,0 +1,34 @@
+// How far triangles beside creases and cusps are from the surface: there what is nearest to a point
+// is not what is at its parameters.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/proof/continuity.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// Where lines in the (u, v) plane are crossed by cusps, or by creases at which the surface is
+/// upright; the middle of a line that none crosses.
+std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> lines,
+                                 unsigned threads);
+
+/// The middle of a chord of the mesh.
+struct MiddleOfChord {
+  std::array<dvec3, 2> positions;  ///< of the chord's ends
+  Line ends;                       ///< their parameters
+  dvec2 reach;                     ///< how far away the nearest point of the surface is looked for
+  double allowed;                  ///< no second way is tried to come nearer than that
+  double known = 0;                ///< nor is any, to come nearer than that
+
+  dvec3 middle() const { return 0.5 * (positions[0] + positions[1]); }
+};
+/// The distances of middles of chords from the surface near their parameters, or a little more.
+/// Source: D. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963.
+std::vector<double> distances_from_surface(const Surface& surface,
+                                           std::span<const MiddleOfChord> chords, unsigned threads);
+
+}  // namespace saddle

@@ -1,0 +1,82 @@
+// Loops over leaves that are as most are, compiled for each CPU level: they tell at little cost
+// that a leaf is good enough, or that somebody has to look closer.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "eval/kernels.h"
+
+namespace saddle {
+
+/// Leaves per round: what is known of them stays in the first or second-level cache.
+inline constexpr std::size_t kLeafBlock = 128;
+
+/// One cache line more than a block has: columns that are a power of two apart share a few sets of
+/// the first-level cache, and what is written leaf by leaf to 60 of them drives the others out.
+using LeafNumbers = std::array<double, kLeafBlock + 8>;
+
+/// One vertex of each leaf.
+struct LeafVertices {
+  LeafNumbers x, y, z;
+  LeafNumbers n_x, n_y, n_z;  ///< unit normals; zero where there is none
+};
+
+/// Leaves that are to be judged by the nine samples of mesh/error/judge.h, of which `side` k is
+/// between corners k and k + 1.
+struct LeafSamples {
+  std::array<LeafVertices, 4> corner;
+  std::array<LeafVertices, 4> side;
+  LeafVertices centre;
+  std::array<LeafNumbers, 4> counts;  ///< 1: a side is an edge of the mesh; 0: its halves are
+  std::array<LeafNumbers, 4> seen;    ///< 1: its distance counts in any direction
+  LeafNumbers seen_turn;              ///< how normals turn along no more than this does not count
+};
+
+/// What is found along u, along v and at the centre, as Scores of mesh/error/judge.h are.
+struct LeafScores {
+  LeafNumbers along_u, along_v, centre;
+};
+
+struct LeafVerdicts {
+  LeafScores distance;           ///< in units of length
+  LeafNumbers gap_at_centre;     ///< the distance from the diagonal alone
+  LeafScores square_of_tangent;  ///< of the angle that normals are off
+  LeafNumbers is_plain;          ///< 1: that holds; 0: a closer look is to be taken
+  /// More than 0: how normals turn there counts.
+  LeafNumbers turn_counts_on_sides, turn_counts_at_centre;
+};
+
+/// Judges leaves [0, count).
+using JudgeLeaves = void (*)(const LeafSamples& leaves, std::size_t count, LeafVerdicts& verdicts);
+
+/// Leaves of two triangles, corners 0, 1, 2 and 2, 3, 0, in local units, and a point of the surface
+/// above each.
+struct LeafPoints {
+  std::array<LeafVertices, 4> corner;
+  double scale;  ///< local units per unit of length
+  double front;  ///< 1: normals are along r_u x r_v; -1: the other way
+};
+/// Points, one for each leaf: where they are in the leaf, p from corner 0 to 1 and q from 1 to 2,
+/// and the columns of tangent_outputs(). Without numbers p and q they are beside 2 3 0, outside.
+struct LeafPlaces {
+  const double* p;
+  const double* q;
+  std::array<const double*, 9> surface;
+};
+struct LeafDeviations {
+  LeafNumbers distance;  ///< the largest, in local units
+  LeafNumbers foreseen;  ///< the largest beside the points, as mesh/error/rise.h foresees it
+  LeafNumbers chord;     ///< between unit normals, exact and interpolated: its largest square
+  LeafNumbers is_known;  ///< 1; 0: somebody has to look closer
+};
+
+/// Adds what one point of each of the leaves [0, count) tells.
+using MeasureLeaves = void (*)(const LeafPoints& leaves, const LeafPlaces& places,
+                               std::size_t count, LeafDeviations& deviations);
+
+/// The loops of a level; all give the same bits.
+JudgeLeaves judge_loop(CpuLevel level);
+MeasureLeaves measure_loop(CpuLevel level);
+
+}  // namespace saddle

@@ -1,0 +1,213 @@
+#include "mesh/error/sharp_bends.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+#include "mesh/error/crease_distance.h"
+#include "mesh/model/sides.h"
+
+namespace saddle {
+
+namespace {
+
+/// A bend is sharp where normals are off by so much, or turn from corner to corner by so much that
+/// an arc is no parabola any more: then no height foresees how far the surface is elsewhere.
+constexpr double kSharpDegrees = 20;
+constexpr double kSharpCosine = 0.5;
+/// What is measured to be nearer than this part of what is allowed is not too far off elsewhere, as
+/// it seems; nor sides from whose middles the surface is nearer along its normals.
+constexpr double kDoubtful = 0.5;
+constexpr double kDoubtfulSides = 0.75;
+/// A diagonal may be too far off though the surface is as near along its normal.
+constexpr double kNearlyOff = 0.9;
+/// Places on a leaf's middle lines, as shares of its sides: random samples are at 0.15 to 0.35.
+constexpr std::array kOnLines = {0.1, 0.9};
+/// Places each way in a leaf that turns sharply where its corners do not tell.
+constexpr std::array kWithin = {0.0, 0.25, 0.5, 0.75, 1.0};
+/// From the farthest of those, if it is off by this part of what is allowed, a search leads to
+/// farther ones: steps as shares of the leaf's sides, each tried to all four sides. Of sides whose
+/// middles are nearer than that to what is at their parameters nobody asks what is nearest.
+constexpr double kWorthASearch = 0.85;
+constexpr std::array kStepShares = {0.2, 0.1, 0.05};
+
+bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
+  const auto turns = [&](std::size_t a, std::size_t b) {
+    return glm::dot(mesh.normal[corner[a]], mesh.normal[corner[b]]) < kSharpCosine;
+  };
+  return turns(0, 2) || turns(1, 3);
+}
+
+/// The side that a leaf's two triangles share.
+std::array<std::uint32_t, 2> diagonal_of(std::span<const Triangle> two) {
+  const Triangle& t = two[0];
+  const auto tip = std::ranges::find_if(
+      t, [&](std::uint32_t corner) { return std::ranges::find(two[1], corner) == two[1].end(); });
+  const auto at = static_cast<std::size_t>(tip - t.begin());
+  return {t[(at + 1) % 3], t[(at + 2) % 3]};
+}
+
+/// How far the middle of a leaf's diagonal is from the surface, to second order: from the plane at
+/// the leaf's centre, and how the surface turns away from that on the way aside to the middle.
+double distance_of_diagonal(const Mesh& mesh, const SampleVertices& samples,
+                            const std::array<std::uint32_t, 2>& diagonal) {
+  const auto& position = mesh.position;
+  const auto& normal = mesh.normal;
+  const auto along = [&](const auto& of, std::size_t from, std::size_t to) {
+    return of[samples.corner[from]] - of[samples.corner[to]];
+  };
+  const dvec3 r_u = along(position, 1, 0) + along(position, 2, 3);
+  const dvec3 r_v = along(position, 3, 0) + along(position, 2, 1);
+  const dvec3 n_u = along(normal, 1, 0) + along(normal, 2, 3);
+  const dvec3 n_v = along(normal, 3, 0) + along(normal, 2, 1);
+  const dvec3 off =
+      0.5 * (position[diagonal[0]] + position[diagonal[1]]) - position[samples.centre];
+  const double height = glm::dot(off, normal[samples.centre]);
+  const dvec3 aside = off - height * normal[samples.centre];
+  // aside = p r_u + q r_v, by least squares.
+  const double uu = glm::dot(r_u, r_u);
+  const double uv = glm::dot(r_u, r_v);
+  const double vv = glm::dot(r_v, r_v);
+  const double on_u = glm::dot(aside, r_u);
+  const double on_v = glm::dot(aside, r_v);
+  const double p = on_u * vv - on_v * uv;
+  const double q = on_v * uu - on_u * uv;
+  return std::fabs(height + 0.5 * glm::dot(aside, p * n_u + q * n_v) / (uu * vv - uv * uv));
+}
+
+}  // namespace
+
+void SharpBends::add(const Measured& mesh, std::size_t number,
+                     std::span<const Triangle> triangles) {
+  if (!mesh.is_near(number) || triangles.empty()) return;
+  const Leaf& leaf = mesh.leaves[number];
+  const std::optional<Looks> looks = looks_at(mesh, number, triangles);
+  if (!looks) return;
+  bends_.push_back(
+      {number, lattice_.parameters(leaf.low), lattice_.parameters(leaf.high), triangles, *looks});
+}
+
+std::optional<SharpBends::Looks> SharpBends::looks_at(const Measured& mesh, std::size_t number,
+                                                      std::span<const Triangle> triangles) const {
+  const Leaf& leaf = mesh.leaves[number];
+  const Looks looks{mesh.off(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
+  if (!looks.at_places && !looks.at_sides) return std::nullopt;
+  if (turns_sharply(grid_.mesh, leaf.samples.corner)) return looks;
+  if (mesh.deviations[number].degrees > kSharpDegrees) {
+    return Looks{looks.at_places, looks.at_sides, true};
+  }
+  if (leaf.known_error <= kNearlyOff || triangles.size() != 2) return std::nullopt;
+  const double distance = distance_of_diagonal(grid_.mesh, leaf.samples, diagonal_of(triangles));
+  return distance > mesh.allowed[number] ? std::optional(Looks{false, true}) : std::nullopt;
+}
+
+void SharpBends::append_places(std::size_t number, std::vector<Place>& places) const {
+  const Bend& bend = bends_[number];
+  const auto append = [&](const dvec2& part) {
+    places.push_back({number, glm::mix(bend.low, bend.high, part)});
+  };
+  if (bend.looks.everywhere) {
+    for (const double u : kWithin) {
+      for (const double v : kWithin) append({u, v});
+    }
+    return;
+  }
+  for (const double share : kOnLines) {
+    append({share, 0.5});
+    append({0.5, share});
+  }
+}
+
+/// The middles of triangles' sides, each once.
+void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) const {
+  const std::span<const Triangle> triangles = bends_[number].triangles;
+  const auto& uv = grid_.mesh.uv;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k];
+      const std::uint32_t b = t[(k + 1) % 3];
+      if (a > b && has_side(triangles, b, a)) continue;
+      places.push_back({number, 0.5 * (uv[a] + uv[b]), std::array{a, b}});
+    }
+  }
+}
+
+void SharpBends::measure_at(const dvec2& uv, const dvec3& position, Bend& bend,
+                            Measured& mesh) const {
+  const double distance = distance_from(grid_, bend.triangles, uv, position);
+  if (!(distance > bend.distance)) return;
+  bend.distance = distance;
+  bend.farthest = uv;
+  mesh.add(bend.leaf, distance);
+}
+
+void SharpBends::look(Measured& mesh) {
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < bends_.size(); ++k) {
+    if (bends_[k].looks.at_places) append_places(k, places);
+    if (bends_[k].looks.at_sides) append_middles(k, places);
+  }
+  std::vector<dvec2> uv(places.size());
+  std::ranges::transform(places, uv.begin(), &Place::uv);
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  evaluations_ += points.size();
+  const Mesh& of = grid_.mesh;
+  std::vector<MiddleOfChord> chords;
+  std::vector<std::size_t> leaves;  // of those
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto& [number, at, side] = places[k];
+    Bend& bend = bends_[number];
+    const double allowed = mesh.allowed[bend.leaf];
+    if (!mesh.is_near(bend.leaf)) continue;
+    if (!side) {
+      measure_at(at, points[k].position, bend, mesh);
+      continue;
+    }
+    const auto& [a, b] = *side;
+    MiddleOfChord chord{{of.position[a], of.position[b]},
+                        {of.uv[a], of.uv[b]},
+                        glm::abs(bend.high - bend.low),
+                        allowed};
+    if (glm::distance(chord.middle(), points[k].position) <= kWorthASearch * allowed) continue;
+    measure_at(at, points[k].position, bend, mesh);
+    chord.known = mesh.deviations[bend.leaf].distance;
+    if (!mesh.is_near(bend.leaf)) continue;
+    chords.push_back(chord);
+    leaves.push_back(bend.leaf);
+  }
+  const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
+  for (std::size_t k = 0; k < chords.size(); ++k) mesh.add(leaves[k], distances[k]);
+}
+
+/// Compass search, from the farthest place of each.
+void SharpBends::climb(Measured& mesh) {
+  constexpr std::array kWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
+  std::vector<dvec2> uv;
+  for (const double step : kStepShares) {
+    std::erase_if(bends_, [&](const Bend& bend) {
+      return !mesh.is_near(bend.leaf) || bend.distance < kWorthASearch * mesh.allowed[bend.leaf];
+    });
+    uv.clear();
+    for (const Bend& bend : bends_) {
+      for (const dvec2& way : kWays) {
+        const dvec2 there = bend.farthest + step * way * (bend.high - bend.low);
+        uv.push_back(
+            glm::clamp(there, glm::min(bend.low, bend.high), glm::max(bend.low, bend.high)));
+      }
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+    evaluations_ += points.size();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      measure_at(uv[k], points[k].position, bends_[k / kWays.size()], mesh);
+    }
+  }
+}
+
+void SharpBends::measure(Measured& mesh) {
+  look(mesh);
+  climb(mesh);
+}
+
+}  // namespace saddle

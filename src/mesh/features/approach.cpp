@@ -1,0 +1,141 @@
+#include "mesh/features/approach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <glm/common.hpp>
+
+#include "eval/enclose.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// Where a surface is looked at on its way to a place, in ways.
+constexpr std::array<double, kLooksOnTheWay> kApproach = {0x1p-12, 0x1p-16, 0x1p-20,
+                                                          0x1p-24, 0x1p-28, 0x1p-32};
+/// From one of those to the next it moves by less than this part of what it did before, or goes to
+/// infinity: a root of order 12 moves by 0.79 of it, ln by all of it.
+constexpr double kArrives = 0.8;
+/// What moves on by the same again and again, as ln does, makes so many of those steps until
+/// doubles run out beside 0.
+constexpr double kStepsLeft = 256;
+/// A pole whose formula has no digits nearer to it, as 1/(1+cos(u)) beside pi, has leapt by then:
+/// over the first steps, each 16 times as near, by so many times as much each time.
+constexpr double kLeaps = 8;
+constexpr std::size_t kFirstSteps = 3;
+
+/// What the shares of a short way are multiplied by, so that the nearest place is some digits from
+/// its end.
+double widening(const Line& line) {
+  constexpr double kDigits = 256 * std::numeric_limits<double>::epsilon();
+  constexpr double kMost = 0.5 / kApproach.front();
+  const dvec2 way = glm::abs(line[1] - line[0]);
+  const dvec2 end = glm::abs(line[0]);
+  const double length = std::max(way.x, way.y);
+  const double place = way.x > way.y ? end.x : end.y;
+  if (!(length > 0)) return 1;
+  return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, kMost);
+}
+
+/// Of positions in the box between two places.
+std::array<Interval, 3> bounds_between(Enclosure& enclosure, const dvec2& a, const dvec2& b) {
+  std::array<Interval, 3> bounds;
+  enclosure(range_between(a.x, b.x), range_between(a.y, b.y), bounds);
+  return bounds;
+}
+
+/// Whether a surface leaps away on its way, whatever it does at the end of it.
+bool leaps(std::span<const SurfacePoint> points, double delta) {
+  double before = 0;
+  for (std::size_t i = 0; i < kFirstSteps; ++i) {
+    const double way = safe_length(points[i + 1].position - points[i].position);
+    if (!(way > std::max(delta, kLeaps * before))) return false;
+    before = way;
+  }
+  return true;
+}
+
+/// Whether bounds tell that the surface does not go beyond what it is farther away when it comes
+/// nearer to a line's first end, as cos(1/u) does not, however it moved between some places. What
+/// arrives somewhere may go as far again as it went there.
+bool stays_within(Enclosure& enclosure, const Line& line) {
+  const double wider = widening(line);
+  const auto place = [&](std::size_t i) {
+    return line[0] + wider * kApproach[i] * (line[1] - line[0]);
+  };
+  const auto outer = bounds_between(enclosure, place(0), place(1));
+  const std::size_t last = kApproach.size() - 1;
+  const auto inner = bounds_between(enclosure, place(last - 1), place(last));
+  const auto is_within = [](const Interval& a, const Interval& b) {
+    const double size = b.high - b.low;
+    return std::isfinite(size) && a.low >= b.low - size && a.high <= b.high + size;
+  };
+  return std::ranges::equal(inner, outer, is_within);
+}
+
+}  // namespace
+
+std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, double delta,
+                          unsigned threads) {
+  std::vector<dvec2> uv;
+  for (const Line& line : lines) {
+    const double wider = widening(line);
+    for (const double share : kApproach)
+      uv.push_back(line[0] + wider * share * (line[1] - line[0]));
+  }
+  const auto points = evaluate(surface, uv, threads);
+  std::optional<Enclosure> enclosure;
+  std::vector<bool> result;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::size_t begin = k * kApproach.size();
+    double size = delta;  // squares of what is near the largest of doubles would overflow
+    for (std::size_t i = 0; i < kApproach.size(); ++i) {
+      size = std::max(size, safe_length(points[begin + i].position));
+    }
+    const auto way = [&](std::size_t i) {
+      const std::size_t first = begin + i;
+      return points[first + 1].position / size - points[first].position / size;
+    };
+    bool goes_on = kStepsLeft * glm::length(way(kApproach.size() - 2)) > delta / size;
+    for (std::size_t i = 0; i + 2 < kApproach.size(); ++i) {
+      const double before = glm::length(way(i));
+      goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;
+    }
+    goes_on = goes_on || leaps(std::span(points).subspan(begin, kApproach.size()), delta);
+    if (goes_on && !enclosure) enclosure.emplace(surface.bounds, 3);
+    result.push_back(goes_on && !stays_within(*enclosure, lines[k]));
+  }
+  return result;
+}
+
+std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
+                                unsigned threads, const std::optional<Bounds>& box) {
+  std::vector<Line> ends(lines.begin(), lines.end());
+  std::vector<std::size_t> open(lines.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  std::vector<dvec2> middles;
+  for (int halving = 0; halving < halvings && !open.empty(); ++halving) {
+    middles.clear();
+    for (const std::size_t k : open) middles.push_back(0.5 * ends[k][0] + 0.5 * ends[k][1]);
+    const auto points = evaluate(surface, middles, threads);
+    std::vector<std::size_t> rest;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Line& line = ends[open[i]];
+      const bool is_last = middles[i] == line[0] || middles[i] == line[1];  // no doubles between
+      const dvec3& p = points[i].position;
+      line[is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middles[i];
+      if (!is_last) rest.push_back(open[i]);
+    }
+    open = std::move(rest);
+  }
+  std::vector<dvec2> last(ends.size());
+  std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
+  return last;
+}
+
+}  // namespace saddle

@@ -1,0 +1,111 @@
+#include "mesh/features/removable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include "base/bounds.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// It is looked at so near, in ranges of the parameters; what is found must agree to this part of
+/// the diagonal. A smooth surface moves by 1e-6 of its size, and the mean is off by its square.
+constexpr double kNear = 1e-6;
+constexpr double kLimitAgrees = 1e-4;
+
+/// The nearest points around a place: two along u, and two along v.
+constexpr std::size_t kNearest = 4;
+
+/// A place beside, if there is the surface.
+struct NearbyLook {
+  bool is_defined;
+  std::optional<dvec3> known;  ///< its position, if that is not rounding
+};
+
+/// The middle of those pairs that are both known: 0/0 may run along one axis; on the other it is
+/// looked at from both sides.
+std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook, kNearest> looks) {
+  dvec3 sum(0);
+  double count = 0;
+  for (std::size_t k = 0; k < kNearest; k += 2) {
+    if (!looks[k].known || !looks[k + 1].known) continue;
+    sum += *looks[k].known + *looks[k + 1].known;
+    count += 2;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+/// What all that is known agrees on.
+Beside judge(std::span<const NearbyLook> looks, double diagonal) {
+  Beside beside;
+  Bounds bounds;
+  for (const NearbyLook& look : looks) {
+    beside.is_defined = beside.is_defined || look.is_defined;
+    if (look.known) bounds.add(*look.known);
+  }
+  if (!bounds.empty() && bounds.diagonal() <= kLimitAgrees * diagonal) {
+    beside.limit = middle_of_pairs(looks.first<kNearest>());
+  }
+  return beside;
+}
+
+}  // namespace
+
+bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
+  const double moved =
+      safe_length(point.r_u) * std::fabs(uv.x) + safe_length(point.r_v) * std::fabs(uv.y);
+  return std::numeric_limits<double>::epsilon() * moved > kLimitAgrees * diagonal;
+}
+
+std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,
+                                double diagonal, unsigned threads, std::size_t& count) {
+  const Domain& d = surface.domain;
+  const dvec2 step = kNear * dvec2(d.u1 - d.u0, d.v1 - d.v0);
+  // Twice as far, too: from all sides alike, 1/(u^2+v^2) goes to infinity.
+  // And aslant: along the axes u*v/(u^2+v^2) is 0.
+  const std::array<dvec2, 10> ways = {
+      dvec2(step.x, 0),       dvec2(-step.x, 0),       dvec2(0, step.y),
+      dvec2(0, -step.y),      2.0 * dvec2(step.x, 0),  2.0 * dvec2(-step.x, 0),
+      2.0 * dvec2(0, step.y), 2.0 * dvec2(0, -step.y), step,
+      dvec2(-step.x, step.y)};
+  const auto look = [&](std::span<const std::size_t> which, std::span<const dvec2> where) {
+    std::vector<dvec2> uv;
+    for (const std::size_t k : which) {
+      for (const dvec2& way : where) uv.push_back(places[k] + way);
+    }
+    count += uv.size();
+    std::vector<NearbyLook> found;
+    const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      found.push_back({is_finite(points[k].position), std::nullopt});
+      const bool is_known = found[k].is_defined && !is_rounding(points[k], uv[k], diagonal);
+      if (is_known) found[k].known = points[k].position;
+    }
+    return found;
+  };
+  // In the midst of what is undefined, or rounding, one look tells; aslant, since 1/v is undefined
+  // along an axis.
+  std::vector<std::size_t> all(places.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto first = look(all, std::array{dvec2(step.x, 0.37 * step.y)});
+  std::vector<Beside> result(places.size());
+  std::vector<std::size_t> open;
+  for (const std::size_t k : all) {
+    result[k].is_defined = first[k].is_defined;
+    if (first[k].known) open.push_back(k);
+  }
+  const auto around = look(open, ways);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    result[open[i]] = judge(std::span(around).subspan(i * ways.size(), ways.size()), diagonal);
+  }
+  return result;
+}
+
+}  // namespace saddle

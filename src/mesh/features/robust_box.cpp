@@ -1,0 +1,163 @@
+#include "mesh/features/robust_box.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/random.h"
+
+namespace saddle {
+
+double quantile(std::span<double> numbers, double share) {
+  if (numbers.empty()) return 0;
+  const auto place = std::min(static_cast<std::size_t>(share * static_cast<double>(numbers.size())),
+                              numbers.size() - 1);
+  std::ranges::nth_element(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(place));
+  return numbers[place];
+}
+
+namespace {
+
+/// The share of the points that is left out at either end: what a surface takes to infinity is
+/// seldom more, and what is left shows how large the rest is.
+constexpr double kTail = 0.05;
+/// What may be left out for the sake of a box's shape: a box is as long as the middle half of the
+/// points, whatever the rest does.
+constexpr double kLongestTail = 0.25;
+/// Points with nothing between them for so much of a box's length are in different parts of a
+/// surface, as on both sides of a pole. A part that is no more than a tail is left out like one.
+constexpr double kApart = 1.0 / 16;
+/// Windows that are tried begin or end at every so many-th of the points: each moves by less than
+/// what a tail is.
+constexpr std::size_t kTries = 256;
+/// Lines each way through the middles of even stretches of a domain, moved by up to so much of one
+/// so that waves do not keep step with them: a twentieth of what is along one of them is six.
+constexpr std::size_t kLines = 128;
+constexpr double kLineJitter = 0.4;
+
+/// An interval on a line.
+struct Stretch {
+  double low = 0, high = 0;
+  double length() const { return high - low; }
+};
+
+using Numbers = std::span<const double>;
+
+Stretch without_tails(Numbers sorted, double tail) {
+  const auto place = [&](double share) {
+    return std::min(static_cast<std::size_t>(share * static_cast<double>(sorted.size())),
+                    sorted.size() - 1);
+  };
+  return {sorted[place(tail)], sorted[place(1 - tail)]};
+}
+
+/// The numbers in parts that begin after gaps of more than `gap`. What is between gaps and no more
+/// than a tail belongs to the part before it; to the first, if there is none.
+std::vector<Numbers> parts_of(Numbers sorted, double gap) {
+  const double least = kTail * static_cast<double>(sorted.size());
+  std::vector<std::size_t> begins;
+  std::size_t begin = 0;
+  for (std::size_t end = 1; end <= sorted.size(); ++end) {
+    if (end < sorted.size() && sorted[end] - sorted[end - 1] <= gap) continue;
+    if (static_cast<double>(end - begin) > least) begins.push_back(begins.empty() ? 0 : begin);
+    begin = end;
+  }
+  if (begins.empty()) return {sorted};
+  begins.push_back(sorted.size());
+  std::vector<Numbers> parts;
+  for (std::size_t k = 0; k + 1 < begins.size(); ++k) {
+    parts.push_back(sorted.subspan(begins[k], begins[k + 1] - begins[k]));
+  }
+  return parts;
+}
+
+std::size_t count_within(Numbers sorted, const Stretch& window) {
+  const auto first = std::ranges::lower_bound(sorted, window.low);
+  const auto last = std::ranges::upper_bound(sorted, window.high);
+  return last > first ? static_cast<std::size_t>(last - first) : 0;
+}
+
+/// The window of this length that shows the most of that part of the numbers of which it shows the
+/// least: of both sides of a pole, not of the larger one alone. Of several, one that shows the most
+/// in all, and of those the middle one.
+Stretch fairest_window(Numbers sorted, double length) {
+  const std::vector<Numbers> parts = parts_of(sorted, kApart * length);
+  const auto worth = [&](const Stretch& window) {
+    double least = 1;
+    for (const Numbers& part : parts) {
+      const auto shown = static_cast<double>(count_within(part, window));
+      least = std::min(least, shown / static_cast<double>(part.size()));
+    }
+    return std::pair(least, count_within(sorted, window));
+  };
+  std::vector<double> best;  // where windows begin
+  std::pair<double, std::size_t> most = {0, 0};
+  const std::size_t step = std::max<std::size_t>(sorted.size() / kTries, 1);
+  for (std::size_t k = 0; k < sorted.size(); k += step) {
+    for (const double low : {sorted[k], sorted[sorted.size() - 1 - k] - length}) {
+      const auto found = worth({low, low + length});
+      if (found > most) best.clear();
+      most = std::max(most, found);
+      if (found == most) best.push_back(low);
+    }
+  }
+  // Halfway between the first and the last, if that is as good but for the steps of the tries: so
+  // it is where all is symmetric.
+  const auto [first, last] = std::ranges::minmax(best);
+  const double middle = 0.5 * (first + last);
+  const bool is_good = worth({middle, middle + length}).first >= most.first - 1.0 / kTries;
+  const double low = is_good ? middle : quantile(best, 0.5);
+  return {low, low + length};
+}
+
+}  // namespace
+
+Bounds robust_box(std::span<const dvec3> points, const dvec3& longest) {
+  Bounds box;
+  if (points.empty()) return box;
+  std::vector<double> numbers(points.size());
+  for (int k = 0; k < 3; ++k) {
+    std::ranges::transform(points, numbers.begin(), [k](const dvec3& p) { return p[k]; });
+    std::ranges::sort(numbers);
+    Stretch kept = without_tails(numbers, kTail);
+    const double most = std::max(longest[k], without_tails(numbers, kLongestTail).length());
+    if (kept.length() > most) kept = fairest_window(numbers, most);
+    box.low[k] = kept.low;
+    box.high[k] = kept.high;
+  }
+  return box;
+}
+
+Bounds rough_box(std::span<const dvec3> points) {
+  constexpr std::size_t kEnough = 100;
+  std::vector<dvec3> some;
+  const std::size_t count = std::min(points.size(), kEnough);
+  some.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) some.push_back(points[k * points.size() / count]);
+  return robust_box(some);
+}
+
+std::vector<dvec3> balanced_positions(const Surface& surface, unsigned threads) {
+  std::vector<double> parts(kLines);
+  for (std::size_t i = 0; i < kLines / 2; ++i) {
+    const double shift = kLineJitter * (2 * random_unit(i) - 1);
+    parts[i] = (static_cast<double>(i) + 0.5 + shift) / kLines;
+    parts[kLines - 1 - i] = 1 - parts[i];
+  }
+  const auto lines = [&](double first, double last) {
+    std::vector<double> at(kLines);
+    std::ranges::transform(parts, at.begin(),
+                           [&](double part) { return first * (1 - part) + last * part; });
+    return at;
+  };
+  const Domain& d = surface.domain;
+  std::vector<dvec3> positions;
+  for (const SurfacePoint& point :
+       evaluate_on_grid(surface, lines(d.u0, d.u1), lines(d.v0, d.v1), threads)) {
+    if (is_finite(point.position)) positions.push_back(point.position);
+  }
+  return positions;
+}
+
+}  // namespace saddle

@@ -1,0 +1,62 @@
+// The corners of cells that the pass over the grid left open: a regular vertex is one corner; a
+// singular one has a corner for each different one-sided limit among the cells around it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/grid/grid.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+/// Normals of cells around a singular vertex that differ by no more share a corner, degrees. Less
+/// is no visible crease, and one corner in place of four keeps smooth poles smooth.
+inline constexpr double kCreaseDegrees = 1;
+
+/// The corners of one singular vertex after the other.
+class VertexCorners {
+ public:
+  explicit VertexCorners(Mesh& mesh) : mesh_(mesh) {}
+
+  /// Goes on to a vertex, which has no normal yet.
+  void begin(std::size_t vertex);
+  /// A corner of the vertex with nearly this normal: its own, if that is still free, or one that is
+  /// there, or a new one at the end of the mesh.
+  std::size_t find_or_add(const dvec3& normal);
+
+ private:
+  Mesh& mesh_;
+  std::size_t vertex_ = 0;
+  bool own_is_free_ = true;
+  std::size_t first_new_ = 0;
+};
+
+/// A new corner of the same point as another one, with a normal of its own: its number.
+std::uint32_t add_corner(Mesh& mesh, std::size_t like, const dvec3& normal);
+
+/// Counts a singular point and lists it, if the list is not full.
+void add_singular_point(const dvec2& uv, MeshReport& report);
+/// The normal has no limit at the point that was added last.
+void mark_without_limit(MeshReport& report);
+
+/// limit_normals() within cells. To a corner at which the surface is not defined the way is aslant:
+/// 0/0 may run along the cell's diagonal, and beside it nothing but rounding is left of it.
+std::vector<NormalLimit> limits_in_cells(const Surface& surface, std::vector<Approach> approaches,
+                                         unsigned threads);
+
+/// A cell that is to be cut, with the corners of its four slots.
+struct OpenCell {
+  std::size_t cell;
+  std::array<std::uint32_t, 4> corners;
+};
+
+/// Lists the open cells. A singular vertex takes the limits of its cells, or the normal of a cell's
+/// face where the cell has no limit: the first is the vertex's own, others are new corners at the
+/// end of grid.mesh (zero if the cell has no area either). Adds the singular points and the
+/// evaluations to `report`.
+std::vector<OpenCell> open_cells(const Surface& surface, unsigned threads, Grid& grid,
+                                 MeshReport& report);
+
+}  // namespace saddle

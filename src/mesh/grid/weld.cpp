@@ -1,0 +1,241 @@
+#include "mesh/grid/weld.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/vector_relational.hpp>
+
+#include "mesh/model/points.h"
+
+namespace saddle {
+
+namespace {
+
+/// Vertices closer than this part of the extent, in each coordinate, may be one point: some digits
+/// more than sin(2 pi) and its like lose, and far below what a float or a picture shows.
+constexpr double kJoinFraction = 1e-9;
+/// They are one point only if they are also this much closer than the grid's steps beside them. It
+/// keeps a surface apart whose diagonal is that of a spike (tan near its pole: 1e16).
+constexpr double kJoinStep = 1e-3;
+
+/// Whether all of a box (in local units) is one point: by the tolerance, or within rounding. Each
+/// coordinate has its own extent: heights of 1e9 do not make one of what is apart in x.
+bool is_one_point(const Grid& grid, const Bounds& box) {
+  const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
+  const dvec3 tolerance = kJoinFraction * grid.local_scale * grid.mesh.bounds.size();
+  return glm::all(glm::lessThanEqual(box.size(), glm::max(least, tolerance)));
+}
+
+/// The distance of two vertices; 0 if one is not used.
+double distance(const Grid& grid, std::size_t a, std::size_t b) {
+  if (!grid.is_used(a) || !grid.is_used(b)) return 0;
+  return glm::distance(grid.local(a), grid.local(b));
+}
+
+/// Counts for how many pairs of vertices the gap between them is short beside a step of the grid.
+/// The majority decides, so that neither a spike nor a fold beside a few of them does.
+class Majority {
+ public:
+  void add(double gap, double step) {
+    ++pairs_;
+    if (gap <= kJoinStep * step) ++short_gaps_;
+  }
+  bool has_short_gaps() const { return 2 * short_gaps_ > pairs_; }
+
+ private:
+  std::size_t pairs_ = 0;
+  std::size_t short_gaps_ = 0;
+};
+
+/// Whether line k is a single point: a line that is short beside its neighbours.
+bool is_pole(const Grid& grid, std::span<const GridLine> lines, std::size_t k) {
+  const GridLine& line = lines[k];
+  Bounds bounds;
+  for (std::size_t m = 0; m < line.count; ++m) {
+    if (!grid.is_used(line[m])) continue;
+    bounds.add(grid.local(line[m]));
+    if (!is_one_point(grid, bounds)) return false;  // most lines end here, after two vertices
+  }
+  Majority majority;
+  for (std::size_t m = 0; m + 1 < line.count; ++m) {
+    if (!grid.is_used(line[m]) || !grid.is_used(line[m + 1])) continue;
+    const auto step = [&](const GridLine& beside) {
+      return distance(grid, beside[m], beside[m + 1]);
+    };
+    const double before = k > 0 ? step(lines[k - 1]) : 0;
+    const double after = k + 1 < lines.size() ? step(lines[k + 1]) : 0;
+    majority.add(step(line), std::max(before, after));
+  }
+  return majority.has_short_gaps();
+}
+
+/// Makes each line that is one point exactly one.
+void collapse_poles(Grid& grid, std::span<const GridLine> lines) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (!is_pole(grid, lines, k)) continue;
+    const dvec3* pole = nullptr;
+    for (std::size_t m = 0; m < lines[k].count; ++m) {
+      const std::size_t vertex = lines[k][m];
+      if (!grid.is_used(vertex)) continue;
+      dvec3& position = grid.mesh.position[vertex];
+      if (!pole) pole = &position;
+      position = *pole;
+      grid.open_around(vertex);
+    }
+  }
+}
+
+/// Two opposite edges of the domain.
+struct EdgePair {
+  GridLine first;
+  GridLine after_first;  ///< the line of the grid next to it
+  GridLine last;
+
+  /// The vertex on the last edge that sample k of the first meets.
+  std::size_t partner(std::size_t k, const Seam& seam) const {
+    return last[seam.partner(k, last.count - 1)];
+  }
+};
+
+/// Whether the edges meet at every sample where the surface is defined, and are defined alike.
+bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
+  const std::size_t cells = edges.last.count - 1;
+  if (cells % seam.shift.of != 0) return false;  // a shifted vertex is none
+  Majority majority;
+  for (std::size_t k = 0; k < edges.first.count; ++k) {
+    const std::size_t a = edges.first[k];
+    const std::size_t b = edges.partner(k, seam);
+    if (!grid.is_used(a) && !grid.is_used(b)) continue;
+    if (!grid.is_used(a) || !grid.is_used(b)) return false;
+    if (!is_one_point(grid, a, b)) return false;
+    majority.add(distance(grid, a, b), distance(grid, a, edges.after_first[k]));
+  }
+  return majority.has_short_gaps();
+}
+
+/// Unites the vertices of two edges that meet.
+void unite(Grid& grid, const EdgePair& edges, const Seam& seam, Points& points) {
+  for (std::size_t k = 0; k < edges.first.count; ++k) {
+    const std::size_t a = edges.first[k];
+    const std::size_t b = edges.partner(k, seam);
+    if (!grid.is_used(a)) continue;
+    grid.mesh.position[b] = grid.mesh.position[a];
+    points.unite(a, b);
+    if (edges.last.first == edges.after_first.first) grid.open_around(a);  // one cell across
+  }
+}
+
+/// Unites the vertices of two edges that meet; says how they meet.
+Seam join_edges(Grid& grid, const EdgePair& edges, Points& points) {
+  for (const Seam& seam : kSeams) {
+    if (!edges_meet(grid, edges, seam)) continue;
+    unite(grid, edges, seam, points);
+    return seam;
+  }
+  return {};
+}
+
+/// Unites the halves of an edge that is folded, and is no point. Its middle is a vertex, or its
+/// middle cell has a side that is one.
+bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, Points& points) {
+  Bounds bounds;
+  for (std::size_t k = 0; k < edge.count; ++k) {
+    if (grid.is_used(edge[k])) bounds.add(grid.local(edge[k]));
+  }
+  const EdgePair halves{edge, beside, edge};
+  if (is_one_point(grid, bounds) || !edges_meet(grid, halves, kFold)) return false;
+  unite(grid, halves, kFold, points);
+  if (edge.count % 2 == 0) grid.open_around(edge[edge.count / 2]);
+  return true;
+}
+
+/// Neighbours at the same place are one point if what is between them is. A cell between two of
+/// them is not plain, so it is open.
+void join_equal_neighbours(const Surface& surface, unsigned threads, const Grid& grid,
+                           Points& points) {
+  std::vector<Neighbours> sides;
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    if (grid.cells[cell] != Cell::Open) continue;
+    const auto vertices = grid.vertices(cell);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t a = vertices[k];
+      const std::size_t b = vertices[(k + 1) % 4];
+      if (grid.mesh.position[a] != grid.mesh.position[b]) continue;
+      sides.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+    }
+  }
+  for (const auto& [a, b] : collapsed(surface, grid, sides, threads)) points.unite(a, b);
+}
+
+/// Whether two places, in local units, are one but for rounding and what sin(2 pi) and its like
+/// lose.
+bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q) {
+  for (int k = 0; k < 3; ++k) {  // most are apart in the first
+    const double gap = std::fabs(p[k] - q[k]);
+    const double least = kRounding * std::max(std::fabs(p[k]), std::fabs(q[k]));
+    const double size = grid.mesh.bounds.high[k] - grid.mesh.bounds.low[k];
+    if (gap > std::max(least, kJoinFraction * grid.local_scale * size)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
+  return is_one_place(grid, grid.local(a), grid.local(b));
+}
+
+std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
+                                  std::span<const Neighbours> sides, unsigned threads) {
+  const auto& uv = grid.mesh.uv;
+  std::vector<dvec2> middles;
+  middles.reserve(sides.size());
+  for (const auto& [a, b] : sides) middles.push_back(0.5 * uv[a] + 0.5 * uv[b]);
+  const std::vector<SurfacePoint> points = evaluate(surface, middles, threads);
+  std::vector<Neighbours> result;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const dvec3 middle = grid.local_scale * points[k].position;
+    // An undefined middle tells nothing.
+    const bool stays = !is_finite(middle) || is_one_place(grid, middle, grid.local(sides[k][0]));
+    if (stays) result.push_back(sides[k]);
+  }
+  return result;
+}
+
+Seams weld(const Surface& surface, unsigned threads, Grid& grid) {
+  std::vector<GridLine> columns;
+  std::vector<GridLine> rows;
+  for (std::size_t i = 0; i <= grid.cells_u; ++i) columns.push_back(grid.column(i));
+  for (std::size_t j = 0; j <= grid.cells_v; ++j) rows.push_back(grid.row(j));
+  const std::size_t nu = grid.cells_u;
+  const std::size_t nv = grid.cells_v;
+
+  Points points(grid.mesh);
+  Seams seams;
+  collapse_poles(grid, columns);
+  collapse_poles(grid, rows);
+  seams.u = join_edges(grid, {columns[0], columns[1], columns[nu]}, points);
+  seams.v = join_edges(grid, {rows[0], rows[1], rows[nv]}, points);
+  if (!seams.u.closed) {
+    seams.folded_u = {fold_edge(grid, columns[0], columns[1], points),
+                      fold_edge(grid, columns[nu], columns[nu - 1], points)};
+  }
+  if (!seams.v.closed) {
+    seams.folded_v = {fold_edge(grid, rows[0], rows[1], points),
+                      fold_edge(grid, rows[nv], rows[nv - 1], points)};
+  }
+  join_equal_neighbours(surface, threads, grid, points);
+  points.settle();
+  return seams;
+}
+
+void report_seams(const Seams& seams, MeshReport& report) {
+  report.closed_u = seams.u.name();
+  report.closed_v = seams.v.name();
+  report.shift_u = seams.u.shift;
+  report.shift_v = seams.v.shift;
+  report.folded_u = seams.folded_u;
+  report.folded_v = seams.folded_v;
+}
+
+}  // namespace saddle

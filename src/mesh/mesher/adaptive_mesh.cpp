@@ -1,0 +1,428 @@
+#include "mesh/mesher/adaptive_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <span>
+
+#include "mesh/features/rough.h"
+#include "mesh/grid/corners.h"
+#include "mesh/grid/facing.h"
+#include "mesh/mesher/halving.h"
+#include "mesh/model/clip.h"
+#include "mesh/model/tidy.h"
+#include "mesh/tree/leaf_mesh.h"
+
+namespace saddle {
+
+namespace {
+
+/// The part of the tolerance that is aimed at: samples miss some of the largest distance.
+constexpr double kAim = 0.98;
+/// A share of the domain that is no more than what rounding of areas makes.
+constexpr double kAllCovered = 1e-12;
+/// Cells of the root grid each way around an island that no sample has met.
+constexpr std::size_t kIslandCells = 16;
+/// Poles, and jumps, that are this near to each other, in ranges, are one.
+constexpr double kSamePole = 1e-9;
+/// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
+constexpr double kOpposite = -0.9999;
+/// A root grid has no more lines each way than this over the tolerance as a share of the diagonal:
+/// its cells are as narrow as leaves of an Oscillation, or a little narrower.
+constexpr double kMostRootLines = 0.28;
+/// Lines become fewer by steps for tolerances that are larger by this factor, or by this one while
+/// they are more than twice too many, which halves them, up to so much: of sin(1e15*u) 1e15 lines
+/// would be within tolerance.
+constexpr double kCoarser = 1.25;
+constexpr double kMuchCoarser = 4;
+constexpr double kCoarsest = 1e40;
+/// More lines than this each way cannot be numbered by a lattice.
+constexpr std::size_t kMaxLines = 60000;
+
+FixedLines drawn_lines(const Domain& domain, const AdaptiveOptions& options) {
+  const auto lines = [](double first, double last, int count) {
+    return even_lines(first, last, static_cast<std::size_t>(std::max(count, 2) - 1));
+  };
+  return {lines(domain.u0, domain.u1, options.lines_u),
+          lines(domain.v0, domain.v1, options.lines_v)};
+}
+
+std::size_t cells(const FixedLines& lines) {
+  return (lines.u.size() - 1) * (lines.v.size() - 1);
+}
+
+/// Lines and more lines within their range, in order and once each.
+std::vector<double> merged_lines(std::vector<double> lines, std::span<const double> more) {
+  const bool backwards = lines.front() > lines.back();
+  lines.insert(lines.end(), more.begin(), more.end());
+  if (backwards) {
+    std::ranges::sort(lines, std::greater());
+  } else {
+    std::ranges::sort(lines);
+  }
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
+/// A tolerance that asks nothing of what is clipped away.
+Tolerance inside(const std::optional<Bounds>& clip, const Tolerance& tolerance) {
+  if (!clip) return tolerance;
+  return [box = *clip, tolerance](const dvec3& place, double reach) {
+    const bool is_clipped = is_beyond(box, std::span(&place, 1));
+    return is_clipped ? std::numeric_limits<double>::infinity() : tolerance(place, reach);
+  };
+}
+
+/// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
+/// than are allowed.
+void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
+  plan.densities = plan.probe.densities(plan.fixed, inside(options.clip, plan.aim));
+  // For a tolerance that is larger by a factor.
+  const auto place = [&plan](double factor) {
+    plan.lines = plan.probe.place_lines(plan.fixed, plan.densities, 1 / std::sqrt(factor));
+  };
+  place(1);
+  const double most = std::max(kMostRootLines / share_of_diagonal(plan),
+                               static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
+  const auto lines = [&] {
+    return static_cast<double>(std::max(plan.lines.u.size(), plan.lines.v.size()));
+  };
+  double factor = 1;
+  while (lines() > most && factor < kCoarsest) {
+    factor *= lines() > 2 * most ? kMuchCoarser : kCoarser;
+    place(factor);
+  }
+  const auto is_too_fine = [&] {
+    return 2 * cells(plan.lines) > options.max_triangles && cells(plan.lines) > cells(plan.fixed);
+  };
+  for (factor *= 2; is_too_fine(); factor *= 2) {
+    plan.is_limited = true;
+    place(factor);
+  }
+  if (const auto& island = plan.probe.island()) {
+    const auto [low, high] = island->where;
+    plan.lines.u = merged_lines(std::move(plan.lines.u), even_lines(low.x, high.x, kIslandCells));
+    plan.lines.v = merged_lines(std::move(plan.lines.v), even_lines(low.y, high.y, kIslandCells));
+  }
+}
+
+/// What descents from the probe's samples find, and bounds.
+SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
+                         const MeshPlan& plan) {
+  const Domain& d = surface.domain;
+  const auto even = [](std::vector<double> lines, double first, double last) {
+    lines.push_back(0);
+    lines.push_back(0.5 * first + 0.5 * last);
+    return lines;
+  };
+  SingularSet set = find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
+                                  even(plan.drawn.v, d.v0, d.v1), options.threads);
+  RoughPoints rough = find_rough_points(surface, plan.probe.bounds().diagonal(), options.threads);
+  set.points.insert(set.points.end(), rough.apexes.begin(), rough.apexes.end());
+  set.torn = std::move(rough.torn);
+  return set;
+}
+
+bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
+  const double diagonal = bounds.diagonal();
+  if (!std::isnormal(diagonal * diagonal)) return false;  // the judge takes squares of lengths
+  const double eps = tolerance(bounds.centre());
+  return eps > 0 && std::isfinite(eps);
+}
+
+/// Lists places, each of them once.
+class PlaceList {
+ public:
+  /// Adds to these, which the report lists and counts. `range`: of the parameters.
+  PlaceList(const dvec2& range, std::vector<dvec2>& listed, std::size_t& count)
+      : range_(range), listed_(listed), count_(count) {}
+
+  /// False if the place is known.
+  bool add(const dvec2& uv) {
+    const dvec2 place = glm::round(uv / range_ / kSamePole);
+    if (!seen_.insert({place.x, place.y}).second) return false;
+    ++count_;
+    if (listed_.size() < kMaxListed) listed_.push_back(uv);
+    return true;
+  }
+
+ private:
+  dvec2 range_;
+  std::vector<dvec2>& listed_;
+  std::size_t& count_;
+  std::set<std::array<double, 2>> seen_;
+};
+
+/// What becomes of leaves.
+class Finisher {
+ public:
+  explicit Finisher(Halving& halving)
+      : halving_(halving),
+        mesh_(halving.measured()),
+        lattice_(halving.lattice()),
+        grid_(halving.grid()) {}
+
+  /// Lists where the surface goes to infinity, and where it is before it does.
+  void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
+    PlaceList poles(grid_.range, report.poles, report.pole_count);
+    std::vector<dvec2> ends;
+    for (const std::array<dvec2, 2>& pole : lattice_.poles()) {
+      poles.add(0.5 * (pole[0] + pole[1]));  // beyond doubles they are apart
+      ends.insert(ends.end(), pole.begin(), pole.end());
+    }
+    for_holes(Hole::Kind::Pole, [&](const dvec2& uv, const Hole& hole) {
+      poles.add(uv);
+      report.beside_poles.add(hole.near);
+    });
+    for (const SurfacePoint& point : evaluate(surface, ends, threads)) {
+      if (is_finite(point.position)) report.beside_poles.add(point.position);
+    }
+  }
+
+  /// Lists the single points that have no limit, then where the sides of leaves are cut by jumps.
+  void list_jumps(MeshReport& report) const {
+    PlaceList jumps(grid_.range, report.jumps, report.jump_count);
+    for_holes(Hole::Kind::NoLimit, [&](const dvec2& uv, const Hole&) {
+      if (jumps.add(uv) && report.torn.size() < kMaxListed) report.torn.push_back(uv);
+    });
+    for_crossings(Cut::Jump, [&](const Side&, const Crossing& cut) {
+      jumps.add(grid_.mesh.uv[cut.beside_first]);
+    });
+    for (const auto& [vertex, beside] : beside_lines()) {
+      if (beside.diagonal() > *report.tolerance) jumps.add(grid_.mesh.uv[vertex]);
+    }
+  }
+
+  /// Lists where the sides of leaves are cut by cusps, which are singular.
+  void list_cusps(MeshReport& report) const {
+    const auto& n = grid_.mesh.normal;
+    for_crossings(Cut::Crease, [&](const Side&, const Crossing& cut) {
+      if (glm::dot(n[cut.beside_first], n[cut.beside_second]) < kOpposite)
+        add_singular_point(grid_.mesh.uv[cut.beside_first], report);
+    });
+  }
+
+  /// The share of the domain that no leaf covers, and of leaves on the rim what their pieces leave
+  /// out.
+  double undefined_fraction(const Domain& d) const {
+    double covered = 0;
+    for (const Leaf& leaf : mesh_.leaves) {
+      const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
+      if (!leaf.on_rim || has_only_thin_holes(leaf)) {
+        covered += std::fabs(size.x * size.y);
+        continue;
+      }
+      for (const Polygon& piece : pieces(leaf, lattice_)) covered += std::fabs(area_of(piece));
+    }
+    const double share = 1 - covered / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
+    return share > kAllCovered ? share : 0;
+  }
+
+  /// The largest errors of the triangles.
+  void take_errors(const LeafTriangles& triangles, MeshReport& report) const {
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      if (triangles.of(k).empty() || halving_.is_clipped(leaf)) continue;
+      const double eps = mesh_.allowed[k];
+      // Of a leaf that crosses the box its tests do not tell what is in it.
+      const double known = halving_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
+      const double off = std::max(mesh_.deviations[k].distance, known);
+      // Where the tolerance depends on the place: as if it were the strictest everywhere.
+      const double error = eps > *report.tolerance ? off / eps * *report.tolerance : off;
+      if (error > std::max(report.max_error, *report.tolerance)) {
+        report.worst_place = lattice_.parameters(leaf.middle());
+      }
+      report.max_error = std::max(report.max_error, error);
+      const double degrees = mesh_.deviations[k].degrees;
+      if (degrees <= report.max_normal_error || halving_.width(leaf) <= kSeenTurn * eps) continue;
+      report.max_normal_error = degrees;
+    }
+  }
+
+ private:
+  /// Calls f(uv, hole) for all holes of this kind: vertices, then those in the midst of leaves.
+  template <class F>
+  void for_holes(Hole::Kind kind, F f) const {
+    for (const auto& [vertex, hole] : lattice_.holes()) {
+      if (hole.kind == kind) f(grid_.mesh.uv[vertex], hole);
+    }
+    for (const auto& [uv, hole] : halving_.holes()) {
+      if (hole.kind == kind) f(uv, hole);
+    }
+  }
+
+  /// The last places before each vertex on a line on which the surface is not defined, as of
+  /// abs(u)/u, on all sides on which it is.
+  std::map<std::uint32_t, Bounds> beside_lines() const {
+    std::map<std::uint32_t, Bounds> result;
+    for_crossings(Cut::Rim, [&](const Side& side, const Crossing& cut) {
+      for (const std::uint32_t end : side) {
+        if (lattice_.hole(end) == Hole::Kind::Line && is_same_place(end, cut.beside_first))
+          result[end].add(grid_.mesh.position[cut.beside_first]);
+      }
+    });
+    return result;
+  }
+
+  /// Whether parameters of vertices are the same to rounding. Along a line on which it is rounding
+  /// whether a formula is defined, rims are anywhere.
+  bool is_same_place(std::uint32_t a, std::uint32_t b) const {
+    const dvec2 apart = glm::abs(grid_.mesh.uv[a] - grid_.mesh.uv[b]);
+    return glm::all(glm::lessThanEqual(apart, kSamePole * glm::abs(grid_.range)));
+  }
+
+  /// Calls f(side, crossing) for each side of a leaf that is cut like this.
+  template <class F>
+  void for_crossings(Cut kind, F f) const {
+    if (!lattice_.has_crossings()) return;
+    std::set<Side> seen;
+    for (const Leaf& leaf : mesh_.leaves) {
+      if (!leaf.on_rim && !leaf.is_split) continue;
+      for (const Side& side : sides_of(leaf, lattice_)) {
+        const auto crossing = lattice_.crossing(side[0], side[1]);
+        if (crossing && crossing->kind == kind && seen.insert(side).second) f(side, *crossing);
+      }
+    }
+  }
+
+  /// In parameters.
+  double area_of(const Polygon& polygon) const {
+    double area = 0;
+    const dvec2& first = grid_.mesh.uv[polygon[0].corner];
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+      const dvec2 a = grid_.mesh.uv[polygon[k].corner] - first;
+      const dvec2 b = grid_.mesh.uv[polygon[k + 1].corner] - first;
+      area += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+    return area;
+  }
+
+  /// Whether all of a leaf is defined but points and lines.
+  bool has_only_thin_holes(const Leaf& leaf) const {
+    bool is_thin = true;
+    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t) {
+      is_thin = is_thin && (lattice_.is_defined(a) || lattice_.hole(a) != Hole::Kind::Part);
+    });
+    return is_thin;
+  }
+
+  const Halving& halving_;
+  const Measured& mesh_;
+  const Lattice& lattice_;
+  const Grid& grid_;
+};
+
+/// Forgets the singular points that are beyond a box.
+void keep_singular_points_within(const Bounds& box, const Surface& surface, unsigned threads,
+                                 MeshReport& report) {
+  auto& listed = report.singular_points;
+  std::vector<dvec2> uv;
+  uv.reserve(listed.size());
+  for (const SingularPoint& point : listed) uv.push_back(point.uv);
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  std::vector<SingularPoint> kept;
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    if (box.contains(points[k].position)) kept.push_back(listed[k]);
+  }
+  report.singular_point_count -= listed.size() - kept.size();
+  listed = std::move(kept);
+}
+
+/// The mesh; nothing if none of its triangles has any area.
+std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& options,
+                               const SingularSet& singular, Halving& halving, GridMesh result) {
+  MeshReport& report = result.report;
+  const Finisher finisher(halving);
+  report.effort = halving.lattice().effort().total();
+  finisher.list_poles(surface, options.threads, report);
+  if (halving.stops_early()) {
+    report.beside_poles.add(halving.far());
+    return result;
+  }
+  finisher.list_jumps(report);
+  finisher.list_cusps(report);
+  LeafTriangles triangles = halving.triangulate(report);
+  finisher.take_errors(triangles, report);
+  if (triangles.all.empty()) return std::nullopt;
+  report.undefined_fraction = finisher.undefined_fraction(surface.domain);
+  // A polygon that meets itself at a pole may have more triangles than it has corners for.
+  // Beside a box most of those without area are beyond it.
+  report.is_clipped = options.clip.has_value();
+  report.flat_triangles = report.is_clipped ? 0
+                                            : std::max(triangles.expected(), triangles.all.size()) -
+                                                  triangles.all.size();
+  name_singular(singular, surface.domain, report);
+  halving.complete(report);
+  Grid& grid = halving.grid();
+  report.evaluations += halving.reach_extremes();
+  grid.mesh.triangles = std::move(triangles.all);
+  grid.mesh.lines = leaf_lines(grid, halving.lattice(), halving.measured().leaves, options.lines_u,
+                               options.lines_v);
+  report.evaluations += face_own_triangles(surface, options.threads, grid.mesh);
+  if (options.clip) {
+    clip_mesh(*options.clip, grid.mesh);
+    keep_singular_points_within(*options.clip, surface, options.threads, report);
+  }
+  keep_used_corners(grid.mesh);
+  result.mesh = std::move(grid.mesh);
+  return result;
+}
+
+}  // namespace
+
+std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options) {
+  Probe probe(surface, options.threads);
+  if (options.clip) probe.keep_within(*options.clip);
+  const Tolerance tolerance = options.tolerance(probe);
+  if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
+  MeshPlan plan{std::move(probe),
+                tolerance,
+                tolerance.times(kAim),
+                drawn_lines(surface.domain, options),
+                {},
+                {},
+                {},
+                {}};
+  plan.singular = singular_set(surface, options, plan);
+  plan.fixed = plan.probe.fixed_lines(plan.drawn, plan.singular);
+  place_root_lines(options, plan);
+  if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
+  return plan;
+}
+
+double share_of_diagonal(const MeshPlan& plan) {
+  const Bounds& bounds = plan.probe.bounds();
+  const double diagonal = bounds.diagonal();
+  return plan.tolerance(bounds.centre(), diagonal) / diagonal;
+}
+
+MeshReport report_of(const MeshPlan& plan) {
+  MeshReport report;
+  const Bounds& bounds = plan.probe.bounds();
+  report.reached_limit = plan.is_limited;
+  report.tolerance = plan.tolerance(bounds.centre(), bounds.diagonal());
+  report.least_triangles = plan.probe.least_triangles(plan.tolerance);
+  report.evaluations = plan.probe.evaluations();
+  return report;
+}
+
+std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
+                                              const AdaptiveOptions& options) {
+  std::optional<MeshPlan> plan = plan_mesh(surface, options);
+  if (!plan) return std::nullopt;
+  return mesh_within_tolerance(surface, options, std::move(*plan));
+}
+
+std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
+                                              const AdaptiveOptions& options, MeshPlan plan) {
+  GridMesh result{{}, report_of(plan)};
+  std::vector<Witness> witnesses = plan.probe.witnesses(plan.lines, inside(options.clip, plan.aim));
+  Halving halving(surface, options, plan);
+  halving.run(std::move(witnesses));
+  return finish(surface, options, plan.singular, halving, std::move(result));
+}
+
+}  // namespace saddle

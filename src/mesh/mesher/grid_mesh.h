@@ -1,0 +1,29 @@
+// Tessellation by a uniform grid of cells in the parameter rectangle.
+#pragma once
+
+#include "mesh/model/mesh.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+struct GridOptions {
+  int cells_u = 100;  ///< cells in u and v, at least 1 each
+  int cells_v = 100;
+  /// Lines of constant u and of constant v, evenly spaced, first and last on the ends of the
+  /// range; 0: none. A line that falls between mesh lines follows the nearest one.
+  int lines_u = 16;
+  int lines_v = 16;
+  unsigned threads = 0;  ///< 0: all
+};
+
+struct GridMesh {
+  Mesh mesh;
+  MeshReport report;
+};
+
+/// Tessellates `surface`. Cells with an undefined corner are left out and counted. Throws Error:
+/// Nothing if the surface is undefined everywhere, or is a point or a curve; the message says
+/// which.
+GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options);
+
+}  // namespace saddle

@@ -1,0 +1,125 @@
+#include "mesh/mesher/grid_within.h"
+
+#include <algorithm>
+
+#include "mesh/error/check_cells.h"
+#include "mesh/grid/cut_grid.h"
+#include "mesh/mesher/refine.h"
+#include "mesh/proof/certify.h"
+
+namespace saddle {
+namespace {
+
+/// Which of the grid's lines are among those that are drawn.
+std::vector<std::size_t> indices_of(std::span<const double> drawn, std::span<const double> lines) {
+  std::vector<std::size_t> indices;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (std::ranges::find(drawn, lines[k]) != drawn.end()) indices.push_back(k);
+  }
+  return indices;
+}
+
+std::vector<std::uint8_t> marks(std::span<const std::size_t> indices, std::size_t count) {
+  std::vector<std::uint8_t> marks(count, 0);
+  for (const std::size_t k : indices) marks[k] = 1;
+  return marks;
+}
+
+/// Whether the grid's edges meet as the probe's samples of them do, and turn back at vertices.
+bool is_joined_alike(const Seams& seams, const MeshReport& report, const Grid& grid) {
+  const auto turns_at_vertex = [](const std::array<bool, 2>& folded, std::size_t cells) {
+    return !(folded[0] || folded[1]) || cells % 2 == 0;
+  };
+  return report.closed_u.empty() != seams.u.closed && report.closed_v.empty() != seams.v.closed &&
+         report.folded_u == seams.folded_u && report.folded_v == seams.folded_v &&
+         turns_at_vertex(seams.folded_u, grid.cells_v) &&
+         turns_at_vertex(seams.folded_v, grid.cells_u);
+}
+
+/// Whether all that is not plain of a grid's cells is a side that is a single point.
+bool has_poles_only(const Grid& grid, std::span<const std::size_t> opened) {
+  const auto& point = grid.mesh.point;
+  return std::ranges::all_of(opened, [&](std::size_t cell) {
+    const auto vertices = grid.vertices(cell);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (point[vertices[k]] == point[vertices[(k + 1) % 4]]) return true;
+    }
+    return false;
+  });
+}
+
+/// Whether bounds leave room for a place that no triangle may lie across.
+bool may_be_broken(const DoubtfulPlace& place) {
+  return place.why == Doubt::Undefined || place.why == Doubt::Discontinuous;
+}
+
+/// Whether bounds find a place that is farther off than allowed, or none to be; `certified`: they
+/// prove that there is none.
+bool is_off(const Surface& surface, const Tolerance& aim, unsigned threads, Grid& grid,
+            MeshReport& report) {
+  const Lattice lattice(surface, grid, threads);
+  const std::vector<Leaf> leaves = root_leaves(grid);
+  const double allowed = aim(grid.mesh.bounds.centre());
+  ProofBudget budget(surface.bounds);
+  const Certification proof =
+      certify(surface, grid, lattice, leaves, std::vector<double>(leaves.size(), allowed), budget);
+  report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
+  // Jumps along the surface, as in a plane, are no distance off.
+  if (std::ranges::any_of(proof.doubts, may_be_broken)) return true;
+  report.certified = proof.doubts.empty();
+  report.doubts = merged(proof.doubts, surface.domain);
+  std::vector<dvec2> uv;
+  for (const Suspect& suspect : proof.suspects) uv.push_back(suspect.middle);
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const LatticePlace& low = leaves[proof.suspects[k].leaf].low;
+    const auto triangles = grid.triangles(grid.cell(low.u / kCellUnit, low.v / kCellUnit));
+    const double distance = distance_from(grid, triangles, uv[k], points[k].position);
+    if (!(distance <= allowed)) return true;
+    report.max_error = std::max(report.max_error, distance);
+  }
+  return false;
+}
+
+}  // namespace
+
+GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const MeshPlan& plan,
+                   FixedLines lines) {
+  GridTrial trial;
+  GridMesh result{{}, report_of(plan)};
+  MeshReport& report = result.report;
+  const std::vector<std::size_t> columns = indices_of(plan.drawn.u, lines.u);
+  const std::vector<std::size_t> rows = indices_of(plan.drawn.v, lines.v);
+  Grid grid = sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads);
+  trial.work.grid_samples = grid.vertex_count();
+  if (grid.left_out_count > 0) return trial;
+  const std::vector<std::size_t> opened = cut_grid(surface, options.threads, grid, report);
+  if (!is_joined_alike(plan.probe.seams(), report, grid) || !has_poles_only(grid, opened))
+    return trial;
+
+  const SeenLines seen{marks(columns, grid.u.size()), marks(rows, grid.v.size())};
+  const MeasuredError error = check_cells(surface, grid, seen, options.threads);
+  trial.work.grid_samples += error.evaluations;
+  report.max_error = error.distance;
+  report.max_normal_error = error.normal_degrees;
+  const double turn = error.normal_degrees / options.normal_tolerance;
+  const double excess = std::max(error.distance / plan.aim(grid.mesh.bounds.centre()), turn * turn);
+  if (!(excess <= 1)) {
+    trial.excess = excess;
+    return trial;
+  }
+  const bool off = options.certify && is_off(surface, plan.aim, options.threads, grid, report);
+  trial.work.boxes = report.work.boxes;
+  if (off) return trial;
+  name_singular(plan.singular, surface.domain, report);
+  report.cells = grid.cell_count();
+  report.work = trial.work;
+  report.evaluations += trial.work.grid_samples;
+  const auto none = std::vector<std::size_t>();
+  result.mesh = finish_grid(std::move(grid), opened.empty(), options.lines_u > 1 ? columns : none,
+                            options.lines_v > 1 ? rows : none);
+  trial.mesh = std::move(result);
+  return trial;
+}
+
+}  // namespace saddle

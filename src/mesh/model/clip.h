@@ -1,0 +1,31 @@
+// A mesh cut along the faces of a box.
+// Source: I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974.
+#pragma once
+
+#include "mesh/model/mesh.h"
+
+namespace saddle {
+
+/// Whether all positions are beyond the same face of the box, so that nothing between them is in
+/// it.
+template <class Positions>
+bool is_beyond(const Bounds& box, const Positions& positions) {
+  for (int k = 0; k < 3; ++k) {
+    bool below = true;
+    bool above = true;
+    for (const dvec3& p : positions) {
+      below = below && p[k] < box.low[k];
+      above = above && p[k] > box.high[k];
+    }
+    if (below || above) return true;
+  }
+  return false;
+}
+
+/// Leaves out what is outside of the box, whose faces may be infinitely far. Triangles and lines
+/// that cross a face end on it, at corners that neighbours share, with interpolated normals and
+/// parameters. Points are named after one of their corners, before and after. Throws Error
+/// (Nothing) if nothing is left.
+void clip_mesh(const Bounds& box, Mesh& mesh);
+
+}  // namespace saddle

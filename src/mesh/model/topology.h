@@ -1,0 +1,28 @@
+// The shape of a mesh as a topologist sees it: from the points that its corners are, not from
+// positions.
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/model/mesh.h"
+
+namespace saddle {
+
+struct Topology {
+  long euler_number = 0;           ///< points - edges + triangles
+  std::size_t components = 0;      ///< parts that share no point
+  std::size_t open_edges = 0;      ///< edges of one triangle
+  std::size_t boundary_loops = 0;  ///< parts of the open edges that share no point
+  std::size_t shared_edges = 0;    ///< edges of three triangles or more
+  bool orientable = true;          ///< false: the surface is one-sided
+
+  bool is_closed() const { return components > 0 && open_edges == 0 && shared_edges == 0; }
+};
+
+Topology topology(const Mesh& mesh);
+
+/// Topology::orientable, for less. All triangles run around (u, v) alike, so that only a seam that
+/// joins edges in reverse can make a surface one-sided.
+bool is_orientable(const Mesh& mesh, const MeshReport& report);
+
+}  // namespace saddle

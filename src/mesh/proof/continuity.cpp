@@ -1,0 +1,222 @@
+#include "mesh/proof/continuity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "eval/enclose.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings of a line until as many parts as these are too many to be narrowed down: so many of
+/// them stand for all.
+constexpr int kLeastHalvings = 6;
+constexpr std::size_t kMostLineParts = 8;
+/// Beside a break that is known to be there, the part of a line that is left without a proof is so
+/// much of it at each step: what that leaves is halved on where bounds are too wide.
+constexpr double kBesideBreak = 1.0 / 1024;
+
+/// A box, by two opposite corners.
+using BoxCorners = Line;
+
+BoxCorners box_around(std::span<const LinePart> lines) {
+  BoxCorners box = {lines[0].part[0], lines[0].part[0]};
+  for (const LinePart& line : lines) {
+    for (const dvec2& end : line.part) box = {glm::min(box[0], end), glm::max(box[1], end)};
+  }
+  return box;
+}
+
+/// Whether tall boxes around lines are to be cut along u rather than along v: beside the lines
+/// themselves, whose units differ.
+bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
+  dvec2 sum(0);
+  for (const LinePart& line : lines) sum += glm::abs(line.part[1] - line.part[0]);
+  return size.x * sum.y >= size.y * sum.x;
+}
+
+/// Proves many lines at a time where boxes around them do: is_proved(box, how many). Calls
+/// leave(lines) with as many of the others as few(), or fewer. Changes the lines' order.
+template <class Few, class IsProved, class Leave>
+void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leave leave) {
+  if (lines.size() <= few()) return leave(lines);
+  const BoxCorners box = box_around(lines);
+  if (is_proved(box, lines.size())) return;
+  const int axis = is_wider_along_u(lines, box[1] - box[0]) ? 0 : 1;
+  const auto place = [&](const LinePart& line) { return line.part[0][axis] + line.part[1][axis]; };
+  const std::size_t half = lines.size() / 2;
+  std::ranges::nth_element(lines, lines.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
+  prove_together(lines.first(half), few, is_proved, leave);
+  prove_together(lines.subspan(half), few, is_proved, leave);
+}
+
+class Prover {
+ public:
+  Prover(const Surface& surface, double delta, int halvings)
+      : enclosure_(surface.bounds, 3), delta_(delta), halvings_(halvings) {}
+
+  /// That were tried.
+  std::size_t boxes() const { return boxes_; }
+
+  /// Puts the parts of lines that are not proved into `result`. Changes the lines' order.
+  void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
+    prove_together(
+        lines, [] { return std::size_t{1}; },
+        [this](const BoxCorners& box, std::size_t) { return is_proved(box); },
+        [&](std::span<const LinePart> one) {
+          for (const LinePart& line : one) add_unproved(line, result);
+        });
+  }
+
+ private:
+  /// Cuts a part in two; nothing if it is as short as doubles go.
+  static std::optional<std::array<LinePart, 2>> cut(const LinePart& whole) {
+    const auto& [line, part, broken] = whole;
+    const double share = !broken ? 0.5 : *broken == 0 ? kBesideBreak : 1 - kBesideBreak;
+    const dvec2 at = (1 - share) * part[0] + share * part[1];
+    if (at == part[0] || at == part[1]) return std::nullopt;
+    std::array<LinePart, 2> parts = {LinePart{line, {part[0], at}}, LinePart{line, {at, part[1]}}};
+    if (broken) parts[*broken].broken_end = broken;
+    return parts;
+  }
+
+  void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
+    std::vector<LinePart> level = {line};
+    for (int depth = 0; !level.empty() && depth < halvings_; ++depth) {
+      std::erase_if(level, [this](const LinePart& part) { return is_proved(part.part); });
+      if (level.size() > kMostLineParts && depth >= kLeastHalvings) break;
+      std::vector<LinePart> next;
+      for (const LinePart& part : level) {
+        if (const auto parts = cut(part)) {
+          next.insert(next.end(), parts->begin(), parts->end());
+        } else {
+          result.push_back(part);
+        }
+      }
+      level = std::move(next);
+    }
+    const std::size_t step = (level.size() + kMostLineParts - 1) / kMostLineParts;
+    for (std::size_t k = 0; k < level.size(); k += step) result.push_back(level[k]);
+  }
+
+  bool is_proved(const BoxCorners& box) {
+    ++boxes_;
+    std::array<Interval, 3> position;
+    enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), position);
+    bool is_continuous = true;
+    dvec3 size;
+    for (int k = 0; k < 3; ++k) {
+      const Interval& a = position[static_cast<std::size_t>(k)];
+      if (a.defined != Defined::Yes) return false;
+      is_continuous = is_continuous && a.continuous;
+      size[k] = a.high - a.low;
+    }
+    return is_continuous || glm::length(size) < delta_;
+  }
+
+  Enclosure enclosure_;
+  double delta_;
+  int halvings_;
+  std::size_t boxes_ = 0;
+};
+
+/// Proves that a surface has a normal all over a box, and no jump of it. A normal that is there by
+/// rounding alone, as on u = 2 pi where u = 0 has none, does not count.
+class NormalProver {
+ public:
+  explicit NormalProver(const Surface& surface) : enclosure_(surface.bounds, kOutputs) {}
+
+  bool has_continuous_tangents(const BoxCorners& box) {
+    enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), outputs_);
+    return std::ranges::all_of(
+        outputs_, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
+  }
+
+  bool is_proved(const BoxCorners& box) { return has_continuous_tangents(box) && has_normals(); }
+
+  /// Whether r_u x r_v is not 0 in the last box.
+  bool has_normals() const {
+    const Interval* const r_u = &outputs_[3];
+    const Interval* const r_v = &outputs_[6];
+    const double least = kDegenerateCross * longest(r_u) * longest(r_v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3;
+      const std::size_t j = (k + 2) % 3;
+      const Interval area = r_u[i] * r_v[j] - r_u[j] * r_v[i];
+      if (area.low > least || area.high < -least) return true;  // not so for NaN
+    }
+    return false;
+  }
+
+ private:
+  /// The most that a vector's length may be.
+  static double longest(const Interval* vector) {
+    dvec3 most;
+    for (int k = 0; k < 3; ++k) {
+      most[k] = std::max(std::fabs(vector[k].low), std::fabs(vector[k].high));
+    }
+    return glm::length(most);
+  }
+
+  static constexpr std::size_t kOutputs = 9;  // r, r_u, r_v
+  Enclosure enclosure_;
+  std::array<Interval, kOutputs> outputs_;
+};
+
+}  // namespace
+
+std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
+                               std::size_t& boxes, int halvings) {
+  std::vector<LinePart> result;
+  Prover prover(surface, delta, halvings);
+  prover.prove(lines, result);
+  boxes += prover.boxes();
+  std::ranges::stable_sort(result, {}, &LinePart::line);
+  return result;
+}
+
+UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
+                                 std::size_t& boxes) {
+  /// So few lines are looked at in less time than proofs of each would take; more of them where the
+  /// first look at each tells.
+  constexpr std::size_t kFew = 4;
+  constexpr std::size_t kFewIfOnlyCusps = 128;
+  /// Proofs of boxes around ever fewer lines that may be in vain to begin with, and for each line
+  /// that was proved: looking at a line takes twice as long as one.
+  constexpr std::size_t kInVain = 64;
+  constexpr std::size_t kInVainPerLine = 2;
+  UnprovedNormals result;
+  if (lines.empty()) return result;
+  std::vector<LinePart> all;
+  for (std::size_t k = 0; k < lines.size(); ++k) all.push_back({k, lines[k]});
+  NormalProver prover(surface);
+  ++boxes;
+  result.only_cusps = prover.has_continuous_tangents(box_around(all));
+  if (result.only_cusps && prover.has_normals()) return result;
+  std::size_t in_vain = 0;
+  std::size_t proved = 0;
+  const auto few = [&] {
+    const bool is_vain = in_vain > kInVain + kInVainPerLine * proved;
+    return is_vain ? all.size() : result.only_cusps ? kFewIfOnlyCusps : kFew;
+  };
+  const auto is_proved = [&](const BoxCorners& box, std::size_t count) {
+    ++boxes;
+    const bool is = prover.is_proved(box);
+    (is ? proved : in_vain) += is ? count : 1;
+    return is;
+  };
+  prove_together(std::span(all), few, is_proved, [&](std::span<const LinePart> left) {
+    for (const LinePart& line : left) result.lines.push_back(line.line);
+  });
+  std::ranges::sort(result.lines);
+  return result;
+}
+
+}  // namespace saddle

@@ -1,0 +1,47 @@
+// Lines between fixed ones, as close as densities ask.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/model/seam.h"
+
+namespace saddle {
+
+/// Lines per unit of parameter, constant on even stretches of a range, integrated.
+class Cumulative {
+ public:
+  Cumulative(std::span<const double> density, double first, double last);
+
+  /// Lines from the range's first end to a parameter.
+  double at(double parameter) const;
+  /// The parameter with so many lines before it.
+  double where(double lines) const;
+
+ private:
+  std::size_t count() const { return sums_.size() - 1; }
+
+  double first_, last_;
+  std::vector<double> sums_;
+};
+
+/// How many cells there are between the fixed lines, a whole number between neighbours.
+double total_cells(const Cumulative& cumulative, std::span<const double> fixed);
+
+/// The fixed lines and those between them.
+std::vector<double> place_between(const Cumulative& cumulative, std::span<const double> fixed);
+/// The same for lines that a shifted seam makes meet each other, as the fixed ones do: those of its
+/// first part, by whose density those of the others must do, too, and copies.
+std::vector<double> place_between(const Cumulative& cumulative, std::span<const double> fixed,
+                                  const Seam& seam);
+
+/// Even lines of one edge, and those that they meet across a seam. Even lines are their own mirror
+/// image.
+std::vector<double> shared_lines(const Seam& seam, const std::vector<double>& fixed);
+
+/// Fixed lines, and more lines with those that they meet across a seam or a fold, but none that is
+/// within rounding of another.
+std::vector<double> with_lines(std::vector<double> fixed, const std::vector<double>& more,
+                               const Seam& seam, const std::array<bool, 2>& folded);
+
+}  // namespace saddle

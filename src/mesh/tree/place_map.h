@@ -1,0 +1,53 @@
+// The numbers of vertices, by their places.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/grid/grid.h"
+#include "mesh/tree/leaf.h"
+
+namespace saddle {
+
+/// From place to vertex, for places that are not on the root grid. Every cell of that has a table
+/// of its own, with open addressing: a mesh asks for its vertices millions of times, cell by cell,
+/// and what it asks for next is then near to what it asked for before.
+class PlaceMap {
+ public:
+  explicit PlaceMap(const Grid& grid)
+      : pitch_(grid.u.size()), tables_(grid.u.size() * grid.v.size()) {}
+  /// The number stored for a place, or nullptr; valid until the next find_or_insert().
+  const std::uint32_t* find(LatticePlace place) const;
+  /// The number stored for a place; stores this one if there is none.
+  std::uint32_t find_or_insert(LatticePlace place, std::uint32_t number);
+
+ private:
+  struct Slot {
+    std::uint32_t key = kEmpty;  ///< the place within its cell
+    std::uint32_t number = 0;
+  };
+  /// Slots of a cell, 2^(32 - shift) from `begin` on, or none.
+  struct Table {
+    std::uint32_t begin = 0;
+    std::uint32_t count = 0;
+    std::uint32_t shift = 32;
+  };
+  /// The corner of a cell is on the root grid.
+  static constexpr std::uint32_t kEmpty = 0;
+
+  std::size_t table_of(LatticePlace place) const {
+    return place.v / kCellUnit * pitch_ + place.u / kCellUnit;
+  }
+  static std::uint32_t key_of(LatticePlace place) {
+    return (place.u % kCellUnit) * kCellUnit + place.v % kCellUnit;
+  }
+  std::uint32_t slot_of(const Table& table, std::uint32_t key) const;
+  void grow(Table& table);
+
+  std::size_t pitch_;
+  std::vector<Table> tables_;  // of cells, and of the lines at the far ends
+  std::vector<Slot> slots_;    // of all; those of tables that have grown are abandoned
+};
+
+}  // namespace saddle

@@ -1,0 +1,61 @@
+// A mesh in GL buffers: the one place where doubles become floats.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "mesh/model/mesh.h"
+#include "render/gl/gl.h"
+#include "render/gl/program.h"
+
+namespace saddle {
+
+/// Model coordinates are (world - centre) / size, computed in double: floats near 1 keep their 24
+/// bits for the surface's shape, wherever it is and however large.
+struct ModelFrame {
+  dvec3 centre{0, 0, 0};
+  double size = 1;
+};
+
+/// The frame in which `bounds` lies within distance 1 of the origin.
+ModelFrame model_frame(const Bounds& bounds);
+
+/// A mesh that has only these lines.
+Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines);
+
+/// Positions, normals, triangles and lines of one mesh. Needs a current context.
+class GpuMesh {
+ public:
+  explicit GpuMesh(const Mesh& mesh);
+
+  const Bounds& bounds() const { return bounds_; }
+  const ModelFrame& frame() const { return frame_; }
+  bool hides_its_back() const { return hides_its_back_; }
+  /// The range of the numbers that it is coloured by; nothing if it is not.
+  const std::optional<ColorRange>& color_range() const { return color_range_; }
+  bool has_lines() const { return line_indices_ > 0; }
+  /// Gives its corners their u and v, and what the program of trust_shader() finds out about each
+  /// of them. Returns the share of corners that it trusts.
+  double measure_trust(Program& program, std::span<const dvec2> uv);
+  void draw_triangles() const;
+  void draw_lines() const;
+
+ private:
+  Bounds bounds_;
+  ModelFrame frame_;  ///< of the bounds
+  bool hides_its_back_;
+  std::optional<ColorRange> color_range_;
+  GlVertexArray triangle_array_;
+  GlVertexArray line_array_;
+  GlBuffer vertices_;
+  GlBuffer triangles_;
+  GlBuffer lines_;
+  std::optional<GlBuffer> colors_;  ///< of the corners, 0 to 1 in that range, -1: undefined
+  std::optional<GlBuffer> parameters_;
+  std::optional<GlBuffer> trust_;
+  GLsizei triangle_indices_ = 0;
+  GLsizei line_indices_ = 0;
+};
+
+}  // namespace saddle

@@ -1,0 +1,354 @@
+#include "render/overlay/annotations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
+#include "scene/model/ticks.h"
+
+namespace saddle {
+namespace {
+
+// Lengths in ems, the size of the letters.
+constexpr double kTickLength = 0.45;
+constexpr double kGap = 0.35;   // of tick and label, of labels and name
+constexpr double kApart = 0.5;  // of labels on the same axis, at least
+constexpr double kTitleSize = 1.25;
+constexpr double kTitleGap = 0.8;  // above it
+constexpr double kBarWidth = 1.1;
+constexpr double kBarMargin = 1.2;    // beside a bar
+constexpr double kBarNameGap = 0.75;  // half a label that stands at the bar's end, and some
+constexpr double kBarStep = 2.5;      // of a bar's ticks, at least
+
+/// Letters are this share of the picture's height, or of three quarters of its width, and no
+/// smaller than can be read.
+constexpr double kLetters = 1.0 / 46;
+constexpr double kNarrow = 0.75;
+constexpr double kLeastLetters = 9;
+
+constexpr double kBarHeight = 0.6;    // of the picture's
+constexpr double kMostBarName = 0.3;  // of the picture's width
+constexpr double kLeastRoom = 0.3;    // for the surfaces, of each side
+constexpr int kMostTicks = 8;
+/// An edge is upright if it is so many times as high as it is wide.
+constexpr double kUpright = 2.5;
+/// Edges of fewer ems than this, seen almost along themselves, have no ticks.
+constexpr double kLeastEdge = 2;
+
+double letters_for(const dvec2& size) {
+  return std::max(kLeastLetters, std::round(kLetters * std::min(size.y, kNarrow * size.x)));
+}
+
+/// An edge of the box that has ticks: along `axis`, from the box's low to its high end of it.
+struct Edge {
+  int axis = 0;
+  dvec3 begin, end;
+  dvec2 from, to;  ///< pixels
+  dvec2 out;       ///< unit vector away from the box in the picture
+};
+
+class Annotator {
+ public:
+  Annotator(const Scene& scene, const FittedCamera& camera, const Bounds& box, const dvec2& size)
+      : scene_(scene),
+        camera_(camera),
+        box_(box),
+        size_(size),
+        em_(letters_for(size)),
+        writer_(size) {}
+
+  Annotations take() {
+    result_.texts = writer_.texts();
+    result_.unknown = writer_.unknown();
+    return std::move(result_);
+  }
+
+  void add_axes() {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int i = 0; i < 4; ++i) add_box_edge(axis, (i & 1) != 0, (i & 2) != 0);
+    }
+    std::vector<Edge> edges;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (const auto edge = edge_with_ticks(axis)) edges.push_back(*edge);
+    }
+    if (scene_.title != Scene{}.title) add_title();
+    for (const Edge& edge : edges) add_ticks(edge);
+  }
+
+  /// Its letters are larger than others if there is room for it so.
+  void add_title() {
+    const double most = size_.x - 2 * kTitleGap * em_;
+    const std::string line = one_line(scene_.title);
+    const double large = kTitleSize * em_;
+    const double size = std::clamp(large * most / writer_.width(line, large), em_, large);
+    const std::string title = writer_.shortened(line, most, size);
+    writer_.write(title, {size_.x / 2, 0.5 * writer_.height(large) + kTitleGap * em_}, {0, 0},
+                  size);
+  }
+
+  /// Returns the x to the left of which there is room for the next one.
+  double add_bar(const ColorScale& scale, double right) {
+    const Ticks marks = ticks_of(scale);
+    const double width = bar_zone(scale);
+    const double left = right - width + kBarMargin * em_;
+    const double height = kBarHeight * size_.y;
+    const dvec2 corner(std::round(left), std::round((size_.y - height) / 2 + em_));
+    const dvec2 extent(std::round(kBarWidth * em_), std::round(height));
+    result_.bars.push_back({corner, extent, scale.colormap});
+    writer_.keep_clear({corner, corner + extent});
+    const dvec2 end = corner + extent;
+    const std::array<dvec2, 4> outline = {corner, {end.x, corner.y}, end, {corner.x, end.y}};
+    for (std::size_t k = 0; k < 4; ++k)
+      result_.strokes.push_back({outline[k], outline[(k + 1) % 4]});
+    const std::string name = bar_name(scale, marks);
+    const double half = writer_.width(name, em_) / 2;
+    const double middle =
+        std::min(std::max(corner.x + extent.x / 2, half + kGap * em_), right - half - kGap * em_);
+    const bool is_named =
+        writer_.write_near(name, {middle, corner.y - kBarNameGap * em_}, {0, -1}, em_);
+    for (const Tick& tick : marks.ticks) {
+      const double y = end.y - extent.y * place_on(scale, tick.value);
+      result_.strokes.push_back({dvec2(end.x, y), dvec2(end.x + kTickLength * em_, y)});
+      if (!is_named && !marks.note.empty()) continue;  // without it the numbers are wrong
+      writer_.write(tick.text, {end.x + (kTickLength + kGap) * em_, y}, {1, 0}, em_);
+    }
+    return right - std::max(width, 2 * half + 2 * kGap * em_);
+  }
+
+  /// What a bar takes of the picture's right side.
+  double bar_zone(const ColorScale& scale) const {
+    double widest = 0;
+    for (const Tick& tick : ticks_of(scale).ticks) {
+      widest = std::max(widest, writer_.width(tick.text, em_));
+    }
+    return widest + (2 * kBarMargin + kBarWidth + kTickLength + kGap) * em_;
+  }
+
+  /// What ticks, labels and the axes' names take beside the box, and above and below it.
+  dvec2 axes_margin() const {
+    double widest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const Tick& tick : ticks(box_.low[axis], box_.high[axis], kMostTicks).ticks) {
+        widest = std::max(widest, writer_.width(tick.text, em_));
+      }
+    }
+    const double before_name = kTickLength + 2 * kGap;
+    return {widest + (before_name + 1) * em_, 2 * writer_.height(em_) + (before_name + kGap) * em_};
+  }
+
+ private:
+  // --- where things are --------------------------------------------------------------------------
+
+  std::optional<dvec2> pixel_of(const dvec3& point) const {
+    return saddle::pixel_of(camera_, point, size_);
+  }
+
+  /// Whether the box's face at the low or the high end of an axis is toward the eye.
+  bool is_front(int axis, bool high) const {
+    const dvec3 backward(camera_.world_to_eye[0][2], camera_.world_to_eye[1][2],
+                         camera_.world_to_eye[2][2]);
+    double toward = backward[axis];
+    if (!scene_.camera.ortho) {
+      const dvec3 eye = camera_.target + camera_.distance * backward;
+      toward = high ? eye[axis] - box_.high[axis] : eye[axis] - box_.low[axis];
+    }
+    return high ? toward > 0 : toward < 0;
+  }
+
+  dvec3 corner(int axis, bool first_high, bool second_high, bool end) const {
+    dvec3 p;
+    p[axis] = end ? box_.high[axis] : box_.low[axis];
+    p[(axis + 1) % 3] = first_high ? box_.high[(axis + 1) % 3] : box_.low[(axis + 1) % 3];
+    p[(axis + 2) % 3] = second_high ? box_.high[(axis + 2) % 3] : box_.low[(axis + 2) % 3];
+    return p;
+  }
+
+  /// All edges but those between two faces in front: they would hide the surfaces.
+  void add_box_edge(int axis, bool first, bool second) {
+    if (is_front((axis + 1) % 3, first) && is_front((axis + 2) % 3, second)) return;
+    result_.edges.push_back(
+        {corner(axis, first, second, false), corner(axis, first, second, true)});
+  }
+
+  /// Of the edges along an axis that are part of the box's outline, the lowest one, or, if they are
+  /// upright, the leftmost.
+  std::optional<Edge> edge_with_ticks(int axis) const {
+    std::optional<Edge> best;
+    double best_rank = 0;
+    for (int i = 0; i < 4; ++i) {
+      const bool first = (i & 1) != 0;
+      const bool second = (i & 2) != 0;
+      if (is_front((axis + 1) % 3, first) == is_front((axis + 2) % 3, second)) continue;
+      const auto edge = edge_at(axis, first, second);
+      if (!edge) continue;
+      const dvec2 way = glm::abs(edge->to - edge->from);
+      const dvec2 middle = (edge->from + edge->to) / 2.0;
+      const double rank = way.y > kUpright * way.x ? -middle.x : middle.y;
+      if (best && rank <= best_rank) continue;
+      best = edge;
+      best_rank = rank;
+    }
+    return best;
+  }
+
+  std::optional<Edge> edge_at(int axis, bool first, bool second) const {
+    Edge edge;
+    edge.axis = axis;
+    edge.begin = corner(axis, first, second, false);
+    edge.end = corner(axis, first, second, true);
+    const auto from = pixel_of(edge.begin);
+    const auto to = pixel_of(edge.end);
+    const auto middle = pixel_of(box_.centre());
+    if (!from || !to || !middle) return std::nullopt;
+    edge.from = *from;
+    edge.to = *to;
+    const dvec2 away = (*from + *to) / 2.0 - *middle;
+    const dvec2 along = *to - *from;
+    if (edge.begin == edge.end) {  // a flat box
+      if (glm::length(away) == 0) return std::nullopt;
+      edge.out = glm::normalize(away);
+      return edge;
+    }
+    if (glm::length(along) < kLeastEdge * em_) return std::nullopt;
+    edge.out = glm::normalize(dvec2(along.y, -along.x));
+    if (glm::dot(edge.out, away) < 0) edge.out = -edge.out;
+    return edge;
+  }
+
+  // --- axes --------------------------------------------------------------------------------------
+
+  /// A tick in the picture.
+  struct Mark {
+    dvec2 at;
+    std::string text;
+  };
+
+  std::vector<Mark> marks_on(const Edge& edge, const Ticks& all) const {
+    std::vector<Mark> marks;
+    for (const Tick& tick : all.ticks) {
+      dvec3 place = edge.begin;
+      place[edge.axis] = tick.value;
+      if (const auto at = pixel_of(place)) marks.push_back({*at, tick.text});
+    }
+    return marks;
+  }
+
+  Rect label_rect(const Edge& edge, const Mark& mark, double apart) const {
+    const dvec2 at = mark.at + (kTickLength + kGap) * em_ * edge.out;
+    Rect rect = writer_.rect_beside(mark.text, at, edge.out, em_);
+    rect.low -= dvec2(apart, 0);
+    return rect;
+  }
+
+  bool have_room(const Edge& edge, const std::vector<Mark>& marks) const {
+    for (std::size_t i = 1; i < marks.size(); ++i) {
+      const Rect rect = label_rect(edge, marks[i], kApart * em_);
+      if (rect.overlaps(label_rect(edge, marks[i - 1], kApart * em_))) return false;
+    }
+    return true;
+  }
+
+  /// Around the box in the picture.
+  Rect outline() const {
+    Rect rect{size_, dvec2(0)};
+    for (int i = 0; i < 8; ++i) {
+      const auto at = pixel_of(corner(0, (i & 1) != 0, (i & 2) != 0, (i & 4) != 0));
+      if (!at) return {dvec2(0), size_};
+      rect.low = glm::min(rect.low, *at);
+      rect.high = glm::max(rect.high, *at);
+    }
+    return rect;
+  }
+
+  void add_ticks(const Edge& edge) {
+    const double low = box_.low[edge.axis];
+    const double high = box_.high[edge.axis];
+    int count = kMostTicks;
+    Ticks chosen = ticks(low, high, count);
+    std::vector<Mark> marks = marks_on(edge, chosen);
+    while (!have_room(edge, marks) && --count > 0) {
+      chosen = ticks(low, high, count);
+      marks = marks_on(edge, chosen);
+    }
+    double reach = 0;  // of the labels, outward
+    for (const Mark& mark : marks) {
+      const dvec2 half = 0.5 * dvec2(writer_.width(mark.text, em_), writer_.height(em_));
+      reach = std::max(reach, 2 * glm::dot(glm::abs(edge.out), half));
+    }
+    std::string name(1, static_cast<char>('x' + edge.axis));
+    if (!chosen.note.empty()) name += " (" + chosen.note + ")";
+    const dvec2 at = (edge.from + edge.to) / 2.0;
+    const dvec2 beside = at + ((kTickLength + 2 * kGap) * em_ + reach) * edge.out;
+    const bool is_written = chosen.note.empty()
+                                ? writer_.write(name, beside, edge.out, em_)
+                                : writer_.write_near(name, beside, edge.out, em_, outline());
+    if (!is_written && !chosen.note.empty()) return;  // without it the numbers are wrong
+    for (const Mark& mark : marks) {
+      result_.strokes.push_back({mark.at, mark.at + kTickLength * em_ * edge.out});
+      writer_.write(mark.text, mark.at + (kTickLength + kGap) * em_ * edge.out, edge.out, em_);
+    }
+  }
+
+  // --- bars --------------------------------------------------------------------------------------
+
+  Ticks ticks_of(const ColorScale& scale) const {
+    const auto count = static_cast<int>(kBarHeight * size_.y / (kBarStep * em_));
+    return ticks(scale.range.low, scale.range.high, std::clamp(count, 1, kMostTicks));
+  }
+
+  /// The formula as far as there is room, and all of what the ticks leave out.
+  std::string bar_name(const ColorScale& scale, const Ticks& marks) const {
+    const std::string note = marks.note.empty() ? "" : " (" + marks.note + ")";
+    const double most = std::max(kMostBarName * size_.x, 6 * em_) - writer_.width(note, em_);
+    return writer_.shortened(one_line(scale.formula), std::max(most, em_), em_) + note;
+  }
+
+  const Scene& scene_;
+  const FittedCamera& camera_;
+  const Bounds& box_;
+  dvec2 size_;
+  double em_;
+  LabelWriter writer_;
+  Annotations result_;
+};
+
+}  // namespace
+
+Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
+                     std::span<const ColorScale> scales, const dvec2& size) {
+  if (!scene.axes && scales.empty()) return {};
+  Annotator annotator(scene, camera, box, size);
+  double right = size.x;
+  for (const ColorScale& scale : scales) right = annotator.add_bar(scale, right);
+  if (scene.axes && !box.empty()) annotator.add_axes();
+  return annotator.take();
+}
+
+Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const ColorScale> scales,
+                          const dvec2& size) {
+  Room room;
+  if (!scene.axes && scales.empty()) return room;
+  const Annotator annotator(scene, {}, box, size);
+  dvec2 margin(0);
+  for (const ColorScale& scale : scales) margin.x += annotator.bar_zone(scale);
+  room.holds_box = scene.axes && !box.empty();
+  if (room.holds_box) {
+    const dvec2 axes = annotator.axes_margin();
+    margin = {std::max(axes.x, margin.x + axes.x / 2), axes.y};  // long labels are at the left
+  }
+  room.across = std::max(kLeastRoom, 1 - 2 * margin.x / size.x);
+  room.down = std::max(kLeastRoom, 1 - 2 * margin.y / size.y);
+  return room;
+}
+
+dvec3 ink_on(const Color& background) {
+  if (background.a < 0.5) return dvec3(0.5);
+  const double luma = 0.2126 * background.r + 0.7152 * background.g + 0.0722 * background.b;
+  return luma < 0.5 ? dvec3(0.85) : dvec3(0.15);
+}
+
+}  // namespace saddle

@@ -1,0 +1,51 @@
+// What is written around a picture: the box around all surfaces with ticks on its edges, the title,
+// and a bar for each scale of colours. Places and lengths are in pixels from the picture's upper
+// left.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/bounds.h"
+#include "render/overlay/label_writer.h"
+#include "scene/model/camera.h"
+#include "scene/model/color_scale.h"
+#include "scene/model/scene.h"
+
+namespace saddle {
+
+/// A colormap from its first colour at the bottom to its last at the top.
+struct ColorBar {
+  dvec2 upper_left;
+  dvec2 size;
+  std::string colormap;
+};
+
+struct Annotations {
+  std::vector<std::array<dvec3, 2>> edges;    ///< of the box, in the world; the surfaces hide them
+  std::vector<std::array<dvec2, 2>> strokes;  ///< on top of all
+  std::vector<ColorBar> bars;
+  std::vector<WrittenText> texts;
+  std::string unknown;  ///< characters of the texts that have no letter: boxes stand for them
+
+  bool empty() const { return edges.empty() && bars.empty() && texts.empty(); }
+};
+
+/// What a scene asks for in a picture of this size: the box with its ticks and the title with
+/// `axes`, the bars with `scales`. Ticks and labels are outside of the box's outline, so that they
+/// never hide a surface; labels keep clear of each other and of the picture's border, or are left
+/// out. What ticks leave out of their numbers is always written: an axis without room for it has no
+/// labels. A title or a formula that is too long ends in an ellipsis.
+Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
+                     std::span<const ColorScale> scales, const dvec2& size);
+
+/// The part of the picture that the surfaces may take so that there is room for all that.
+Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const ColorScale> scales,
+                          const dvec2& size);
+
+/// Light on a dark background, dark on a light one, something between on none: red, green, blue.
+dvec3 ink_on(const Color& background);
+
+}  // namespace saddle

@@ -1,0 +1,291 @@
+#include "render/picture/framing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "base/error.h"
+#include "eval/batch.h"
+#include "eval/tape.h"
+#include "mesh/color/color_mesh.h"
+#include "mesh/grid/grid.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/clip.h"
+#include "meshing/clip_box.h"
+#include "render/overlay/annotations.h"
+#include "scene/model/camera.h"
+#include "scene/model/color_scale.h"
+#include "scene/model/instances.h"
+#include "scene/model/prepare.h"
+#include "scene/model/values.h"
+
+namespace saddle {
+namespace {
+
+/// Moments that are looked at, besides both ends. What turns is seen to a hundredth of a turn's
+/// radius in so many directions.
+constexpr int kMoments = 32;
+/// They advance by this part of the range, as far as possible from keeping step with anything.
+/// Source: H. Weyl, "Ueber die Gleichverteilung von Zahlen mod. Eins", 1916.
+constexpr double kGoldenPart = 0.6180339887498949;
+/// What changes from one moment to another goes this share of its way beyond what those show:
+/// a swing, at the end of which a moment is by a tenth of its time at most.
+constexpr double kBetweenMoments = 0.01;
+/// Samples of a surface, cells each way: what a smooth surface does between them is less than the
+/// room that the camera leaves around the sphere.
+constexpr std::size_t kCells = 96;
+
+/// Twice as many samples each way go so many times as far where there is a pole: at a simple one
+/// twice as far. A peak that all samples see stays as it is.
+constexpr double kGrowth = 1.3;
+
+/// Moments of the range, its ends first.
+std::vector<double> moments_of(const Animation& animation) {
+  std::vector<double> moments = {animation.from, animation.to};
+  for (int k = 1; k <= kMoments; ++k) {
+    const double part = k * kGoldenPart;
+    moments.push_back(animation.from + (animation.to - animation.from) * (part - std::floor(part)));
+  }
+  return moments;
+}
+
+/// Finite positions on a grid over a surface, and a box around them, clipped as its mesh will be.
+struct Sampled {
+  std::vector<dvec3> positions;
+  Bounds bounds;
+  bool moves = false;
+  bool has_poles = false;  ///< as it seems
+  void keep_to(const Bounds& box) {
+    std::erase_if(positions, [&](const dvec3& p) { return !box.contains(p); });
+    bounds = Bounds();
+    for (const dvec3& p : positions) bounds.add(p);
+  }
+};
+
+/// Clips a surface as if it has poles or outgrows its picture, if it seems to do one of these.
+/// `coarse`: a box around each other sample.
+void clip_automatically(const Bounds& coarse, Sampled& surface) {
+  const dvec3 growth = surface.bounds.size() - kGrowth * coarse.size();
+  surface.has_poles = !surface.positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
+  const std::optional<Bounds> box = surface.has_poles
+                                        ? clip_box(surface.bounds, surface.positions)
+                                        : readable_box(surface.bounds, surface.positions);
+  if (box) surface.keep_to(*box);
+}
+
+Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
+  BoundSurface bound = bind_surface(scene, spec);
+  const Domain& d = bound.domain;
+  const std::vector<double> u = even_lines(d.u0, d.u1, kCells);
+  const std::vector<double> v = even_lines(d.v0, d.v1, kCells);
+  std::array<std::vector<double>, 3> xyz;
+  for (auto& coordinates : xyz) coordinates.resize(u.size() * v.size());
+  const std::array<double*, 3> outputs = {xyz[0].data(), xyz[1].data(), xyz[2].data()};
+  evaluate_grid(compile(bound.graph, bound.r), u, v, outputs, threads);
+  Sampled result;
+  result.moves = bound.moves;
+  Bounds coarse;
+  for (std::size_t i = 0; i < xyz[0].size(); ++i) {
+    const dvec3 p(xyz[0][i], xyz[1][i], xyz[2][i]);
+    if (!is_finite(p)) continue;
+    result.positions.push_back(p);
+    result.bounds.add(p);
+    if (i / u.size() % 2 == 0 && i % u.size() % 2 == 0) coarse.add(p);
+  }
+  if (scene.clip.box) {
+    result.keep_to(*scene.clip.box);
+  } else if (scene.clip.automatic) {
+    clip_automatically(coarse, result);
+  }
+  return result;
+}
+
+/// The scene's surfaces at one moment. Those that do not move are sampled once.
+using Samples = std::vector<std::shared_ptr<const Sampled>>;
+
+Samples sample_all(const Scene& scene, const Samples& last, unsigned threads) {
+  Samples samples;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const bool known = i < last.size() && !last[i]->moves;
+    samples.push_back(
+        known ? last[i]
+              : std::make_shared<const Sampled>(sample(scene, scene.surfaces[i], threads)));
+  }
+  return samples;
+}
+
+/// Of surfaces that have poles at some moments, keeps to what is clipped then at the others, too:
+/// a pole that is just outside of the range leaves a surface that is as high as one likes.
+void keep_to_clipped(std::vector<Samples>& moments) {
+  for (std::size_t i = 0; i < moments[0].size(); ++i) {
+    Bounds clipped;
+    for (const Samples& samples : moments) {
+      if (samples[i]->has_poles) clipped.add(samples[i]->bounds);
+    }
+    if (clipped.empty()) continue;
+    for (Samples& samples : moments) {
+      if (samples[i]->has_poles) continue;
+      auto kept = std::make_shared<Sampled>(*samples[i]);
+      kept->keep_to(clipped);
+      samples[i] = std::move(kept);
+    }
+  }
+}
+
+/// The largest distance from `centre` of a sample where it is drawn, at least `radius`.
+double farthest(const dvec3& centre, const Sampled& samples, const glm::dmat4& place,
+                double radius) {
+  const auto distance = [&](const dvec3& p) {
+    const dvec3 way = dvec3(place * glm::dvec4(p, 1)) - centre;
+    return std::hypot(way.x, way.y, way.z);
+  };
+  double bound = 0;  // distances are convex: no sample is farther than the farthest corner
+  for (const dvec3& p : samples.bounds.corners()) bound = std::max(bound, distance(p));
+  if (samples.positions.empty() || bound <= radius) return radius;
+  for (const dvec3& p : samples.positions) radius = std::max(radius, distance(p));
+  return radius;
+}
+
+/// Beside what is written. The numbers of colours are known when there is a mesh: their labels are
+/// about as wide as these.
+Room room_in(const Scene& scene, const Bounds& bounds, const dvec2& size) {
+  const std::vector<std::optional<ColorRange>> ranges(scene.surfaces.size(), ColorRange{-1, 1});
+  return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
+}
+
+/// A box around boxes that keeps to where all of them end at the same place, and leaves room beyond
+/// where they do not: moments between those that were looked at may go farther.
+Bounds around_all(const std::vector<Bounds>& boxes) {
+  Bounds result;
+  for (const Bounds& box : boxes) result.add(box);
+  for (int k = 0; k < 3; ++k) {
+    double latest = result.low[k];
+    double first = result.high[k];
+    for (const Bounds& box : boxes) {
+      latest = std::max(latest, box.low[k]);
+      first = std::min(first, box.high[k]);
+    }
+    result.low[k] -= kBetweenMoments * (latest - result.low[k]);
+    result.high[k] += kBetweenMoments * (result.high[k] - first);
+  }
+  return result;
+}
+
+/// The range of a surface's numbers at one moment; nothing if it has none.
+std::optional<ColorRange> colors_of(const Scene& scene, const SurfaceSpec& spec) {
+  GridOptions grid;
+  grid.cells_u = grid.cells_v = static_cast<int>(kCells);
+  grid.lines_u = grid.lines_v = 0;
+  grid.threads = 1;
+  ColorOptions options;
+  options.least_edge = std::numeric_limits<double>::infinity();  // the grid is fine enough
+  options.clip = scene.clip.box;
+  options.threads = 1;
+  try {
+    const Surface surface = prepare_surface(scene, spec).surface;
+    GridMesh mesh = mesh_on_grid(surface, grid);
+    if (scene.clip.box) clip_mesh(*scene.clip.box, mesh.mesh);
+    color_mesh(surface, options, mesh.mesh);
+    const auto has_number = [](double number) { return !std::isnan(number); };
+    if (std::ranges::none_of(mesh.mesh.color, has_number)) return std::nullopt;
+    return mesh.mesh.color_range;
+  } catch (const Error& error) {
+    if (error.status() != Status::Nothing) throw;
+    return std::nullopt;  // there is nothing of it at this moment
+  }
+}
+
+/// Finds the range of colours that change. `samples` are of the scenes.
+void find_colors(const std::vector<Scene>& scenes, const Samples& samples, Framing& framing) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples[i]->moves || scenes[0].surfaces[i].color.empty()) continue;
+    for (const Scene& scene : scenes) {
+      const auto range = colors_of(scene, scene.surfaces[i]);
+      if (!range) continue;
+      ColorRange& all = framing.colors.try_emplace(i, *range).first->second;
+      all.low = std::min(all.low, range->low);
+      all.high = std::max(all.high, range->high);
+    }
+  }
+}
+
+/// Finds what the scene's cameras do not say. `scenes` are those of all moments.
+void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
+  std::vector<Samples> samples;
+  std::vector<std::vector<Instance>> places;
+  std::vector<Bounds> boxes;
+  for (const Scene& scene : scenes) {
+    samples.push_back(sample_all(scene, samples.empty() ? Samples{} : samples.back(), threads));
+    places.push_back(instances(scene));
+  }
+  keep_to_clipped(samples);
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    Bounds box;
+    for (const Instance& at : places[k]) {
+      box.add(transformed(samples[k][at.surface]->bounds, at.to_world));
+    }
+    if (!box.empty()) boxes.push_back(box);
+  }
+  if (boxes.empty()) return;  // nothing but background
+  find_colors(scenes, samples[0], framing);
+  Bounds bounds;
+  for (const Bounds& box : boxes) bounds.add(box);
+  if (scenes[0].axes) framing.box = around_all(boxes);
+  const Bounds& written_about = framing.box ? *framing.box : bounds;
+  const Camera& camera = scenes[0].camera;
+  if (!camera.target) framing.target = bounds.centre();
+  if (camera.distance) return;
+  double distance = 0;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const PictureSettings& picture = scenes[k].picture;
+    const dvec3 target = camera_target(scenes[k].camera, bounds);
+    double radius = 0;
+    for (const Instance& at : places[k]) {
+      radius = farthest(target, *samples[k][at.surface], at.to_world, radius);
+    }
+    const dvec2 size(picture.width, picture.height);
+    Camera seen = scenes[k].camera;
+    seen.target = Vector(target);
+    const Room room = room_in(scenes[k], written_about, size);
+    const FittedCamera fitted = fit_camera(seen, written_about, size.x / size.y, radius, room);
+    distance = std::max(distance, fitted.distance);
+  }
+  framing.distance = distance;
+}
+
+}  // namespace
+
+void Framing::apply(Scene& scene) const {
+  if (target) scene.camera.target = Vector(*target);
+  if (distance) scene.camera.distance = Number(*distance);
+  scene.box = box;
+  for (const auto& [surface, range] : colors) scene.surfaces[surface].color_range = range;
+}
+
+Framing frame_scene(Timeline& timeline, unsigned threads) {
+  Framing framing;
+  const Scene& written = timeline.scene();
+  if (!written.animation) return framing;
+  std::vector<Scene> scenes;
+  for (const double t : moments_of(*written.animation)) {
+    try {
+      scenes.push_back(timeline.at(t));
+    } catch (const Error& error) {
+      throw with_hint_line(error, "this is at t = " + format_number(t));
+    }
+  }
+  fit(scenes, framing, threads);
+  for (Scene& scene : scenes) {
+    framing.apply(scene);
+    Moment moment(scene);
+    if (std::ranges::find(framing.moments, moment) == framing.moments.end()) {
+      framing.moments.push_back(std::move(moment));
+    }
+  }
+  return framing;
+}
+
+}  // namespace saddle

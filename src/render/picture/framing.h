@@ -1,0 +1,39 @@
+// A scene over all of its time: the camera that holds it at every moment, so that a film's picture
+// does not breathe, and what its meshes have to be fine enough for.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "meshing/tolerance.h"
+#include "scene/options/resolve.h"
+
+namespace saddle {
+
+/// What the camera of a scene with an animation is, where the scene does not say so: the target is
+/// the centre of a box around the scene at all moments of its range of time; the distance is the
+/// one at which the sphere around the target that holds it all just fits. They depend on the scene
+/// and its range of time alone: frames that are drawn apart fit together, and a frame that is
+/// opened again is the same.
+///
+/// So do the box that axes are drawn around, and the numbers that colours run over, which are those
+/// of all moments.
+struct Framing {
+  std::optional<dvec3> target;
+  std::optional<double> distance;
+  std::optional<Bounds> box;                 ///< of a scene with axes
+  std::map<std::size_t, ColorRange> colors;  ///< of surfaces whose colours another moment changes
+  std::vector<Moment> moments;               ///< cameras and nodes, none twice
+
+  /// Puts the camera, the box and the colours where they are. A scene without an animation keeps
+  /// its own.
+  void apply(Scene& scene) const;
+};
+
+/// Looks at `timeline.scene()` at a fixed number of moments, at samples of its surfaces. Throws
+/// Error (Input) as Timeline::at() and prepare_surface() do.
+Framing frame_scene(Timeline& timeline, unsigned threads);
+
+}  // namespace saddle

@@ -1,0 +1,180 @@
+#include "render/picture/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "render/shading/shaders.h"
+#include "render/shading/surface_shader.h"
+
+namespace saddle {
+namespace {
+
+/// Half a step of 8 bits.
+constexpr double kInvisible = 1.0 / 512;
+
+/// Behind everything.
+constexpr std::array<GLfloat, 4> kNothing = {2, 2, 2, 2};
+/// In front of everything.
+constexpr std::array<GLfloat, 4> kBeforeAll = {-1, -1, -1, -1};
+constexpr std::array<GLfloat, 4> kClear = {0, 0, 0, 0};
+
+/// Half floats: an opacity has 11 bits however small it is, so that many layers of little opacity
+/// add up rightly; and so do lights of several passes, beyond white.
+constexpr GLint kColorFormat = GL_RGBA16F;
+
+GlTexture make_texture(GLint format, int width, int height) {
+  GlTexture texture = make_name<GlTexture>(glGenTextures);
+  glBindTexture(GL_TEXTURE_2D, texture.get());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RED, GL_FLOAT, nullptr);
+  return texture;
+}
+
+/// Binds it, too.
+void clear(const GlFramebuffer& framebuffer, const std::array<GLfloat, 4>& color) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  glClearBufferfv(GL_COLOR, 0, color.data());
+}
+
+void bind_texture(GLenum unit, const GlTexture& texture) {
+  glActiveTexture(unit);
+  glBindTexture(GL_TEXTURE_2D, texture.get());
+}
+
+Program layer_program(const std::vector<std::string>& names) {
+  return {std::string(shader_source("layer.vert.glsl")),
+          keep_defined(std::string(shader_source("layer.frag.glsl")), names)};
+}
+
+/// Layers behind which nothing is seen, if each lets 1 - `least_opacity` of the light through.
+std::size_t layers_seen(double least_opacity) {
+  const double layers = std::ceil(std::log(kInvisible) / std::log1p(-least_opacity));
+  return layers < static_cast<double>(kMostLayers) ? static_cast<std::size_t>(layers) : kMostLayers;
+}
+
+}  // namespace
+
+Layers::Layers(int width, int height)
+    : width_(width),
+      height_(height),
+      color_(make_texture(kColorFormat, width, height)),
+      front_(make_texture(kColorFormat, width, height)),
+      depth_{make_texture(GL_R32F, width, height), make_texture(GL_R32F, width, height)},
+      nearest_(make_name<GlRenderbuffer>(glGenRenderbuffers)),
+      depth_buffers_{make_name<GlFramebuffer>(glGenFramebuffers),
+                     make_name<GlFramebuffer>(glGenFramebuffers)},
+      color_buffer_(make_name<GlFramebuffer>(glGenFramebuffers)),
+      front_buffer_(make_name<GlFramebuffer>(glGenFramebuffers)),
+      no_vertices_(make_name<GlVertexArray>(glGenVertexArrays)),
+      drawn_(make_name<GlQuery>(glGenQueries)),
+      peel_(std::string(shader_source("unlit.vert.glsl")),
+            std::string(shader_source("peel.frag.glsl"))),
+      under_(layer_program({})),
+      over_(layer_program({"LAST"})) {
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glBindRenderbuffer(GL_RENDERBUFFER, nearest_.get());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  attach_all(depth_buffers_[0], depth_[0]);
+  attach_all(depth_buffers_[1], depth_[1]);
+  attach_all(color_buffer_, color_);
+  attach_all(front_buffer_, front_);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
+void Layers::attach_all(const GlFramebuffer& framebuffer, const GlTexture& texture) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), 0);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, nearest_.get());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+  throw Error(Status::Machine,
+              "OpenGL cannot draw see-through surfaces into " + std::to_string(width_) + "x" +
+                  std::to_string(height_) + " samples",
+              {}, "try a smaller --size, --antialias 1 or --opacity 1");
+}
+
+bool Layers::draw(const Surfaces& surfaces) {
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const auto framebuffer = static_cast<GLuint>(bound);
+  clear(front_buffer_, kClear);
+  clear(depth_buffers_[1], kBeforeAll);
+  const std::size_t most = layers_seen(surfaces.least_opacity);
+  std::size_t count = 0;
+  while (count < most && find_layer(count, framebuffer, surfaces)) {
+    shade_layer(surfaces);
+    put_under();
+    ++count;
+  }
+  put_over(framebuffer);
+  return count < kMostLayers;
+}
+
+/// Everything that hides is in the depth buffer. Returns false if there is no layer any more.
+bool Layers::find_layer(std::size_t number, GLuint framebuffer, const Surfaces& surfaces) {
+  const std::size_t own = number % 2;
+  clear(depth_buffers_[own], kNothing);
+  copy(framebuffer, GL_DEPTH_BUFFER_BIT);
+  bind_texture(GL_TEXTURE0, depth_[1 - own]);
+  peel_.use();
+  peel_.set_texture("last_depth", 0);
+  glBeginQuery(GL_ANY_SAMPLES_PASSED, drawn_.get());
+  surfaces.peel(peel_);
+  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  GLuint is_drawn = GL_FALSE;
+  glGetQueryObjectuiv(drawn_.get(), GL_QUERY_RESULT, &is_drawn);
+  return is_drawn == GL_TRUE;
+}
+
+void Layers::shade_layer(const Surfaces& surfaces) {
+  clear(color_buffer_, kClear);
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  surfaces.shade();
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+}
+
+void Layers::copy(GLuint framebuffer, GLbitfield what) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, what, GL_NEAREST);
+}
+
+void Layers::put_under() {
+  glBindFramebuffer(GL_FRAMEBUFFER, front_buffer_.get());
+  bind_texture(GL_TEXTURE0, color_);
+  under_.use();
+  under_.set_texture("layer", 0);
+  under_.check_all_set();
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  glBindVertexArray(no_vertices_.get());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
+}
+
+/// What hides is copied for the shader to read: its alpha is not multiplied in, which blending does
+/// not know.
+void Layers::put_over(GLuint framebuffer) {
+  glBindFramebuffer(GL_FRAMEBUFFER, color_buffer_.get());
+  copy(framebuffer, GL_COLOR_BUFFER_BIT);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  bind_texture(GL_TEXTURE1, front_);
+  bind_texture(GL_TEXTURE0, color_);
+  over_.use();
+  over_.set_texture("layer", 0);
+  over_.set_texture("front", 1);
+  over_.check_all_set();
+  glDisable(GL_DEPTH_TEST);
+  glBindVertexArray(no_vertices_.get());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_DEPTH_TEST);
+}
+
+}  // namespace saddle

@@ -1,0 +1,64 @@
+// See-through surfaces, layer by layer: the nearest of them at each sample, then the nearest behind
+// that, until a layer is empty. So the order of triangles does not matter, and surfaces may overlap
+// each other and themselves.
+// Source: C. Everitt, "Interactive order-independent transparency", 2001.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+
+#include "render/gl/gl.h"
+#include "render/gl/program.h"
+
+namespace saddle {
+
+/// Layers behind each other that are drawn, at the most: each is a picture of its own.
+inline constexpr std::size_t kMostLayers = 1000;
+
+/// Needs a current context.
+class Layers {
+ public:
+  /// Of `width` x `height` samples. Throws Error (Machine) if OpenGL cannot draw into as much.
+  Layers(int width, int height);
+
+  bool has_size(int width, int height) const { return width == width_ && height == height_; }
+
+  /// Draws the surfaces with the program of peel(), which tells layers apart; and with their own,
+  /// lit, where the depth of the layer at hand is: its colour, and as alpha its opacity.
+  struct Surfaces {
+    std::function<void(Program& peel)> peel;
+    std::function<void()> shade;
+    double least_opacity = 0;  ///< of any of them; more than 0
+  };
+
+  /// Puts the layers over what the bound framebuffer holds, which must have a depth of 24 bits.
+  /// Returns false if some that would be seen are left out: there are kMostLayers in front.
+  bool draw(const Surfaces& surfaces);
+
+ private:
+  void attach_all(const GlFramebuffer& framebuffer, const GlTexture& texture) const;
+  /// From there to the bound framebuffer.
+  void copy(GLuint framebuffer, GLbitfield what) const;
+  bool find_layer(std::size_t number, GLuint framebuffer, const Surfaces& surfaces);
+  void shade_layer(const Surfaces& surfaces);
+  void put_under();
+  void put_over(GLuint framebuffer);
+
+  int width_;
+  int height_;
+  GlTexture color_;                 ///< of a layer, with its opacity
+  GlTexture front_;                 ///< of the layers so far, multiplied by their opacity
+  std::array<GlTexture, 2> depth_;  ///< of a layer and the one before, in turns
+  GlRenderbuffer nearest_;          ///< for the depth test
+  std::array<GlFramebuffer, 2> depth_buffers_;
+  GlFramebuffer color_buffer_;
+  GlFramebuffer front_buffer_;
+  GlVertexArray no_vertices_;
+  GlQuery drawn_;
+  Program peel_;
+  Program under_;
+  Program over_;
+};
+
+}  // namespace saddle

@@ -1,0 +1,196 @@
+// The order of work: context, upload, then tile by tile the scene and the mean of the samples.
+#include "render/picture/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <new>
+
+#include "base/error.h"
+#include "render/gl/average.h"
+#include "render/gl/context.h"
+#include "render/gl/target.h"
+#include "render/overlay/annotations.h"
+#include "render/picture/picture_in_tiles.h"
+#include "render/picture/renderer.h"
+
+namespace saddle {
+namespace {
+
+static_assert(kMaxAntialias <= kMostSamplesPerSide);
+
+/// Milliseconds since the last lap.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> passed = now - start_;
+    start_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Of the numbers that the meshes are coloured by.
+std::vector<std::optional<ColorRange>> ranges_of(std::span<const Mesh> meshes) {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const Mesh& mesh : meshes) ranges.push_back(color_range_of(mesh));
+  return ranges;
+}
+
+}  // namespace
+
+FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, const dvec2& size) {
+  const std::vector<Instance> all = instances(scene);
+  Bounds bounds;
+  for (const Instance& instance : all) {
+    bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
+  }
+  if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
+  if (scene.camera.distance) return fit_camera(scene.camera, bounds, size.x / size.y);
+  const dvec3 target = camera_target(scene.camera, bounds);
+  double radius = 0;  // much less than the box's for a torus, say
+  for (const Instance& instance : all) {
+    radius = std::max(radius, farthest_vertex(target, meshes[instance.surface], instance.to_world));
+  }
+  return fit_camera(
+      scene.camera, bounds, size.x / size.y, radius,
+      room_for_annotations(scene, bounds, color_scales(scene, ranges_of(meshes)), size));
+}
+
+Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
+                 const PictureSettings& options, int tile_samples) {
+  const int n = options.antialias;
+  const Tiling tiling = split_picture(options.width, options.height, n, tile_samples);
+  const Target target(n * (tiling.tile_width + 2 * kTileMargin),
+                      n * (tiling.tile_height + 2 * kTileMargin));
+  const bool opaque = scene.background.a >= 1;  // no sample is see-through
+  Image image(options.width, options.height);
+  for (const PixelRect& tile : tiling.tiles) {
+    renderer.draw(scene, camera, {options.width, options.height, tile, kTileMargin, n});
+    target.read(kTileMargin * n, kTileMargin * n, n, opaque, tile, image);
+  }
+  return image;
+}
+
+struct PictureMaker::Gpu {
+  std::unique_ptr<Context> context;
+  Renderer renderer;
+
+  explicit Gpu(Backend backend) : context(make_context(backend)) {}
+};
+
+PictureMaker::PictureMaker(Backend backend) {
+  Stopwatch stopwatch;
+  gpu_ = std::make_unique<Gpu>(backend);
+  times_.context = stopwatch.lap();
+}
+
+/// Nobody may have entered it.
+PictureMaker::~PictureMaker() {
+  try {
+    enter();
+  } catch (const Error&) {
+    // What OpenGL holds ends with its context.
+  }
+}
+
+void PictureMaker::leave() {
+  gpu_->context->leave();
+}
+
+void PictureMaker::enter() {
+  gpu_->context->enter();
+}
+
+/// A grid line is drawn, of a surface that is not seen: OpenGL compiles a program where it is first
+/// used, and parts of itself with it.
+void PictureMaker::warm_up() {
+  Stopwatch stopwatch;
+  constexpr std::array<std::array<dvec3, 2>, 1> kLine{{{dvec3(-1, 0, 0), dvec3(1, 0, 0)}}};
+  constexpr int kSide = 16;
+  Scene scene;
+  scene.surfaces.resize(1);
+  scene.surfaces[0].opacity = 0;
+  const Mesh line = mesh_of_lines(kLine);
+  gpu_->renderer.set_mesh(0, line);
+  const FittedCamera camera = fit_camera(scene.camera, line.bounds, 1);
+  const Target target(kSide, kSide);
+  gpu_->renderer.draw(scene, camera, {kSide, kSide, {0, 0, kSide, kSide}});
+  gpu_->renderer.keep_meshes(0);
+  times_.context += stopwatch.lap();
+}
+
+std::string PictureMaker::renderer() const {
+  return gpu_->context->name();
+}
+
+std::string PictureMaker::shader_texts() const {
+  return gpu_->renderer.shader_texts();
+}
+
+std::vector<std::string> PictureMaker::warnings() const {
+  return gpu_->renderer.warnings();
+}
+
+void PictureMaker::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
+  Stopwatch stopwatch;
+  gpu_->renderer.set_surface(scene, surface, mesh);
+  times_.upload += stopwatch.lap();
+}
+
+Image PictureMaker::draw(const Scene& scene, std::span<const Mesh> meshes,
+                         const PictureSettings& options) {
+  return draw_in_tiles(scene, meshes, options, kTileSamples);
+}
+
+Image PictureMaker::draw_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                                  const PictureSettings& options, int tile_samples) {
+  assert(meshes.size() == scene.surfaces.size());
+  assert(options.width > 0 && options.height > 0);
+  assert(options.antialias >= 1 && options.antialias <= kMaxAntialias);
+  Stopwatch stopwatch;
+  const dvec2 size(options.width, options.height);
+  try {
+    Image image = draw_image(gpu_->renderer, scene, fit_to_meshes(scene, meshes, size), options,
+                             tile_samples);
+    times_.draw += stopwatch.lap();
+    return image;
+  } catch (const std::bad_alloc&) {
+    throw Error(Status::Machine,
+                "not enough memory for a picture of " + std::to_string(options.width) + "x" +
+                    std::to_string(options.height) + " pixels",
+                {}, "try a smaller --size, --antialias 1 or coarser --samples");
+  }
+}
+
+Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                          const PictureSettings& options, int tile_samples, Backend backend) {
+  PictureMaker maker(backend);
+  for (std::size_t i = 0; i < meshes.size(); ++i) maker.set_surface(scene, i, meshes[i]);
+  Rendering result;
+  result.image = maker.draw_in_tiles(scene, meshes, options, tile_samples);
+  result.times = maker.times();
+  result.renderer = maker.renderer();
+  result.shaders = maker.shader_texts();
+  result.warnings = maker.warnings();
+  return result;
+}
+
+Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,
+                 Backend backend) {
+  return render_in_tiles(scene, meshes, options, kTileSamples, backend);
+}
+
+std::unique_ptr<PictureMaker> start_picture_maker(Backend backend) {
+  auto maker = std::make_unique<PictureMaker>(backend);
+  maker->warm_up();
+  maker->leave();
+  return maker;
+}
+
+}  // namespace saddle

@@ -1,0 +1,377 @@
+// The order of work: the surfaces that hide, once for as many lights as a program holds; lines on
+// top of them; then those that are see-through, in the same way for each of their layers.
+#include "render/picture/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <new>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "base/error.h"
+#include "render/shading/normal_shader.h"
+#include "render/shading/shader_materials.h"
+#include "render/shading/shaders.h"
+
+namespace saddle {
+namespace {
+
+constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
+constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
+/// The box around the surfaces is less conspicuous than what is written about it.
+constexpr double kBoxInk = 0.3;
+
+/// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
+/// it any longer.
+constexpr std::size_t kMostLightsAtOnce = 512;
+
+/// Share of a mesh's corners at which floats must know the normal. Where they do not at most of
+/// them, they do at the others by chance.
+constexpr double kLeastTrust = 0.5;
+
+void clear(const Color& background) {
+  const auto channel = [](double value) { return static_cast<float>(value); };
+  glClearColor(channel(background.r), channel(background.g), channel(background.b),
+               channel(background.a));
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void check_gl() {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return;
+  if (error == GL_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw Error(Status::Machine, "OpenGL reports error " + std::to_string(error), {},
+              "this is a defect of saddle or of the OpenGL driver; please report it");
+}
+
+}  // namespace
+
+void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
+  assert(surface <= meshes_.size());
+  GpuMesh uploaded(mesh);
+  if (surface < meshes_.size()) {
+    meshes_[surface] = std::move(uploaded);
+  } else {
+    meshes_.push_back(std::move(uploaded));
+  }
+  normals_.resize(meshes_.size());
+  normals_[surface] = {};
+}
+
+void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
+  set_mesh(surface, mesh);
+  if (scene.picture.shading != Shading::Exact || mesh.triangles.empty()) return;
+  ShaderNormal formula = shader_normal(scene, scene.surfaces[surface]);
+  if (!formula.obstacle) {
+    Program& trust = program(trust_shader(formula), "trust_in_formula");
+    trust.use();
+    if (!formula.constants.empty()) trust.set("constant", formula.constants);
+    trust.check_all_set();
+    const double share = meshes_[surface].measure_trust(trust, mesh.uv);
+    if (share < kLeastTrust) formula.obstacle = "a shader's floats have too few digits for it";
+  }
+  if (formula.obstacle) {
+    normals_[surface].warning =
+        scene.surfaces[surface].name +
+        ": shaded with interpolated normals, not exact ones: " + *formula.obstacle;
+  } else {
+    normals_[surface].formula = std::move(formula);
+  }
+}
+
+void Renderer::keep_meshes(std::size_t count) {
+  if (count >= meshes_.size()) return;
+  meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(count), meshes_.end());
+  normals_.resize(count);
+}
+
+std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
+                                           double unit, const Look& look) const {
+  std::vector<PlacedMesh> items;
+  for (const Instance& instance : instances(scene)) {
+    PlacedMesh item(instance, meshes_[instance.surface], camera, unit);
+    item.opacity = scene.surfaces[instance.surface].opacity;
+    if (item.opacity < 1 || look.wireframe) item.two_sided = true;
+    if (item.is_visible()) items.push_back(item);
+  }
+  return items;
+}
+
+void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
+                    const Look& look) {
+  assert(meshes_.size() == scene.surfaces.size());
+  Bounds bounds;
+  for (const Instance& instance : instances(scene)) {
+    bounds.add(transformed(meshes_[instance.surface].bounds(), instance.to_world));
+  }
+  const double unit = model_frame(bounds).size;
+  const PixelRect& rect = viewport.rect;
+  const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
+  std::vector<PlacedMesh> items = items_of(scene, camera, unit, look);
+  for (PlacedMesh& item : items) item.model_to_clip = to_rect * item.model_to_clip;
+  const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
+  scales_ = scales_of(scene);
+
+  const int n = viewport.per_side;
+  glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
+  std::vector<PlacedMesh> hiding;
+  std::vector<PlacedMesh> see_through;
+  for (const PlacedMesh& item : items) {
+    if (item.opacity == 1) hiding.push_back(item);
+    if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
+  }
+  if (scene.box) bounds.add(*scene.box);
+  const Annotations annotations =
+      annotate(scene, camera, bounds, scales_, dvec2(viewport.width, viewport.height));
+  unknown_letters_ = annotations.unknown;
+  const dvec3 ink = ink_on(scene.background);
+  Color background = scene.background;
+  // Letters blend into what is there: on nothing at all that must not darken them.
+  const bool is_bare = background.a == 0 && see_through.empty() && !annotations.empty();
+  if (is_bare) background = {ink.r, ink.g, ink.b, 0};
+  clear(background);
+  glEnable(GL_DEPTH_TEST);
+  draw_surfaces(scene, hiding, lights, n, look);
+  if (look.lines) draw_lines(items, n);
+  if (marks_) {
+    PlacedMesh item({}, *marks_, camera, unit);
+    item.model_to_clip = to_rect * item.model_to_clip;
+    draw_marks(item, n);
+  }
+  if (!annotations.edges.empty()) draw_box(annotations.edges, camera, viewport, ink);
+  if (!see_through.empty()) {
+    const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
+    left_out_layers_ |= !layers(viewport).draw(
+        {[&](Program& peel) { draw_depths(see_through, peel, n, look); },
+         [&] { draw_surfaces(scene, see_through, lights, n, look); }, least});
+  }
+  if (!annotations.empty()) {
+    line_program().use();
+    line_program().set("line_color", ink);
+    if (!overlay_) overlay_.emplace();
+    overlay_->draw(annotations, viewport, ink, line_program(), colormaps_);
+  }
+  glUseProgram(0);  // who remembers what was in use may find it deleted
+  check_gl();
+}
+
+Layers& Renderer::layers(const Viewport& viewport) {
+  const int width = viewport.per_side * (viewport.rect.width + 2 * viewport.margin);
+  const int height = viewport.per_side * (viewport.rect.height + 2 * viewport.margin);
+  if (!layers_ || !layers_->has_size(width, height)) {
+    layers_.reset();  // first the old ones: there need not be memory for both
+    layers_.emplace(width, height);
+  }
+  return *layers_;
+}
+
+Program& Renderer::program(const ShaderText& text, const std::string& captured) {
+  const std::string both = text.vertex + text.fragment;
+  const auto known = programs_.find(both);
+  if (known != programs_.end()) return known->second;
+  return programs_.emplace(both, Program(text.vertex, text.fragment, captured)).first->second;
+}
+
+std::vector<std::string> Renderer::warnings() const {
+  std::vector<std::string> all;
+  for (const Normals& normals : normals_) {
+    if (normals.warning) all.push_back(*normals.warning);
+  }
+  if (!unknown_letters_.empty()) {
+    all.push_back("the font of pictures has no letters for " + unknown_letters_ +
+                  ": boxes stand for them");
+  }
+  if (left_out_layers_) {
+    all.push_back("more than " + std::to_string(kMostLayers) +
+                  " see-through layers lie behind each other: those farther away are not drawn");
+  }
+  return all;
+}
+
+std::string Renderer::shader_texts() const {
+  std::string all;
+  for (const auto& [text, program] : programs_) all += text;
+  return all;
+}
+
+Program& Renderer::line_program() {
+  if (!line_program_) {
+    line_program_.emplace(std::string(shader_source("unlit.vert.glsl")),
+                          std::string(shader_source("line.frag.glsl")));
+  }
+  return *line_program_;
+}
+
+bool Renderer::has_lines() const {
+  return std::ranges::any_of(meshes_, &GpuMesh::has_lines);
+}
+
+std::size_t Renderer::lights_at_once() {
+  if (lights_at_once_ == 0) {
+    GLint vertex = 0;
+    GLint fragment = 0;
+    glGetIntegerv(GL_MAX_VERTEX_UNIFORM_COMPONENTS, &vertex);
+    glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &fragment);
+    lights_at_once_ =
+        std::min(saddle::lights_at_once(std::min(vertex, fragment)), kMostLightsAtOnce);
+  }
+  return lights_at_once_;
+}
+
+std::vector<ColorScale> Renderer::scales_of(const Scene& scene) const {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const GpuMesh& mesh : meshes_) ranges.push_back(mesh.color_range());
+  return color_scales(scene, ranges);
+}
+
+/// From the mesh's own range, in which its numbers are uploaded, to the scale that it shares.
+void Renderer::set_color(Program& program, const Scene& scene, std::size_t surface) {
+  const ColorScale& scale = scale_of(scene.surfaces[surface], scales_);
+  const ColorRange& range = *meshes_[surface].color_range();
+  const double first = place_on(scale, range.low);
+  program.set("color_offset", first);
+  program.set("color_scale", place_on(scale, range.high) - first);
+  program.set_texture("colormap", 0);
+  colormaps_.bind(scale.colormap);
+}
+
+/// Faces are pushed back by the depth they have across half a line's width, at which a sample of
+/// the line may lie from the line itself, and half a sample more.
+void Renderer::start_faces(int line_width, const Look& look) const {
+  if (has_lines()) {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(0.5F * static_cast<float>(line_width + 1), 1);
+  }
+  if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glLineWidth(static_cast<float>(line_width));
+}
+
+void Renderer::end_faces() {
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void Renderer::draw_depths(std::span<const PlacedMesh> items, Program& program, int line_width,
+                           const Look& look) {
+  start_faces(line_width, look);
+  for (const PlacedMesh& item : items) {
+    program.set("model_to_clip", item.model_to_clip);
+    program.check_all_set();
+    meshes_[item.surface].draw_triangles();
+  }
+  end_faces();
+}
+
+/// Passes after the first add light to what is in front.
+void Renderer::draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
+                             int line_width, const Look& look) {
+  start_faces(line_width, look);
+  const std::size_t most = lights_at_once();
+  draw_pass(scene, items, lights.first(std::min(most, lights.size())), true);
+  if (lights.size() > most) {
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    for (std::size_t begin = most; begin < lights.size(); begin += most) {
+      draw_pass(scene, items, lights.subspan(begin, std::min(most, lights.size() - begin)), false);
+    }
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+  }
+  end_faces();
+}
+
+void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
+                         bool first) {
+  ShaderNeeds needs;
+  needs.blinn = scene.picture.specular == Specular::Blinn;
+  needs.per_vertex = scene.picture.shading == Shading::Vertex;
+  needs.orthographic = scene.camera.ortho;
+  const bool exact = scene.picture.shading == Shading::Exact;
+  add_light_needs(lights, needs);
+  Program* program = nullptr;
+  ShaderNeeds made_for;
+  for (const PlacedMesh& item : items) {
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    needs.two_sided = item.two_sided;
+    needs.see_through = item.opacity < 1;
+    needs.normal_matrix = !item.is_similar;
+    const auto& formula = normals_[item.surface].formula;
+    needs.normal = exact && formula ? &*formula : nullptr;
+    needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
+    add_material_needs(surface, first, needs);
+    if (program == nullptr || needs != made_for) {
+      program = &this->program(assemble_surface_shader(needs));
+      program->use();
+      set_lights(*program, lights, needs);
+      made_for = needs;
+    }
+    program->set("model_to_clip", item.model_to_clip);
+    program->set("model_to_eye", item.model_to_eye);
+    if (needs.normal_matrix) program->set("normal_to_eye", item.normal_to_eye);
+    if (needs.normal != nullptr && !formula->constants.empty()) {
+      program->set("constant", formula->constants);
+    }
+    if (needs.see_through) program->set("opacity", item.opacity);
+    if (needs.colored) set_color(*program, scene, item.surface);
+    set_materials(*program, surface, needs);
+    program->check_all_set();
+    glFrontFace(item.mirrored ? GL_CW : GL_CCW);
+    item.two_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    meshes_[item.surface].draw_triangles();
+  }
+  glFrontFace(GL_CCW);
+  glDisable(GL_CULL_FACE);
+}
+
+/// `line_width` in samples.
+void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
+  if (!has_lines()) return;
+  Program& program = line_program();
+  program.use();
+  program.set("line_color", kLineColor);
+  glLineWidth(static_cast<float>(line_width));
+  for (const PlacedMesh& item : items) {
+    if (!meshes_[item.surface].has_lines()) continue;
+    program.set("model_to_clip", item.model_to_clip);
+    program.check_all_set();
+    meshes_[item.surface].draw_lines();
+  }
+}
+
+/// Fainter than what is written about it.
+void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
+                        const Viewport& viewport, const dvec3& ink) {
+  const GpuMesh box(mesh_of_lines(edges));
+  const PlacedMesh item({}, box, camera, box.frame().size);
+  Program& program = line_program();
+  program.use();
+  program.set("line_color", glm::mix(dvec3(0.5), ink, kBoxInk));
+  program.set("model_to_clip",
+              clip_to_rect(viewport.width, viewport.height, viewport.rect, viewport.margin) *
+                  item.model_to_clip);
+  program.check_all_set();
+  glLineWidth(static_cast<float>(viewport.per_side));
+  glEnable(GL_DEPTH_CLAMP);
+  box.draw_lines();
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+/// They may stand out of the box that the camera's near and far planes enclose.
+void Renderer::draw_marks(const PlacedMesh& item, int line_width) {
+  Program& program = line_program();
+  program.use();
+  program.set("line_color", kMarkColor);
+  program.set("model_to_clip", item.model_to_clip);
+  program.check_all_set();
+  glLineWidth(static_cast<float>(line_width));
+  glEnable(GL_DEPTH_CLAMP);
+  marks_->draw_lines();
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+}  // namespace saddle

@@ -1,0 +1,117 @@
+// A scene on the GPU: its meshes are uploaded once, its shader programs compiled once, and it is
+// drawn as often as wanted, into whatever framebuffer is bound.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/model/mesh.h"
+#include "render/gl/gpu_mesh.h"
+#include "render/gl/program.h"
+#include "render/overlay/overlay_drawer.h"
+#include "render/picture/layers.h"
+#include "render/picture/placed_mesh.h"
+#include "render/picture/tiles.h"
+#include "render/shading/colormap_textures.h"
+#include "render/shading/shader_lights.h"
+#include "render/shading/surface_shader.h"
+#include "scene/model/camera.h"
+#include "scene/model/color_scale.h"
+#include "scene/model/scene.h"
+
+namespace saddle {
+
+/// The part of a picture that is drawn. Its lower left is that of the framebuffer.
+struct Viewport {
+  int width = 0;  ///< of the whole picture, in pixels
+  int height = 0;
+  PixelRect rect;    ///< of the part
+  int margin = 0;    ///< pixels around it that are drawn too
+  int per_side = 1;  ///< samples per pixel and side
+};
+
+/// What a viewer can change about a picture without changing the scene.
+struct Look {
+  bool lines = true;       ///< the surfaces' grid lines
+  bool wireframe = false;  ///< the edges of the triangles in place of the triangles
+};
+
+/// Needs the same current context from the first to the last of its calls.
+class Renderer {
+ public:
+  /// `lights_at_once`: most lights of a pass; 0: as many as the driver has uniforms for.
+  explicit Renderer(std::size_t lights_at_once = 0) : lights_at_once_(lights_at_once) {}
+
+  /// Uploads the mesh of scene.surfaces[surface]; a mesh that is there already is replaced.
+  /// Surfaces get their first mesh in order.
+  void set_mesh(std::size_t surface, const Mesh& mesh);
+
+  /// The same with what scene.picture.shading needs: for exact normals, the surface's formula.
+  void set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh);
+
+  /// Takes the meshes from the `count`th on away.
+  void keep_meshes(std::size_t count);
+
+  /// Uploads lines that are no part of the scene, in place of the last ones.
+  void set_marks(const Mesh& marks) { marks_.emplace(marks); }
+  void remove_marks() { marks_.reset(); }
+
+  /// Draws all meshes of a resolved scene where its nodes have them, with the materials of their
+  /// surfaces. Throws Error (Machine) for what OpenGL reports, and if there is no memory.
+  void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
+            const Look& look = {});
+
+  /// In which ways the pictures so far are not what was asked for.
+  std::vector<std::string> warnings() const;
+
+  /// The sources of all programs that were made to draw surfaces, for people to read.
+  std::string shader_texts() const;
+
+ private:
+  /// How a surface's normals are computed in Shading::Exact.
+  struct Normals {
+    std::optional<ShaderNormal> formula;  // none: they are interpolated
+    std::optional<std::string> warning;   // and why
+  };
+  using Lights = std::span<const ShaderLight>;
+
+  std::vector<PlacedMesh> items_of(const Scene& scene, const FittedCamera& camera, double unit,
+                                   const Look& look) const;
+  Program& program(const ShaderText& text, const std::string& captured = "");
+  Program& line_program();
+  Layers& layers(const Viewport& viewport);
+  bool has_lines() const;
+  std::size_t lights_at_once();
+  void start_faces(int line_width, const Look& look) const;
+  static void end_faces();
+  void draw_depths(std::span<const PlacedMesh> items, Program& program, int line_width,
+                   const Look& look);
+  std::vector<ColorScale> scales_of(const Scene& scene) const;
+  void set_color(Program& program, const Scene& scene, std::size_t surface);
+  void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
+                     int line_width, const Look& look);
+  void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
+  void draw_lines(std::span<const PlacedMesh> items, int line_width);
+  void draw_marks(const PlacedMesh& item, int line_width);
+  void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
+                const Viewport& viewport, const dvec3& ink);
+
+  std::size_t lights_at_once_ = 0;
+  std::vector<GpuMesh> meshes_;
+  std::vector<Normals> normals_;  // of each
+  std::optional<GpuMesh> marks_;
+  std::map<std::string, Program> programs_;  // for surfaces, by their text
+  ColormapTextures colormaps_;
+  std::vector<ColorScale> scales_;  // of the scene that is being drawn
+  std::optional<Program> line_program_;
+  std::optional<Layers> layers_;
+  bool left_out_layers_ = false;
+  std::string unknown_letters_;
+  std::optional<OverlayDrawer> overlay_;
+};
+
+}  // namespace saddle

@@ -1,0 +1,64 @@
+#include "render/shading/shader_materials.h"
+
+#include <string>
+
+namespace saddle {
+namespace {
+
+dvec3 rgb(const Color& color) {
+  return {color.r, color.g, color.b};
+}
+
+bool is_black(const Color& color) {
+  return color.r == 0 && color.g == 0 && color.b == 0;
+}
+
+const Color& ambient(const Material& material) {
+  return material.ambient ? *material.ambient : material.diffuse;
+}
+
+bool same(const Color& a, const Color& b) {
+  return rgb(a) == rgb(b);
+}
+
+bool same_but_for_colors(const Material& a, const Material& b) {
+  return same(a.specular, b.specular) && a.shininess == b.shininess.value &&
+         same(a.emission, b.emission);
+}
+
+bool same(const Material& a, const Material& b) {
+  return same(a.diffuse, b.diffuse) && same(ambient(a), ambient(b)) && same_but_for_colors(a, b);
+}
+
+/// One side's part of what the program was made for.
+void set_material(Program& program, const std::string& side, const Material& material,
+                  const ShaderNeeds& needs) {
+  const bool lit = !needs.lights.empty();
+  if (!needs.colored) program.set(side + "_diffuse", rgb(material.diffuse));
+  if (lit && needs.specular) {
+    program.set(side + "_specular", rgb(material.specular));
+    program.set(side + "_shininess", material.shininess);
+  }
+  if (lit && needs.ambient && !needs.colored)
+    program.set(side + "_ambient", rgb(ambient(material)));
+  if (needs.emission) program.set(side + "_emission", rgb(material.emission));
+}
+
+}  // namespace
+
+void add_material_needs(const SurfaceSpec& surface, bool emission, ShaderNeeds& needs) {
+  needs.specular =
+      !is_black(surface.front.specular) || (needs.two_sided && !is_black(surface.back.specular));
+  needs.emission =
+      emission && (!is_black(surface.front.emission) || !is_black(surface.back.emission));
+  const bool is_same = needs.colored ? same_but_for_colors(surface.front, surface.back)
+                                     : same(surface.front, surface.back);
+  needs.two_materials = needs.two_sided && !is_same;
+}
+
+void set_materials(Program& program, const SurfaceSpec& surface, const ShaderNeeds& needs) {
+  set_material(program, "front", surface.front, needs);
+  if (needs.two_materials) set_material(program, "back", surface.back, needs);
+}
+
+}  // namespace saddle

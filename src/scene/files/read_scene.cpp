@@ -1,0 +1,198 @@
+// TOML to Scene, a function per table. Each says first which keys the table may have.
+#include "base/error.h"
+#include "scene/model/assignments.h"
+#include "scene/model/prepare.h"
+#include "scene/options/lights.h"
+#include "scene/options/options.h"
+#include "scene/options/resolve.h"
+#include "scene/toml/scene_file.h"
+#include "scene/toml/toml_reader.h"
+
+namespace saddle {
+namespace {
+
+using Kind = TomlValue::Kind;
+
+void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
+  if (table.kind != Kind::Table) throw reader.source().wrong_type("params", table, "a table");
+  for (const TomlEntry& entry : table.entries) {
+    const std::string& key = entry.key;
+    const TomlValue& value = entry.value;
+    const TomlValue* formula = &value;
+    if (value.kind == Kind::Table) {
+      reader.source().check_keys(key, value, {"value", "min", "max"});
+      for (const char* needed : {"value", "min", "max"}) {
+        if (value.find(needed) != nullptr) continue;
+        throw reader.source().error(key, std::string("'") + needed + "' is missing", value.span,
+                                    "for example { value = 1, min = 0, max = 2 }");
+      }
+      formula = value.find("value");
+      scene.sliders.push_back({key, reader.number(key + ": min", *value.find("min")),
+                               reader.number(key + ": max", *value.find("max"))});
+    }
+    const std::string text = reader.formula(key, *formula);
+    reader.note("argument", key + "=" + text, entry.key_span);
+    const Definition definition =
+        reader.in_place([&] { return parse_definition(key + "=" + text); });
+    if (definition.name != key) {
+      throw reader.source().error("", "'" + key + "' is not a name", entry.key_span,
+                                  "functions go into [functions]");
+    }
+    scene.definitions.push_back(definition);
+  }
+}
+
+void read_functions(TomlReader& reader, const TomlValue& table, Scene& scene) {
+  if (table.kind != Kind::Table) throw reader.source().wrong_type("functions", table, "a table");
+  for (const TomlEntry& entry : table.entries) {
+    const std::string& key = entry.key;
+    const TomlValue& value = entry.value;
+    const std::string text = reader.formula(key, value);
+    reader.note("argument", key + "=" + text, entry.key_span);
+    const Definition function = reader.in_place([&] { return parse_definition(key + "=" + text); });
+    if (!function.is_function) {
+      throw reader.source().error("", "'" + key + "' is not a function", entry.key_span,
+                                  "write \"bump(s)\" = \"exp(-s*s)\"; values go into [params]");
+    }
+    reader.note(display_name(function), function.text, value.span);
+    scene.definitions.push_back(function);
+  }
+}
+
+SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
+  reader.source().check_keys("surface", table, keys_of(Table::Surface));
+  SurfaceSpec spec;
+  read_keys(reader, prefix, table, spec);
+  if (spec.z.empty()) {
+    throw reader.source().error("surface", "z has no formula", table.span,
+                                "x and y default to u and v, z has no default");
+  }
+  return spec;
+}
+
+/// One of { translate = [..] }, { rotate = [ANGLE, X, Y, Z] }, { scale = .. }.
+Transform read_transform(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
+  reader.source().check_keys("transform", table, {"translate", "rotate", "scale"});
+  if (table.entries.size() != 1) {
+    throw reader.source().error("transform", "each step is one of translate, rotate and scale",
+                                table.span,
+                                "for example [ { rotate = [90, 0, 0, 1] }, { scale = 2 } ]");
+  }
+  const auto& [key, key_span, value] = table.entries[0];
+  Transform step;
+  if (key == "translate") {
+    step.vector = reader.vector(prefix + key, value);
+  } else if (key == "rotate") {
+    step.kind = Transform::Kind::Rotate;
+    const auto n = reader.numbers(prefix + key, value, 4, "an angle and an axis, [90, 0, 0, 1]");
+    step.angle = n[0];
+    step.vector = {n[1], n[2], n[3]};
+  } else {
+    step.kind = Transform::Kind::Scale;
+    if (value.kind == Kind::Array) {
+      step.vector = reader.vector(prefix + key, value);
+    } else {
+      const Number factor = reader.number(prefix + key, value, "a number, or three of them");
+      step.vector = {factor, factor, factor};
+    }
+  }
+  return step;
+}
+
+SceneNode read_node(TomlReader& reader, const TomlValue& table) {
+  reader.source().check_keys("node", table, {"name", "in", "transform"});
+  SceneNode node;
+  const TomlValue* const name = table.find("name");
+  if (name == nullptr) {
+    throw reader.source().error("node", "'name' is missing", table.span,
+                                "surfaces, lights and nodes refer to a node by its name");
+  }
+  node.name = reader.text("name", *name, "a name");
+  const std::string prefix = node_prefix(node);
+  reader.note(prefix + "name", node.name, name->span);
+  if (node.name.empty() || node.name == "eye" || node.name == "world") {
+    throw reader.source().error("node", "a node cannot be called '" + node.name + "'", name->span,
+                                "choose another name");
+  }
+  with(table, "in",
+       [&](const TomlValue& v) { node.in = reader.text(prefix + "in", v, "the name of a node"); });
+  with(table, "transform", [&](const TomlValue& v) {
+    if (v.kind != Kind::Array) {
+      throw reader.source().wrong_type("transform", v, "a list such as [ { scale = 2 } ]");
+    }
+    for (const TomlValue& step : v.items) {
+      node.transform.push_back(read_transform(reader, prefix, step));
+    }
+  });
+  return node;
+}
+
+/// [camera] or [animation].
+void read_table(TomlReader& reader, const TomlValue& root, const char* name, Table table,
+                Scene& scene) {
+  with(root, name, [&](const TomlValue& v) {
+    reader.source().check_keys(name, v, keys_of(table));
+    if (table == Table::Animation) scene.animation.emplace();
+    read_keys(table, reader, "", v, scene);
+  });
+}
+
+Scene read_tables(TomlReader& reader, const TomlValue& root) {
+  std::vector<std::string> keys = keys_of(Table::Scene);
+  for (const char* table :
+       {"params", "functions", "surface", "node", "light", "camera", "animation"}) {
+    keys.emplace_back(table);
+  }
+  reader.source().check_keys("scene", root, keys);
+  Scene scene;
+  read_table(reader, root, "animation", Table::Animation, scene);
+  read_keys(Table::Scene, reader, "", root, scene);  // the moment may be another than its start
+  read_table(reader, root, "camera", Table::Camera, scene);
+  with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
+  with(root, "functions", [&](const TomlValue& v) { read_functions(reader, v, scene); });
+  with(root, "surface", [&](const TomlValue& v) {
+    for (const TomlValue& table : reader.tables("surface", v)) {
+      const std::string prefix = surface_prefix(scene.surfaces.size());
+      scene.surfaces.push_back(read_surface(reader, prefix, table));
+    }
+  });
+  with(root, "node", [&](const TomlValue& v) {
+    for (const TomlValue& table : reader.tables("node", v)) {
+      scene.nodes.push_back(read_node(reader, table));
+    }
+  });
+  with(root, "light", [&](const TomlValue& v) {
+    scene.lights.clear();
+    for (const TomlValue& table : reader.tables("light", v)) {
+      scene.lights.push_back(read_light(reader, light_prefix(scene.lights.size()), table));
+    }
+  });
+  if (scene.surfaces.empty()) {
+    throw reader.source().error("", "the scene has no [[surface]]", {0, 0},
+                                "saddle show torus prints a scene");
+  }
+  return scene;
+}
+
+/// What only the whole scene tells: formulas, ranges, nodes.
+void check_scene(const TomlReader& reader, const Scene& scene) {
+  // Numbers may use x, y and z of the last surface.
+  const std::string last = surface_prefix(scene.surfaces.size() - 1);
+  const Scene resolved = reader.in_place([&] { return resolve(scene); }, last);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    reader.in_place([&] { bind_surface(resolved, resolved.surfaces[i]); }, surface_prefix(i));
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const SourceText& source) {
+  const TomlValue root = parse_toml(source);
+  TomlPlaces places(source);
+  TomlReader reader(places);
+  Scene scene = read_tables(reader, root);
+  check_scene(reader, scene);
+  return scene;
+}
+
+}  // namespace saddle

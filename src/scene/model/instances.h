@@ -1,0 +1,61 @@
+// Where the surfaces of a scene are: once in the world, or once for each node that they are in.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "mesh/model/mesh.h"
+#include "scene/model/scene.h"
+
+namespace saddle {
+
+/// The transforms of a resolved scene's nodes.
+class NodeFrames {
+ public:
+  explicit NodeFrames(const Scene& scene);
+
+  /// From the node's coordinates to the world's.
+  const glm::dmat4& to_world(const std::string& node) const { return frames_.at(node); }
+
+  bool operator==(const NodeFrames&) const = default;
+
+ private:
+  std::map<std::string, glm::dmat4> frames_;
+};
+
+/// A surface where it is drawn.
+struct Instance {
+  std::size_t surface = 0;  ///< index into Scene::surfaces
+  glm::dmat4 to_world{1};   ///< affine
+};
+
+/// From the surface's coordinates to the world's, for each time that it is drawn.
+std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec);
+std::vector<glm::dmat4> places(const Scene& scene, const SurfaceSpec& spec);
+
+/// Those of a resolved scene, in the order of its surfaces.
+std::vector<Instance> instances(const Scene& scene);
+
+/// The box around a transformed box; empty for an empty one.
+Bounds transformed(const Bounds& bounds, const glm::dmat4& to_world);
+
+/// A mesh where an instance is: positions, normals, and the winding that keeps the front in front.
+Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world);
+
+/// The distance from `centre` of the vertex that is farthest from it where an instance is; 0 for an
+/// empty mesh.
+double farthest_vertex(const dvec3& centre, const Mesh& mesh, const glm::dmat4& to_world);
+
+/// The transform of normals up to a positive factor: the inverse transpose, by its cofactors, which
+/// a flattening transform has too. Largest element 1; zero if the transform leaves no surface.
+glm::dmat3 normal_matrix(const glm::dmat3& m);
+
+/// The largest factor by which the transform stretches an axis.
+double largest_stretch(const glm::dmat4& to_world);
+
+}  // namespace saddle

@@ -1,0 +1,246 @@
+// What to draw, as plain data with defaults. The command line, the scene file and the viewer
+// produce a Scene; meshing, rendering and writing consume it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "base/bounds.h"
+#include "base/vec.h"
+#include "formula/scope.h"
+#include "mesh/color/color_range.h"
+
+namespace saddle {
+
+/// A number of a scene: plain, or an expression of the parameters and t, whose value resolve() of
+/// scene/options/resolve.h fills in. It is used as the double that it is.
+struct Number {
+  double value = 0;
+  std::string text = {};  ///< the expression; empty: a plain number
+
+  Number() = default;
+  Number(double plain) : value(plain) {}  // NOLINT: meant to convert
+  explicit Number(std::string expression) : text(std::move(expression)) {}
+  operator double() const { return value; }  // NOLINT: meant to convert
+  /// Two numbers are equal if both their texts and their values are.
+  bool operator==(const Number&) const = default;
+  /// A plain number is compared with the value.
+  template <typename Plain>
+  requires std::is_arithmetic_v<Plain>
+  bool operator==(Plain plain) const { return value == plain; }
+};
+
+/// Three of them: a point or a direction.
+struct Vector {
+  Number x, y, z;
+
+  Vector() = default;
+  Vector(Number a, Number b, Number c) : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
+  Vector(const dvec3& v) : x(v.x), y(v.y), z(v.z) {}              // NOLINT: meant to convert
+  operator dvec3() const { return {x.value, y.value, z.value}; }  // NOLINT: meant to convert
+  bool operator==(const Vector&) const = default;
+};
+
+/// Red, green, blue, alpha, each 0 to 1, as they appear on the screen (no gamma is applied).
+struct Color {
+  Number r = 0, g = 0, b = 0, a = 1;
+
+  bool operator==(const Color&) const = default;
+};
+
+/// One side of a surface.
+struct Material {
+  Color diffuse;
+  Color specular;
+  Number shininess = 32;              ///< exponent of the specular term, at least 0
+  std::optional<Color> ambient = {};  ///< default: the diffuse colour
+  Color emission = {};                ///< light of its own
+};
+
+inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
+inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
+
+/// `u = MIN:MAX`, both constant expressions; those of v may depend on u.
+struct Range {
+  std::string min = "-1";
+  std::string max = "1";
+};
+
+struct SurfaceSpec {
+  std::string name = "surface";
+  std::string x = "u";
+  std::string y = "v";
+  std::string z;
+  Range u;
+  Range v;
+  int grid_u = 16;  ///< lines of constant u and of constant v; 0 and 0: no lines
+  int grid_v = 16;
+  Material front = kFrontMaterial;
+  Material back = kBackMaterial;
+  std::string color;  ///< in place of the materials': of u, v, x, y, z, gauss, mean; empty: none
+  std::string colormap = "viridis";
+  /// From the first to the last colour; default: of what is drawn. An animation has one for all of
+  /// its time, which is computed: scene files have none.
+  std::optional<ColorRange> color_range = {};
+  bool flip = false;
+  Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
+  std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
+};
+
+/// One step of a node's transform.
+struct Transform {
+  enum class Kind { Translate, Rotate, Scale };
+  Kind kind = Kind::Translate;
+  Vector vector;     ///< the way, the axis, or the factor of each coordinate
+  Number angle = 0;  ///< of a rotation, degrees, counter-clockwise around the axis
+};
+
+/// A frame that moves what is in it.
+struct SceneNode {
+  std::string name;
+  std::string in;                    ///< the node around it; empty: the world
+  std::vector<Transform> transform;  ///< applied as written, outermost first
+};
+
+/// How much of a point light arrives at distance d: 1 / (constant + linear d + quadratic d^2).
+struct Attenuation {
+  Number constant = 1;
+  Number linear = 0;
+  Number quadratic = 0;
+  std::optional<Number> range;  ///< in place of the three: how far the light reaches
+};
+
+/// What makes a point light a spot light. Angles are between axis and edge, in degrees.
+struct Spot {
+  enum class Falloff { Linear, Smooth };
+  Vector direction{0, 0, -1};         ///< along the light, any length but 0
+  Number cutoff = 30;                 ///< 0 to 180: nothing is lit from there on
+  std::optional<Number> inner;        ///< up to here all is lit; default: the cutoff, a hard edge
+  Number exponent = 0;                ///< of the cosine between axis and ray
+  Falloff falloff = Falloff::Linear;  ///< between inner and cutoff
+};
+
+/// In eye coordinates the eye at the origin looks down -z, y is up.
+struct Light {
+  Vector position;  ///< of a point light; toward a directional one, any length but 0
+  bool directional = false;
+  Color color{1, 1, 1};                ///< of what is reflected diffusely, and else too
+  std::optional<Color> specular = {};  ///< of what is mirrored; default: the same
+  Color ambient = {};
+  std::string frame = "eye";  ///< whose coordinates these are: "eye", "world" or a node's name
+  Attenuation attenuation = {};
+  std::optional<Spot> spot = {};
+  Number enabled = 1;  ///< 0: off
+};
+
+/// The three lights of a scene that names none.
+std::vector<Light> default_lights();
+
+struct Camera {
+  Vector view{2, -3, 1.5};  ///< from the target toward the eye, any length but 0
+  Vector up{0, 0, 1};
+  std::optional<Vector> target;    ///< default: centre of the bounding box
+  std::optional<Number> distance;  ///< from the target; default: the bounding sphere just fits
+  Number fov = 30;                 ///< vertical, degrees, more than 0 and less than 180
+  bool ortho = false;              ///< the visible height is the perspective one at the target
+
+  bool operator==(const Camera&) const = default;
+};
+
+/// The box that surfaces are cut along.
+struct Clip {
+  bool automatic = true;      ///< where one goes to infinity: a box that most of it is in
+  std::optional<Bounds> box;  ///< this box, whatever the surface does
+};
+
+/// `MxN`: M in u, N in v; or across and down.
+struct GridSize {
+  int u = 0;
+  int v = 0;
+};
+
+/// A length: in pixels of the picture, or as a share of the bounding box's diagonal.
+struct ToleranceValue {
+  double value = 0;
+  bool pixels = false;
+};
+
+/// How surfaces become triangles.
+struct MeshSettings {
+  std::optional<ToleranceValue> tolerance;  ///< default: of a picture or of a mesh
+  double normal_tolerance = 3;              ///< degrees
+  /// Default: 4000000; without a tolerance one per pixel, 1000000 at least.
+  std::optional<int> max_triangles;
+  std::optional<GridSize> samples;  ///< a uniform grid of so many cells instead
+};
+
+/// Most samples per pixel and side: 256 per pixel are more than eight bits can show.
+inline constexpr int kMaxAntialias = 16;
+
+/// Where the lighting equation is computed: at corners; at pixels, with the normal that is blended
+/// from the corners'; or there with the formula's.
+enum class Shading { Vertex, Pixel, Exact };
+
+/// What a highlight's angle is measured from: the mirrored light, or the half vector.
+enum class Specular { Phong, Blinn };
+
+/// How the picture is made.
+struct PictureSettings {
+  int width = 800;  ///< pixels
+  int height = 600;
+  int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
+  Shading shading = Shading::Pixel;
+  Specular specular = Specular::Phong;
+};
+
+/// The values that the viewer offers for a parameter.
+struct Slider {
+  std::string name;
+  Number min = 0;
+  Number max = 1;
+};
+
+/// Time that passes: frame k of n, counted from 0, shows the moment from + (to - from) k / n. The
+/// end is that of the last frame, so that what is periodic goes on where it began.
+struct Animation {
+  Number from = 0;
+  Number to = 1;     ///< more than `from`
+  Number fps = 30;   ///< frames per second, more than kMinFps, less than kMaxFps
+  int frames = 120;  ///< in all
+
+  double moment(int frame) const {
+    return from + (to - from) * (static_cast<double>(frame) / frames);
+  }
+};
+
+/// No display shows more frames per second; a picture for a hundred seconds is none that moves, and
+/// no format of videos knows pauses much longer.
+inline constexpr double kMinFps = 0.01;
+inline constexpr double kMaxFps = 1000;
+
+struct Scene {
+  std::string title = "saddle";
+  std::vector<Definition> definitions;  ///< parameters, shared sub-expressions, helper functions
+  std::vector<Slider> sliders;
+  std::vector<SurfaceSpec> surfaces;
+  std::vector<SceneNode> nodes;
+  std::vector<Light> lights = default_lights();
+  Camera camera;
+  Color background{0, 0, 0, 1};
+  Clip clip;
+  bool axes = false;  ///< a box with ticks and labels around all of it, and the title
+  std::optional<Bounds> box =
+      {};  ///< that box; computed, as color_range is; default: just around it
+  MeshSettings mesh;
+  PictureSettings picture;
+  Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another
+  std::optional<Animation> animation;
+};
+
+/// The range of time becomes this one, and its start the moment that is drawn.
+void set_time_range(Scene& scene, const Number& from, const Number& to);
+
+}  // namespace saddle

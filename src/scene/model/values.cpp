@@ -1,0 +1,234 @@
+// Option values: whole numbers are digits, real ones constant expressions of the formula language.
+#include "scene/model/values.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "formula/graph.h"
+#include "formula/scope.h"
+#include "scene/model/color.h"
+
+namespace saddle {
+namespace {
+
+/// Corners of a mesh have 32-bit numbers and about 300 bytes each while it is made: more cells
+/// than this fit no machine's memory.
+constexpr std::int64_t kMaxSamples = std::int64_t{1} << 26;
+
+/// A value that would do, as an option or as a key of a scene file.
+std::string example(const std::string& option, const std::string& value) {
+  if (option.starts_with("--")) return "for example " + option + " " + value;
+  const std::size_t colon = option.rfind(' ');  // of "surface 1: grid"
+  return "for example " + option.substr(colon == std::string::npos ? 0 : colon + 1) + " = \"" +
+         value + "\"";
+}
+
+Span whole(const std::string& text) {
+  return {0, text.size()};
+}
+
+/// The number that `part` of `text` is.
+double number_in(const std::string& option, const std::string& text, Span part) {
+  double value = 0;
+  const char* const begin = text.data() + part.begin;
+  const char* const end = text.data() + part.end;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || rest != end) {  // no plain number: ask the formula language
+    Graph graph;
+    value = Scope(graph, {}).constant(option, text, part);
+  }
+  if (!std::isfinite(value))
+    throw Error(Status::Input, "not a finite number", {option, text, part});
+  return value;
+}
+
+int whole_in(const std::string& option, const std::string& text, Span part, int low, int high) {
+  int value = 0;
+  const char* const begin = text.data() + part.begin;
+  const char* const end = text.data() + part.end;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  const bool too_large = error == std::errc::result_out_of_range;
+  if ((error != std::errc{} && !too_large) || rest != end) {
+    throw Error(Status::Input, "not a whole number", {option, text, part});
+  }
+  if (too_large || value < low || value > high) {
+    throw Error(Status::Input,
+                "must be from " + std::to_string(low) + " to " + std::to_string(high),
+                {option, text, part});
+  }
+  return value;
+}
+
+/// `X0:X1,Y0:Y1,Z0:Z1`
+Bounds parse_box(const std::string& option, const std::string& text) {
+  const std::string hint = example(option, "-1:1,-1:1,0:5");
+  Bounds box;
+  std::size_t begin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
+    const std::size_t colon = text.find(':', begin);
+    if (end == std::string::npos || colon == std::string::npos || colon > end) {
+      throw Error(Status::Input, "a box has three ranges with commas between",
+                  {option, text, whole(text)}, hint);
+    }
+    box.low[k] = number_in(option, text, {begin, colon});
+    box.high[k] = number_in(option, text, {colon + 1, end});
+    if (!(box.low[k] < box.high[k])) {
+      throw Error(Status::Input, "this range is empty", {option, text, {begin, end}}, hint);
+    }
+    begin = end + 1;
+  }
+  return box;
+}
+
+}  // namespace
+
+std::string format_number(double value) {
+  std::array<char, 32> text{};  // the longest is 24 characters
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string expression_of(const Number& number) {
+  return number.text.empty() ? format_number(number.value) : number.text;
+}
+
+std::string describe(const Limits& limits) {
+  const std::string low = format_number(limits.low);
+  if (std::isinf(limits.high)) return limits.open ? "more than " + low : "at least " + low;
+  const std::string high = format_number(limits.high);
+  return limits.open ? "more than " + low + " and less than " + high
+                     : "from " + low + " to " + high;
+}
+
+double parse_number(const std::string& option, const std::string& text, const Limits& limits) {
+  const double value = number_in(option, text, whole(text));
+  if (limits.contain(value)) return value;
+  throw Error(Status::Input, "must be " + describe(limits), {option, text, whole(text)});
+}
+
+int parse_whole(const std::string& option, const std::string& text, int low, int high) {
+  return whole_in(option, text, whole(text), low, high);
+}
+
+dvec3 parse_vector(const std::string& option, const std::string& text) {
+  std::array<Span, 3> parts{};
+  std::size_t count = 0;
+  std::size_t begin = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const char c = i < text.size() ? text[i] : ',';
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c != ',' || (depth > 0 && i < text.size())) continue;
+    if (count < parts.size()) parts[count] = {begin, i};
+    ++count;
+    begin = i + 1;
+  }
+  if (count != parts.size()) {
+    throw Error(Status::Input, "a vector has three numbers, this one has " + std::to_string(count),
+                {option, text, whole(text)}, example(option, "2,-3,1.5"));
+  }
+  return {number_in(option, text, parts[0]), number_in(option, text, parts[1]),
+          number_in(option, text, parts[2])};
+}
+
+dvec3 parse_direction(const std::string& option, const std::string& text) {
+  const dvec3 direction = parse_vector(option, text);
+  if (direction == dvec3{0, 0, 0}) {
+    throw Error(Status::Input, "a direction needs a length", {option, text, whole(text)});
+  }
+  return direction;
+}
+
+ToleranceValue parse_tolerance(const std::string& option, const std::string& text) {
+  const bool pixels = text.ends_with("px");
+  const Span number = {0, text.size() - (pixels ? 2 : 0)};
+  const double value = number_in(option, text, number);
+  if (!(value > 0)) {
+    throw Error(Status::Input, "must be more than 0", {option, text, number},
+                example(option, "0.5px") + ", or 1e-3 of the diagonal of the bounding box");
+  }
+  return {value, pixels};
+}
+
+Clip parse_clip(const std::string& option, const std::string& text) {
+  std::string word = text;
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  Clip clip{word == "auto", {}};
+  if (!clip.automatic && word != "off") clip.box = parse_box(option, text);
+  return clip;
+}
+
+GridSize parse_pair(const std::string& option, const std::string& text, int low, int high) {
+  const std::size_t x = text.find_first_of("xX");
+  if (x == std::string::npos) {
+    throw Error(Status::Input, "this is two whole numbers with an x between",
+                {option, text, whole(text)}, example(option, "80x60"));
+  }
+  return {whole_in(option, text, {0, x}, low, high),
+          whole_in(option, text, {x + 1, text.size()}, low, high)};
+}
+
+std::size_t parse_choice(const std::string& option, const std::string& text,
+                         const std::vector<std::string>& words) {
+  const auto found = std::ranges::find(words, text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string hint = "one of:";
+  for (const std::string& word : words) hint += " " + word;
+  if (const auto nearest = nearest_name(text, words)) hint += "; did you mean '" + *nearest + "'?";
+  throw Error(Status::Input, "unknown value '" + text + "'", {option, text, whole(text)}, hint);
+}
+
+GridSize parse_samples(const std::string& option, const std::string& text) {
+  const GridSize cells = parse_pair(option, text, 1, std::numeric_limits<int>::max());
+  if (std::int64_t{cells.u} * cells.v > kMaxSamples) {
+    throw Error(Status::Input, "more than " + std::to_string(kMaxSamples) + " cells",
+                {option, text, whole(text)});
+  }
+  return cells;
+}
+
+FrameRange parse_frame_range(const std::string& option, const std::string& text) {
+  const std::string hint = example(option, "20:40") + ", both ends included";
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    throw Error(Status::Input, "a range of frames is FIRST:LAST", {option, text, whole(text)},
+                example(option, "20:40") + ", or 20:20 for one frame");
+  }
+  const FrameRange range = {whole_in(option, text, {0, colon}, 0, kMaxFrames - 1),
+                            whole_in(option, text, {colon + 1, text.size()}, 0, kMaxFrames - 1)};
+  if (range.first <= range.last) return range;
+  throw Error(Status::Input, "this range is empty", {option, text, whole(text)}, hint);
+}
+
+GridSize parse_grid_lines(const std::string& option, const std::string& text) {
+  if (text == "off") return {0, 0};
+  const GridSize lines = parse_pair(option, text, 0, kMaxGridLines);
+  if (lines.u == 1 || lines.v == 1) {
+    throw Error(Status::Input,
+                "the first and the last line are the ends of the range: one is not "
+                "enough",
+                {option, text, whole(text)}, "0 is none, or at least 2");
+  }
+  return lines;
+}
+
+Color opaque_color(const std::string& option, const std::string& text) {
+  Color color = parse_color(option, text);
+  if (color.a < 1) {
+    throw Error(Status::Input, "a colour of a surface has no alpha",
+                {option, text, {0, text.size()}},
+                "--opacity makes surfaces see-through; here #rrggbb, or a name");
+  }
+  return color;
+}
+
+}  // namespace saddle

@@ -1,0 +1,116 @@
+// The one table of options and scene keys; its rows are in option_table.cpp. The command line,
+// --help, hints, scene files in both directions, `resolve()` and the command that a scene is as
+// text all read it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/options/option_kinds.h"
+
+namespace saddle {
+
+/// Headings of --help, in its order.
+enum class Section { Output, Camera, Look, Mesh, Time, Run };
+
+/// Where a key stands in a scene file.
+enum class Table { None, Scene, Surface, Camera, Animation };
+
+/// What the first word of a command line makes of the rest.
+enum class Command { Graph, Check, Chart, List, Show };
+
+/// Commands that take an option, as bits.
+constexpr unsigned bit(Command command) {
+  return 1U << static_cast<unsigned>(command);
+}
+inline constexpr unsigned kKeyOnly = 0;  ///< the row is a key of scene files alone
+inline constexpr unsigned kGraph = bit(Command::Graph);
+inline constexpr unsigned kGraphCheck = kGraph | bit(Command::Check);
+inline constexpr unsigned kGraphChart = kGraph | bit(Command::Chart);
+inline constexpr unsigned kSurfaceCommands = kGraphCheck | kGraphChart;
+inline constexpr unsigned kAllCommands = kSurfaceCommands | bit(Command::List) | bit(Command::Show);
+
+/// A row. In `help` and `more`, --help fills in {choices}, {limits} and {formats}. Exactly one of
+/// `scene`, `surface` and `run` is there: whose value it is. An option of a surface is for each
+/// surface of the scene.
+struct Option {
+  std::string_view name;           ///< without "--"; also the key
+  char letter = 0;                 ///< of "-s"; 0: none
+  std::string_view value = {};     ///< "WxH"; of an option: empty for a flag
+  Section section = Section::Run;  ///< of --help
+  std::string_view help = {};      ///< one line, without the default; may have marks, see below
+  std::string_view usual = {};  ///< default in words; empty: the value that its owner begins with
+  std::string_view more = {};   ///< what --help NAME adds
+  unsigned commands = kSurfaceCommands;  ///< that take it
+  bool repeats = false;                  ///< each time it is given counts, not only the last
+  std::string_view needs = {};           ///< an option without which it would do nothing
+  std::string_view excludes = {};        ///< an option that says the opposite
+  Table table = Table::None;             ///< of the scene file
+  std::string_view subject = {};         ///< what messages call the key; empty: its name
+  kinds::Slot (*scene)(Scene&) = nullptr;
+  kinds::Slot (*surface)(SurfaceSpec&) = nullptr;
+  kinds::Slot (*run)(RunSettings&) = nullptr;
+
+  bool is_option() const { return commands != kKeyOnly; }
+  bool is_flag() const { return value.empty(); }
+};
+
+/// Rows in the order in which scene files have their keys, those of a section together.
+std::span<const Option> options();
+
+/// nullptr if no option has the name, without "--", or the letter.
+const Option* find_option(std::string_view name);
+const Option* find_option(char letter);
+
+/// "--size", for messages.
+std::string dashed(const Option& option);
+
+/// The default as text, "" if there is none to tell.
+std::string default_text(const Option& option);
+
+/// What its number may be: "more than 0", "1 to 16"; "" for others.
+std::string limits_text(const Option& option);
+
+/// The words of a choice.
+std::vector<std::string> choices(const Option& option);
+
+/// The keys of a table of scene files that are rows.
+std::vector<std::string> keys_of(Table table);
+
+/// Throws Error (Input) for a value that is wrong whatever the scene has.
+void check_value(const Option& option, const std::string& text);
+
+/// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
+void apply_option(const Option& option, const std::string& text, Scene& scene);
+
+/// Changes what an option of the run is about. Throws Error (Input).
+void apply_option(const Option& option, const std::string& text, RunSettings& run);
+
+/// Reads those keys of a TOML table that are rows; `prefix` completes what messages call them.
+/// Throws Error (Input).
+void read_keys(Table table, TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               Scene& scene);
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               SurfaceSpec& surface);
+
+/// Lines `key = value` for what differs from the defaults.
+std::string write_keys(Table table, const Scene& scene);
+std::string write_keys(const SurfaceSpec& surface);
+
+/// Expressions become numbers. Throws Error (Input).
+void resolve_keys(Resolver& resolver, Table table, Scene& scene);
+void resolve_keys(Resolver& resolver, const std::string& prefix, SurfaceSpec& surface);
+
+/// An option with the text that sets it to what a scene of one surface has.
+struct Setting {
+  const Option* option;
+  std::string text;
+};
+
+/// The options that make of a scene with the same formulas and definitions this one, as far as
+/// options can.
+std::vector<Setting> settings_of(const Scene& scene);
+
+}  // namespace saddle

@@ -1,0 +1,166 @@
+// Replaces each expression of a scene by its number, by the tables of options and lights.
+#include "scene/options/resolve.h"
+
+#include <map>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest.h"
+#include "scene/model/resolver.h"
+#include "scene/options/lights.h"
+#include "scene/options/options.h"
+
+namespace saddle {
+namespace {
+
+/// Deepest nesting of nodes: a robot has ten.
+constexpr int kMaxNodeDepth = 256;
+
+void resolve_node(Resolver& resolver, SceneNode& node) {
+  const std::string prefix = node_prefix(node);
+  for (Transform& step : node.transform) {
+    switch (step.kind) {
+      case Transform::Kind::Translate:
+        resolver.vector(prefix + "translate", step.vector);
+        break;
+      case Transform::Kind::Rotate:
+        resolver.number(prefix + "rotate", step.angle, kAny);
+        resolver.direction(prefix + "rotate", step.vector);
+        break;
+      case Transform::Kind::Scale:
+        resolver.vector(prefix + "scale", step.vector);
+        break;
+    }
+  }
+}
+
+void resolve_slider(Resolver& resolver, Slider& slider) {
+  resolver.number(slider.name + ": min", slider.min, kAny);
+  resolver.number(slider.name + ": max", slider.max, kAny);
+  if (slider.min < slider.max) return;
+  throw Error(Status::Input, "min must be less than max", {slider.name + ": max", {}, {}});
+}
+
+/// Everything but the moment itself.
+void resolve_at(Resolver& resolver, Scene& scene) {
+  resolver.set_time(scene.t);
+  resolve_keys(resolver, Table::Scene, scene);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    resolve_keys(resolver, surface_prefix(i), scene.surfaces[i]);
+  }
+  for (SceneNode& node : scene.nodes) resolve_node(resolver, node);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    resolve_light(resolver, light_prefix(i), scene.lights[i]);
+  }
+  resolve_keys(resolver, Table::Camera, scene);
+  for (Slider& slider : scene.sliders) resolve_slider(resolver, slider);
+}
+
+/// Nodes by their names.
+class NodeNames {
+ public:
+  explicit NodeNames(const std::vector<SceneNode>& nodes) {
+    for (const SceneNode& node : nodes) {
+      if (nodes_.emplace(node.name, &node).second) continue;
+      throw Error(Status::Input, "a second node is called '" + node.name + "'",
+                  {node_prefix(node) + "name", node.name, {0, node.name.size()}},
+                  "give each its own name");
+    }
+    for (const SceneNode& node : nodes) check_chain(node);
+  }
+
+  /// Throws Error (Input) unless a node has the name; `also` are names that would do, too.
+  void check(const std::string& place, const std::string& name,
+             std::vector<std::string> also = {}) const {
+    if (nodes_.contains(name)) return;
+    for (const auto& [known, node] : nodes_) also.push_back(known);
+    std::string hint = also.empty() ? "the scene has no [[node]]" : "known:";
+    for (const std::string& known : also) hint += " " + known;
+    if (const auto nearest = nearest_name(name, also)) hint += "; did you mean '" + *nearest + "'?";
+    throw Error(Status::Input, "no node is called '" + name + "'", {place, name, {0, name.size()}},
+                hint);
+  }
+
+ private:
+  void check_chain(const SceneNode& start) const {
+    std::string path = start.name;
+    const Place place{node_prefix(start) + "in", start.in, {0, start.in.size()}};
+    int depth = 0;
+    for (const SceneNode* node = &start; !node->in.empty(); node = nodes_.at(node->in)) {
+      check(node_prefix(*node) + "in", node->in);
+      path += " -> " + node->in;
+      if (node->in == start.name) {
+        throw Error(Status::Input, "a node that is in itself: " + path, place, "break the circle");
+      }
+      if (++depth <= kMaxNodeDepth) continue;
+      throw Error(Status::Input, "nodes in each other more than 256 deep", place);
+    }
+  }
+
+  std::map<std::string, const SceneNode*> nodes_;
+};
+
+void check_nodes(const Scene& scene) {
+  const NodeNames names(scene.nodes);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    for (const std::string& name : scene.surfaces[i].in) {
+      names.check(surface_prefix(i) + "in", name);
+    }
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const std::string& frame = scene.lights[i].frame;
+    if (frame != "eye" && frame != "world") {
+      names.check(light_prefix(i) + "frame", frame, {"eye", "world"});
+    }
+  }
+}
+
+}  // namespace
+
+std::string surface_prefix(std::size_t index) {
+  return "surface " + std::to_string(index + 1) + ": ";
+}
+
+std::string light_prefix(std::size_t index) {
+  return "light " + std::to_string(index + 1) + ": ";
+}
+
+std::string node_prefix(const SceneNode& node) {
+  return "node " + node.name + ": ";
+}
+
+struct Timeline::Parsed {
+  Resolver resolver;
+
+  explicit Parsed(const Scene& scene) : resolver(scene) {}
+};
+
+Timeline::Timeline(Scene scene)
+    : scene_(std::move(scene)), parsed_(std::make_unique<Parsed>(scene_)) {
+  check_nodes(scene_);
+  Resolver& resolver = parsed_->resolver;
+  resolver.number("t", scene_.t, kAny);
+  if (scene_.animation) resolve_keys(resolver, Table::Animation, scene_);
+}
+
+Timeline::~Timeline() = default;
+
+Scene Timeline::at(double t) {
+  Scene scene = scene_;
+  scene.t = t;
+  resolve_at(parsed_->resolver, scene);
+  return scene;
+}
+
+bool Timeline::moves() const {
+  return parsed_->resolver.has_used_time();
+}
+
+Scene resolve(Scene scene) {
+  Timeline timeline(std::move(scene));
+  Scene result = timeline.at(timeline.scene().t);
+  result.t = timeline.scene().t;  // with its text
+  return result;
+}
+
+}  // namespace saddle

@@ -1,0 +1,39 @@
+// What a run does with its scene, as the command line says it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/model/values.h"
+
+namespace saddle {
+
+/// Largest --reference error that passes: pictures up to it are hard to tell apart.
+inline constexpr double kDefaultThreshold = 0.04;
+
+/// Ways to OpenGL without a window.
+enum class Backend {
+  Any,     ///< the first of the others that starts
+  Osmesa,  ///< off-screen Mesa: in software, the same picture on every machine
+  Egl      ///< EGL without a surface: what newer Mesa has left, or a graphics card
+};
+
+struct RunSettings {
+  std::vector<std::string> outputs;       ///< paths; "-": standard output
+  std::string format;                     ///< of outputs without an extension of their own
+  std::string reference;                  ///< the picture to compare with; empty: none
+  double threshold = kDefaultThreshold;   ///< largest difference from it that passes, 0 to 1
+  std::string report;                     ///< path; "-": standard output; empty: none
+  bool strict = false;                    ///< warnings are failures
+  std::optional<FrameRange> frame_range;  ///< of the animation; none: all
+  bool watch = false;                     ///< the viewer follows its scene file
+  Backend renderer = Backend::Any;
+  int threads = 0;  ///< 0: all
+  bool quiet = false;
+  bool verbose = false;
+  bool help = false;
+  bool version = false;
+};
+
+}  // namespace saddle

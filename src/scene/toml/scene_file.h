@@ -1,0 +1,19 @@
+// Scenes as TOML text.
+#pragma once
+
+#include <string>
+
+#include "scene/model/scene.h"
+#include "scene/toml/toml.h"
+
+namespace saddle {
+
+/// The scene as a TOML scene file; what has its default value is left out.
+std::string write_scene(const Scene& scene);
+
+/// The scene that a scene file holds, checked as a whole: formulas, numbers, nodes. Throws Error
+/// (Input) with file, line and column: no TOML, an unknown key, a wrong type, or anything that
+/// resolve() and bind_surface() find.
+Scene read_scene(const SourceText& source);
+
+}  // namespace saddle
