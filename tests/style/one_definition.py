@@ -81,40 +81,40 @@ def type_or_value(head, has_body):
 
 def complaints(sources):
     shared = collections.defaultdict(dict)  # (namespaces, name) -> file: head
-    unnamed = collections.defaultdict(dict)  # (company, name) -> file: head
-    functions = collections.defaultdict(set)  # (company, name) -> headers that declare it
+    unnamed = collections.defaultdict(dict)  # (group, name) -> file: head
+    functions = collections.defaultdict(set)  # (group, name) -> headers that declare it
     for source in sources:
-        company = company_of(source)
+        group = group_of(source)
         code = NO_CODE.sub(" ", (tree.ROOT / source).read_text(encoding="utf-8"))
         if "SADDLE_LEVEL" in code:
             continue  # compiled by itself, once for each CPU level
         for name in USING_DECLARATION.findall(code):
-            if source.suffix == ".h" or company == source:
+            if source.suffix == ".h" or group == source:
                 continue
             yield f"{source}: '{name}' holds for all files that are compiled with this one"
         for namespaces, name, head in definitions(code):
             if "" in namespaces:
-                unnamed[company, name][source] = head
+                unnamed[group, name][source] = head
             else:
                 shared[namespaces, name][source] = head
         if source.suffix == ".h" and "namespace saddle {" in code:
             for name in DECLARED_FUNCTION.findall(code):
-                functions[company, name].add(source)
+                functions[group, name].add(source)
     for (namespaces, name), heads in shared.items():
         if differ(heads):
             yield f"{listed(heads)}: {'::'.join([*namespaces, name])} is defined in each"
-    for (company, name), heads in unnamed.items():
+    for (group, name), heads in unnamed.items():
         if differ(heads):
             yield f"{listed(heads)}: {name} is defined in the unnamed namespace of each"
         named = shared.get((("saddle",), name), {})
-        hidden = {header for header in named if company_of(header) == company and header.suffix == ".h"}
-        hidden |= functions[company, name.partition("(")[0]]
+        hidden = {header for header in named if group_of(header) == group and header.suffix == ".h"}
+        hidden |= functions[group, name.partition("(")[0]]
         hidden -= {source.with_suffix(".h") for source in heads}  # overloads
         if hidden:
             yield f"{listed(heads)}: {name} hides that of {listed(hidden)}"
 
 
-def company_of(source):
+def group_of(source):
     """What a source may be compiled together with: its folder."""
     together = source.parts[0] == "src" or source.parts[1] in {"unit", "geometry"}
     return source.parent if together else source
