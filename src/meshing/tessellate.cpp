@@ -75,21 +75,21 @@ GridOptions first_grid(const Scene& scene, const SurfaceSpec& spec, unsigned thr
 }
 
 /// The grid that --samples asks for, or the coarsest of the defaults that keeps the tolerance.
-GridMesh mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,
-                        double tolerance, unsigned threads) {
+MeshResult mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,
+                          double tolerance, unsigned threads) {
   GridOptions options = first_grid(scene, spec, threads);
-  GridMesh result = mesh_on_grid(surface, options);
-  int in_vain = 0;  // halvings in a row
-  while (!scene.mesh.samples && in_vain < kHalvingsInVain &&
+  MeshResult result = mesh_on_grid(surface, options);
+  int stagnation = 0;  // halvings in a row
+  while (!scene.mesh.samples && stagnation < kHalvingsInVain &&
          result.report.max_error > tolerance * result.mesh.bounds.diagonal() &&
          2 * std::max(options.cells_u, options.cells_v) <= kMaxDefaultCells) {
     options.cells_u *= 2;
     options.cells_v *= 2;
-    GridMesh finer = mesh_on_grid(surface, options);
+    MeshResult finer = mesh_on_grid(surface, options);
     finer.report.evaluations += result.report.evaluations;
     const bool helped = finer.report.max_error <= kWorthHalving * result.report.max_error;
     result = std::move(finer);
-    in_vain = helped ? 0 : in_vain + 1;
+    stagnation = helped ? 0 : stagnation + 1;
   }
   return result;
 }
@@ -108,8 +108,8 @@ Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
 
 /// A picture's mesh is the one that costs least; a file's has the fewest triangles, and what is
 /// told of a surface is told of that.
-std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, const Surface& surface,
-                                 const AdaptiveOptions& options) {
+std::optional<MeshResult> mesh_for(const Scene& scene, const Purpose& purpose,
+                                   const Surface& surface, const AdaptiveOptions& options) {
   if (const auto& samples = scene.mesh.samples) {
     return mesh_of_samples(surface, options, static_cast<std::size_t>(samples->u),
                            static_cast<std::size_t>(samples->v));
@@ -123,7 +123,7 @@ std::optional<GridMesh> mesh_for(const Scene& scene, const Purpose& purpose, con
 
 /// Deducts what a mesh took from the triangles that the next mesh of the run may have. A number
 /// that the user gave stays.
-void deduct_triangles(const Scene& scene, const std::optional<GridMesh>& made,
+void deduct_triangles(const Scene& scene, const std::optional<MeshResult>& made,
                       AdaptiveOptions& options) {
   if (!made || scene.mesh.max_triangles) return;
   const auto least =
@@ -134,13 +134,13 @@ void deduct_triangles(const Scene& scene, const std::optional<GridMesh>& made,
 
 /// The mesh of a surface that goes to infinity, clipped, if there is any. `known`: what is known of
 /// its poles; `options.clip`: the box that everything else is in.
-std::optional<GridMesh> mesh_clipped(const MeshReport& known, const Scene& scene,
-                                     const Purpose& purpose, const Surface& surface,
-                                     AdaptiveOptions options) {
+std::optional<MeshResult> mesh_clipped(const MeshReport& known, const Scene& scene,
+                                       const Purpose& purpose, const Surface& surface,
+                                       AdaptiveOptions options) {
   // Only where its poles are tells that it needs the box, and in which coordinates.
   const Bounds box = *options.clip;
   Bounds beside_poles = known.beside_poles;
-  std::optional<GridMesh> mesh;
+  std::optional<MeshResult> mesh;
   for (int k = 0; k < kMostBoxes; ++k) {
     options.clip = open_where_it_stays(box, beside_poles);
     mesh = mesh_for(scene, purpose, surface, options);
@@ -178,9 +178,9 @@ struct Whereabouts {
 /// The mesh of a surface, without what of it goes to infinity or is out of proportion; if there is
 /// any. `known`: filled in by `options.tolerance`, which goes by `options.clip`, while that is
 /// none.
-std::optional<GridMesh> mesh_in_proportion(const Scene& scene, const Purpose& purpose,
-                                           const Surface& surface, const Whereabouts& known,
-                                           AdaptiveOptions& options) {
+std::optional<MeshResult> mesh_in_proportion(const Scene& scene, const Purpose& purpose,
+                                             const Surface& surface, const Whereabouts& known,
+                                             AdaptiveOptions& options) {
   if (!scene.mesh.samples) options.until_far = kNeedle;
   auto mesh = mesh_for(scene, purpose, surface, options);
   deduct_triangles(scene, mesh, options);
@@ -219,8 +219,8 @@ std::optional<GridMesh> mesh_in_proportion(const Scene& scene, const Purpose& pu
 }
 
 /// The mesh that --samples asks for, or the best one that keeps the tolerance.
-GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                       const Surface& surface, unsigned threads) {
+MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                         const Surface& surface, unsigned threads) {
   AdaptiveOptions options;
   options.clip = scene.clip.box;
   Whereabouts known;
@@ -238,7 +238,7 @@ GridMesh mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpos
                                    : mesh_for(scene, purpose, surface, options);
   if (mesh) return std::move(*mesh);
   const double share = tolerance_share(scene, purpose);
-  GridMesh grid = mesh_uniformly(scene, spec, surface, share, threads);
+  MeshResult grid = mesh_uniformly(scene, spec, surface, share, threads);
   if (scene.clip.box) {
     clip_mesh(*scene.clip.box, grid.mesh);
     grid.report.is_clipped = true;
@@ -255,7 +255,7 @@ constexpr double kLeastEdge = 1.0 / 2048;
 constexpr double kFlat = 1e-9;
 
 ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,
-                           GridMesh& mesh, unsigned threads) {
+                           MeshResult& mesh, unsigned threads) {
   const double diagonal = mesh.mesh.bounds.diagonal();
   ColorOptions options;
   options.least_edge = mesh.report.tolerance.value_or(kLeastEdge * diagonal);
@@ -272,14 +272,14 @@ ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Su
 
 /// Puts the user's (u, v) in place of the surface's parameters wherever a place is named. Returns
 /// the domain in them; the box around the mesh's where v depends on u.
-Domain name_parameters(const Surface& surface, GridMesh& mesh) {
+Domain name_parameters(const Surface& surface, MeshResult& mesh) {
   if (surface.v.outputs.empty()) return surface.domain;
   MeshReport& report = mesh.report;
   take_user_parameters(surface, mesh.mesh.uv);
   take_user_parameters(surface, report.poles);
   take_user_parameters(surface, report.jumps);
-  take_user_parameters(surface, report.torn);
-  for (DoubtfulPlace& place : report.doubts) {
+  take_user_parameters(surface, report.without_limit);
+  for (ProofGap& place : report.proof_gaps) {
     std::array<dvec2, 4> corners = {
         place.low, {place.high.x, place.low.y}, place.high, {place.low.x, place.high.y}};
     take_user_parameters(surface, corners);
@@ -325,9 +325,9 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   MeshReport& report = result.mesh.report;
   report.orientable = is_orientable(mesh, report);
   if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
-  if (!report.certified && report.doubts.empty()) {
+  if (!report.certified && report.proof_gaps.empty()) {
     const Domain& d = surface.domain;
-    report.doubts.push_back({Doubt::NotTried, {d.u0, d.v0}, {d.u1, d.v1}});
+    report.proof_gaps.push_back({GapReason::NotTried, {d.u0, d.v0}, {d.u1, d.v1}});
   }
   if (!spec.color.empty()) {
     result.color = color_as_asked(scene, spec, surface, result.mesh, threads);
@@ -340,7 +340,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
 }
 
 Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
-  GridMesh& mesh = meshed.mesh;
+  MeshResult& mesh = meshed.mesh;
   Tessellation result;
   result.moves = meshed.prepared.moves;
   result.parse_ms = meshed.prepared.parse_ms;

@@ -17,7 +17,7 @@ namespace saddle {
 /// A surface of a scene and its mesh, both in the surface's own parameters.
 struct MeshedSurface {
   PreparedSurface prepared;
-  GridMesh mesh;
+  MeshResult mesh;
   std::optional<ColorReport> color;  ///< of a coloured surface
   bool is_clipped = false;           ///< a box may hide part of the surface
   double tessellate_ms = 0;

@@ -45,7 +45,7 @@ std::string clipped_range(const char* name, double low, double high) {
 }
 
 /// A mesh that is cut along a box does not show where the surface is defined beyond it.
-std::string undefined_warning(const GridMesh& grid_mesh, const Domain& domain) {
+std::string undefined_warning(const MeshResult& grid_mesh, const Domain& domain) {
   const std::string percent = number(100 * grid_mesh.report.undefined_fraction);
   const std::string what =
       grid_mesh.report.exceeds_doubles ? "larger than doubles can hold" : "undefined";
@@ -95,7 +95,7 @@ namespace {
 /// Collects what is to be said of a mesh, in this order.
 class MeshWarnings {
  public:
-  MeshWarnings(const std::string& name, const GridMesh& grid_mesh, const Domain& domain)
+  MeshWarnings(const std::string& name, const MeshResult& grid_mesh, const Domain& domain)
       : name_(name), grid_mesh_(grid_mesh), report_(grid_mesh.report), domain_(domain) {}
 
   std::vector<std::string> all() {
@@ -123,21 +123,21 @@ class MeshWarnings {
   }
 
   void take_errors() {
-    const bool is_off = report_.tolerance && report_.max_error > *report_.tolerance;
+    const bool exceeds_tolerance = report_.tolerance && report_.max_error > *report_.tolerance;
     const std::string off =
         off_by(report_) +
         (report_.worst_place ? ", as at " + place(*report_.worst_place, domain_) : std::string());
-    if (report_.is_tired) {
+    if (report_.budget_spent) {
       say("the limit of work stopped refinement, the mesh is" + off +
           "; smaller ranges show more, --max-triangles allows more work");
     } else if (report_.reached_limit) {
       say("the limit of triangles stopped refinement, the mesh is" + off +
           "; --max-triangles allows more");
-    } else if (is_off && report_.oscillates) {
+    } else if (exceeds_tolerance && report_.oscillates) {
       say("the surface oscillates faster than its tolerance shows, as at " +
           place(*report_.oscillates, domain_) + "; the mesh is" + off_by(report_) +
           " there; smaller ranges show more");
-    } else if (is_off) {
+    } else if (exceeds_tolerance) {
       say("the mesh is" + off +
           ": a pole, a jump or detail that its cells miss; --samples takes more");
     }
@@ -155,11 +155,12 @@ class MeshWarnings {
           (count == 1 ? " (at " : " (the first at ") + place(places.front(), domain_) + ")");
     };
     cut("the surface goes to infinity", report_.pole_count, report_.poles);
-    const std::size_t torn = report_.torn.size();
+    const std::size_t torn = report_.without_limit.size();
     cut("the surface jumps", report_.jump_count - torn, std::span(report_.jumps).subspan(torn));
-    if (!report_.torn.empty()) {
-      say("the surface has no limit at " + place(report_.torn.front(), domain_) +
-          others(report_.torn.size()) + ": each way there leads to another place; left out");
+    if (!report_.without_limit.empty()) {
+      say("the surface has no limit at " + place(report_.without_limit.front(), domain_) +
+          others(report_.without_limit.size()) +
+          ": each way there leads to another place; left out");
     }
   }
 
@@ -195,7 +196,7 @@ class MeshWarnings {
   }
 
   const std::string& name_;
-  const GridMesh& grid_mesh_;
+  const MeshResult& grid_mesh_;
   const MeshReport& report_;
   const Domain& domain_;
   std::vector<std::string> warnings_;
@@ -203,7 +204,7 @@ class MeshWarnings {
 
 }  // namespace
 
-std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
+std::vector<std::string> mesh_warnings(const std::string& name, const MeshResult& grid_mesh,
                                        const Domain& domain) {
   return MeshWarnings(name, grid_mesh, domain).all();
 }

@@ -11,7 +11,7 @@
 namespace saddle {
 
 /// One sentence per kind of finding, with its count.
-std::vector<std::string> mesh_warnings(const std::string& name, const GridMesh& grid_mesh,
+std::vector<std::string> mesh_warnings(const std::string& name, const MeshResult& grid_mesh,
                                        const Domain& domain);
 
 /// The same about its colour.

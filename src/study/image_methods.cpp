@@ -67,7 +67,7 @@ class ImageStudy {
     Image image;
     std::size_t triangles = 0;
     const auto draw = [&] {
-      std::optional<GridMesh> mesh = tessellate(pixels);
+      std::optional<MeshResult> mesh = tessellate(pixels);
       if (!mesh) return;
       take_user_parameters(subject_.surface, mesh->mesh.uv);
       triangles = mesh->mesh.triangles.size();
@@ -83,13 +83,13 @@ class ImageStudy {
   }
 
   void compile_shaders() {
-    const std::optional<GridMesh> mesh = tessellate(kImageTolerances.front());
+    const std::optional<MeshResult> mesh = tessellate(kImageTolerances.front());
     if (!mesh) return;
     renderer_.set_surface(scene_, 0, mesh->mesh);
     draw_image(renderer_, scene_, subject_.camera, {64, 48, 1});
   }
 
-  std::optional<GridMesh> tessellate(double pixels) const {
+  std::optional<MeshResult> tessellate(double pixels) const {
     AdaptiveOptions options;
     const double length = pixels * subject_.pixel;
     options.tolerance = [length](const Probe&) { return Tolerance(length); };

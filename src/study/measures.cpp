@@ -59,9 +59,9 @@ double usual_length(const std::vector<SurfacePoint>& points, dvec3 SurfacePoint:
   return *middle;
 }
 
-class Measurer {
+class SampleMeasurer {
  public:
-  Measurer(const Surface& surface, const Mesh& mesh, unsigned threads)
+  SampleMeasurer(const Surface& surface, const Mesh& mesh, unsigned threads)
       : surface_(surface), mesh_(mesh), threads_(threads), centre_(mesh.bounds.centre()) {}
 
   Measures run(Covered covered) {
@@ -245,7 +245,7 @@ class Measurer {
 
 Measures measure_surface(const Surface& surface, const Mesh& mesh, Covered covered,
                          unsigned threads) {
-  return Measurer(surface, mesh, threads).run(covered);
+  return SampleMeasurer(surface, mesh, threads).run(covered);
 }
 
 }  // namespace saddle

@@ -65,7 +65,7 @@ class MeshStudy {
   template <class F>
   bool add(const char* method, const std::string& setting, std::optional<double> promise, F make) {
     progress_.next(method, setting);
-    std::optional<GridMesh> mesh;
+    std::optional<MeshResult> mesh;
     Timing time;
     try {
       time = time_repeatedly([&] { mesh = make(); });
@@ -81,8 +81,8 @@ class MeshStudy {
     return time.median < kMeshPatience;
   }
 
-  std::optional<GridMesh> uniform(int n) const {
-    GridMesh mesh = mesh_on_grid(subject_.surface, {n, n, 0, 0, subject_.threads});
+  std::optional<MeshResult> uniform(int n) const {
+    MeshResult mesh = mesh_on_grid(subject_.surface, {n, n, 0, 0, subject_.threads});
     if (subject_.clip) {
       clip_mesh(*subject_.clip, mesh.mesh);
       keep_used_corners(mesh.mesh);

@@ -89,7 +89,7 @@ class Study {
   void try_grids(const MeshPlan& plan, double planning, Renderer& renderer) {
     for (double scale = 1;; scale /= kStep) {
       const FixedLines lines =
-          plan.probe.place_lines(plan.fixed, plan.densities, 1 / std::sqrt(scale));
+          plan.probe.place_lines(plan.fixed, plan.sizing, 1 / std::sqrt(scale));
       if (static_cast<double>(lines.u.size() * lines.v.size()) > kMostCells) return;
       const GridTrial trial = try_grid(surface_, options_, plan, lines);
       if (trial.mesh) {
@@ -102,8 +102,8 @@ class Study {
   }
 
   void print(const char* method, double planning, Renderer& renderer,
-             const std::function<std::optional<GridMesh>()>& make) {
-    std::optional<GridMesh> mesh;
+             const std::function<std::optional<MeshResult>()>& make) {
+    std::optional<MeshResult> mesh;
     const double passed = planning + time_of([&] { mesh = make(); });
     if (!mesh) return;
     const MeshReport& report = mesh->report;

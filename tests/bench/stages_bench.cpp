@@ -66,12 +66,12 @@ AdaptiveOptions within(double share, unsigned threads) {
   return options;
 }
 
-std::optional<GridMesh> mesh_of(double share, unsigned threads) {
+std::optional<MeshResult> mesh_of(double share, unsigned threads) {
   return mesh_within_tolerance(torus_surface(), within(share, threads));
 }
 
 void mesh(benchmark::State& state, double share, unsigned threads) {
-  std::optional<GridMesh> result;
+  std::optional<MeshResult> result;
   for (auto _ : state) result = mesh_of(share, threads);
   state.counters["triangles"] = static_cast<double>(result->mesh.triangles.size());
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/python3 -B
 """docs/REPORT.md has the keys that reports have, each with its type, and no other; and the reasons
-that src/mesh/model/doubt.cpp gives. The program is $SADDLE_PROGRAM, or build/release/saddle."""
+that src/mesh/model/proof_gap.cpp gives. The program is $SADDLE_PROGRAM, or build/release/saddle."""
 import json
 import pathlib
 import re
@@ -10,7 +10,7 @@ import tempfile
 import tree
 
 PAGE = "docs/REPORT.md"
-SOURCE = "src/mesh/model/doubt.cpp"
+SOURCE = "src/mesh/model/proof_gap.cpp"
 # Between them these runs have everything that a report may have.
 RUNS = [
     ["z=1/u+sign(v-0.1)", "-s", "40x30", "-o", "picture.png"],

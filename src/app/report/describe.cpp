@@ -143,11 +143,11 @@ std::string proof(const MeshReport& report, const Domain& d) {
   if (report.certified) return "nothing hides between the samples (proved)";
   std::string text;
   bool is_everywhere = false;
-  for (std::size_t k = 0; k < report.doubts.size();) {
-    const DoubtfulPlace& place = report.doubts[k];
+  for (std::size_t k = 0; k < report.proof_gaps.size();) {
+    const ProofGap& place = report.proof_gaps[k];
     std::size_t next = k;
-    for (; next < report.doubts.size() && report.doubts[next].why == place.why; ++next) {
-      const DoubtfulPlace& other = report.doubts[next];
+    for (; next < report.proof_gaps.size() && report.proof_gaps[next].why == place.why; ++next) {
+      const ProofGap& other = report.proof_gaps[next];
       is_everywhere =
           is_everywhere || (other.contains({d.u0, d.v0}) && other.contains({d.u1, d.v1}));
     }

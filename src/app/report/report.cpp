@@ -43,9 +43,9 @@ Json ends(double low, double high) {
   return {finite_or_null(low), finite_or_null(high)};
 }
 
-Json doubts(const std::vector<DoubtfulPlace>& places) {
+Json doubts(const std::vector<ProofGap>& places) {
   Json list = Json::array();
-  for (const DoubtfulPlace& place : places) {
+  for (const ProofGap& place : places) {
     list.push_back({{"reason", name_of(place.why)},
                     {"u", ends(place.low.x, place.high.x)},
                     {"v", ends(place.low.y, place.high.y)}});
@@ -135,7 +135,7 @@ Json surface(const SurfaceReport& s) {
                {"closed_v", closing(s.mesh.closed_v)},
                {"orientable", s.mesh.orientable},
                {"certified", s.mesh.certified},
-               {"uncertified", doubts(s.mesh.doubts)}};
+               {"uncertified", doubts(s.mesh.proof_gaps)}};
   if (s.facts) add_facts(s, json);
   return json;
 }

@@ -313,10 +313,10 @@ std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain&
 }
 
 std::string jumps(const MeshReport& report, const Domain& domain) {
-  const std::size_t torn = report.torn.size();
+  const std::size_t torn = report.without_limit.size();
   if (torn == 0) return cuts(report.jumps, report.jump_count, domain);
   std::string text = "no limit at ";
-  const std::vector<Group> points = one_by_one(report.torn, all_of(torn));
+  const std::vector<Group> points = one_by_one(report.without_limit, all_of(torn));
   for (std::size_t k = 0; k < points.size(); ++k) text += (k > 0 ? "; " : "") + points[k].text();
   if (report.jump_count == torn) return text;
   const auto others = std::span(report.jumps).subspan(torn);

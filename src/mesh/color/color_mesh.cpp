@@ -78,7 +78,7 @@ class ColorMesher {
     }
     const auto drawn = find_range();
     if (drawn) {
-      refine();
+      subdivide();
       const bool is_whole = !drawn->is_clamped && drawn->range.low < drawn->range.high;
       if (is_whole) find_range();  // there are more corners now
     } else {
@@ -89,7 +89,7 @@ class ColorMesher {
   }
 
  private:
-  void refine() {
+  void subdivide() {
     range_ = mesh_.color_range;
     is_new_.assign(mesh_.triangles.size(), true);
     for (int i = 0; i < kGenerations && !report_.reached_limit; ++i) {
@@ -184,7 +184,7 @@ class ColorMesher {
   }
 
   /// Whether the numbers that belong between others are more than a step from where they should be.
-  bool is_off(double number, double straight) const {
+  bool exceeds_tolerance(double number, double straight) const {
     if (std::isnan(number) || std::isnan(straight)) {
       return std::isnan(number) != std::isnan(straight);
     }
@@ -218,29 +218,29 @@ class ColorMesher {
     }
     const std::vector<double> numbers = evaluate(uv);
     marked_.clear();
-    for (std::size_t i = 0; i < sides.size(); ++i) judge_side(sides[i], &numbers[3 * i]);
+    for (std::size_t i = 0; i < sides.size(); ++i) test_side(sides[i], &numbers[3 * i]);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      judge_middle(mesh_.triangles[triangles[i]], numbers[3 * sides.size() + i]);
+      test_middle(mesh_.triangles[triangles[i]], numbers[3 * sides.size() + i]);
     }
     return split_marked();
   }
 
-  void judge_side(const std::array<std::uint32_t, 2>& side, const double* numbers) {
+  void test_side(const std::array<std::uint32_t, 2>& side, const double* numbers) {
     const double a = straight(mesh_.color[side[0]]);
     const double b = straight(mesh_.color[side[1]]);
     bool is_bent = std::isnan(a) != std::isnan(b);
     for (std::size_t k = 0; k < kOnSide.size(); ++k) {
-      is_bent = is_bent || is_off(numbers[k], a + (b - a) * kOnSide[k]);
+      is_bent = is_bent || exceeds_tolerance(numbers[k], a + (b - a) * kOnSide[k]);
     }
     if (is_bent) mark(side[0], side[1]);
   }
 
   /// A triangle that is wrong in the middle, but on no side, is halved along all of them.
-  void judge_middle(const Triangle& triangle, double number) {
+  void test_middle(const Triangle& triangle, double number) {
     const auto& [a, b, c] = triangle;
     const double mean =
         (straight(mesh_.color[a]) + straight(mesh_.color[b]) + straight(mesh_.color[c])) / 3;
-    if (!is_off(number, mean)) return;
+    if (!exceeds_tolerance(number, mean)) return;
     for (std::size_t k = 0; k < 3; ++k) {
       if (marked_.contains(pair_of(mesh_.point[triangle[k]], mesh_.point[next(triangle, k)])))
         return;

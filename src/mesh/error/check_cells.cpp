@@ -87,7 +87,7 @@ struct Largest {
 /// The slot, 0 or 1, that the diagonal of a cell starts from, if it is cut as the pass over the
 /// grid cuts the plain ones; -1 of all others.
 double diagonal_of(const Grid& grid, std::size_t cell) {
-  if (grid.cells[cell] != Cell::Two) return -1;
+  if (grid.cells[cell] != GridCell::Two) return -1;
   const auto vertices = grid.vertices(cell);
   const auto triangles = grid.triangles(cell);
   const std::size_t turn = grid.mirrored ? 1 : 0;
@@ -170,17 +170,17 @@ class Checker {
     const std::vector<PlaceStretch> stretches = stretches_of(u);
     std::vector<Largest> of_rows(v.at.size());
     parallel_chunks(v.at.size(), kRowChunk, threads_, [&](std::size_t begin, std::size_t end) {
-      const auto deviations = std::make_unique_for_overwrite<RowDeviations>();
+      const auto sampled_errors = std::make_unique_for_overwrite<RowErrors>();
       for (const PlaceStretch& stretch : stretches) {
         RowStrips strips(grid_, stretch);
         for (std::size_t j = begin; j < end; ++j) {
           strips.go_to(v.cell[j]);
-          check_row(places, stretch, j, strips, *deviations);
+          check_row(places, stretch, j, strips, *sampled_errors);
           for (std::size_t k = 0; k < stretch.count; ++k) {
             const std::size_t i = stretch.first + k;
             const SideEnds ends = side(i, j);
-            if (deviations->is_known[k] > 0) {
-              of_rows[j].add({deviations->distance[k], deviations->chord[k]});
+            if (sampled_errors->is_known[k] > 0) {
+              of_rows[j].add({sampled_errors->distance[k], sampled_errors->chord[k]});
             } else if (!is_pole(ends)) {
               of_rows[j].add(measure(places, i, j));
             }
@@ -199,7 +199,7 @@ class Checker {
  private:
   /// Checks the places of a stretch in the j-th row of them.
   void check_row(const AxisPlaces& places, const PlaceStretch& stretch, std::size_t j,
-                 const RowStrips& strips, RowDeviations& deviations) const {
+                 const RowStrips& strips, RowErrors& sampled_errors) const {
     RowPlaces row{places.u.part.data() + stretch.first,
                   places.v.part[j],
                   diagonals_.data() + grid_.cell(stretch.cell, places.v.cell[j]),
@@ -210,7 +210,7 @@ class Checker {
     for (std::size_t k = 0; k < row.surface.size(); ++k) {
       row.surface[k] = &places.columns[k][first];
     }
-    check_loop(cpu_level())(strips.lower(), strips.upper(), row, stretch.count, deviations);
+    check_loop(cpu_level())(strips.lower(), strips.upper(), row, stretch.count, sampled_errors);
   }
 
   /// A side that is a single point: there is no normal, and nothing to be off by.
@@ -246,8 +246,8 @@ class Checker {
     const dvec3 p = position(places, i, j);
     if (!is_finite(p) || !is_finite(normal)) return {kNone, kNone};
     const auto triangles = grid_.triangles(grid_.cell(places.u.cell[i], places.v.cell[j]));
-    const Deviation d = deviation(grid_, triangles, {places.u.at[i], places.v.at[j]},
-                                  p / grid_.local_scale, normal);
+    const SampledError d = sampled_error(grid_, triangles, {places.u.at[i], places.v.at[j]},
+                                         p / grid_.local_scale, normal);
     const double chord = chord_of_degrees(d.degrees);
     return {grid_.local_scale * d.distance, chord * chord};
   }

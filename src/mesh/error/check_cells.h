@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/error/measure.h"
+#include "mesh/error/sampled_error.h"
 
 namespace saddle {
 

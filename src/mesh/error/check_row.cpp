@@ -33,7 +33,7 @@ static inline LoopVector mix(double a, LoopVector v, double b, LoopVector w, dou
 }  // namespace
 
 void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& places, size_t count,
-                  RowDeviations& deviations) {
+                  RowErrors& sampled_errors) {
   const double* const* const column = places.surface.data();
 #pragma GCC ivdep  // what is written overlaps nothing that is read
   for (size_t i = 0; i < count; ++i) {
@@ -67,15 +67,15 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& place
     const LoopVector mean = mix(of_first, first.normal, of_next, next.normal, of_last, last.normal);
     const double square_mean = dot(mean, mean);
     const LoopVector chord = minus(times(1 / sqrt(square_mean), mean), normal);
-    deviations.distance[i] = fabs(height);
-    deviations.chord[i] = dot(chord, chord);
+    sampled_errors.distance[i] = fabs(height);
+    sampled_errors.chord[i] = dot(chord, chord);
 
     const double area = column[8][i];
     const double squares = column[6][i] * column[7][i];
     const double is_straight = beside <= kBeside * kBeside * square ? 1.0 : 0.0;  // not NaN
     const double is_regular = area * area > kDegenerate * squares ? is_straight : 0.0;
     const double has_normal = square_mean > 0 ? is_regular : 0.0;
-    deviations.is_known[i] = second >= 0 ? has_normal : 0.0;
+    sampled_errors.is_known[i] = second >= 0 ? has_normal : 0.0;
   }
 }
 

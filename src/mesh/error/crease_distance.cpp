@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/features/follow_gaps.h"
+#include "mesh/features/bisect_discontinuities.h"
 
 namespace saddle {
 

@@ -2,21 +2,23 @@
 
 namespace saddle {
 
-// One copy of judge_leaves.cpp and of measure_leaves.cpp each.
-void judge_leaves_sse2(const LeafSamples&, std::size_t, LeafVerdicts&);
-void judge_leaves_avx2(const LeafSamples&, std::size_t, LeafVerdicts&);
-void judge_leaves_avx512(const LeafSamples&, std::size_t, LeafVerdicts&);
-void measure_leaves_sse2(const LeafPoints&, const LeafPlaces&, std::size_t, LeafDeviations&);
-void measure_leaves_avx2(const LeafPoints&, const LeafPlaces&, std::size_t, LeafDeviations&);
-void measure_leaves_avx512(const LeafPoints&, const LeafPlaces&, std::size_t, LeafDeviations&);
+// One copy of estimate_leaves.cpp and of validate_leaves.cpp each.
+void estimate_leaves_sse2(const LeafSamples&, std::size_t, LeafErrors&);
+void estimate_leaves_avx2(const LeafSamples&, std::size_t, LeafErrors&);
+void estimate_leaves_avx512(const LeafSamples&, std::size_t, LeafErrors&);
+void validate_leaves_sse2(const LeafPoints&, const LeafPlaces&, std::size_t, LeafSampledErrors&);
+void validate_leaves_avx2(const LeafPoints&, const LeafPlaces&, std::size_t, LeafSampledErrors&);
+void validate_leaves_avx512(const LeafPoints&, const LeafPlaces&, std::size_t, LeafSampledErrors&);
 
-JudgeLeaves judge_loop(CpuLevel level) {
-  constexpr std::array kLevels = {judge_leaves_sse2, judge_leaves_avx2, judge_leaves_avx512};
+EstimateLeaves estimate_loop(CpuLevel level) {
+  constexpr std::array kLevels = {estimate_leaves_sse2, estimate_leaves_avx2,
+                                  estimate_leaves_avx512};
   return kLevels[static_cast<std::size_t>(level)];
 }
 
-MeasureLeaves measure_loop(CpuLevel level) {
-  constexpr std::array kLevels = {measure_leaves_sse2, measure_leaves_avx2, measure_leaves_avx512};
+ValidateLeaves validate_loop(CpuLevel level) {
+  constexpr std::array kLevels = {validate_leaves_sse2, validate_leaves_avx2,
+                                  validate_leaves_avx512};
   return kLevels[static_cast<std::size_t>(level)];
 }
 

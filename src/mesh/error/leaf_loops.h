@@ -22,8 +22,8 @@ struct LeafVertices {
   LeafNumbers n_x, n_y, n_z;  ///< unit normals; zero where there is none
 };
 
-/// Leaves that are to be judged by the nine samples of mesh/error/judge.h, of which `side` k is
-/// between corners k and k + 1.
+/// Leaves that are to be judged by the nine samples of mesh/error/error_indicator.h, of which
+/// `side` k is between corners k and k + 1.
 struct LeafSamples {
   std::array<LeafVertices, 4> corner;
   std::array<LeafVertices, 4> side;
@@ -33,22 +33,23 @@ struct LeafSamples {
   LeafNumbers seen_turn;              ///< how normals turn along no more than this does not count
 };
 
-/// What is found along u, along v and at the centre, as Scores of mesh/error/judge.h are.
-struct LeafScores {
+/// What is found along u, along v and at the centre, as ErrorRatios of mesh/error/error_indicator.h
+/// are.
+struct LeafRatios {
   LeafNumbers along_u, along_v, centre;
 };
 
-struct LeafVerdicts {
-  LeafScores distance;           ///< in units of length
+struct LeafErrors {
+  LeafRatios distance;           ///< in units of length
   LeafNumbers gap_at_centre;     ///< the distance from the diagonal alone
-  LeafScores square_of_tangent;  ///< of the angle that normals are off
+  LeafRatios square_of_tangent;  ///< of the angle that normals are off
   LeafNumbers is_plain;          ///< 1: that holds; 0: a closer look is to be taken
   /// More than 0: how normals turn there counts.
   LeafNumbers turn_counts_on_sides, turn_counts_at_centre;
 };
 
 /// Judges leaves [0, count).
-using JudgeLeaves = void (*)(const LeafSamples& leaves, std::size_t count, LeafVerdicts& verdicts);
+using EstimateLeaves = void (*)(const LeafSamples& leaves, std::size_t count, LeafErrors& errors);
 
 /// Leaves of two triangles, corners 0, 1, 2 and 2, 3, 0, in local units, and a point of the surface
 /// above each.
@@ -64,19 +65,20 @@ struct LeafPlaces {
   const double* q;
   std::array<const double*, 9> surface;
 };
-struct LeafDeviations {
+struct LeafSampledErrors {
   LeafNumbers distance;  ///< the largest, in local units
-  LeafNumbers foreseen;  ///< the largest beside the points, as mesh/error/rise.h foresees it
+  LeafNumbers
+      predicted;         ///< the largest beside the points, as mesh/error/newton_step.h foresees it
   LeafNumbers chord;     ///< between unit normals, exact and interpolated: its largest square
   LeafNumbers is_known;  ///< 1; 0: somebody has to look closer
 };
 
 /// Adds what one point of each of the leaves [0, count) tells.
-using MeasureLeaves = void (*)(const LeafPoints& leaves, const LeafPlaces& places,
-                               std::size_t count, LeafDeviations& deviations);
+using ValidateLeaves = void (*)(const LeafPoints& leaves, const LeafPlaces& places,
+                                std::size_t count, LeafSampledErrors& sampled_errors);
 
 /// The loops of a level; all give the same bits.
-JudgeLeaves judge_loop(CpuLevel level);
-MeasureLeaves measure_loop(CpuLevel level);
+EstimateLeaves estimate_loop(CpuLevel level);
+ValidateLeaves validate_loop(CpuLevel level);
 
 }  // namespace saddle

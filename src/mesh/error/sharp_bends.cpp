@@ -79,23 +79,23 @@ double distance_of_diagonal(const Mesh& mesh, const SampleVertices& samples,
 
 }  // namespace
 
-void SharpBends::add(const Measured& mesh, std::size_t number,
+void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
                      std::span<const Triangle> triangles) {
   if (!mesh.is_near(number) || triangles.empty()) return;
   const Leaf& leaf = mesh.leaves[number];
   const std::optional<Looks> looks = looks_at(mesh, number, triangles);
   if (!looks) return;
   bends_.push_back(
-      {number, lattice_.parameters(leaf.low), lattice_.parameters(leaf.high), triangles, *looks});
+      {number, tree_.parameters(leaf.low), tree_.parameters(leaf.high), triangles, *looks});
 }
 
-std::optional<SharpBends::Looks> SharpBends::looks_at(const Measured& mesh, std::size_t number,
+std::optional<SharpBends::Looks> SharpBends::looks_at(const ValidatedMesh& mesh, std::size_t number,
                                                       std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
   const Looks looks{mesh.off(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
   if (!looks.at_places && !looks.at_sides) return std::nullopt;
   if (turns_sharply(grid_.mesh, leaf.samples.corner)) return looks;
-  if (mesh.deviations[number].degrees > kSharpDegrees) {
+  if (mesh.sampled_errors[number].degrees > kSharpDegrees) {
     return Looks{looks.at_places, looks.at_sides, true};
   }
   if (leaf.known_error <= kNearlyOff || triangles.size() != 2) return std::nullopt;
@@ -104,7 +104,7 @@ std::optional<SharpBends::Looks> SharpBends::looks_at(const Measured& mesh, std:
 }
 
 void SharpBends::append_places(std::size_t number, std::vector<Place>& places) const {
-  const Bend& bend = bends_[number];
+  const SecondForm& bend = bends_[number];
   const auto append = [&](const dvec2& part) {
     places.push_back({number, glm::mix(bend.low, bend.high, part)});
   };
@@ -134,8 +134,8 @@ void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) 
   }
 }
 
-void SharpBends::measure_at(const dvec2& uv, const dvec3& position, Bend& bend,
-                            Measured& mesh) const {
+void SharpBends::validate_at(const dvec2& uv, const dvec3& position, SecondForm& bend,
+                             ValidatedMesh& mesh) const {
   const double distance = distance_from(grid_, bend.triangles, uv, position);
   if (!(distance > bend.distance)) return;
   bend.distance = distance;
@@ -143,7 +143,7 @@ void SharpBends::measure_at(const dvec2& uv, const dvec3& position, Bend& bend,
   mesh.add(bend.leaf, distance);
 }
 
-void SharpBends::look(Measured& mesh) {
+void SharpBends::look(ValidatedMesh& mesh) {
   std::vector<Place> places;
   for (std::size_t k = 0; k < bends_.size(); ++k) {
     if (bends_[k].looks.at_places) append_places(k, places);
@@ -158,11 +158,11 @@ void SharpBends::look(Measured& mesh) {
   std::vector<std::size_t> leaves;  // of those
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto& [number, at, side] = places[k];
-    Bend& bend = bends_[number];
+    SecondForm& bend = bends_[number];
     const double allowed = mesh.allowed[bend.leaf];
     if (!mesh.is_near(bend.leaf)) continue;
     if (!side) {
-      measure_at(at, points[k].position, bend, mesh);
+      validate_at(at, points[k].position, bend, mesh);
       continue;
     }
     const auto& [a, b] = *side;
@@ -171,8 +171,8 @@ void SharpBends::look(Measured& mesh) {
                         glm::abs(bend.high - bend.low),
                         allowed};
     if (glm::distance(chord.middle(), points[k].position) <= kWorthASearch * allowed) continue;
-    measure_at(at, points[k].position, bend, mesh);
-    chord.known = mesh.deviations[bend.leaf].distance;
+    validate_at(at, points[k].position, bend, mesh);
+    chord.known = mesh.sampled_errors[bend.leaf].distance;
     if (!mesh.is_near(bend.leaf)) continue;
     chords.push_back(chord);
     leaves.push_back(bend.leaf);
@@ -182,15 +182,15 @@ void SharpBends::look(Measured& mesh) {
 }
 
 /// Compass search, from the farthest place of each.
-void SharpBends::climb(Measured& mesh) {
+void SharpBends::climb(ValidatedMesh& mesh) {
   constexpr std::array kWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
   std::vector<dvec2> uv;
   for (const double step : kStepShares) {
-    std::erase_if(bends_, [&](const Bend& bend) {
+    std::erase_if(bends_, [&](const SecondForm& bend) {
       return !mesh.is_near(bend.leaf) || bend.distance < kWorthASearch * mesh.allowed[bend.leaf];
     });
     uv.clear();
-    for (const Bend& bend : bends_) {
+    for (const SecondForm& bend : bends_) {
       for (const dvec2& way : kWays) {
         const dvec2 there = bend.farthest + step * way * (bend.high - bend.low);
         uv.push_back(
@@ -200,12 +200,12 @@ void SharpBends::climb(Measured& mesh) {
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
     evaluations_ += points.size();
     for (std::size_t k = 0; k < points.size(); ++k) {
-      measure_at(uv[k], points[k].position, bends_[k / kWays.size()], mesh);
+      validate_at(uv[k], points[k].position, bends_[k / kWays.size()], mesh);
     }
   }
 }
 
-void SharpBends::measure(Measured& mesh) {
+void SharpBends::measure(ValidatedMesh& mesh) {
   look(mesh);
   climb(mesh);
 }

@@ -10,22 +10,22 @@
 #include <span>
 #include <vector>
 
-#include "mesh/error/measured.h"
+#include "mesh/error/validated_mesh.h"
 
 namespace saddle {
 
 class SharpBends {
  public:
-  SharpBends(const Surface& surface, const Grid& grid, const Lattice& lattice, unsigned threads)
-      : surface_(surface), grid_(grid), lattice_(lattice), threads_(threads) {}
+  SharpBends(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads)
+      : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
 
   /// A leaf that was measured, and that nothing cuts, with its triangles, which must outlive this.
   /// Nothing is done if it is known to be too far off, or if its samples tell enough.
-  void add(const Measured& mesh, std::size_t number, std::span<const Triangle> triangles);
+  void add(const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles);
 
   /// Measures them in more places, and how far triangles are from the surface. Adds the distances
   /// that are found to the mesh.
-  void measure(Measured& mesh);
+  void measure(ValidatedMesh& mesh);
 
   std::size_t evaluations() const { return evaluations_; }
 
@@ -35,7 +35,7 @@ class SharpBends {
     bool at_places, at_sides;
     bool everywhere = false;  ///< corners do not tell where it turns
   };
-  struct Bend {
+  struct SecondForm {
     std::size_t leaf;
     dvec2 low, high;
     std::span<const Triangle> triangles;
@@ -49,19 +49,20 @@ class SharpBends {
     dvec2 uv;
     std::optional<std::array<std::uint32_t, 2>> side = {};
   };
-  std::optional<Looks> looks_at(const Measured& mesh, std::size_t number,
+  std::optional<Looks> looks_at(const ValidatedMesh& mesh, std::size_t number,
                                 std::span<const Triangle> triangles) const;
   void append_places(std::size_t number, std::vector<Place>& places) const;
   void append_middles(std::size_t number, std::vector<Place>& places) const;
-  void look(Measured& mesh);
-  void climb(Measured& mesh);
-  void measure_at(const dvec2& uv, const dvec3& position, Bend& bend, Measured& mesh) const;
+  void look(ValidatedMesh& mesh);
+  void climb(ValidatedMesh& mesh);
+  void validate_at(const dvec2& uv, const dvec3& position, SecondForm& bend,
+                   ValidatedMesh& mesh) const;
 
   const Surface& surface_;
   const Grid& grid_;
-  const Lattice& lattice_;
+  const CellTree& tree_;
   unsigned threads_;
-  std::vector<Bend> bends_;
+  std::vector<SecondForm> bends_;
   std::size_t evaluations_ = 0;
 };
 

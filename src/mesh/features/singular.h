@@ -11,11 +11,11 @@ namespace saddle {
 
 /// Zeros of r_u x r_v, or where it is not known, in parameters of the domain.
 struct SingularSet {
-  std::vector<dvec2> points;     ///< those that are by themselves
-  std::vector<dvec2> on_curves;  ///< some of each curve that is no line of these:
-  std::vector<double> lines_u;   ///< of constant u, from one end of the range of v to the other
-  std::vector<double> lines_v;   ///< of constant v
-  std::vector<dvec2> torn;       ///< single points at which the surface has no limit
+  std::vector<dvec2> points;         ///< those that are by themselves
+  std::vector<dvec2> on_curves;      ///< some of each curve that is no line of these:
+  std::vector<double> lines_u;       ///< of constant u, from one end of the range of v to the other
+  std::vector<double> lines_v;       ///< of constant v
+  std::vector<dvec2> without_limit;  ///< single points at which the surface has no limit
 
   bool empty() const {
     return points.empty() && on_curves.empty() && lines_u.empty() && lines_v.empty();

@@ -6,9 +6,9 @@ namespace saddle {
 void cut_cells_sse2(const Strip&, const Strip&, std::size_t, double, Cuts&);
 void cut_cells_avx2(const Strip&, const Strip&, std::size_t, double, Cuts&);
 void cut_cells_avx512(const Strip&, const Strip&, std::size_t, double, Cuts&);
-void check_row_sse2(const Strip&, const Strip&, const RowPlaces&, std::size_t, RowDeviations&);
-void check_row_avx2(const Strip&, const Strip&, const RowPlaces&, std::size_t, RowDeviations&);
-void check_row_avx512(const Strip&, const Strip&, const RowPlaces&, std::size_t, RowDeviations&);
+void check_row_sse2(const Strip&, const Strip&, const RowPlaces&, std::size_t, RowErrors&);
+void check_row_avx2(const Strip&, const Strip&, const RowPlaces&, std::size_t, RowErrors&);
+void check_row_avx512(const Strip&, const Strip&, const RowPlaces&, std::size_t, RowErrors&);
 
 CutCells cell_loop(CpuLevel level) {
   constexpr std::array kLevels = {cut_cells_sse2, cut_cells_avx2, cut_cells_avx512};

@@ -45,7 +45,7 @@ struct RowPlaces {
   double front;                          ///< 1: vertices' normals are along r_u x r_v; or -1
 };
 
-struct RowDeviations {
+struct RowErrors {
   TileNumbers distance;  ///< of the triangle from the surface, straight below it, in local units
   TileNumbers chord;     ///< between unit normals, exact and interpolated: its square
   TileNumbers is_known;  ///< 1; 0: a closer look is to be taken
@@ -53,7 +53,7 @@ struct RowDeviations {
 
 /// Checks the places in the cells [0, count) between two strips.
 using CheckRow = void (*)(const Strip& lower, const Strip& upper, const RowPlaces& places,
-                          std::size_t count, RowDeviations& deviations);
+                          std::size_t count, RowErrors& sampled_errors);
 
 /// The loops of a level; all give the same bits.
 CutCells cell_loop(CpuLevel level);

@@ -46,7 +46,7 @@ class CornerBuilder {
   CornerBuilder(Grid& grid, MeshReport& report)
       : grid_(grid), report_(report), corners_(grid.mesh) {
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-      if (grid.cells[cell] != Cell::Open) continue;
+      if (grid.cells[cell] != GridCell::Open) continue;
       OpenCell& open = cells_.emplace_back(OpenCell{cell, {}});
       std::ranges::copy(grid.vertices(cell), open.corners.begin());
     }

@@ -80,7 +80,9 @@ dvec3 extent(const Surface& surface, const Grid& grid, unsigned threads) {
 }
 
 void require_triangles(const Surface& surface, const Grid& grid, unsigned threads) {
-  const auto has_triangle = [](Cell cell) { return cell == Cell::One || cell == Cell::Two; };
+  const auto has_triangle = [](GridCell cell) {
+    return cell == GridCell::One || cell == GridCell::Two;
+  };
   const auto count = static_cast<std::size_t>(std::ranges::count_if(grid.cells, has_triangle));
   if (count > grid.cell_count() / kFewCells) return;
   const dvec3 size = extent(surface, grid, threads);

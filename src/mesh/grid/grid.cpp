@@ -126,7 +126,7 @@ bool Grid::is_used(std::size_t vertex) const {
 }
 
 void Grid::open_around(std::size_t vertex) {
-  for_cells_around(vertex, [this](std::size_t cell, std::size_t) { cells[cell] = Cell::Open; });
+  for_cells_around(vertex, [this](std::size_t cell, std::size_t) { cells[cell] = GridCell::Open; });
 }
 
 void require_defined_cells(const Grid& grid) {

@@ -22,7 +22,7 @@ inline dvec3 rounding_of(const dvec3& position) {
 }
 
 /// What has become of a cell. The triangles of cell c are mesh.triangles[2c] and [2c + 1].
-enum class Cell : std::uint8_t {
+enum class GridCell : std::uint8_t {
   Empty,    ///< covered, but without area: no triangle
   One,      ///< one triangle
   Two,      ///< two
@@ -39,7 +39,7 @@ struct GridLine {
 };
 
 /// A cell and the height of its arcs above the mesh, estimated; in units of length.
-struct CellError {
+struct CellSagitta {
   std::size_t cell;
   double sagitta;
 };
@@ -50,10 +50,10 @@ struct Grid {
   std::vector<double> u;  ///< cells_u + 1 parameters
   std::vector<double> v;
   Mesh mesh;
-  Array<Cell> cells;
+  Array<GridCell> cells;
   std::size_t left_out_count = 0;
   std::vector<std::size_t> singular;  ///< used vertices without a regular normal, ascending
-  std::vector<CellError> worst;       ///< the worst of each few plain cells
+  std::vector<CellSagitta> worst;     ///< the worst of each few plain cells
   double local_scale = 1;             ///< local units per unit of length
   double diagonal = 0;                ///< of the box around the used vertices, in local units
   dvec2 range{1};                     ///< of the parameters, or of the island in it
@@ -70,9 +70,9 @@ struct Grid {
   dvec2 cell_centre(std::size_t cell) const;
   /// The vertices of a cell's four slots.
   std::array<std::size_t, 4> vertices(std::size_t cell) const;
-  bool is_kept(std::size_t cell) const { return cells[cell] != Cell::LeftOut; }
+  bool is_kept(std::size_t cell) const { return cells[cell] != GridCell::LeftOut; }
   std::size_t triangle_count(std::size_t cell) const {
-    return cells[cell] <= Cell::Two ? static_cast<std::size_t>(cells[cell]) : 0;
+    return cells[cell] <= GridCell::Two ? static_cast<std::size_t>(cells[cell]) : 0;
   }
   std::span<const Triangle> triangles(std::size_t cell) const {
     return std::span(mesh.triangles).subspan(2 * cell, triangle_count(cell));

@@ -211,7 +211,7 @@ void find_irregular(const Surface& surface, const GridTiling& tiling,
   for (const Irregular& part : found) {
     for (const std::size_t vertex : part.undefined) {
       grid.for_cells_around(vertex, [&grid](std::size_t cell, std::size_t) {
-        grid.cells[cell] = Cell::LeftOut;
+        grid.cells[cell] = GridCell::LeftOut;
         ++grid.left_out_count;
       });
     }

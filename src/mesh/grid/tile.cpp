@@ -112,14 +112,14 @@ void write_cells(const Cuts& cuts, const GridTile& tile, std::size_t row, Grid& 
   const auto pitch = static_cast<std::uint32_t>(grid.u.size());
   auto vertex = static_cast<std::uint32_t>(grid.vertex(tile.column, row - 1));
   const std::size_t turn = grid.mirrored ? 1 : 0;
-  CellError worst{first, -1};
+  CellSagitta worst{first, -1};
   for (std::size_t i = 0; i + 1 < tile.columns; ++i, ++vertex) {
     if (i % kGroup == 0 && worst.sagitta >= 0) {
       summary.worst.push_back(worst);
       worst.sagitta = -1;
     }
     const bool plain = cuts.margin[i] > 0;
-    grid.cells[first + i] = plain ? Cell::Two : Cell::Open;
+    grid.cells[first + i] = plain ? GridCell::Two : GridCell::Open;
     if (!plain) continue;
     const std::uint32_t across = vertex + pitch;
     const bool second = cuts.second[i] > 0;

@@ -20,9 +20,9 @@ struct RowSummary {
 };
 
 struct TileSummary {
-  std::vector<RowSummary> rows;  ///< from the tile's lowest row
-  Bounds bounds;                 ///< of the finite rows
-  std::vector<CellError> worst;  ///< the worst plain cell of each few
+  std::vector<RowSummary> rows;    ///< from the tile's lowest row
+  Bounds bounds;                   ///< of the finite rows
+  std::vector<CellSagitta> worst;  ///< the worst plain cell of each few
 };
 
 /// Takes the rows of a tile (tape: Surface::normals) into grid.mesh and grid.cells, whose arrays

@@ -167,7 +167,7 @@ void triangulate(Grid& grid, std::span<const OpenCell> cells) {
     cut_cell(grid, cell.corners, triangles);
     std::ranges::copy(triangles,
                       grid.mesh.triangles.begin() + 2 * static_cast<std::ptrdiff_t>(cell.cell));
-    grid.cells[cell.cell] = static_cast<Cell>(triangles.size());
+    grid.cells[cell.cell] = static_cast<GridCell>(triangles.size());
   }
 }
 

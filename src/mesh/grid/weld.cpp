@@ -5,7 +5,7 @@
 
 #include <glm/vector_relational.hpp>
 
-#include "mesh/model/points.h"
+#include "mesh/model/point_union.h"
 
 namespace saddle {
 
@@ -114,7 +114,7 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
 }
 
 /// Unites the vertices of two edges that meet.
-void unite(Grid& grid, const EdgePair& edges, const Seam& seam, Points& points) {
+void unite(Grid& grid, const EdgePair& edges, const Seam& seam, PointUnion& points) {
   for (std::size_t k = 0; k < edges.first.count; ++k) {
     const std::size_t a = edges.first[k];
     const std::size_t b = edges.partner(k, seam);
@@ -126,7 +126,7 @@ void unite(Grid& grid, const EdgePair& edges, const Seam& seam, Points& points) 
 }
 
 /// Unites the vertices of two edges that meet; says how they meet.
-Seam join_edges(Grid& grid, const EdgePair& edges, Points& points) {
+Seam join_edges(Grid& grid, const EdgePair& edges, PointUnion& points) {
   for (const Seam& seam : kSeams) {
     if (!edges_meet(grid, edges, seam)) continue;
     unite(grid, edges, seam, points);
@@ -137,7 +137,7 @@ Seam join_edges(Grid& grid, const EdgePair& edges, Points& points) {
 
 /// Unites the halves of an edge that is folded, and is no point. Its middle is a vertex, or its
 /// middle cell has a side that is one.
-bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, Points& points) {
+bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, PointUnion& points) {
   Bounds bounds;
   for (std::size_t k = 0; k < edge.count; ++k) {
     if (grid.is_used(edge[k])) bounds.add(grid.local(edge[k]));
@@ -152,10 +152,10 @@ bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, Points&
 /// Neighbours at the same place are one point if what is between them is. A cell between two of
 /// them is not plain, so it is open.
 void join_equal_neighbours(const Surface& surface, unsigned threads, const Grid& grid,
-                           Points& points) {
+                           PointUnion& points) {
   std::vector<Neighbours> sides;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    if (grid.cells[cell] != Cell::Open) continue;
+    if (grid.cells[cell] != GridCell::Open) continue;
     const auto vertices = grid.vertices(cell);
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t a = vertices[k];
@@ -210,7 +210,7 @@ Seams weld(const Surface& surface, unsigned threads, Grid& grid) {
   const std::size_t nu = grid.cells_u;
   const std::size_t nv = grid.cells_v;
 
-  Points points(grid.mesh);
+  PointUnion points(grid.mesh);
   Seams seams;
   collapse_poles(grid, columns);
   collapse_poles(grid, rows);

@@ -8,10 +8,10 @@
 #include <set>
 #include <span>
 
-#include "mesh/features/rough.h"
+#include "mesh/features/nonsmooth_points.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/facing.h"
-#include "mesh/mesher/halving.h"
+#include "mesh/mesher/adaptive_mesher.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
 #include "mesh/tree/leaf_mesh.h"
@@ -25,7 +25,7 @@ constexpr double kAim = 0.98;
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
 /// Cells of the root grid each way around an island that no sample has met.
-constexpr std::size_t kIslandCells = 16;
+constexpr std::size_t kComponentCells = 16;
 /// Poles, and jumps, that are this near to each other, in ranges, are one.
 constexpr double kSamePole = 1e-9;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
@@ -39,7 +39,7 @@ constexpr double kMostRootLines = 0.28;
 constexpr double kCoarser = 1.25;
 constexpr double kMuchCoarser = 4;
 constexpr double kCoarsest = 1e40;
-/// More lines than this each way cannot be numbered by a lattice.
+/// More lines than this each way cannot be numbered by a cell tree.
 constexpr std::size_t kMaxLines = 60000;
 
 FixedLines drawn_lines(const Domain& domain, const AdaptiveOptions& options) {
@@ -79,10 +79,10 @@ Tolerance inside(const std::optional<Bounds>& clip, const Tolerance& tolerance) 
 /// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
 /// than are allowed.
 void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
-  plan.densities = plan.probe.densities(plan.fixed, inside(options.clip, plan.aim));
+  plan.sizing = plan.probe.sizing(plan.fixed, inside(options.clip, plan.aim));
   // For a tolerance that is larger by a factor.
   const auto place = [&plan](double factor) {
-    plan.lines = plan.probe.place_lines(plan.fixed, plan.densities, 1 / std::sqrt(factor));
+    plan.lines = plan.probe.place_lines(plan.fixed, plan.sizing, 1 / std::sqrt(factor));
   };
   place(1);
   const double most = std::max(kMostRootLines / share_of_diagonal(plan),
@@ -102,10 +102,12 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
     plan.is_limited = true;
     place(factor);
   }
-  if (const auto& island = plan.probe.island()) {
-    const auto [low, high] = island->where;
-    plan.lines.u = merged_lines(std::move(plan.lines.u), even_lines(low.x, high.x, kIslandCells));
-    plan.lines.v = merged_lines(std::move(plan.lines.v), even_lines(low.y, high.y, kIslandCells));
+  if (const auto& component = plan.probe.component()) {
+    const auto [low, high] = component->where;
+    plan.lines.u =
+        merged_lines(std::move(plan.lines.u), even_lines(low.x, high.x, kComponentCells));
+    plan.lines.v =
+        merged_lines(std::move(plan.lines.v), even_lines(low.y, high.y, kComponentCells));
   }
 }
 
@@ -120,9 +122,10 @@ SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
   };
   SingularSet set = find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
                                   even(plan.drawn.v, d.v0, d.v1), options.threads);
-  RoughPoints rough = find_rough_points(surface, plan.probe.bounds().diagonal(), options.threads);
-  set.points.insert(set.points.end(), rough.apexes.begin(), rough.apexes.end());
-  set.torn = std::move(rough.torn);
+  NonsmoothPoints rough =
+      find_nonsmooth_points(surface, plan.probe.bounds().diagonal(), options.threads);
+  set.points.insert(set.points.end(), rough.conical.begin(), rough.conical.end());
+  set.without_limit = std::move(rough.without_limit);
   return set;
 }
 
@@ -159,24 +162,25 @@ class PlaceList {
 /// What becomes of leaves.
 class Finisher {
  public:
-  explicit Finisher(Halving& halving)
+  explicit Finisher(AdaptiveMesher& halving)
       : halving_(halving),
         mesh_(halving.measured()),
-        lattice_(halving.lattice()),
+        tree_(halving.tree()),
         grid_(halving.grid()) {}
 
   /// Lists where the surface goes to infinity, and where it is before it does.
   void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
     PlaceList poles(grid_.range, report.poles, report.pole_count);
     std::vector<dvec2> ends;
-    for (const std::array<dvec2, 2>& pole : lattice_.poles()) {
+    for (const std::array<dvec2, 2>& pole : tree_.poles()) {
       poles.add(0.5 * (pole[0] + pole[1]));  // beyond doubles they are apart
       ends.insert(ends.end(), pole.begin(), pole.end());
     }
-    for_holes(Hole::Kind::Pole, [&](const dvec2& uv, const Hole& hole) {
-      poles.add(uv);
-      report.beside_poles.add(hole.near);
-    });
+    for_singularities(PointSingularity::Kind::Pole,
+                      [&](const dvec2& uv, const PointSingularity& singularity) {
+                        poles.add(uv);
+                        report.beside_poles.add(singularity.near);
+                      });
     for (const SurfacePoint& point : evaluate(surface, ends, threads)) {
       if (is_finite(point.position)) report.beside_poles.add(point.position);
     }
@@ -185,10 +189,12 @@ class Finisher {
   /// Lists the single points that have no limit, then where the sides of leaves are cut by jumps.
   void list_jumps(MeshReport& report) const {
     PlaceList jumps(grid_.range, report.jumps, report.jump_count);
-    for_holes(Hole::Kind::NoLimit, [&](const dvec2& uv, const Hole&) {
-      if (jumps.add(uv) && report.torn.size() < kMaxListed) report.torn.push_back(uv);
-    });
-    for_crossings(Cut::Jump, [&](const Side&, const Crossing& cut) {
+    for_singularities(PointSingularity::Kind::NoLimit,
+                      [&](const dvec2& uv, const PointSingularity&) {
+                        if (jumps.add(uv) && report.without_limit.size() < kMaxListed)
+                          report.without_limit.push_back(uv);
+                      });
+    for_features(FeatureKind::Jump, [&](const Side&, const EdgeFeature& cut) {
       jumps.add(grid_.mesh.uv[cut.beside_first]);
     });
     for (const auto& [vertex, beside] : beside_lines()) {
@@ -199,23 +205,24 @@ class Finisher {
   /// Lists where the sides of leaves are cut by cusps, which are singular.
   void list_cusps(MeshReport& report) const {
     const auto& n = grid_.mesh.normal;
-    for_crossings(Cut::Crease, [&](const Side&, const Crossing& cut) {
+    for_features(FeatureKind::Crease, [&](const Side&, const EdgeFeature& cut) {
       if (glm::dot(n[cut.beside_first], n[cut.beside_second]) < kOpposite)
         add_singular_point(grid_.mesh.uv[cut.beside_first], report);
     });
   }
 
-  /// The share of the domain that no leaf covers, and of leaves on the rim what their pieces leave
-  /// out.
+  /// The share of the domain that no leaf covers, and of leaves on the boundary what their pieces
+  /// leave out.
   double undefined_fraction(const Domain& d) const {
     double covered = 0;
     for (const Leaf& leaf : mesh_.leaves) {
-      const dvec2 size = lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low);
-      if (!leaf.on_rim || has_only_thin_holes(leaf)) {
+      const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
+      if (!leaf.on_boundary || has_only_thin_holes(leaf)) {
         covered += std::fabs(size.x * size.y);
         continue;
       }
-      for (const Polygon& piece : pieces(leaf, lattice_)) covered += std::fabs(area_of(piece));
+      for (const Polygon& sub_polygon : sub_polygons(leaf, tree_))
+        covered += std::fabs(area_of(sub_polygon));
     }
     const double share = 1 - covered / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
     return share > kAllCovered ? share : 0;
@@ -229,14 +236,14 @@ class Finisher {
       const double eps = mesh_.allowed[k];
       // Of a leaf that crosses the box its tests do not tell what is in it.
       const double known = halving_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
-      const double off = std::max(mesh_.deviations[k].distance, known);
+      const double off = std::max(mesh_.sampled_errors[k].distance, known);
       // Where the tolerance depends on the place: as if it were the strictest everywhere.
       const double error = eps > *report.tolerance ? off / eps * *report.tolerance : off;
       if (error > std::max(report.max_error, *report.tolerance)) {
-        report.worst_place = lattice_.parameters(leaf.middle());
+        report.worst_place = tree_.parameters(leaf.middle());
       }
       report.max_error = std::max(report.max_error, error);
-      const double degrees = mesh_.deviations[k].degrees;
+      const double degrees = mesh_.sampled_errors[k].degrees;
       if (degrees <= report.max_normal_error || halving_.width(leaf) <= kSeenTurn * eps) continue;
       report.max_normal_error = degrees;
     }
@@ -245,12 +252,12 @@ class Finisher {
  private:
   /// Calls f(uv, hole) for all holes of this kind: vertices, then those in the midst of leaves.
   template <class F>
-  void for_holes(Hole::Kind kind, F f) const {
-    for (const auto& [vertex, hole] : lattice_.holes()) {
-      if (hole.kind == kind) f(grid_.mesh.uv[vertex], hole);
+  void for_singularities(PointSingularity::Kind kind, F f) const {
+    for (const auto& [vertex, singularity] : tree_.singularities()) {
+      if (singularity.kind == kind) f(grid_.mesh.uv[vertex], singularity);
     }
-    for (const auto& [uv, hole] : halving_.holes()) {
-      if (hole.kind == kind) f(uv, hole);
+    for (const auto& [uv, singularity] : halving_.singularities()) {
+      if (singularity.kind == kind) f(uv, singularity);
     }
   }
 
@@ -258,9 +265,10 @@ class Finisher {
   /// abs(u)/u, on all sides on which it is.
   std::map<std::uint32_t, Bounds> beside_lines() const {
     std::map<std::uint32_t, Bounds> result;
-    for_crossings(Cut::Rim, [&](const Side& side, const Crossing& cut) {
+    for_features(FeatureKind::Boundary, [&](const Side& side, const EdgeFeature& cut) {
       for (const std::uint32_t end : side) {
-        if (lattice_.hole(end) == Hole::Kind::Line && is_same_place(end, cut.beside_first))
+        if (tree_.singularity(end) == PointSingularity::Kind::Line &&
+            is_same_place(end, cut.beside_first))
           result[end].add(grid_.mesh.position[cut.beside_first]);
       }
     });
@@ -268,7 +276,7 @@ class Finisher {
   }
 
   /// Whether parameters of vertices are the same to rounding. Along a line on which it is rounding
-  /// whether a formula is defined, rims are anywhere.
+  /// whether a formula is defined, boundaries are anywhere.
   bool is_same_place(std::uint32_t a, std::uint32_t b) const {
     const dvec2 apart = glm::abs(grid_.mesh.uv[a] - grid_.mesh.uv[b]);
     return glm::all(glm::lessThanEqual(apart, kSamePole * glm::abs(grid_.range)));
@@ -276,14 +284,14 @@ class Finisher {
 
   /// Calls f(side, crossing) for each side of a leaf that is cut like this.
   template <class F>
-  void for_crossings(Cut kind, F f) const {
-    if (!lattice_.has_crossings()) return;
+  void for_features(FeatureKind kind, F f) const {
+    if (!tree_.has_features()) return;
     std::set<Side> seen;
     for (const Leaf& leaf : mesh_.leaves) {
-      if (!leaf.on_rim && !leaf.is_split) continue;
-      for (const Side& side : sides_of(leaf, lattice_)) {
-        const auto crossing = lattice_.crossing(side[0], side[1]);
-        if (crossing && crossing->kind == kind && seen.insert(side).second) f(side, *crossing);
+      if (!leaf.on_boundary && !leaf.is_split) continue;
+      for (const Side& side : sides_of(leaf, tree_)) {
+        const auto feature = tree_.feature(side[0], side[1]);
+        if (feature && feature->kind == kind && seen.insert(side).second) f(side, *feature);
       }
     }
   }
@@ -303,15 +311,16 @@ class Finisher {
   /// Whether all of a leaf is defined but points and lines.
   bool has_only_thin_holes(const Leaf& leaf) const {
     bool is_thin = true;
-    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t) {
-      is_thin = is_thin && (lattice_.is_defined(a) || lattice_.hole(a) != Hole::Kind::Part);
+    for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t) {
+      is_thin =
+          is_thin && (tree_.is_defined(a) || tree_.singularity(a) != PointSingularity::Kind::Part);
     });
     return is_thin;
   }
 
-  const Halving& halving_;
-  const Measured& mesh_;
-  const Lattice& lattice_;
+  const AdaptiveMesher& halving_;
+  const ValidatedMesh& mesh_;
+  const CellTree& tree_;
   const Grid& grid_;
 };
 
@@ -332,11 +341,12 @@ void keep_singular_points_within(const Bounds& box, const Surface& surface, unsi
 }
 
 /// The mesh; nothing if none of its triangles has any area.
-std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& options,
-                               const SingularSet& singular, Halving& halving, GridMesh result) {
+std::optional<MeshResult> finish(const Surface& surface, const AdaptiveOptions& options,
+                                 const SingularSet& singular, AdaptiveMesher& halving,
+                                 MeshResult result) {
   MeshReport& report = result.report;
   const Finisher finisher(halving);
-  report.effort = halving.lattice().effort().total();
+  report.effort = halving.tree().effort().total();
   finisher.list_poles(surface, options.threads, report);
   if (halving.stops_early()) {
     report.beside_poles.add(halving.far());
@@ -359,8 +369,8 @@ std::optional<GridMesh> finish(const Surface& surface, const AdaptiveOptions& op
   Grid& grid = halving.grid();
   report.evaluations += halving.reach_extremes();
   grid.mesh.triangles = std::move(triangles.all);
-  grid.mesh.lines = leaf_lines(grid, halving.lattice(), halving.measured().leaves, options.lines_u,
-                               options.lines_v);
+  grid.mesh.lines =
+      leaf_lines(grid, halving.tree(), halving.measured().leaves, options.lines_u, options.lines_v);
   report.evaluations += face_own_triangles(surface, options.threads, grid.mesh);
   if (options.clip) {
     clip_mesh(*options.clip, grid.mesh);
@@ -409,19 +419,20 @@ MeshReport report_of(const MeshPlan& plan) {
   return report;
 }
 
-std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
-                                              const AdaptiveOptions& options) {
+std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
+                                                const AdaptiveOptions& options) {
   std::optional<MeshPlan> plan = plan_mesh(surface, options);
   if (!plan) return std::nullopt;
   return mesh_within_tolerance(surface, options, std::move(*plan));
 }
 
-std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
-                                              const AdaptiveOptions& options, MeshPlan plan) {
-  GridMesh result{{}, report_of(plan)};
-  std::vector<Witness> witnesses = plan.probe.witnesses(plan.lines, inside(options.clip, plan.aim));
-  Halving halving(surface, options, plan);
-  halving.run(std::move(witnesses));
+std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
+                                                const AdaptiveOptions& options, MeshPlan plan) {
+  MeshResult result{{}, report_of(plan)};
+  std::vector<Counterexample> counterexamples =
+      plan.probe.counterexamples(plan.lines, inside(options.clip, plan.aim));
+  AdaptiveMesher halving(surface, options, plan);
+  halving.run(std::move(counterexamples));
   return finish(surface, options, plan.singular, halving, std::move(result));
 }
 

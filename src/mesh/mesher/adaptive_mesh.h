@@ -7,7 +7,7 @@
 
 #include "mesh/features/singular.h"
 #include "mesh/mesher/grid_mesh.h"
-#include "mesh/sizing/density.h"
+#include "mesh/sizing/probe.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -39,7 +39,7 @@ struct MeshPlan {
   SingularSet singular;     ///< where a root line goes, if they are few
   FixedLines fixed;         ///< lines that the root grid must have: Probe::fixed_lines()
   FixedLines lines;         ///< of the root grid
-  Densities densities;      ///< that they were placed for
+  SizingField sizing;       ///< that they were placed for
   bool is_limited = false;  ///< they are farther apart than the tolerance asks for: max_triangles
 };
 
@@ -47,14 +47,14 @@ struct MeshPlan {
 /// takes more lines than can be numbered.
 std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options);
 
-/// Tessellates a surface of second order. Cells that the rim of the surface crosses are clipped at
-/// it. Nothing if there is no plan, no cell of the root grid is defined or no triangle has any
-/// area: mesh_on_grid() deals with those. Throws Error (Nothing) as mesh_on_grid() does.
-std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
-                                              const AdaptiveOptions& options);
+/// Tessellates a surface of second order. Cells that the boundary of the surface crosses are
+/// clipped at it. Nothing if there is no plan, no cell of the root grid is defined or no triangle
+/// has any area: mesh_on_grid() deals with those. Throws Error (Nothing) as mesh_on_grid() does.
+std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
+                                                const AdaptiveOptions& options);
 /// The same, as planned.
-std::optional<GridMesh> mesh_within_tolerance(const Surface& surface,
-                                              const AdaptiveOptions& options, MeshPlan plan);
+std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
+                                                const AdaptiveOptions& options, MeshPlan plan);
 
 /// The tolerance as a share of the surface's diagonal.
 double share_of_diagonal(const MeshPlan& plan);

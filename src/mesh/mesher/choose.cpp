@@ -11,14 +11,14 @@ namespace saddle {
 namespace {
 
 /// By how much a grid may be off by the outlook: it is right to a hundredth where it is right.
-constexpr double kForeseen = 1.005;
+constexpr double kPredicted = 1.005;
 /// Lines are placed for a tolerance that is smaller by this factor at least: since a whole number
 /// of cells is between drawn lines, a little closer is often no closer.
 constexpr double kToleranceStep = 1.2;
 /// A grid that misses by more tolerances does so because of one place, not of its lines' distance.
 constexpr double kWorthCloserLines = 3;
 /// Grids that come to nothing may cost so much of what halving cells does.
-constexpr double kMostInVain = 0.5;
+constexpr double kMostStagnation = 0.5;
 constexpr double kTrianglesOfCell = 2;
 
 using Why = MeshChoice::Why;
@@ -32,19 +32,19 @@ class Chooser {
         plan_(plan),
         times_(times),
         operations_(count_operations(surface)),
-        outlook_(plan.probe.outlook(plan.lines, plan.aim)) {
-    choice_.halving_cost = cost_of(work_of_halving(outlook_.cells), outlook_.cells);
+        grid_forecast_(plan.probe.grid_forecast(plan.lines, plan.aim)) {
+    choice_.halving_cost = cost_of(work_of_halving(grid_forecast_.cells), grid_forecast_.cells);
   }
 
   /// The mesh of a grid, if that is cheaper and keeps the tolerance.
-  std::optional<GridMesh> grid() {
+  std::optional<MeshResult> grid() {
     if (!may_be_grid()) return std::nullopt;
     FixedLines lines = plan_.lines;
-    double worst = outlook_.worst;  // cell, in tolerances
-    for (double stricter = 1;;) {
+    double worst = grid_forecast_.worst;  // cell, in tolerances
+    for (double safer = 1;;) {
       if (!is_cheaper(cells_of(lines))) return std::nullopt;
       ++choice_.grids;
-      if (worst <= kForeseen) {
+      if (worst <= kPredicted) {
         GridTrial trial = try_grid(surface_, options_, plan_, lines);
         if (trial.mesh) return std::move(trial.mesh);
         work_.add(trial.work);
@@ -52,12 +52,12 @@ class Chooser {
         choice_.excess = worst = trial.excess;
         if (!(worst > 0 && worst <= kWorthCloserLines)) return std::nullopt;
       }
-      stricter *= std::max(worst, kToleranceStep);
+      safer *= std::max(worst, kToleranceStep);
       // Errors grow with areas. That bounds the search, too: lines need not come closer at once,
       // nor ever, where it is one place that misses.
-      if (!is_cheaper(cells_of(plan_.lines) * std::sqrt(stricter))) return std::nullopt;
-      lines = plan_.probe.place_lines(plan_.fixed, plan_.densities, std::sqrt(stricter));
-      worst = plan_.probe.outlook(lines, plan_.aim).worst;
+      if (!is_cheaper(cells_of(plan_.lines) * std::sqrt(safer))) return std::nullopt;
+      lines = plan_.probe.place_lines(plan_.fixed, plan_.sizing, std::sqrt(safer));
+      worst = plan_.probe.grid_forecast(lines, plan_.aim).worst;
     }
   }
 
@@ -74,10 +74,11 @@ class Chooser {
   }
 
   bool may_be_grid() {
-    choice_.why = options_.clip || plan_.is_limited                        ? Why::Limited
-                  : !plan_.tolerance.is_same_everywhere()                  ? Why::VariesTolerance
-                  : !outlook_.is_regular || !plan_.singular.points.empty() ? Why::NotSmooth
-                                                                           : Why::GridIsCheaper;
+    choice_.why = options_.clip || plan_.is_limited       ? Why::Limited
+                  : !plan_.tolerance.is_same_everywhere() ? Why::VariesTolerance
+                  : !grid_forecast_.is_regular || !plan_.singular.points.empty()
+                      ? Why::NotSmooth
+                      : Why::GridIsCheaper;
     return choice_.why == Why::GridIsCheaper;
   }
 
@@ -91,8 +92,9 @@ class Chooser {
     // Not so for NaN.
     const bool is_allowed = kTrianglesOfCell * cells <= static_cast<double>(options_.max_triangles);
     const MeshWork work = is_allowed ? work_of_grid(cells) : MeshWork();
-    const double in_vain = cost(work_, operations_);
-    if (in_vain > 0 && in_vain + cost(work, operations_) > kMostInVain * choice_.halving_cost) {
+    const double stagnation = cost(work_, operations_);
+    if (stagnation > 0 &&
+        stagnation + cost(work, operations_) > kMostStagnation * choice_.halving_cost) {
       return false;  // that it missed remains the reason
     }
     if (is_allowed) {
@@ -111,19 +113,19 @@ class Chooser {
   const MeshPlan& plan_;
   double times_;
   Operations operations_;
-  Outlook outlook_;
+  GridForecast grid_forecast_;
   MeshChoice choice_;
   MeshWork work_;  // of grids that came to nothing
 };
 
 }  // namespace
 
-std::optional<GridMesh> mesh_at_least_cost(const Surface& surface, const AdaptiveOptions& options,
-                                           double times) {
+std::optional<MeshResult> mesh_at_least_cost(const Surface& surface, const AdaptiveOptions& options,
+                                             double times) {
   std::optional<MeshPlan> plan = plan_mesh(surface, options);
   if (!plan) return std::nullopt;
   Chooser chooser(surface, options, *plan, times);
-  std::optional<GridMesh> mesh = chooser.grid();
+  std::optional<MeshResult> mesh = chooser.grid();
   if (!mesh) mesh = mesh_within_tolerance(surface, options, std::move(*plan));
   if (mesh) chooser.complete(mesh->report);
   return mesh;

@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "mesh/sizing/effort.h"
-#include "mesh/tree/outline.h"
+#include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
 
@@ -53,15 +53,16 @@ dvec2 free_ways(const Grid& grid, const dvec2& uv) {
 /// The vertices in use around no other leaves, that are points of their own.
 std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
                                       const std::function<bool(const Leaf&)>& oscillates,
-                                      const Lattice& lattice, const Grid& grid) {
+                                      const CellTree& tree, const Grid& grid) {
   const Mesh& mesh = grid.mesh;
   std::vector<Reach> reaches(mesh.position.size());
   std::vector<std::uint32_t> copies(mesh.position.size());
   for (const std::uint32_t point : mesh.point) ++copies[point];
   for (const Leaf& leaf : leaves) {
-    const dvec2 size = glm::abs(lattice.parameters(leaf.high) - lattice.parameters(leaf.low));
-    const bool is_free = !leaf.is_split && !leaf.on_rim && !leaf.is_left_out && oscillates(leaf);
-    for_sides(leaf, lattice, [&](std::uint32_t vertex, std::uint32_t) {
+    const dvec2 size = glm::abs(tree.parameters(leaf.high) - tree.parameters(leaf.low));
+    const bool is_free =
+        !leaf.is_split && !leaf.on_boundary && !leaf.is_left_out && oscillates(leaf);
+    for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
       Reach& reach = reaches[vertex];
       reach.size = is_free ? glm::min(reach.size, size) : dvec2(0);
     });
@@ -72,7 +73,7 @@ std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
   for (std::uint32_t vertex = 0; vertex < reaches.size(); ++vertex) {
     Reach reach = reaches[vertex];
     if (!std::isfinite(reach.size.x) || reach.size == dvec2(0)) continue;
-    if (copies[mesh.point[vertex]] > 1 || !lattice.is_regular(vertex)) continue;
+    if (copies[mesh.point[vertex]] > 1 || !tree.is_regular(vertex)) continue;
     reach.size *= free_ways(grid, mesh.uv[vertex]);
     movable.push_back({vertex, reach});
   }
@@ -94,9 +95,9 @@ int main_axis(std::span<const SurfacePoint> points) {
 
 std::size_t reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
                            const std::function<bool(const Leaf&)>& oscillates, unsigned threads,
-                           const Lattice& lattice, Grid& grid) {
+                           const CellTree& tree, Grid& grid) {
   Mesh& mesh = grid.mesh;
-  const std::vector<Movable> movable = movable_vertices(leaves, oscillates, lattice, grid);
+  const std::vector<Movable> movable = movable_vertices(leaves, oscillates, tree, grid);
   if (movable.empty()) return 0;
   const std::size_t tries = std::clamp(kAllTries / movable.size(), kLeastTries, kMostTries);
   std::vector<dvec2> places;

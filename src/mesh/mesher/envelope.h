@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-#include "mesh/tree/lattice.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
@@ -18,6 +18,6 @@ namespace saddle {
 /// and maxima of intervals.
 std::size_t reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
                            const std::function<bool(const Leaf&)>& oscillates, unsigned threads,
-                           const Lattice& lattice, Grid& grid);
+                           const CellTree& tree, Grid& grid);
 
 }  // namespace saddle

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mesh/error/measure.h"
+#include "mesh/error/sampled_error.h"
 #include "mesh/grid/cut_grid.h"
 #include "mesh/grid/grid.h"
 
@@ -23,8 +23,8 @@ std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
 
 }  // namespace
 
-GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options) {
-  GridMesh result;
+MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options) {
+  MeshResult result;
   MeshReport& report = result.report;
   const Domain& d = surface.domain;
   Grid grid = sample_grid(

@@ -16,7 +16,7 @@ struct GridOptions {
   unsigned threads = 0;  ///< 0: all
 };
 
-struct GridMesh {
+struct MeshResult {
   Mesh mesh;
   MeshReport report;
 };
@@ -24,6 +24,6 @@ struct GridMesh {
 /// Tessellates `surface`. Cells with an undefined corner are left out and counted. Throws Error:
 /// Nothing if the surface is undefined everywhere, or is a point or a curve; the message says
 /// which.
-GridMesh mesh_on_grid(const Surface& surface, const GridOptions& options);
+MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options);
 
 }  // namespace saddle

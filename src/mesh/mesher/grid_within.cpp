@@ -4,7 +4,7 @@
 
 #include "mesh/error/check_cells.h"
 #include "mesh/grid/cut_grid.h"
-#include "mesh/mesher/refine.h"
+#include "mesh/mesher/subdivide.h"
 #include "mesh/proof/certify.h"
 
 namespace saddle {
@@ -49,30 +49,31 @@ bool has_poles_only(const Grid& grid, std::span<const std::size_t> opened) {
 }
 
 /// Whether bounds leave room for a place that no triangle may lie across.
-bool may_be_broken(const DoubtfulPlace& place) {
-  return place.why == Doubt::Undefined || place.why == Doubt::Discontinuous;
+bool may_be_broken(const ProofGap& place) {
+  return place.why == GapReason::Undefined || place.why == GapReason::Discontinuous;
 }
 
 /// Whether bounds find a place that is farther off than allowed, or none to be; `certified`: they
 /// prove that there is none.
-bool is_off(const Surface& surface, const Tolerance& aim, unsigned threads, Grid& grid,
-            MeshReport& report) {
-  const Lattice lattice(surface, grid, threads);
+bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned threads, Grid& grid,
+                       MeshReport& report) {
+  const CellTree tree(surface, grid, threads);
   const std::vector<Leaf> leaves = root_leaves(grid);
   const double allowed = aim(grid.mesh.bounds.centre());
   ProofBudget budget(surface.bounds);
   const Certification proof =
-      certify(surface, grid, lattice, leaves, std::vector<double>(leaves.size(), allowed), budget);
+      certify(surface, grid, tree, leaves, std::vector<double>(leaves.size(), allowed), budget);
   report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
   // Jumps along the surface, as in a plane, are no distance off.
-  if (std::ranges::any_of(proof.doubts, may_be_broken)) return true;
-  report.certified = proof.doubts.empty();
-  report.doubts = merged(proof.doubts, surface.domain);
+  if (std::ranges::any_of(proof.proof_gaps, may_be_broken)) return true;
+  report.certified = proof.proof_gaps.empty();
+  report.proof_gaps = merged(proof.proof_gaps, surface.domain);
   std::vector<dvec2> uv;
-  for (const Suspect& suspect : proof.suspects) uv.push_back(suspect.middle);
+  for (const UnprovedBox& leave_unproved : proof.unproved_boxes)
+    uv.push_back(leave_unproved.middle);
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const LatticePlace& low = leaves[proof.suspects[k].leaf].low;
+    const DyadicPoint& low = leaves[proof.unproved_boxes[k].leaf].low;
     const auto triangles = grid.triangles(grid.cell(low.u / kCellUnit, low.v / kCellUnit));
     const double distance = distance_from(grid, triangles, uv[k], points[k].position);
     if (!(distance <= allowed)) return true;
@@ -86,7 +87,7 @@ bool is_off(const Surface& surface, const Tolerance& aim, unsigned threads, Grid
 GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const MeshPlan& plan,
                    FixedLines lines) {
   GridTrial trial;
-  GridMesh result{{}, report_of(plan)};
+  MeshResult result{{}, report_of(plan)};
   MeshReport& report = result.report;
   const std::vector<std::size_t> columns = indices_of(plan.drawn.u, lines.u);
   const std::vector<std::size_t> rows = indices_of(plan.drawn.v, lines.v);
@@ -108,7 +109,8 @@ GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const
     trial.excess = excess;
     return trial;
   }
-  const bool off = options.certify && is_off(surface, plan.aim, options.threads, grid, report);
+  const bool off =
+      options.certify && exceeds_tolerance(surface, plan.aim, options.threads, grid, report);
   trial.work.boxes = report.work.boxes;
   if (off) return trial;
   name_singular(plan.singular, surface.domain, report);

@@ -10,7 +10,7 @@ namespace saddle {
 
 /// What came of a grid.
 struct GridTrial {
-  std::optional<GridMesh> mesh;  ///< if it keeps the tolerance
+  std::optional<MeshResult> mesh;  ///< if it keeps the tolerance
   /// By how much it does not, in tolerances, where closer lines would help; else 0.
   double excess = 0;
   MeshWork work;

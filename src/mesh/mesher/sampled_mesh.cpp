@@ -6,7 +6,7 @@
 
 #include "eval/enclose.h"
 #include "mesh/grid/grid.h"
-#include "mesh/mesher/halving.h"
+#include "mesh/mesher/adaptive_mesher.h"
 
 namespace saddle {
 
@@ -14,7 +14,7 @@ namespace {
 
 /// Boxes that a proof may take: of what is smooth a few are enough.
 constexpr std::size_t kBoxes = 1024;
-/// More cells than this each way cannot be numbered by a lattice.
+/// More cells than this each way cannot be numbered by a cell tree.
 constexpr std::size_t kMostCells = 60000;
 
 /// Whether bounds prove position and tangents to be defined and continuous everywhere.
@@ -47,13 +47,13 @@ bool is_smooth(const Surface& surface) {
 
 }  // namespace
 
-std::optional<GridMesh> mesh_of_samples(const Surface& surface, const AdaptiveOptions& options,
-                                        std::size_t cells_u, std::size_t cells_v) {
+std::optional<MeshResult> mesh_of_samples(const Surface& surface, const AdaptiveOptions& options,
+                                          std::size_t cells_u, std::size_t cells_v) {
   std::optional<MeshPlan> plan = plan_mesh(surface, options);
   if (!plan || std::max(cells_u, cells_v) > kMostCells) return std::nullopt;
   if (!options.clip && is_smooth(surface)) {
-    GridMesh mesh = mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
-                                           options.lines_u, options.lines_v, options.threads});
+    MeshResult mesh = mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
+                                             options.lines_u, options.lines_v, options.threads});
     name_singular(plan->singular, surface.domain, mesh.report);
     return mesh;
   }
@@ -63,7 +63,7 @@ std::optional<GridMesh> mesh_of_samples(const Surface& surface, const AdaptiveOp
   AdaptiveOptions unrefined = options;
   unrefined.max_triangles = kUnrefined;
   unrefined.certify = false;
-  std::optional<GridMesh> mesh = mesh_within_tolerance(surface, unrefined, std::move(*plan));
+  std::optional<MeshResult> mesh = mesh_within_tolerance(surface, unrefined, std::move(*plan));
   if (mesh) {
     mesh->report.tolerance.reset();
     mesh->report.least_triangles = 0;

@@ -57,7 +57,7 @@ class Face {
   }
 
   /// The corner where the edge from a to b crosses the face; the same from both sides.
-  std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t feature(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
     const auto [place, is_new] = corners_.try_emplace(key(a, b), 0);
     if (!is_new) return place->second;
@@ -95,7 +95,7 @@ class Face {
         const std::uint32_t a = t[k];
         const std::uint32_t b = t[(k + 1) % 3];
         if (is_inside(a)) polygon.push_back(a);
-        if (cuts(a, b)) polygon.push_back(crossing(a, b));
+        if (cuts(a, b)) polygon.push_back(feature(a, b));
       }
       for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
         kept.push_back({polygon[0], polygon[k], polygon[k + 1]});
@@ -115,7 +115,7 @@ class Face {
       for (std::size_t k = 0; k < line.size(); ++k) {
         if (is_inside(line[k])) chain.push_back(line[k]);
         if (k + 1 == line.size()) continue;
-        if (cuts(line[k], line[k + 1])) chain.push_back(crossing(line[k], line[k + 1]));
+        if (cuts(line[k], line[k + 1])) chain.push_back(feature(line[k], line[k + 1]));
         if (!is_inside(line[k + 1])) end_chain();
       }
       end_chain();

@@ -14,7 +14,7 @@
 #include "base/bounds.h"
 #include "base/vec.h"
 #include "mesh/color/color_range.h"
-#include "mesh/model/doubt.h"
+#include "mesh/model/proof_gap.h"
 #include "mesh/model/seam.h"
 
 namespace saddle {
@@ -82,7 +82,8 @@ struct MeshChoice {
     Asked,            ///< for the fewest triangles
     Limited,          ///< a box cuts the surface, or its triangles are limited
     VariesTolerance,  ///< with the place
-    NotSmooth,   ///< what a grid cannot do: rims, jumps, poles, creases, points without a normal
+    NotSmooth,   ///< what a grid cannot do: boundaries, jumps, poles, creases, points without a
+                 ///< normal
     GridMisses,  ///< the tolerance, where nobody could have known before
   };
   Why why = Why::Asked;
@@ -94,23 +95,23 @@ struct MeshChoice {
 
 /// What meshing found out and what it cost.
 struct MeshReport {
-  std::size_t cells = 0;              ///< cells of the grid that are covered
-  std::size_t evaluations = 0;        ///< points of the surface that were computed
-  MeshWork work;                      ///< with that of grids that came to nothing
-  std::optional<MeshChoice> choice;   ///< nothing: there was none
-  double undefined_fraction = 0;      ///< share of the domain's cells that were left out
-  bool exceeds_doubles = false;       ///< because numbers there are too large, not undefined
-  std::size_t flat_triangles = 0;     ///< without area in double precision: left out
-  std::optional<double> tolerance;    ///< what max_error was to stay within
-  double least_triangles = 0;         ///< that any mesh within it needs, about; 0: unknown
-  bool reached_limit = false;         ///< more triangles were not allowed
-  bool is_tired = false;              ///< they were, but no more effort
-  std::size_t effort = 0;             ///< that was made: Effort::total()
-  bool certified = false;             ///< proved that nothing hides between samples
-  std::vector<DoubtfulPlace> doubts;  ///< else where that is not proved, at most 1000
-  double max_error = 0;               ///< largest measured distance of mesh and surface
-  double max_normal_error = 0;        ///< degrees: interpolated against exact normal, in
-                                      ///< cells larger than the tolerance
+  std::size_t cells = 0;             ///< cells of the grid that are covered
+  std::size_t evaluations = 0;       ///< points of the surface that were computed
+  MeshWork work;                     ///< with that of grids that came to nothing
+  std::optional<MeshChoice> choice;  ///< nothing: there was none
+  double undefined_fraction = 0;     ///< share of the domain's cells that were left out
+  bool exceeds_doubles = false;      ///< because numbers there are too large, not undefined
+  std::size_t flat_triangles = 0;    ///< without area in double precision: left out
+  std::optional<double> tolerance;   ///< what max_error was to stay within
+  double least_triangles = 0;        ///< that any mesh within it needs, about; 0: unknown
+  bool reached_limit = false;        ///< more triangles were not allowed
+  bool budget_spent = false;         ///< they were, but no more effort
+  std::size_t effort = 0;            ///< that was made: Effort::total()
+  bool certified = false;            ///< proved that nothing hides between samples
+  std::vector<ProofGap> proof_gaps;  ///< else where that is not proved, at most 1000
+  double max_error = 0;              ///< largest measured distance of mesh and surface
+  double max_normal_error = 0;       ///< degrees: interpolated against exact normal, in
+                                     ///< cells larger than the tolerance
   /// A place at which normals are off by more than allowed: no more triangles were worth it.
   std::optional<dvec2> coarse_normals;
   /// Where max_error is, if it exceeds the tolerance; a place from which on the surface oscillates
@@ -129,7 +130,7 @@ struct MeshReport {
   std::size_t jump_count = 0;
   /// The first of the jumps: single points that the surface comes to at a different place on each
   /// way; at most 1000.
-  std::vector<dvec2> torn;
+  std::vector<dvec2> without_limit;
   bool is_clipped = false;     ///< along a box, asked for or not
   std::optional<Bounds> clip;  ///< the box that the mesh was cut along because of poles
   std::string closed_u;        ///< how the edges u0 and u1 meet: Seam::name()

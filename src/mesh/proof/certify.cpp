@@ -8,8 +8,8 @@
 
 #include "eval/enclose.h"
 #include "formula/operations.h"
-#include "mesh/error/judge.h"
-#include "mesh/tree/outline.h"
+#include "mesh/error/error_indicator.h"
+#include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
 
@@ -88,10 +88,10 @@ class LeavesOfCells {
 
 class Certifier {
  public:
-  Certifier(const Surface& surface, const Grid& grid, const Lattice& lattice,
+  Certifier(const Surface& surface, const Grid& grid, const CellTree& tree,
             std::span<const Leaf> leaves, std::span<const double> allowed, ProofBudget& budget)
       : grid_(grid),
-        lattice_(lattice),
+        tree_(tree),
         leaves_(leaves),
         allowed_(allowed),
         budget_(budget),
@@ -113,11 +113,11 @@ class Certifier {
     int depth;
     Box box;
     dvec2 bend;
-    Doubt why = Doubt::Work;  ///< what its last try has met
+    GapReason why = GapReason::Work;  ///< what its last try has met
   };
 
   dvec2 size_of(const Leaf& leaf) const {
-    return glm::abs(lattice_.parameters(leaf.high) - lattice_.parameters(leaf.low));
+    return glm::abs(tree_.parameters(leaf.high) - tree_.parameters(leaf.low));
   }
 
   /// What some leaves ask of a proof: that of all of them, and the least that one of them does.
@@ -154,7 +154,7 @@ class Certifier {
     }
   }
 
-  enum class Proof { Found, Open, Endless, Hopeless, Hole };
+  enum class Proof { LocatedDiscontinuity, Open, Endless, Unresolvable, PointSingularity };
 
   /// Whether leaves of a size are near enough wherever they are in the box, second derivatives are
   /// endless, no halving can prove anything, or the surface is not defined at all there. Of a box
@@ -167,42 +167,46 @@ class Certifier {
     const std::span<const Interval> all(outputs_);
     for (const Interval& a : all.first(3)) {
       if (a.defined == Defined::No) {
-        why_ = Doubt::Undefined;
-        return Proof::Hole;
+        why_ = GapReason::Undefined;
+        return Proof::PointSingularity;
       }
-      if (a.defined != Defined::Yes) return open(Doubt::Undefined);
-      if (!a.continuous) return open(Doubt::Discontinuous);
+      if (a.defined != Defined::Yes) return open(GapReason::Undefined);
+      if (!a.continuous) return open(GapReason::Discontinuous);
     }
     for (const Interval& a : all.subspan(3)) {
       const bool is_second = &a >= &all[9];
-      if (a.defined != Defined::Yes || (!is_second && !a.continuous)) return open(Doubt::Rough);
+      if (a.defined != Defined::Yes || (!is_second && !a.continuous))
+        return open(GapReason::Nonsmooth);
     }
-    why_ = Doubt::Wide;
+    why_ = GapReason::Wide;
     const auto bound = [&all](const dvec2& size, double (*length)(std::span<const Interval>)) {
       return size.x * size.x * length(all.subspan(9, 3)) +
              2 * size.x * size.y * length(all.subspan(12, 3)) +
              size.y * size.y * length(all.subspan(15, 3));
     };
     constexpr double kLimit = 8 * kProofFactor;
-    if (bound(of.largest, length) <= kLimit * of.eps) return Proof::Found;  // not so for NaN
+    if (bound(of.largest, length) <= kLimit * of.eps)
+      return Proof::LocatedDiscontinuity;  // not so for NaN
     const double least = bound(of.smallest, least_length);
     const double most = bound(of.smallest, length);
     if (!std::isfinite(most)) {
-      why_ = Doubt::Rough;
+      why_ = GapReason::Nonsmooth;
       return Proof::Endless;
     }
-    const bool is_hopeless =
+    const bool is_unresolvable =
         most > kLimit * of.largest_eps &&
         most <= (least > kLimit * of.largest_eps ? kKnown : kWellKnown) * least;
-    return is_hopeless ? Proof::Hopeless : Proof::Open;
+    return is_unresolvable ? Proof::Unresolvable : Proof::Open;
   }
 
-  Proof open(Doubt why) {
+  Proof open(GapReason why) {
     why_ = why;
     return Proof::Open;
   }
 
-  void doubt(Doubt why, const Box& box) { result_.doubts.push_back({why, box.low, box.high}); }
+  void add_gap(GapReason why, const Box& box) {
+    result_.proof_gaps.push_back({why, box.low, box.high});
+  }
 
   /// Cells of the root grid, many at a time. Leaves the leaves of those without a proof.
   void prove_cells() {
@@ -213,13 +217,13 @@ class Certifier {
       for (const Cells& cells : level) {
         const Box box = box_of(cells);
         if (budget_.boxes == 0) {
-          doubt(Doubt::Work, box);
+          add_gap(GapReason::Work, box);
           continue;
         }
         const Proof proof = prove(box, demand(cells));
-        if (proof == Proof::Found) continue;
-        if (proof == Proof::Hopeless) {
-          doubt(Doubt::Wide, box);
+        if (proof == Proof::LocatedDiscontinuity) continue;
+        if (proof == Proof::Unresolvable) {
+          add_gap(GapReason::Wide, box);
         } else if (cells.is_one()) {
           add_leaves(cells);
         } else {
@@ -227,7 +231,7 @@ class Certifier {
         }
       }
       if (goes_beyond_budget(level.size(), next.size())) {
-        for (const Cells& cells : next) doubt(Doubt::Work, box_of(cells));
+        for (const Cells& cells : next) add_gap(GapReason::Work, box_of(cells));
         return;
       }
       level.swap(next);
@@ -264,9 +268,9 @@ class Certifier {
   void add_leaves(const Cells& cell) {
     for (const std::uint32_t k : leaves_of_.of(grid_.cell(cell.first_u, cell.first_v))) {
       const Leaf& leaf = leaves_[k];
-      const Box box = {lattice_.parameters(leaf.low), lattice_.parameters(leaf.high)};
-      if (leaf.on_rim || leaf.is_split) {
-        doubt(what_cuts(leaf), box);  // nothing is proved about rims, jumps and creases
+      const Box box = {tree_.parameters(leaf.low), tree_.parameters(leaf.high)};
+      if (leaf.on_boundary || leaf.is_split) {
+        add_gap(worst_feature(leaf), box);  // nothing is proved about boundaries, jumps and creases
       } else {
         parts_.push_back({k, 0, box, dvec2(0)});
       }
@@ -274,14 +278,16 @@ class Certifier {
   }
 
   /// The worst of what cuts a leaf.
-  Doubt what_cuts(const Leaf& leaf) const {
-    constexpr std::array kOfCut = {Doubt::Rim,    Doubt::Jump,    Doubt::Pole,
-                                   Doubt::Crease, Doubt::NoLimit, Doubt::Pole};
-    Doubt worst = leaf.on_rim ? Doubt::Rim : Doubt::Crease;
-    for_sides(leaf, lattice_, [&](std::uint32_t a, std::uint32_t b) {
-      const auto crossing = lattice_.crossing(a, b);
-      if (!crossing || crossing->kind == Cut::Rim || crossing->kind == Cut::Crease) return;
-      worst = kOfCut[static_cast<std::size_t>(crossing->kind)];
+  GapReason worst_feature(const Leaf& leaf) const {
+    constexpr std::array kOfCut = {GapReason::Boundary, GapReason::Jump,    GapReason::Pole,
+                                   GapReason::Crease,   GapReason::NoLimit, GapReason::Pole};
+    GapReason worst = leaf.on_boundary ? GapReason::Boundary : GapReason::Crease;
+    for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
+      const auto feature = tree_.feature(a, b);
+      if (!feature || feature->kind == FeatureKind::Boundary ||
+          feature->kind == FeatureKind::Crease)
+        return;
+      worst = kOfCut[static_cast<std::size_t>(feature->kind)];
     });
     return worst;
   }
@@ -298,7 +304,7 @@ class Certifier {
                          std::max(kFewBoxes, kGrows * static_cast<double>(before[1]));
       for (Part& part : parts_) {
         if (grows || budget_.boxes == 0) {
-          suspect(part);
+          leave_unproved(part);
         } else {
           prove(part, next);
         }
@@ -310,14 +316,14 @@ class Certifier {
 
   void prove(Part& part, std::vector<Part>& next) {
     const Proof proof = prove(part.box, demand(part.leaf));
-    if (proof == Proof::Found) return;
+    if (proof == Proof::LocatedDiscontinuity) return;
     part.why = why_;
-    if (proof == Proof::Hopeless) return doubt(Doubt::Wide, part.box);
-    if (proof == Proof::Hole) return suspect(part, true);
+    if (proof == Proof::Unresolvable) return add_gap(GapReason::Wide, part.box);
+    if (proof == Proof::PointSingularity) return leave_unproved(part, true);
     if (part.depth < max_depth(proof)) return halve(part, next);
     const std::span<const Interval> second = std::span(outputs_).subspan(9);
     part.bend = {length(second.first(3)), length(second.subspan(6, 3))};
-    suspect(part);
+    leave_unproved(part);
   }
 
   int max_depth(Proof proof) const {
@@ -325,11 +331,11 @@ class Certifier {
     return static_cast<double>(parts_.size()) <= kFewBoxes ? kMaxDepthOfFew : kMostHalvings;
   }
 
-  void suspect(const Part& part, bool is_hole = false) {
-    const bool may_jump = part.why == Doubt::Discontinuous;
-    result_.suspects.push_back(
-        {part.leaf, part.box.middle(), part.box.size(), part.bend, is_hole, may_jump});
-    doubt(part.why, part.box);
+  void leave_unproved(const Part& part, bool is_undefined = false) {
+    const bool may_jump = part.why == GapReason::Discontinuous;
+    result_.unproved_boxes.push_back(
+        {part.leaf, part.box.middle(), part.box.size(), part.bend, is_undefined, may_jump});
+    add_gap(part.why, part.box);
   }
 
   static void halve(const Part& part, std::vector<Part>& to) {
@@ -343,7 +349,7 @@ class Certifier {
   }
 
   const Grid& grid_;
-  const Lattice& lattice_;
+  const CellTree& tree_;
   std::span<const Leaf> leaves_;
   std::span<const double> allowed_;
   ProofBudget& budget_;
@@ -352,7 +358,7 @@ class Certifier {
   LeavesOfCells leaves_of_;
   std::vector<Demand> of_cells_;  // of the root grid
   std::vector<Part> parts_;
-  Doubt why_ = Doubt::Work;  // of the last box without a proof
+  GapReason why_ = GapReason::Work;  // of the last box without a proof
   Certification result_;
 };
 
@@ -368,10 +374,10 @@ ProofBudget::ProofBudget(const Tape& tape) {
   boxes = std::min(kMaxBoxes, kMaxSteps / steps);
 }
 
-Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
+Certification certify(const Surface& surface, const Grid& grid, const CellTree& tree,
                       std::span<const Leaf> leaves, std::span<const double> allowed,
                       ProofBudget& budget) {
-  return Certifier(surface, grid, lattice, leaves, allowed, budget).run();
+  return Certifier(surface, grid, tree, leaves, allowed, budget).run();
 }
 
 }  // namespace saddle

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/doubt.h"
-#include "mesh/sizing/density.h"
-#include "mesh/tree/lattice.h"
+#include "mesh/model/proof_gap.h"
+#include "mesh/sizing/probe.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
@@ -18,18 +18,18 @@ namespace saddle {
 inline constexpr double kProofFactor = 8;
 
 /// A box of parameters for which there is no proof.
-struct Suspect {
+struct UnprovedBox {
   std::size_t leaf;
   dvec2 middle;
   dvec2 size;
-  dvec2 bend;             ///< bounds of |r_uu| and |r_vv|
-  bool is_hole = false;   ///< it is proved that the surface is not defined anywhere in it
-  bool may_jump = false;  ///< bounds do not exclude that the surface jumps in it
+  dvec2 bend;                 ///< bounds of |r_uu| and |r_vv|
+  bool is_undefined = false;  ///< it is proved that the surface is not defined anywhere in it
+  bool may_jump = false;      ///< bounds do not exclude that the surface jumps in it
 };
 
 struct Certification {
-  std::vector<Suspect> suspects;      ///< places to be looked at
-  std::vector<DoubtfulPlace> doubts;  ///< none: the proof holds everywhere
+  std::vector<UnprovedBox> unproved_boxes;  ///< places to be looked at
+  std::vector<ProofGap> proof_gaps;         ///< none: the proof holds everywhere
 };
 
 /// Boxes that may still be tried. There are fewer where each one is dear.
@@ -44,7 +44,7 @@ struct ProofBudget {
 /// its first derivatives continuous; large boxes first, parts of leaves last. `allowed`: of each
 /// leaf, in units of length. Where the budget is used up, what has no proof by then is suspected;
 /// where derivatives are known well and too large for a proof, there is none, and no suspicion.
-Certification certify(const Surface& surface, const Grid& grid, const Lattice& lattice,
+Certification certify(const Surface& surface, const Grid& grid, const CellTree& tree,
                       std::span<const Leaf> leaves, std::span<const double> allowed,
                       ProofBudget& budget);
 

@@ -21,7 +21,7 @@ constexpr int kLeastHalvings = 6;
 constexpr std::size_t kMostLineParts = 8;
 /// Beside a break that is known to be there, the part of a line that is left without a proof is so
 /// much of it at each step: what that leaves is halved on where bounds are too wide.
-constexpr double kBesideBreak = 1.0 / 1024;
+constexpr double kBesideDiscontinuity = 1.0 / 1024;
 
 /// A box, by two opposite corners.
 using BoxCorners = Line;
@@ -79,7 +79,9 @@ class Prover {
   /// Cuts a part in two; nothing if it is as short as doubles go.
   static std::optional<std::array<LinePart, 2>> cut(const LinePart& whole) {
     const auto& [line, part, broken] = whole;
-    const double share = !broken ? 0.5 : *broken == 0 ? kBesideBreak : 1 - kBesideBreak;
+    const double share = !broken        ? 0.5
+                         : *broken == 0 ? kBesideDiscontinuity
+                                        : 1 - kBesideDiscontinuity;
     const dvec2 at = (1 - share) * part[0] + share * part[1];
     if (at == part[0] || at == part[1]) return std::nullopt;
     std::array<LinePart, 2> parts = {LinePart{line, {part[0], at}}, LinePart{line, {at, part[1]}}};
@@ -190,8 +192,8 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
   constexpr std::size_t kFewIfOnlyCusps = 128;
   /// Proofs of boxes around ever fewer lines that may be in vain to begin with, and for each line
   /// that was proved: looking at a line takes twice as long as one.
-  constexpr std::size_t kInVain = 64;
-  constexpr std::size_t kInVainPerLine = 2;
+  constexpr std::size_t kStagnant = 64;
+  constexpr std::size_t kStagnantPerLine = 2;
   UnprovedNormals result;
   if (lines.empty()) return result;
   std::vector<LinePart> all;
@@ -200,16 +202,16 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
   ++boxes;
   result.only_cusps = prover.has_continuous_tangents(box_around(all));
   if (result.only_cusps && prover.has_normals()) return result;
-  std::size_t in_vain = 0;
+  std::size_t stagnation = 0;
   std::size_t proved = 0;
   const auto few = [&] {
-    const bool is_vain = in_vain > kInVain + kInVainPerLine * proved;
-    return is_vain ? all.size() : result.only_cusps ? kFewIfOnlyCusps : kFew;
+    const bool is_stagnant = stagnation > kStagnant + kStagnantPerLine * proved;
+    return is_stagnant ? all.size() : result.only_cusps ? kFewIfOnlyCusps : kFew;
   };
   const auto is_proved = [&](const BoxCorners& box, std::size_t count) {
     ++boxes;
     const bool is = prover.is_proved(box);
-    (is ? proved : in_vain) += is ? count : 1;
+    (is ? proved : stagnation) += is ? count : 1;
     return is;
   };
   prove_together(std::span(all), few, is_proved, [&](std::span<const LinePart> left) {

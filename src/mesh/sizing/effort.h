@@ -18,7 +18,7 @@ inline constexpr std::size_t kLeastEffort = 1'000'000;
 /// about as many places.
 inline constexpr std::size_t kPlacesPerSample = 2;
 /// What keeping a cut of a side takes, in places.
-inline constexpr std::size_t kPlacesPerBreak = 15;
+inline constexpr std::size_t kPlacesPerDiscontinuity = 15;
 
 /// Places that a mesh of so many triangles may take; one that is not refined at all has as many
 /// sides as it has.
@@ -36,7 +36,7 @@ class Effort {
 
   void add_places(std::size_t count) { places_ += count; }
   void add_samples(std::size_t count) { places_ += kPlacesPerSample * count; }
-  void add_breaks(std::size_t count) { places_ += kPlacesPerBreak * count; }
+  void add_discontinuities(std::size_t count) { places_ += kPlacesPerDiscontinuity * count; }
   /// Points and boxes that are looked at in search of what cuts sides. Those of long formulas and
   /// special functions are dear.
   std::size_t& looks() { return looks_; }

@@ -10,15 +10,15 @@ namespace saddle {
 inline constexpr std::uint32_t kCellUnit = 1U << 16;
 
 /// (u, v) in units: line k of the root grid is at k * kCellUnit.
-struct LatticePlace {
+struct DyadicPoint {
   std::uint32_t u = 0;
   std::uint32_t v = 0;
-  bool operator==(const LatticePlace&) const = default;
+  bool operator==(const DyadicPoint&) const = default;
 };
 
 /// The vertices that a leaf is judged by, counter-clockwise in (u, v) from its low corner.
 struct SampleVertices {
-  /// Not known: the lattice is to be asked.
+  /// Not known: the cell tree is to be asked.
   static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
 
   std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
@@ -32,32 +32,32 @@ struct SampleVertices {
 
 /// A rectangle of the refined grid.
 struct Leaf {
-  LatticePlace low, high;
+  DyadicPoint low, high;
   SampleVertices samples =
       {};                    ///< known once it was judged: nobody has to look its vertices up again
-  bool on_rim = false;       ///< not defined at all of its samples
-  std::uint8_t in_vain = 0;  ///< halvings in a row that did not help distances
-  std::uint8_t turned_in_vain = 0;  ///< nor normals
-  bool is_split = false;            ///< a jump, a pole or a crease goes through it
-  bool leads_to_pole = false;       ///< the surface goes to infinity between two of its vertices
-  bool is_left_out = false;         ///< with a point in it that is a pole or has no limit
-  bool given_up = false;            ///< halving does not help, or is not allowed
-  bool oscillates = false;          ///< an Oscillation that it is part of stopped its halving
-  std::uint32_t followed = 0;  ///< when crossings into it were followed: Lattice::next_moment()
+  bool on_boundary = false;  ///< not defined at all of its samples
+  std::uint8_t stagnation = 0;         ///< halvings in a row that did not help distances
+  std::uint8_t normal_stagnation = 0;  ///< nor normals
+  bool is_split = false;               ///< a jump, a pole or a crease goes through it
+  bool leads_to_pole = false;          ///< the surface goes to infinity between two of its vertices
+  bool is_left_out = false;            ///< with a point in it that is a pole or has no limit
+  bool frozen = false;                 ///< halving does not help, or is not allowed
+  bool oscillates = false;             ///< an Oscillation that it is part of stopped its halving
+  std::uint32_t bisected = 0;  ///< when crossings into it were followed: CellTree::next_revision()
   std::uint32_t measured = 0;  ///< when it was, or found to have the outline that it had then
-  std::uint32_t outline = 0;   ///< vertices around it when it was measured
-  std::uint8_t sought = 0;     ///< halvings of its root cell until it was defined somewhere
-  float known_error = 0;       ///< what its tests found, in tolerances
+  std::uint32_t polygon_size = 0;  ///< vertices around it when it was measured
+  std::uint8_t sought = 0;         ///< halvings of its root cell until it was defined somewhere
+  float known_error = 0;           ///< what its tests found, in tolerances
   /// How much worse fresh samples found ancestors than their tests had: distances and normals.
-  float strictness = 1;
-  float turn_strictness = 1;
+  float safety = 1;
+  float normal_safety = 1;
 
   std::uint32_t size_u() const { return high.u - low.u; }
   std::uint32_t size_v() const { return high.v - low.v; }
-  LatticePlace middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
+  DyadicPoint middle() const { return {low.u + size_u() / 2, low.v + size_v() / 2}; }
   /// Counter-clockwise in (u, v), from the low corner.
-  std::array<LatticePlace, 4> corners() const {
-    return {low, LatticePlace{high.u, low.v}, high, LatticePlace{low.u, high.v}};
+  std::array<DyadicPoint, 4> corners() const {
+    return {low, DyadicPoint{high.u, low.v}, high, DyadicPoint{low.u, high.v}};
   }
 };
 

@@ -16,10 +16,10 @@ namespace saddle {
 namespace {
 
 /// A leaf has at most one piece more than crossings, of which more than a few are cut no further.
-constexpr std::size_t kMostPieces = 64;
+constexpr std::size_t kMostSubPolygons = 64;
 
-std::uint64_t key_of(std::size_t leaf, std::size_t piece, std::uint32_t vertex) {
-  const std::uint64_t owner = leaf * kMostPieces + std::min(piece, kMostPieces - 1);
+std::uint64_t key_of(std::size_t leaf, std::size_t sub_polygon, std::uint32_t vertex) {
+  const std::uint64_t owner = leaf * kMostSubPolygons + std::min(sub_polygon, kMostSubPolygons - 1);
   return (owner << 32U) | vertex;
 }
 
@@ -46,30 +46,30 @@ dvec2 middle(const Grid& grid, std::span<const PolygonCorner> polygon) {
 struct View {
   std::uint32_t vertex;
   std::size_t leaf;
-  std::size_t piece;  ///< which of the leaf's
-  dvec3 face;         ///< the normal of the leaf's face
-  dvec2 inside;       ///< parameters in the midst of what of the leaf is defined
+  std::size_t sub_polygon;  ///< which of the leaf's
+  dvec3 face;               ///< the normal of the leaf's face
+  dvec2 inside;             ///< parameters in the midst of what of the leaf is defined
 };
 
 std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
-                                 const Lattice& lattice) {
+                                 const CellTree& tree) {
   std::vector<View> views;
-  if (!lattice.has_singular()) return views;
-  const CellMarks& singular_cells = lattice.singular_cells();
+  if (!tree.has_singular()) return views;
+  const CellMarks& singular_cells = tree.singular_cells();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
     if (!leaves[leaf].is_split && !singular_cells.contains(leaves[leaf])) continue;
     bool is_regular = !leaves[leaf].is_split;
-    for_sides(leaves[leaf], lattice, [&](std::uint32_t a, std::uint32_t) {
-      is_regular = is_regular && lattice.is_regular(a);
+    for_sides(leaves[leaf], tree, [&](std::uint32_t a, std::uint32_t) {
+      is_regular = is_regular && tree.is_regular(a);
     });
     if (is_regular) continue;
-    const std::vector<Polygon> polygons = pieces(leaves[leaf], lattice);
-    for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
-      const Polygon& polygon = polygons[piece];
+    const std::vector<Polygon> polygons = sub_polygons(leaves[leaf], tree);
+    for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
+      const Polygon& polygon = polygons[sub_polygon];
       for (const PolygonCorner& corner : polygon) {
-        if (lattice.is_regular(corner.corner)) continue;
+        if (tree.is_regular(corner.corner)) continue;
         views.push_back(
-            {corner.corner, leaf, piece, face_normal(grid, polygon), middle(grid, polygon)});
+            {corner.corner, leaf, sub_polygon, face_normal(grid, polygon), middle(grid, polygon)});
       }
     }
   }
@@ -100,13 +100,12 @@ constexpr std::uint32_t kNoCell = 0xffffffff;
 
 /// The cell of the root grid that a plain leaf is, if that has been cut when it was sampled.
 std::uint32_t cell_cut_before(const Leaf& leaf, const std::array<std::uint32_t, 4>& corners,
-                              const Grid& grid, const Lattice& lattice) {
+                              const Grid& grid, const CellTree& tree) {
   if (leaf.size_u() != kCellUnit || leaf.size_v() != kCellUnit) return kNoCell;
   const std::size_t cell = grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
   const bool is_cut =
-      grid.cells[cell] == Cell::Two && std::ranges::all_of(corners, [&](std::uint32_t corner) {
-        return lattice.is_regular(corner);
-      });
+      grid.cells[cell] == GridCell::Two &&
+      std::ranges::all_of(corners, [&](std::uint32_t corner) { return tree.is_regular(corner); });
   return is_cut ? static_cast<std::uint32_t>(cell) : kNoCell;
 }
 
@@ -199,11 +198,11 @@ class PlainCutter {
 /// Chains of vertices, interrupted where the surface is.
 class Chains {
  public:
-  Chains(const Grid& grid, const Lattice& lattice, std::span<const Leaf> leaves)
-      : point_(grid.mesh.point), lattice_(lattice) {
+  Chains(const Grid& grid, const CellTree& tree, std::span<const Leaf> leaves)
+      : point_(grid.mesh.point), tree_(tree) {
     for (const Leaf& leaf : leaves) {
       if (!leaf.oscillates) continue;
-      for_sides(leaf, lattice,
+      for_sides(leaf, tree,
                 [this](std::uint32_t a, std::uint32_t b) { oscillating_.insert(pair_of(a, b)); });
     }
   }
@@ -212,7 +211,7 @@ class Chains {
   void go_to(std::uint32_t vertex) {
     if (before_) cross(*before_, vertex);
     if (before_ && oscillating_.contains(pair_of(*before_, vertex))) interrupt();
-    if (lattice_.is_defined(vertex)) {
+    if (tree_.is_defined(vertex)) {
       append(vertex);
     } else {
       interrupt();
@@ -228,12 +227,12 @@ class Chains {
  private:
   /// Goes to the next vertex by way of what is between.
   void cross(std::uint32_t from, std::uint32_t to) {
-    const std::optional<Crossing> crossing = lattice_.crossing(from, to);
-    if (!crossing) return;
-    if (leaves_out(crossing->kind)) return interrupt();
-    append(crossing->beside(from));
-    if (crossing->kind == Cut::Jump) interrupt();
-    append(crossing->beside(to));
+    const std::optional<EdgeFeature> feature = tree_.feature(from, to);
+    if (!feature) return;
+    if (leaves_out(feature->kind)) return interrupt();
+    append(feature->beside(from));
+    if (feature->kind == FeatureKind::Jump) interrupt();
+    append(feature->beside(to));
   }
 
   void append(std::uint32_t vertex) {
@@ -246,7 +245,7 @@ class Chains {
   }
 
   const Array<std::uint32_t>& point_;
-  const Lattice& lattice_;
+  const CellTree& tree_;
   PairTable oscillating_;  ///< sides of leaves
   std::optional<std::uint32_t> before_;
   std::vector<std::uint32_t> chain_;
@@ -284,11 +283,11 @@ const std::vector<NormalLimit>& LastLimits::find(const Surface& surface,
   return limits_;
 }
 
-SingularCorners::SingularCorners(std::span<const Leaf> leaves, const Lattice& lattice,
+SingularCorners::SingularCorners(std::span<const Leaf> leaves, const CellTree& tree,
                                  unsigned threads, LastLimits& last, Grid& grid,
                                  MeshReport& report) {
-  const Surface& surface = lattice.surface();
-  const std::vector<View> views = singular_views(leaves, grid, lattice);
+  const Surface& surface = tree.surface();
+  const std::vector<View> views = singular_views(leaves, grid, tree);
   std::vector<Approach> approaches;
   approaches.reserve(views.size());
   for (const View& view : views) {
@@ -307,7 +306,7 @@ SingularCorners::SingularCorners(std::span<const Leaf> leaves, const Lattice& la
       const NormalLimit& limit = limits[end];
       report.evaluations += static_cast<std::size_t>(limit.evaluations);
       const std::size_t corner = corners.find_or_add(limit.normal.value_or(view.face));
-      corners_[key_of(view.leaf, view.piece, vertex)] = static_cast<std::uint32_t>(corner);
+      corners_[key_of(view.leaf, view.sub_polygon, vertex)] = static_cast<std::uint32_t>(corner);
       has_limits = has_limits && limit.normal;
       has_one_normal = has_one_normal && corner == vertex;
       leaves_.push_back(view.leaf);
@@ -320,10 +319,10 @@ SingularCorners::SingularCorners(std::span<const Leaf> leaves, const Lattice& la
   leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());
 }
 
-std::uint32_t SingularCorners::corner(std::size_t leaf, std::size_t piece,
+std::uint32_t SingularCorners::corner(std::size_t leaf, std::size_t sub_polygon,
                                       std::uint32_t vertex) const {
   if (corners_.empty()) return vertex;
-  const auto found = corners_.find(key_of(leaf, piece, vertex));
+  const auto found = corners_.find(key_of(leaf, sub_polygon, vertex));
   return found == corners_.end() ? vertex : found->second;
 }
 
@@ -335,22 +334,22 @@ std::size_t LeafTriangles::expected() const {
 
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
                                  const SingularCorners& singular, const Grid& grid,
-                                 const Lattice& lattice) {
+                                 const CellTree& tree) {
   LeafTriangles result;
   result.all.reserve(2 * which.size());
   result.ranges.reserve(which.size());
-  const auto choose_corner = [&](std::size_t leaf, std::size_t piece, std::uint32_t& vertex) {
-    if (!lattice.is_regular(vertex)) vertex = singular.corner(leaf, piece, vertex);
+  const auto choose_corner = [&](std::size_t leaf, std::size_t sub_polygon, std::uint32_t& vertex) {
+    if (!tree.is_regular(vertex)) vertex = singular.corner(leaf, sub_polygon, vertex);
   };
   PlainCutter cutter(grid);
   const auto add_plain = [&](std::size_t leaf, std::array<std::uint32_t, 4> corners) {
-    const std::uint32_t cell = cell_cut_before(leaves[leaf], corners, grid, lattice);
+    const std::uint32_t cell = cell_cut_before(leaves[leaf], corners, grid, tree);
     if (cell != kNoCell) return cutter.add_cut(cell);
     for (std::uint32_t& vertex : corners) choose_corner(leaf, 0, vertex);
     cutter.add(corners);
   };
   for (const std::size_t leaf : which) {
-    const auto plain = plain_corners(leaves[leaf], lattice);
+    const auto plain = plain_corners(leaves[leaf], tree);
     result.ranges.push_back({.is_plain = plain.has_value()});
     if (plain) add_plain(leaf, *plain);
   }
@@ -363,16 +362,16 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     if (range.is_plain) {
       expected = cutter.take(result.all);
     } else {
-      std::vector<Polygon> polygons = pieces(leaves[which[k]], lattice);
-      for (std::size_t piece = 0; piece < polygons.size(); ++piece) {
-        range.has_flat_piece = range.has_flat_piece || is_flat(polygons[piece]);
+      std::vector<Polygon> polygons = sub_polygons(leaves[which[k]], tree);
+      for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
+        range.has_flat_sub_polygon = range.has_flat_sub_polygon || is_flat(polygons[sub_polygon]);
         points.clear();
-        for (PolygonCorner& corner : polygons[piece]) {
-          choose_corner(which[k], piece, corner.corner);
+        for (PolygonCorner& corner : polygons[sub_polygon]) {
+          choose_corner(which[k], sub_polygon, corner.corner);
           points.push_back(grid.mesh.point[corner.corner]);
         }
         expected += triangles_between(points);
-        triangulate_polygon(grid, std::move(polygons[piece]), result.all);
+        triangulate_polygon(grid, std::move(polygons[sub_polygon]), result.all);
       }
     }
     range.count = static_cast<std::uint32_t>(result.all.size()) - range.first;
@@ -382,22 +381,22 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   return result;
 }
 
-std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
+std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const CellTree& tree,
                                                    std::span<const Leaf> leaves, int lines_u,
                                                    int lines_v) {
-  Chains chains(grid, lattice, leaves);
+  Chains chains(grid, tree, leaves);
   const auto follow = [&](std::size_t cells, auto place_of) {
-    const auto go_to = [&](std::uint32_t vertex, LatticePlace) { chains.go_to(vertex); };
-    for (std::size_t k = 0; k < cells; ++k) lattice.walk(place_of(k), place_of(k + 1), go_to);
-    chains.go_to(lattice.used_vertex(place_of(cells)).value());
+    const auto go_to = [&](std::uint32_t vertex, DyadicPoint) { chains.go_to(vertex); };
+    for (std::size_t k = 0; k < cells; ++k) tree.walk(place_of(k), place_of(k + 1), go_to);
+    chains.go_to(tree.used_vertex(place_of(cells)).value());
     chains.end_line();
   };
   const auto unit = [](std::size_t line) { return static_cast<std::uint32_t>(line) * kCellUnit; };
   for (const std::size_t i : indices(grid.u, lines_u)) {
-    follow(grid.cells_v, [&](std::size_t k) { return LatticePlace{unit(i), unit(k)}; });
+    follow(grid.cells_v, [&](std::size_t k) { return DyadicPoint{unit(i), unit(k)}; });
   }
   for (const std::size_t j : indices(grid.v, lines_v)) {
-    follow(grid.cells_u, [&](std::size_t k) { return LatticePlace{unit(k), unit(j)}; });
+    follow(grid.cells_u, [&](std::size_t k) { return DyadicPoint{unit(k), unit(j)}; });
   }
   return chains.take();
 }

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mesh/tree/outline.h"
+#include "mesh/tree/cell_polygon.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -17,9 +17,10 @@ struct LeafTriangles {
   struct Range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
-    std::uint32_t expected = 0;   ///< if none were without area
-    bool is_plain = false;        ///< of a leaf that nothing cuts, and two triangles
-    bool has_flat_piece = false;  ///< one of the pieces that cuts left of it is a side of the leaf
+    std::uint32_t expected = 0;  ///< if none were without area
+    bool is_plain = false;       ///< of a leaf that nothing cuts, and two triangles
+    bool has_flat_sub_polygon =
+        false;  ///< one of the pieces that cuts left of it is a side of the leaf
   };
   Array<Triangle> all;
   std::vector<Range> ranges;
@@ -50,11 +51,11 @@ class SingularCorners {
   /// Gives each singular vertex of each piece of a leaf the limit of the normal from inside the
   /// piece, or the normal of its face where there is none. Adds corners to grid.mesh, singular
   /// points and evaluations to `report`.
-  SingularCorners(std::span<const Leaf> leaves, const Lattice& lattice, unsigned threads,
+  SingularCorners(std::span<const Leaf> leaves, const CellTree& tree, unsigned threads,
                   LastLimits& last, Grid& grid, MeshReport& report);
 
   /// `piece`: the number of one of the leaf's pieces().
-  std::uint32_t corner(std::size_t leaf, std::size_t piece, std::uint32_t vertex) const;
+  std::uint32_t corner(std::size_t leaf, std::size_t sub_polygon, std::uint32_t vertex) const;
   /// The leaves that have such corners, ascending.
   const std::vector<std::size_t>& leaves() const { return leaves_; }
 
@@ -66,12 +67,12 @@ class SingularCorners {
 /// Triangulates some leaves, each with all the vertices in use on its sides.
 LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const std::size_t> which,
                                  const SingularCorners& singular, const Grid& grid,
-                                 const Lattice& lattice);
+                                 const CellTree& tree);
 
 /// Lines of constant u and v through vertices, those of even_lines(), which are lines of the grid.
 /// They are interrupted where the surface is, and where it oscillates: from wave to wave they would
 /// cover it, and take longer to draw than all else.
-std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const Lattice& lattice,
+std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const CellTree& tree,
                                                    std::span<const Leaf> leaves, int lines_u,
                                                    int lines_v);
 

@@ -13,14 +13,14 @@ std::uint32_t PlaceMap::slot_of(const Table& table, std::uint32_t key) const {
   return table.begin + slot;
 }
 
-const std::uint32_t* PlaceMap::find(LatticePlace place) const {
+const std::uint32_t* PlaceMap::find(DyadicPoint place) const {
   const Table& table = tables_[table_of(place)];
   if (table.count == 0) return nullptr;
   const Slot& slot = slots_[slot_of(table, key_of(place))];
   return slot.key == kEmpty ? nullptr : &slot.number;
 }
 
-std::uint32_t PlaceMap::find_or_insert(LatticePlace place, std::uint32_t number) {
+std::uint32_t PlaceMap::find_or_insert(DyadicPoint place, std::uint32_t number) {
   Table& table = tables_[table_of(place)];
   const std::uint32_t key = key_of(place);
   std::uint32_t size = 0;

@@ -18,9 +18,9 @@ class PlaceMap {
   explicit PlaceMap(const Grid& grid)
       : pitch_(grid.u.size()), tables_(grid.u.size() * grid.v.size()) {}
   /// The number stored for a place, or nullptr; valid until the next find_or_insert().
-  const std::uint32_t* find(LatticePlace place) const;
+  const std::uint32_t* find(DyadicPoint place) const;
   /// The number stored for a place; stores this one if there is none.
-  std::uint32_t find_or_insert(LatticePlace place, std::uint32_t number);
+  std::uint32_t find_or_insert(DyadicPoint place, std::uint32_t number);
 
  private:
   struct Slot {
@@ -36,10 +36,10 @@ class PlaceMap {
   /// The corner of a cell is on the root grid.
   static constexpr std::uint32_t kEmpty = 0;
 
-  std::size_t table_of(LatticePlace place) const {
+  std::size_t table_of(DyadicPoint place) const {
     return place.v / kCellUnit * pitch_ + place.u / kCellUnit;
   }
-  static std::uint32_t key_of(LatticePlace place) {
+  static std::uint32_t key_of(DyadicPoint place) {
     return (place.u % kCellUnit) * kCellUnit + place.v % kCellUnit;
   }
   std::uint32_t slot_of(const Table& table, std::uint32_t key) const;

@@ -11,7 +11,7 @@ namespace saddle {
 
 namespace {
 
-/// Twice the area of a triangle in units of the lattice; exact for whole places, which are less
+/// Twice the area of a triangle in units of the cell tree; exact for whole places, which are less
 /// than 2^17 apart.
 double doubled_area(const dvec2& a, const dvec2& b, const dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);

@@ -8,18 +8,18 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tree/lattice.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
 /// A corner of the mesh and where it is in the leaf.
 struct PolygonCorner {
   std::uint32_t corner;
-  dvec2 place;  ///< in units of the lattice
+  dvec2 place;  ///< in units of the cell tree
 };
 
 /// By how much the place of a cut may be off a straight side that it is on, in units of the
-/// lattice: it is mixed from those of the side's ends, which are exact.
+/// cell tree: it is mixed from those of the side's ends, which are exact.
 inline double rounding_of_place(const dvec2& place) {
   return 4 * std::numeric_limits<double>::epsilon() *
          std::max(std::fabs(place.x), std::fabs(place.y));

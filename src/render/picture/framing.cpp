@@ -186,7 +186,7 @@ std::optional<ColorRange> colors_of(const Scene& scene, const SurfaceSpec& spec)
   options.threads = 1;
   try {
     const Surface surface = prepare_surface(scene, spec).surface;
-    GridMesh mesh = mesh_on_grid(surface, grid);
+    MeshResult mesh = mesh_on_grid(surface, grid);
     if (scene.clip.box) clip_mesh(*scene.clip.box, mesh.mesh);
     color_mesh(surface, options, mesh.mesh);
     const auto has_number = [](double number) { return !std::isnan(number); };

@@ -27,7 +27,7 @@ inline Scene scene_of(const std::string& name, const std::vector<std::string>& o
 
 /// Its adaptive mesh within a share of the diagonal, clipped to the scene's box. `surface`: of
 /// second order.
-inline GridMesh mesh_of(const Surface& surface, const Scene& scene, double share) {
+inline MeshResult mesh_of(const Surface& surface, const Scene& scene, double share) {
   AdaptiveOptions options = within_share(share);
   options.clip = scene.clip.box;
   return mesh_within_tolerance(surface, options).value();

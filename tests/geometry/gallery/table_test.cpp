@@ -113,7 +113,7 @@ void expect_report(const GalleryFacts& facts, const MeshReport& report) {
 }
 
 void expect_grid(const GalleryFacts& facts, const Surface& surface) {
-  const GridMesh grid = mesh_on_grid(surface, {40, 40, 16, 16, 0});
+  const MeshResult grid = mesh_on_grid(surface, {40, 40, 16, 16, 0});
   EXPECT_EQ(grid.report.undefined_fraction > 0, facts.holed);
   EXPECT_GT(grid.mesh.triangles.size(), 400U);  // 3200 less what is not there
 }
@@ -139,7 +139,7 @@ TEST_P(GalleryTable, HasNoNormalThatOpposesItsTriangle) {
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
   AdaptiveOptions options = within_share(1e-3, 3);
   options.clip = scene.clip.box;
-  const GridMesh mesh = mesh_within_tolerance(surface, options).value();
+  const MeshResult mesh = mesh_within_tolerance(surface, options).value();
   EXPECT_EQ(count_opposed(mesh.mesh, mesh.report.tolerance.value()), 0U);
 }
 
@@ -149,7 +149,7 @@ TEST_P(GalleryTable, Holds) {
   expect_identities(facts(), scene);
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
   expect_grid(facts(), surface);
-  const GridMesh mesh = mesh_of(surface, scene, 3e-3);
+  const MeshResult mesh = mesh_of(surface, scene, 3e-3);
   expect_report(facts(), mesh.report);
   EXPECT_EQ(count_opposed(mesh.mesh, mesh.report.tolerance.value()), 0U);
   const Topology t = topology(mesh.mesh);

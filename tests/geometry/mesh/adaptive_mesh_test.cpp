@@ -15,7 +15,7 @@
 
 #include "adaptive_options.h"
 #include "base/random.h"
-#include "mesh/error/measure.h"
+#include "mesh/error/sampled_error.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 
@@ -58,7 +58,7 @@ Surface surface_of(const Case& c) {
   return surface_from_text(c.x, c.y, c.z, c.domain, {}, Order::Second);
 }
 
-GridMesh mesh_of(const Case& c, double share, double normal_tolerance = 180) {
+MeshResult mesh_of(const Case& c, double share, double normal_tolerance = 180) {
   return mesh_within_tolerance(surface_of(c), within_share(share, normal_tolerance)).value();
 }
 
@@ -108,7 +108,8 @@ class Locator {
     grid.mesh = mesh_;
     double least = std::numeric_limits<double>::infinity();
     for (const Triangle& t : mesh_.triangles) {
-      least = std::min(least, deviation(grid, std::span(&t, 1), dvec2(0), point, false).distance);
+      least =
+          std::min(least, sampled_error(grid, std::span(&t, 1), dvec2(0), point, false).distance);
     }
     return least;
   }
@@ -140,7 +141,7 @@ TEST(AdaptiveMesh, IsWithinItsToleranceAtPlacesThatNobodyLookedAt) {
   for (const Case& c : cases()) {
     for (const double share : {1e-2, 1e-3, 1e-4}) {
       const Surface surface = surface_of(c);
-      const GridMesh result = mesh_of(c, share);
+      const MeshResult result = mesh_of(c, share);
       const Locator locator(result.mesh);
       std::vector<dvec2> uv;
       for (std::uint64_t k = 0; k < 4000; ++k) {
@@ -173,21 +174,22 @@ TEST(AdaptiveMesh, IsAsCoarseAsASaddleAllows) {
   // Where a surface bends to both sides its errors along u and along v do not add up.
   const Case catenoid = {
       "catenoid", "cosh(v)*cos(u)", "cosh(v)*sin(u)", "v", {0, 2 * kPi, -1.2, 1.2}};
-  const GridMesh result = mesh_within_tolerance(surface_of(catenoid), without_lines(1e-3)).value();
+  const MeshResult result =
+      mesh_within_tolerance(surface_of(catenoid), without_lines(1e-3)).value();
   EXPECT_LT(static_cast<double>(result.mesh.triangles.size()), 1.9 * result.report.least_triangles);
 }
 
 TEST(AdaptiveMesh, IsHalvedNoFurtherThanAPeakNeeds) {
-  const Case peak = {"peak", "u", "v", "exp(-40*((u-0.3)^2+(v+0.2)^2))", {-1, 1, -1, 1}};
-  const GridMesh result = mesh_within_tolerance(surface_of(peak), without_lines(1e-2)).value();
+  const Case maximum = {"peak", "u", "v", "exp(-40*((u-0.3)^2+(v+0.2)^2))", {-1, 1, -1, 1}};
+  const MeshResult result = mesh_within_tolerance(surface_of(maximum), without_lines(1e-2)).value();
   EXPECT_GT(result.mesh.bounds.high.z, 0.95);
   EXPECT_LT(result.mesh.triangles.size(), 250U);
 }
 
 TEST(AdaptiveMesh, KeepsTheToleranceOfNormals) {
   for (const Case& c : cases()) {
-    const GridMesh loose = mesh_of(c, 1e-3);
-    const GridMesh strict = mesh_of(c, 1e-3, 0.5);
+    const MeshResult loose = mesh_of(c, 1e-3);
+    const MeshResult strict = mesh_of(c, 1e-3, 0.5);
     EXPECT_LE(strict.report.max_normal_error, 0.5) << c.name;
     if (loose.report.max_normal_error <= 0.5) continue;  // as the sphere's, whatever its mesh
     EXPECT_GT(strict.mesh.triangles.size(), loose.mesh.triangles.size()) << c.name;
@@ -201,7 +203,7 @@ TEST(AdaptiveMesh, HasNoCracks) {
       {"helicoid", 1}, {"enneper", 1}, {"monkey", 1},   {"peak", 1},     {"ripple", 1}};
   for (const Case& c : cases()) {
     for (const double share : {1e-2, 1e-3}) {
-      const GridMesh result = mesh_of(c, share);
+      const MeshResult result = mesh_of(c, share);
       const Mesh& mesh = result.mesh;
       EXPECT_EQ(euler_number(mesh), euler.at(c.name)) << c.name << ' ' << share;
       for (const auto& [edge, count] : edge_counts(mesh)) ASSERT_LE(count, 2) << c.name;
@@ -214,7 +216,7 @@ TEST(AdaptiveMesh, IsClosedWhereTheSurfaceIs) {
   for (const Case& c : cases()) {
     const std::string name = c.name;
     if (name != "sphere" && name != "torus" && name != "figure-8") continue;
-    const GridMesh result = mesh_of(c, 1e-3);
+    const MeshResult result = mesh_of(c, 1e-3);
     for (const auto& [edge, count] : edge_counts(result.mesh)) ASSERT_EQ(count, 2) << c.name;
   }
 }
@@ -254,7 +256,7 @@ TEST(AdaptiveMesh, HasTheGridLinesAmongItsEdges) {
 
 TEST(AdaptiveMesh, DoesNotRefineTheWholeDomainForANarrowPeak) {
   const Case narrow = {"narrow", "u", "v", "exp(-400*((u-0.123)^2+(v+0.321)^2))", {-1, 1, -1, 1}};
-  const GridMesh result = mesh_of(narrow, 1e-3);
+  const MeshResult result = mesh_of(narrow, 1e-3);
   EXPECT_NEAR(result.mesh.bounds.high.z, 1, 0.02);
   EXPECT_LE(result.report.max_error, *result.report.tolerance);
   EXPECT_LT(result.mesh.triangles.size(), 3000U);
@@ -270,7 +272,7 @@ TEST(AdaptiveMesh, MakesTwoTrianglesOfAPlane) {
 TEST(AdaptiveMesh, FollowsTheEdgeOfTheDomainWhateverTheSurfaceDoesInside) {
   // A flat disc: all of its curvature is in its edge.
   const Case disc = {"disc", "v*cos(u)", "v*sin(u)", "0", {0, 2 * kPi, 0.5, 1}};
-  const GridMesh result = mesh_of(disc, 1e-4);
+  const MeshResult result = mesh_of(disc, 1e-4);
   double area_of_mesh = area(result.mesh);
   // An arc off by eps from a chord of length l hides 2/3 eps l, all around both circles.
   EXPECT_NEAR(area_of_mesh, 0.75 * kPi, *result.report.tolerance * 2 * kPi * 1.5);
@@ -280,9 +282,9 @@ TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
   AdaptiveOptions options = within_share(1e-3, 3);
   const Surface surface = surface_of(cases().back());
   options.threads = 1;
-  const GridMesh one = mesh_within_tolerance(surface, options).value();
+  const MeshResult one = mesh_within_tolerance(surface, options).value();
   options.threads = 3;
-  const GridMesh three = mesh_within_tolerance(surface, options).value();
+  const MeshResult three = mesh_within_tolerance(surface, options).value();
   EXPECT_EQ(one.mesh.position, three.mesh.position);
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
 }
@@ -296,7 +298,7 @@ TEST(AdaptiveMesh, NeedsFewTrianglesBesideTheLeastPossible) {
   double product = 1;
   int count = 0;
   for (const Case& c : cases()) {
-    const GridMesh result = mesh_of(c, 1e-4);
+    const MeshResult result = mesh_of(c, 1e-4);
     const double efficiency =
         static_cast<double>(result.mesh.triangles.size()) / result.report.least_triangles;
     EXPECT_LT(efficiency, 7) << c.name;  // waves across the grid's directions are the dearest

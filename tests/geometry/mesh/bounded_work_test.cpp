@@ -8,7 +8,7 @@
 
 #include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
-#include "mesh/tree/lattice.h"
+#include "mesh/tree/cell_tree.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 
@@ -22,7 +22,7 @@ AdaptiveOptions thousandth() {
 TEST(BoundedWork, EndsWhereWavesAreNarrowerThanPixelsWhateverTheirShape) {
   // Rings; a line of waves that is less than a pixel wide.
   for (const char* z : {"sin(1e-3/(u^2+v^2))", "sin(1e-3/u)"}) {
-    const GridMesh result = mesh_within_tolerance(height_field(z), thousandth()).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_LT(result.report.evaluations, 500'000U) << z;
     EXPECT_GT(result.report.max_error, *result.report.tolerance) << z;
@@ -41,7 +41,7 @@ TEST(BoundedWork, TakesNoMoreCellsForWavesThanTheirToleranceShows) {
   for (const auto& [z, most] :
        {std::pair("sin(1e6*u*v+1e5*u)", 1'000'000U), std::pair("sin(1e6*u)", 60'000U)}) {
     AdaptiveOptions options = thousandth();
-    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.oscillates) << z;
     EXPECT_LT(result.mesh.triangles.size(), most) << z;
@@ -51,7 +51,7 @@ TEST(BoundedWork, TakesNoMoreCellsForWavesThanTheirToleranceShows) {
 
 TEST(BoundedWork, ForeseesWavesThatNoMeshCouldFollow) {
   for (const char* z : {"sin(1e4*u*v)", "sin(exp(20*u)*v)", "sin(1e15*u)"}) {
-    const GridMesh result = mesh_within_tolerance(height_field(z), thousandth()).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.oscillates) << z;
     // Cells of four tolerances, halved once and now and then twice, on nine places each.
@@ -63,7 +63,7 @@ TEST(BoundedWork, ForeseesWavesThatNoMeshCouldFollow) {
 TEST(BoundedWork, DoesNotFollowTheRimsOfWavesThatNoMeshCouldFollow) {
   AdaptiveOptions options = within_share(1e-2, 3);
   options.max_triangles = 40'000;
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("sqrt(sin(1e3*u*v))"), options).value();
   EXPECT_FALSE(result.report.reached_limit);
   EXPECT_TRUE(result.report.oscillates);
@@ -72,7 +72,7 @@ TEST(BoundedWork, DoesNotFollowTheRimsOfWavesThatNoMeshCouldFollow) {
 
 TEST(BoundedWork, FollowsWavesBesideThoseThatItCannot) {
   // Up to u = 0.05 waves are as long as some ten cells of four tolerances.
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("sin(exp(20*u)*v)"), thousandth()).value();
   double gap = 0;
   for (const auto& [a, b, c] : result.mesh.triangles) {
@@ -118,7 +118,7 @@ TEST(BoundedWork, TakesRangesOfFewDoubles) {
   for (const Domain& domain :
        {Domain{1, 1 + 2e-14, -1, 1}, Domain{1e16, 1e16 + 2, 0, 1}, Domain{0, 1, 1 + 1.1e-15, 1}}) {
     const Surface sheet = surface_from_text("u", "v*1e16", "u+1e16*v^2", domain, {}, Order::Second);
-    const std::optional<GridMesh> result = mesh_within_tolerance(sheet, within_share(3e-3, 3));
+    const std::optional<MeshResult> result = mesh_within_tolerance(sheet, within_share(3e-3, 3));
     if (result) {
       EXPECT_FALSE(result->mesh.triangles.empty());
     }
@@ -128,7 +128,7 @@ TEST(BoundedWork, TakesRangesOfFewDoubles) {
 TEST(BoundedWork, SaysThatTheLimitWasReachedWhereOnlyCutCellsAreLeft) {
   AdaptiveOptions options = thousandth();
   options.max_triangles = 1000;
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("sign(sin(9*u)+sin(7*v))"), options).value();
   EXPECT_GT(result.report.max_error, *result.report.tolerance);
   EXPECT_TRUE(result.report.reached_limit);
@@ -138,7 +138,7 @@ TEST(BoundedWork, DoesNotTakeFrontsAndPeaksForWaves) {
   for (const char* z :
        {"tanh(1e3*(u+0.3*v))", "exp(-1e7*((u-0.123)^2+(v+0.321)^2))", "tanh(1e4*u)*tanh(1e4*v)",
         "floor(3*u)+floor(3*v)", "sin(60*u*v)", "sqrt(abs(u*v))"}) {
-    const GridMesh result = mesh_within_tolerance(height_field(z), thousandth()).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.oscillates) << z;
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
   }
@@ -150,7 +150,7 @@ TEST(BoundedWork, CountsTheSearchForCutsAsTriangles) {
   AdaptiveOptions options = thousandth();
   options.max_triangles = 40'000;
   options.clip = Bounds{dvec3(-30), dvec3(30)};
-  const GridMesh result = mesh_within_tolerance(poles, options).value();
+  const MeshResult result = mesh_within_tolerance(poles, options).value();
   EXPECT_TRUE(result.report.reached_limit);
   EXPECT_LT(result.mesh.triangles.size(), 40'000U);
   EXPECT_LT(result.report.evaluations, 300'000U);
@@ -163,9 +163,9 @@ TEST(BoundedWork, EndsTheSearchForJumpsWithoutEnd) {
     AdaptiveOptions options = thousandth();
     options.max_triangles = kTriangles;
     options.clip = Bounds{dvec3(-5), dvec3(5)};
-    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_TRUE(result.report.reached_limit) << z;
-    EXPECT_TRUE(result.report.is_tired) << z;
+    EXPECT_TRUE(result.report.budget_spent) << z;
     EXPECT_FALSE(result.report.certified) << z;
     EXPECT_TRUE(result.report.worst_place) << z;
     // What is begun is ended: the sides that are looked at together, and what those are that are
@@ -173,9 +173,9 @@ TEST(BoundedWork, EndsTheSearchForJumpsWithoutEnd) {
     EXPECT_LT(result.report.effort, 2 * most_effort(kTriangles)) << z;
   }
   // As many as there are, and not without end.
-  const GridMesh steps =
+  const MeshResult steps =
       mesh_within_tolerance(height_field("floor(9*u)*floor(9*v)"), thousandth()).value();
-  EXPECT_FALSE(steps.report.is_tired);
+  EXPECT_FALSE(steps.report.budget_spent);
   EXPECT_LE(steps.report.max_error, *steps.report.tolerance);
 }
 
@@ -197,7 +197,7 @@ TEST(BoundedWork, EndsWhateverLeavesTake) {
                         "max(sin(90*u),cos(110*v),sin(130*u*v))"}) {
     AdaptiveOptions options = thousandth();
     options.max_triangles = kTriangles;
-    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_TRUE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.worst_place) << z;
     // Leaves are measured when the last of them have been halved, those that are cut on many
@@ -217,16 +217,16 @@ TEST(BoundedWork, PlacesNoMoreLinesThanShowHoweverFastWavesAre) {
 TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
   const Surface poles = height_field("ln(abs(u^2+v^2-0.5))");
   AdaptiveOptions options = within_share(3e-3);
-  const GridMesh whole = mesh_within_tolerance(poles, options).value();
+  const MeshResult whole = mesh_within_tolerance(poles, options).value();
   options.until_far = 1e9;
-  const GridMesh known = mesh_within_tolerance(poles, options).value();
+  const MeshResult known = mesh_within_tolerance(poles, options).value();
   EXPECT_TRUE(known.mesh.triangles.empty());
   ASSERT_GT(known.report.pole_count, 0U);
   EXPECT_LT(10 * known.report.evaluations, whole.report.evaluations);
   for (const dvec2& pole : known.report.poles) EXPECT_NEAR(glm::dot(pole, pole), 0.5, 1e-12);
   EXPECT_LT(known.report.beside_poles.low.z, -30);  // ln(1e-16) = -37
   // The surface goes nowhere else.
-  const GridMesh smooth = mesh_within_tolerance(height_field("u*v"), options).value();
+  const MeshResult smooth = mesh_within_tolerance(height_field("u*v"), options).value();
   EXPECT_FALSE(smooth.mesh.triangles.empty());
 }
 
@@ -237,7 +237,7 @@ TEST(BoundedWork, StopsAtWhatIsTooFarAwayIfNoMoreIsAskedFor) {
                                            {-kPi / 2, kPi / 2, 0, kPi / 2}, {}, Order::Second);
   AdaptiveOptions options = thousandth();
   options.until_far = 1000;
-  const GridMesh mesh = mesh_within_tolerance(funnel, options).value();
+  const MeshResult mesh = mesh_within_tolerance(funnel, options).value();
   EXPECT_TRUE(mesh.mesh.triangles.empty());
   EXPECT_LT(mesh.report.evaluations, 50'000U);
   EXPECT_GT(mesh.report.beside_poles.high.x, 1e15);
@@ -246,7 +246,7 @@ TEST(BoundedWork, StopsAtWhatIsTooFarAwayIfNoMoreIsAskedFor) {
 }
 
 TEST(BoundedWork, EndsWhereASurfaceOscillatesFasterThanAnyPictureShows) {
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("sin(1/u)"), within_share(1e-3)).value();
   EXPECT_FALSE(result.report.reached_limit);
   EXPECT_LT(result.mesh.triangles.size(), 200'000U);

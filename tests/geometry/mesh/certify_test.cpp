@@ -47,7 +47,7 @@ TEST(Proofs, FindPeaksThatNoSampleMeets) {
   for (const char* const z :
        {"exp(-1e7*((u-0.123)^2+(v+0.321)^2))", "exp(-1e8*((u-0.123)^2+(v+0.321)^2))",
         "-1/(1+1e9*((u-0.6)^2+v^2))"}) {
-    const GridMesh found =
+    const MeshResult found =
         mesh_within_tolerance(height_field(z, {-1, 1, -1, 1}), within_share(1e-3)).value();
     EXPECT_GT(found.mesh.bounds.size().z, 0.99) << z;
     EXPECT_LE(found.report.max_error, found.report.tolerance) << z;

@@ -41,8 +41,8 @@ MeasuredError check(const Surface& surface, const Grid& grid, bool is_seen = fal
 }
 
 /// The largest deviation of some places that are spread over each cell.
-Deviation by_places(const Surface& surface, const Grid& grid) {
-  Deviation worst;
+SampledError by_places(const Surface& surface, const Grid& grid) {
+  SampledError worst;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
     const auto vertices = grid.vertices(cell);
     const dvec2 low = grid.uv(vertices[0]);
@@ -55,7 +55,8 @@ Deviation by_places(const Surface& surface, const Grid& grid) {
     }
     const std::vector<SurfacePoint> points = evaluate(surface, places);
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const Deviation d = deviation(grid, grid.triangles(cell), places[k], points[k], surface.flip);
+      const SampledError d =
+          sampled_error(grid, grid.triangles(cell), places[k], points[k], surface.flip);
       worst.distance = std::max(worst.distance, d.distance);
       worst.degrees = std::max(worst.degrees, d.degrees);
     }
@@ -67,7 +68,7 @@ TEST(CheckCells, TellsWhatPlacesTellOneByOne) {
   for (const bool flip : {false, true}) {
     const Surface surface = waves(flip);
     const Grid grid = sample(surface);
-    const Deviation worst = by_places(surface, grid);
+    const SampledError worst = by_places(surface, grid);
     const MeasuredError error = check(surface, grid);
     EXPECT_NEAR(error.distance, worst.distance, 0.05 * worst.distance);
     EXPECT_NEAR(error.normal_degrees, worst.degrees, 0.15 * worst.degrees);
@@ -104,7 +105,7 @@ TEST(CheckCells, LooksCloserWhereACellIsNotPlain) {
   const double usual = check(surface, grid).distance;
   std::swap(grid.mesh.triangles[2 * cell], grid.mesh.triangles[2 * cell + 1]);
   EXPECT_NEAR(check(surface, grid).distance, usual, 1e-12);
-  grid.cells[cell] = Cell::One;  // half of it is not covered
+  grid.cells[cell] = GridCell::One;  // half of it is not covered
   EXPECT_GT(check(surface, grid).distance, 3 * usual);
 }
 
@@ -144,7 +145,7 @@ TEST(CheckCells, TellsTheSameOnEveryCpuLevel) {
   RowPlaces places{along_u.data(), 0.5, second.data(), {}, 1, 1};
   for (std::size_t k = 0; k < surface.size(); ++k) places.surface[k] = surface[k].data();
   const auto check = [&](CpuLevel level) {
-    auto result = std::make_unique<RowDeviations>();
+    auto result = std::make_unique<RowErrors>();
     check_loop(level)((*strips)[0], (*strips)[1], places, kTileCells, *result);
     return result;
   };

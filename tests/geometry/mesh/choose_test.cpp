@@ -47,21 +47,21 @@ class InGallery {
     options_.normal_tolerance = scene_.mesh.normal_tolerance;
   }
 
-  std::optional<GridMesh> choose(double times = 1) const {
+  std::optional<MeshResult> choose(double times = 1) const {
     return mesh_at_least_cost(subject_.surface, options_, times);
   }
-  std::optional<GridMesh> halve() const {
+  std::optional<MeshResult> halve() const {
     return mesh_within_tolerance(subject_.surface, options_);
   }
 
   /// The cheapest of some grids that keep the tolerance.
-  std::optional<GridMesh> best_grid() const {
+  std::optional<MeshResult> best_grid() const {
     const auto plan = plan_mesh(subject_.surface, options_);
     if (!plan || options_.clip || !plan->tolerance.is_same_everywhere()) return std::nullopt;
     double scale = 1;
     for (int k = 0; k < kFinest; ++k, scale /= kFiner) {
       const FixedLines lines =
-          plan->probe.place_lines(plan->fixed, plan->densities, 1 / std::sqrt(scale));
+          plan->probe.place_lines(plan->fixed, plan->sizing, 1 / std::sqrt(scale));
       GridTrial trial = try_grid(subject_.surface, options_, *plan, lines);
       if (trial.mesh) return std::move(trial.mesh);
       if (trial.excess == 0) break;
@@ -69,7 +69,7 @@ class InGallery {
     return std::nullopt;
   }
 
-  double cost_of(const GridMesh& mesh) const {
+  double cost_of(const MeshResult& mesh) const {
     return cost(mesh.report.work, operations_) +
            drawing_cost(static_cast<double>(mesh.mesh.triangles.size()), 1);
   }
@@ -105,7 +105,7 @@ class ChoiceOverTheGallery : public testing::TestWithParam<std::string> {};
 
 TEST_P(ChoiceOverTheGallery, IsNearlyTheCheapestAndKeepsTheTolerance) {
   const InGallery surface(GetParam());
-  const std::optional<GridMesh> chosen = surface.choose();
+  const std::optional<MeshResult> chosen = surface.choose();
   ASSERT_TRUE(chosen && chosen->report.choice);
   const bool is_grid = chosen->report.choice->why == Why::GridIsCheaper;
   double best = surface.cost_of(*chosen);
@@ -127,7 +127,7 @@ TEST_P(ChoiceOverTheGallery, IsNearlyTheCheapestAndKeepsTheTolerance) {
 TEST(Choice, KeepsTheToleranceInFiftyDigits) {
   for (const char* const name : {"sphere", "mobius"}) {
     const InGallery surface(name);
-    const GridMesh mesh = surface.choose().value();
+    const MeshResult mesh = surface.choose().value();
     EXPECT_EQ(mesh.report.choice.value().why, Why::GridIsCheaper) << name;
     EXPECT_LE(surface.true_distance(mesh.mesh), mesh.report.tolerance.value()) << name;
   }
@@ -150,48 +150,48 @@ AdaptiveOptions half_a_thousandth() {
   return within_share(5e-4, 3);
 }
 
-GridMesh chosen(const Surface& surface, const AdaptiveOptions& options = half_a_thousandth()) {
+MeshResult chosen(const Surface& surface, const AdaptiveOptions& options = half_a_thousandth()) {
   return mesh_at_least_cost(surface, options, 1).value();
 }
 
-Why why(const GridMesh& mesh) {
+Why why(const MeshResult& mesh) {
   return mesh.report.choice.value().why;
 }
 
 TEST(Choice, TakesAGridWhereCurvatureIsMuchTheSameEverywhere) {
   const InGallery torus("torus");
-  const GridMesh mesh = torus.choose().value();
+  const MeshResult mesh = torus.choose().value();
   EXPECT_EQ(why(mesh), Why::GridIsCheaper);
   EXPECT_EQ(mesh.report.closed_u, "join");
   EXPECT_EQ(mesh.report.closed_v, "join");
   EXPECT_TRUE(mesh.report.certified);
   EXPECT_EQ(euler_number(mesh.mesh), 0);
-  const GridMesh halved = torus.halve().value();
+  const MeshResult halved = torus.halve().value();
   EXPECT_EQ(mesh.mesh.lines.size(), halved.mesh.lines.size());
   EXPECT_LT(static_cast<double>(mesh.mesh.triangles.size()),
             1.2 * static_cast<double>(halved.mesh.triangles.size()));
 }
 
 TEST(Choice, MakesFansAtPolesAndMeetsReversedSeams) {
-  const GridMesh sphere = InGallery("sphere").choose().value();
+  const MeshResult sphere = InGallery("sphere").choose().value();
   EXPECT_EQ(why(sphere), Why::GridIsCheaper);
   EXPECT_EQ(euler_number(sphere.mesh), 2);
   EXPECT_EQ(triangles_against_normals(sphere.mesh), 0U);
-  const GridMesh mobius = InGallery("mobius").choose().value();
+  const MeshResult mobius = InGallery("mobius").choose().value();
   EXPECT_EQ(why(mobius), Why::GridIsCheaper);
   EXPECT_EQ(mobius.report.closed_u, "reversed");
   EXPECT_EQ(euler_number(mobius.mesh), 0);
 }
 
 TEST(Choice, HalvesCellsWhereAGridWouldWasteThem) {
-  const GridMesh peak = chosen(height_field("exp(-40*((u-0.3)^2+(v+0.2)^2))"));
-  EXPECT_EQ(why(peak), Why::HalvingIsCheaper);
-  EXPECT_EQ(peak.report.work.grid_samples, 0U);
+  const MeshResult maximum = chosen(height_field("exp(-40*((u-0.3)^2+(v+0.2)^2))"));
+  EXPECT_EQ(why(maximum), Why::HalvingIsCheaper);
+  EXPECT_EQ(maximum.report.work.grid_samples, 0U);
 }
 
 TEST(Choice, HalvesCellsWhereASurfaceIsNotSmooth) {
   for (const char* const z : {"sqrt(u)", "1/(u+0.1)", "abs(u-0.1)", "floor(3*u)"}) {
-    const GridMesh mesh = chosen(height_field(z));
+    const MeshResult mesh = chosen(height_field(z));
     EXPECT_NE(why(mesh), Why::GridIsCheaper) << z;
     EXPECT_NE(why(mesh), Why::HalvingIsCheaper) << z;
   }
@@ -201,7 +201,7 @@ TEST(Choice, HalvesCellsWhereASheetIsTornApartWithinItsPlane) {
   // No point of a torn sheet is far from a triangle across the tear.
   for (const char* const x : {"u<0.03?u:u+1", "u+floor(2*v+0.1)", "u+sign(u-v)"}) {
     const Surface sheet = surface_from_text(x, "v", "0", {-1, 1, -1, 1}, {}, Order::Second);
-    const GridMesh mesh = chosen(sheet);
+    const MeshResult mesh = chosen(sheet);
     EXPECT_NE(why(mesh), Why::GridIsCheaper) << x;
     EXPECT_GT(mesh.report.jump_count, 0U) << x;
     for (const Triangle& t : mesh.mesh.triangles) {
@@ -214,7 +214,7 @@ TEST(Choice, HalvesCellsWhereASheetIsTornApartWithinItsPlane) {
 
 TEST(Choice, GivesAGridUpThatMissesWhatNobodySawBefore) {
   // Narrower than the probe's cells, and than the grid's.
-  const GridMesh spike = chosen(height_field("0.3*exp(-1e6*((u-0.123)^2+(v+0.321)^2))+u^2/9"));
+  const MeshResult spike = chosen(height_field("0.3*exp(-1e6*((u-0.123)^2+(v+0.321)^2))+u^2/9"));
   EXPECT_NE(why(spike), Why::GridIsCheaper);
   EXPECT_NEAR(spike.mesh.bounds.high.z, 0.3, 0.05);
   EXPECT_GT(spike.report.work.grid_samples, 0U);
@@ -222,13 +222,13 @@ TEST(Choice, GivesAGridUpThatMissesWhatNobodySawBefore) {
 
 TEST(Choice, IsMadeSoonWhereCloserLinesDoNotHelp) {
   // Flat but for a steep front: half of each column's samples, and so its lines, do not see it.
-  const GridMesh plateau = chosen(height_field("tanh(1e5*(u^2+v^2-.5))/9"));
+  const MeshResult plateau = chosen(height_field("tanh(1e5*(u^2+v^2-.5))/9"));
   EXPECT_NE(why(plateau), Why::GridIsCheaper);
   EXPECT_LE(plateau.report.choice.value().grids, 2U);
   // Where every closer grid has as many lines, those that are drawn.
   AdaptiveOptions options = half_a_thousandth();
   options.lines_u = options.lines_v = 60;
-  const GridMesh bump = chosen(height_field("exp(-40*(u^2+v^2))"), options);
+  const MeshResult bump = chosen(height_field("exp(-40*(u^2+v^2))"), options);
   EXPECT_LE(bump.report.choice.value().grids, 8U);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-GridMesh clipped(const Surface& surface, const Bounds& box) {
+MeshResult clipped(const Surface& surface, const Bounds& box) {
   AdaptiveOptions options = within_length(4e-3);
   options.clip = box;
   return mesh_within_tolerance(surface, options).value();
@@ -46,11 +46,11 @@ TEST(Clip, LeavesNoTrianglesWithoutAreaWhereVerticesAreOnAFace) {
   const Surface saddle_surface = height_field("u*v");
   const Bounds part{dvec3(0.2, -1, -1), dvec3(0.8, 1, 1)};
   const Bounds quarter{dvec3(0, 0, 0), dvec3(1, 1, 1)};
-  const GridMesh strip = clipped(slope, part);
+  const MeshResult strip = clipped(slope, part);
   EXPECT_NEAR(area(strip.mesh), 0.6 * 2 * std::sqrt(2.0), 1e-12);
   EXPECT_GT(smallest_area(strip.mesh), 1e-6);
   EXPECT_EQ(euler_number(strip.mesh), 1);
-  const GridMesh corner = clipped(saddle_surface, quarter);
+  const MeshResult corner = clipped(saddle_surface, quarter);
   EXPECT_GT(smallest_area(corner.mesh), 1e-6);
   EXPECT_EQ(euler_number(corner.mesh), 1);
 }
@@ -58,7 +58,7 @@ TEST(Clip, LeavesNoTrianglesWithoutAreaWhereVerticesAreOnAFace) {
 TEST(Clip, CutsATorusAlongItsLinesIntoABand) {
   const Surface torus = surface_from_text("(2+cos(v))*cos(u)", "(2+cos(v))*sin(u)", "sin(v)",
                                           {0, 2 * kPi, 0, 2 * kPi}, {}, Order::Second);
-  const GridMesh half = clipped(torus, {dvec3(-3, -3, 0), dvec3(3, 3, 1)});
+  const MeshResult half = clipped(torus, {dvec3(-3, -3, 0), dvec3(3, 3, 1)});
   EXPECT_GT(smallest_area(half.mesh), 1e-6);
   EXPECT_EQ(euler_number(half.mesh), 0);
   EXPECT_NEAR(area(half.mesh), 4 * kPi * kPi, 0.1);  // half of 8 pi^2
@@ -67,7 +67,7 @@ TEST(Clip, CutsATorusAlongItsLinesIntoABand) {
 }
 
 TEST(Clip, CutsEdgesThatAFaceCrossesBetweenVertices) {
-  const GridMesh strip = clipped(height_field("u"), {dvec3(-kNoLimit), dvec3(0.123, 9, 9)});
+  const MeshResult strip = clipped(height_field("u"), {dvec3(-kNoLimit), dvec3(0.123, 9, 9)});
   EXPECT_NEAR(area(strip.mesh), 1.123 * 2 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(euler_number(strip.mesh), 1);
 }
@@ -103,7 +103,7 @@ TEST(Clip, NeedsNoDenseLinesForWhatItLeavesOut) {
   const Surface funnel = height_field("1/((u-0.4)^2+(v-0.1)^2)");
   AdaptiveOptions options = within_length(2e-3);
   options.clip = Bounds{dvec3(-1, -1, 0), dvec3(1, 1, 3)};
-  const GridMesh mesh = mesh_within_tolerance(funnel, options).value();
+  const MeshResult mesh = mesh_within_tolerance(funnel, options).value();
   EXPECT_LE(mesh.report.max_error, 2e-3);
   EXPECT_LT(mesh.mesh.triangles.size(), 4000);
 }
@@ -126,7 +126,7 @@ TEST(Clip, KeepsTheToleranceBesidePoles) {
     options.normal_tolerance = 3;
     options.clip = box;
     const Surface surface = height_field(z, {-half, half, -half, half});
-    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = mesh_within_tolerance(surface, options).value();
     EXPECT_LE(result.report.max_error, tolerance) << z;
   }
 }
@@ -148,7 +148,7 @@ TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
     options.normal_tolerance = 3;
     options.clip = Bounds{dvec3(-10, -10, -half), dvec3(10, 10, half)};
     const Surface surface = height_field(z, domain);
-    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = mesh_within_tolerance(surface, options).value();
     EXPECT_LE(result.report.max_error, tolerance) << z << ' ' << domain.u0;
   }
 }
@@ -159,7 +159,7 @@ TEST(Clip, FindsNoOscillationAlongAPole) {
   options.normal_tolerance = 3;
   options.clip = Bounds{dvec3(-5, -5, -5.007), dvec3(5, 5, 5.007)};
   const Surface surface = height_field("u/v", {-5, 5, -5, 5});
-  const GridMesh result = mesh_within_tolerance(surface, options).value();
+  const MeshResult result = mesh_within_tolerance(surface, options).value();
   EXPECT_FALSE(result.report.oscillates);
   EXPECT_LE(result.report.max_error, 0.0116);
 }
@@ -173,7 +173,7 @@ TEST(Clip, EndsWhatGoesToInfinityAtARimOnTheFace) {
   for (const auto& [z, parts] : cases) {
     AdaptiveOptions options = within_length(1e-2);
     options.clip = Bounds{dvec3(-1, -1, -7.8), dvec3(1, 1, 9)};
-    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 1e-2) << z;
     EXPECT_EQ(topology(result.mesh).components, parts) << z;
     EXPECT_EQ(result.mesh.bounds.low.z, -7.8) << z;
@@ -195,7 +195,7 @@ TEST(Clip, EndsBothSidesOfAPoleOnTheFace) {
   for (const auto& [z, parts, triangles] : cases) {
     AdaptiveOptions options = within_length(1e-2);
     options.clip = Bounds{dvec3(-1, -1, -kHalf), dvec3(1, 1, kHalf)};
-    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 1e-2) << z;
     EXPECT_EQ(topology(result.mesh).components, parts) << z;
     EXPECT_EQ(result.mesh.bounds.low.z, -kHalf) << z;
@@ -210,7 +210,7 @@ TEST(Clip, KeepsTheLimitOfTrianglesWherePolesEndOnFaces) {
   options.clip = Bounds{dvec3(-3, -3, -5), dvec3(3, 3, 5)};
   options.max_triangles = 10'000;
   const Surface surface = height_field("tan(3*u*v)", {-3, 3, -3, 3});
-  const GridMesh result = mesh_within_tolerance(surface, options).value();
+  const MeshResult result = mesh_within_tolerance(surface, options).value();
   EXPECT_TRUE(result.report.reached_limit);
   EXPECT_LE(result.mesh.triangles.size(), options.max_triangles);
   EXPECT_GT(result.mesh.triangles.size(), options.max_triangles / 2);

@@ -150,8 +150,8 @@ TEST(Colors, AreCutToWhatMostOfTheSurfaceHasBesidePoles) {
 
 TEST(Colors, RunToTrueExtremesWhereverTheCornersAre) {
   const Scene plane = scene_of("u", "v", "0");
-  const Mesh peak = coloured(plane, "exp(-30*((u-0.3123)^2+(v+0.1717)^2))").mesh;
-  EXPECT_NEAR(peak.color_range.high, 1, 1e-12);
+  const Mesh maximum = coloured(plane, "exp(-30*((u-0.3123)^2+(v+0.1717)^2))").mesh;
+  EXPECT_NEAR(maximum.color_range.high, 1, 1e-12);
   Scene scene = scene_of("u", "v", "2-u^2-v^2");
   scene.clip = {.automatic = false, .box = Bounds{{-2, -2, 0.5}, {2, 2, 1.75}}};
   const Mesh cut = coloured(scene, "z").mesh;

@@ -37,10 +37,10 @@ TEST(PlainCells, AreCutAsTheyWouldBeOneByOne) {
   for (const bool flip : {false, true}) {
     const Surface surface = plain_waves(flip);
     Grid grid = sample_tiles(surface);
-    const auto is_plain = [](Cell cell) { return cell == Cell::Two; };
+    const auto is_plain = [](GridCell cell) { return cell == GridCell::Two; };
     ASSERT_TRUE(std::ranges::all_of(grid.cells, is_plain));
     const Array<Triangle> in_one_pass = grid.mesh.triangles;
-    std::ranges::fill(grid.cells, Cell::Open);
+    std::ranges::fill(grid.cells, GridCell::Open);
     MeshReport report;
     triangulate(grid, open_cells(surface, 1, grid, report));
     ASSERT_TRUE(std::ranges::all_of(grid.cells, is_plain));
@@ -72,9 +72,9 @@ TEST(PlainCells, HaveTheirVerticesInPlace) {
 TEST(PlainCells, AreTheSameForAnyNumberOfThreads) {
   GridOptions options = several_tiles();
   options.threads = 1;
-  const GridMesh one = mesh_on_grid(plain_waves(), options);
+  const MeshResult one = mesh_on_grid(plain_waves(), options);
   options.threads = 3;
-  const GridMesh three = mesh_on_grid(plain_waves(), options);
+  const MeshResult three = mesh_on_grid(plain_waves(), options);
   EXPECT_EQ(one.mesh.position, three.mesh.position);
   EXPECT_EQ(one.mesh.normal, three.mesh.normal);
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
@@ -121,7 +121,7 @@ TEST(PlainCells, AreNoneWhereTheSurfaceFoldsOrIsFlat) {
   const Grid grid = sample_grid(folded, even_lines(-1, 1, 20), even_lines(-1, 1, 20), 1);
   for (std::size_t j = 0; j < grid.cells_v; ++j) {
     for (std::size_t i = 0; i < grid.cells_u; ++i) {
-      EXPECT_EQ(grid.cells[grid.cell(i, j)] == Cell::Open, i == 10) << i << ' ' << j;
+      EXPECT_EQ(grid.cells[grid.cell(i, j)] == GridCell::Open, i == 10) << i << ' ' << j;
     }
   }
 }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "adaptive_options.h"
-#include "mesh/features/breaks.h"
+#include "mesh/features/discontinuities.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
@@ -18,12 +18,12 @@ namespace {
 constexpr double kTolerance = 1e-3;  // of the diagonal
 constexpr double kThousandthDegree = 1e-3 * kPi / 180;
 
-GridMesh mesh_of(const char* x, const char* y, const char* z, const Domain& domain) {
+MeshResult mesh_of(const char* x, const char* y, const char* z, const Domain& domain) {
   const Surface surface = surface_from_text(x, y, z, domain, {}, Order::Second);
   return mesh_within_tolerance(surface, within_share(kTolerance, 3)).value();
 }
 
-GridMesh mesh_of(const char* z) {
+MeshResult mesh_of(const char* z) {
   return mesh_of("u", "v", z, {-1, 1, -1, 1});
 }
 
@@ -47,7 +47,7 @@ double worst_normal(const Mesh& mesh, F exact) {
 
 TEST(Jumps, AreCutWithoutLosingAnything) {
   for (const char* z : {"floor(3*u)", "floor(2*u+v)", "sign(u-0.5)", "(u^2+v^2<0.5)?1:0"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     EXPECT_GT(result.report.jump_count, 0U) << z;
     EXPECT_NEAR(area_in_uv(result.mesh), 4, 1e-6) << z;
     for (const Triangle& t : result.mesh.triangles) {
@@ -61,7 +61,7 @@ TEST(Jumps, AreCutWithoutLosingAnything) {
 TEST(Jumps, DoNotShowTheValueAtTheVeryPlaceOfTheJump) {
   // Of u^2 + v^2 - 1 thousands of doubles beside each other are rounded to 0.
   for (const char* z : {"sign(u)", "sign(u-0.5)", "sign(u-v)", "sign(u^2+v^2-1)"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     for (const Triangle& t : result.mesh.triangles) {
       for (const std::uint32_t corner : t) {
         ASSERT_EQ(std::fabs(result.mesh.position[corner].z), 1) << z;
@@ -75,7 +75,7 @@ TEST(Jumps, ThroughVerticesTakeNoMoreTrianglesThanThoseBesideThem) {
   // Both halves are flat: what is halved is halved in vain.
   for (const auto& [on, beside] :
        {std::pair("sign(u-v)", "step(0,u-v)"), std::pair("sign(u^2-v^2)", "step(0,u^2-v^2)")}) {
-    const GridMesh result = mesh_of(on);
+    const MeshResult result = mesh_of(on);
     EXPECT_LE(result.mesh.triangles.size(), mesh_of(beside).mesh.triangles.size()) << on;
     EXPECT_NEAR(area_in_uv(result.mesh), 4, 1e-6) << on;
   }
@@ -89,7 +89,7 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
     for (const int lines : {0, 7, 16}) {
       AdaptiveOptions options = within_share(tolerance);
       options.lines_u = options.lines_v = lines;
-      const GridMesh result = mesh_within_tolerance(surface, options).value();
+      const MeshResult result = mesh_within_tolerance(surface, options).value();
       EXPECT_NEAR(area(result.mesh), 120, 1e-6) << tolerance << ' ' << lines;
       EXPECT_GE(result.report.jump_count, 30U) << tolerance << ' ' << lines;
     }
@@ -100,18 +100,18 @@ TEST(Jumps, AlongASheetAreCutWhereNoSampleIsFarFromItsTriangles) {
   // Narrower than cells, or with their middle at the very place of the jump, half way.
   for (const char* const x :
        {"u+sign(u)", "u+0.02*sign(u-0.03)", "u+0.1*floor(3*u+0.5)", "u+0.02*floor(20*u)"}) {
-    const GridMesh sheets = mesh_of(x, "v", "0", {-1, 1, -1, 1});
+    const MeshResult sheets = mesh_of(x, "v", "0", {-1, 1, -1, 1});
     EXPECT_GT(sheets.report.jump_count, 0U) << x;
     EXPECT_NEAR(area(sheets.mesh), 4, 1e-9) << x;
   }
-  const GridMesh ring =
+  const MeshResult ring =
       mesh_of("cos(u)*(2+v+sign(v))", "sin(u)*(2+v+sign(v))", "0", {0, 2 * kPi, -1, 1});
   EXPECT_GT(ring.report.jump_count, 0U);
   EXPECT_NEAR(area(ring.mesh), 8 * kPi, 0.5);
 }
 
 TEST(Jumps, MayEndInsideOfTheSurface) {
-  const GridMesh result = mesh_of("atan2(v,u)");
+  const MeshResult result = mesh_of("atan2(v,u)");
   EXPECT_GT(result.report.jump_count, 0U);
   EXPECT_EQ(result.report.pole_count, 0U);
   EXPECT_GT(area_in_uv(result.mesh), 4 * 0.9999);
@@ -125,7 +125,7 @@ TEST(Jumps, MayEndInsideOfTheSurface) {
 }
 
 TEST(Creases, AreEdgesOfTheMeshWithANormalOnEitherSide) {
-  const GridMesh result = mesh_of("abs(u-0.3*v)");
+  const MeshResult result = mesh_of("abs(u-0.3*v)");
   const auto exact = [](const dvec2&, const dvec2& inside) {
     const double sign = inside.x > 0.3 * inside.y ? 1 : -1;
     return dvec3(-sign, 0.3 * sign, 1);
@@ -138,7 +138,7 @@ TEST(Creases, AreEdgesOfTheMeshWithANormalOnEitherSide) {
 
 TEST(Creases, GoThroughVerticesOfTheMesh) {
   for (const char* z : {"abs(u-v)", "abs(u+1/3)"}) {  // u = -1/3 is a grid line
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     for (const Triangle& t : result.mesh.triangles) {
       const dvec3 face = glm::normalize(doubled_area(result.mesh, t));
       for (const std::uint32_t corner : t) {
@@ -152,20 +152,20 @@ TEST(Creases, GoThroughVerticesOfTheMesh) {
 TEST(Creases, AtWhichTheSurfaceIsEverSteeperKeepTheTolerance) {
   // Walls: what is nearest to a place of theirs is far from its parameters in height.
   for (const char* z : {"abs(u)^0.2", "abs(u)^0.1", "1/ln(abs(u)/9)"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
     EXPECT_LT(result.mesh.triangles.size(), 2000U) << z;
   }
-  const GridMesh rim = mesh_of("u", "v", "u^0.05", {0, 1, -1, 1});
-  EXPECT_LE(rim.report.max_error, *rim.report.tolerance);
-  EXPECT_LT(rim.mesh.triangles.size(), 1500U);
+  const MeshResult boundary = mesh_of("u", "v", "u^0.05", {0, 1, -1, 1});
+  EXPECT_LE(boundary.report.max_error, *boundary.report.tolerance);
+  EXPECT_LT(boundary.mesh.triangles.size(), 1500U);
 }
 
 TEST(Creases, ThatCrossLeaveNoCracks) {
   // At a point that is no vertex of the root grid; many at one; at a corner of a cell.
   for (const char* z : {"max(u,v)+abs(u+v)", "abs(u+v)+abs(u-v)", "max(u,v)+abs(u-2*v)",
                         "abs(u-0.1)+abs(v+u-0.21)+abs(u-3*v)"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     EXPECT_EQ(euler_number(result.mesh), 1) << z;
     EXPECT_NEAR(area_in_uv(result.mesh), 4, 1e-9) << z;
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
@@ -186,7 +186,7 @@ TEST(Creases, OnLinesOfTheMeshLeaveNoCracks) {
     AdaptiveOptions options = within_share(share, 3);
     options.lines_u = options.lines_v = lines;
     const Surface surface = height_field(z, {-half, half, -half, half});
-    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = mesh_within_tolerance(surface, options).value();
     EXPECT_EQ(euler_number(result.mesh), 1) << z;
     EXPECT_NEAR(area_in_uv(result.mesh), 4 * half * half, 1e-9) << z;
   }
@@ -198,7 +198,7 @@ TEST(Creases, ThatEndWhereNobodySeesThemTakeNoTriangles) {
   const Surface surface =
       surface_from_text(r + "*sin(v)*cos(u)", r + "*cos(v)", r + "*sin(v)*sin(u)",
                         {0, 2 * kPi, 0, kPi}, {}, Order::Second);
-  const GridMesh result = mesh_within_tolerance(surface, within_share(0.01)).value();
+  const MeshResult result = mesh_within_tolerance(surface, within_share(0.01)).value();
   const auto& p = result.mesh.position;
   const auto is_small = [&](const Triangle& t) {
     const double longest =
@@ -211,7 +211,7 @@ TEST(Creases, ThatEndWhereNobodySeesThemTakeNoTriangles) {
 }
 
 TEST(Creases, MayBeCurved) {
-  const GridMesh result = mesh_of("abs(u^2+v^2-0.5)");
+  const MeshResult result = mesh_of("abs(u^2+v^2-0.5)");
   const auto exact = [](const dvec2& uv, const dvec2& inside) {
     const double sign = glm::dot(inside, inside) > 0.5 ? 1 : -1;
     return dvec3(-2 * sign * uv, 1);
@@ -223,7 +223,7 @@ TEST(Creases, MayBeCurved) {
 TEST(Creases, AtWhichTheSurfaceIsUprightKeepTheTolerance) {
   for (const char* z : {"sqrt(max(0,0.5-u^2-v^2))", "cbrt(max(0,0.5-u^2-v^2))", "abs(u-v^2)^0.3",
                         "abs(u-0.1)^0.4"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
     EXPECT_EQ(std::ranges::count(result.report.singular_points, false, &SingularPoint::has_limit),
               0)
@@ -246,7 +246,7 @@ TEST(Creases, HaveNormalsWhereAFactorIsZeroOnAPart) {
 }
 
 TEST(Cusps, HaveTheOneSidedLimitsOfTheirNormals) {
-  const GridMesh result = mesh_of("u", "(v-0.1)^2", "(v-0.1)^3", {-1, 1, -1, 1});
+  const MeshResult result = mesh_of("u", "(v-0.1)^2", "(v-0.1)^3", {-1, 1, -1, 1});
   const auto exact = [](const dvec2& uv, const dvec2& inside) {
     return dvec3(0, -3 * (uv.y - 0.1), 2) * (inside.y > 0.1 ? 1.0 : -1.0);
   };
@@ -257,7 +257,7 @@ TEST(Cusps, HaveTheOneSidedLimitsOfTheirNormals) {
 
 TEST(Cusps, ThatAreCurvedAreCutToo) {
   // The swallowtail's cusps are where u + 6 v^2 = 0; its normal is along (1, v, v^2) everywhere.
-  const GridMesh result = mesh_of("u*v^2+3*v^4", "-2*u*v-4*v^3", "u", {-2, 2, -0.8, 0.8});
+  const MeshResult result = mesh_of("u*v^2+3*v^4", "-2*u*v-4*v^3", "u", {-2, 2, -0.8, 0.8});
   for (std::size_t k = 0; k < result.mesh.uv.size(); ++k) {
     const dvec2 uv = result.mesh.uv[k];
     if (glm::length(uv) < 0.1) continue;  // two cusps end in the one cell around the middle
@@ -274,7 +274,7 @@ TEST(Cusps, ThatAreCurvedAreCutToo) {
 /// Whether a pole is reported, and none of the triangles has corners on both sides of it.
 template <class Side>
 void expect_cut(const char* z, Side side) {
-  const GridMesh result = mesh_of(z);
+  const MeshResult result = mesh_of(z);
   EXPECT_GT(result.report.pole_count, 0U) << z;
   for (const Triangle& t : result.mesh.triangles) {
     bool is_before = false;
@@ -304,8 +304,9 @@ TEST(Poles, ThatExceedDoublesBeforeTheSurfaceComesBackAreNoJumps) {
        {std::pair{-0.07, 0.07}, {-0.1, 0.08}, {-0.07, 0.0}, {0.0, -0.01}}) {
     std::size_t work = 0;
     const Line line = {dvec2(from, 0), dvec2(to, 0)};
-    const Found found = find_breaks(surface, std::span(&line, 1), 1e-2, 1, work)[0];
-    EXPECT_EQ(found.kind, Break::Pole) << from;
+    const LocatedDiscontinuity found =
+        find_discontinuities(surface, std::span(&line, 1), 1e-2, 1, work)[0];
+    EXPECT_EQ(found.kind, Discontinuity::Pole) << from;
     const auto [low, high] = std::minmax(found.ends[0].x, found.ends[1].x);
     EXPECT_NEAR(low, -1 / std::log(std::numeric_limits<double>::max()), 1e-9) << from;
     EXPECT_NEAR(high, 0, 1e-30) << from;
@@ -318,7 +319,7 @@ TEST(Poles, AreNotWhatOscillates) {
 
 TEST(Jumps, HaveNoWallsBetweenTheirSides) {
   for (const char* z : {"floor(3*u)", "mod(u,0.4)", "sign(u*v-0.1)", "(u^2+v^2<0.5)?1:0"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     EXPECT_GT(result.report.jump_count, 0U) << z;
     EXPECT_EQ(result.report.pole_count, 0U) << z;
     for (const Triangle& t : result.mesh.triangles) {
@@ -334,7 +335,7 @@ TEST(Jumps, HaveNoWallsBetweenTheirSides) {
 TEST(Jumps, AreNotSteepSlopesAndKinks) {
   for (const char* z :
        {"tanh(1e5*u)", "atan(1e6*u)", "sqrt(abs(u))", "abs(u-0.3*v)", "cbrt(u)", "exp(-1e6*u^2)"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     EXPECT_EQ(result.report.jump_count + result.report.pole_count, 0U) << z;
     EXPECT_EQ(euler_number(result.mesh), 1) << z;
   }
@@ -343,13 +344,13 @@ TEST(Jumps, AreNotSteepSlopesAndKinks) {
 /// At (0, 0) the height of the jump changes from pi to -pi.
 TEST(Jumps, AreNotWhereASurfaceComesToItsValueEverMoreSlowly) {
   // 1/ln(u) comes to 0 at u = 0, but at the least of doubles it is still 0.001 away.
-  const GridMesh result = mesh_of("u", "v", "1/ln(u/9)", {0, 1, -1, 1});
+  const MeshResult result = mesh_of("u", "v", "1/ln(u/9)", {0, 1, -1, 1});
   EXPECT_EQ(result.report.jump_count, 0U);
   EXPECT_LE(result.report.max_error, *result.report.tolerance);
 }
 
 TEST(Jumps, HaveNormalsWhereTheFormulaIsBeyondDoubles) {
-  const GridMesh result = mesh_of("1/(1+exp(1/u))");
+  const MeshResult result = mesh_of("1/(1+exp(1/u))");
   EXPECT_GT(result.report.jump_count, 0U);
   EXPECT_EQ(result.report.singular_point_count, 0U);
 }
@@ -359,7 +360,7 @@ TEST(Jumps, HaveNormalsWhereTheFormulaIsBeyondDoubles) {
 TEST(Jumps, ThatMeetInAPointWithoutALimitTakeNoDenseMeshAroundIt) {
   for (const char* z :
        {"atan(v/u)", "atan(u/v)", "2*u*v/(u^2+v^2)+sign(u)", "erf(u/v)", "tanh(v/u)"}) {
-    const GridMesh result = mesh_of(z);
+    const MeshResult result = mesh_of(z);
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
     EXPECT_LT(result.mesh.triangles.size(), 10'000U) << z;
   }

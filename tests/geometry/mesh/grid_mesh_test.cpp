@@ -68,8 +68,8 @@ void expect_sound(const Mesh& mesh) {
   for (const dvec3* p : place) EXPECT_NE(p, nullptr);
 }
 
-TEST(GridMesh, OfASphereIsClosedAndSound) {
-  const GridMesh result = mesh_on_grid(sphere(), cells(24, 12));
+TEST(MeshResult, OfASphereIsClosedAndSound) {
+  const MeshResult result = mesh_on_grid(sphere(), cells(24, 12));
   expect_sound(result.mesh);
   EXPECT_EQ(euler_number(result.mesh), 2);
   EXPECT_EQ(result.mesh.triangles.size(), 2U * 24 * 12 - 2 * 24);  // one per cell at the poles
@@ -80,7 +80,7 @@ TEST(GridMesh, OfASphereIsClosedAndSound) {
 // The mesh is the convex hull of points on the unit sphere. Each of its points is in a triangle
 // whose corners are within `reach` of a cell's middle, so it is at least cos(reach) from the
 // centre.
-TEST(GridMesh, OfASphereHasItsAreaAndVolume) {
+TEST(MeshResult, OfASphereHasItsAreaAndVolume) {
   const Mesh mesh = mesh_on_grid(sphere(), cells(60, 30)).mesh;
   const double reach = std::hypot(kPi / 60, kPi / 60);
   const double inner = std::cos(reach);
@@ -93,14 +93,14 @@ TEST(GridMesh, OfASphereHasItsAreaAndVolume) {
 
 // The cells of a torus are plane trapezoids. Between two half-planes through the axis the solid
 // has the volume sin(h) * integral of the radius over the cross section, a regular polygon.
-TEST(GridMesh, OfATorusHasTheVolumeOfItsPolyhedron) {
+TEST(MeshResult, OfATorusHasTheVolumeOfItsPolyhedron) {
   const Mesh mesh = mesh_on_grid(torus(), cells(48, 36)).mesh;
   const double polygon = 36 / 2.0 * std::sin(2 * kPi / 36);
   const double expected = 48 * std::sin(2 * kPi / 48) * 2 * polygon;
   EXPECT_NEAR(std::abs(volume(mesh)), expected, kSumRounding * expected);
 }
 
-TEST(GridMesh, OfATorusHasTheAreaOfItsPolyhedron) {
+TEST(MeshResult, OfATorusHasTheAreaOfItsPolyhedron) {
   const Mesh mesh = mesh_on_grid(torus(), cells(48, 36)).mesh;
   double expected = 0;
   for (int j = 0; j < 36; ++j) {
@@ -114,7 +114,7 @@ TEST(GridMesh, OfATorusHasTheAreaOfItsPolyhedron) {
   EXPECT_NEAR(area(mesh), expected, kSumRounding * expected);
 }
 
-TEST(GridMesh, ConvergesToAreaAndVolumeOfTheTorus) {
+TEST(MeshResult, ConvergesToAreaAndVolumeOfTheTorus) {
   const Mesh mesh = mesh_on_grid(torus(), cells(200, 200)).mesh;
   // Both polyhedra are below the torus by sinc factors: 1 - h^2/6 per direction, twice at most.
   const double h = 2 * kPi / 200;
@@ -122,14 +122,14 @@ TEST(GridMesh, ConvergesToAreaAndVolumeOfTheTorus) {
   EXPECT_NEAR(std::abs(volume(mesh)), 4 * kPi * kPi, 4 * kPi * kPi * h * h / 3);
 }
 
-TEST(GridMesh, HasExactNormalsEverywhereOnASphere) {
+TEST(MeshResult, HasExactNormalsEverywhereOnASphere) {
   const Mesh mesh = mesh_on_grid(sphere(), cells(20, 10)).mesh;
   for (std::size_t k = 0; k < mesh.normal.size(); ++k) {
     EXPECT_LT(glm::distance(mesh.normal[k], -glm::normalize(mesh.position[k])), kLimitError) << k;
   }
 }
 
-TEST(GridMesh, WindsTrianglesAsTheNormalsSay) {
+TEST(MeshResult, WindsTrianglesAsTheNormalsSay) {
   for (const Domain domain : {Domain{0, 2 * kPi, 0, kPi}, Domain{2 * kPi, 0, 0, kPi},
                               Domain{0, 2 * kPi, kPi, 0}, Domain{2 * kPi, 0, kPi, 0}}) {
     for (const bool flip : {false, true}) {
@@ -144,7 +144,7 @@ TEST(GridMesh, WindsTrianglesAsTheNormalsSay) {
   }
 }
 
-TEST(GridMesh, NeverOpposesItsNormalsOnSurfacesWithConesAndCusps) {
+TEST(MeshResult, NeverOpposesItsNormalsOnSurfacesWithConesAndCusps) {
   const Surface pseudosphere =
       surface_from_text("cos(u)/cosh(v)", "sin(u)/cosh(v)", "v-tanh(v)", {0, 2 * kPi, -3, 3});
   for (const Surface& surface : {double_cone(), pseudosphere}) {
@@ -154,8 +154,8 @@ TEST(GridMesh, NeverOpposesItsNormalsOnSurfacesWithConesAndCusps) {
   }
 }
 
-TEST(GridMesh, GivesADoubleConesApexOnePointAndTheNormalsOfItsRulings) {
-  const GridMesh result = mesh_on_grid(double_cone(), cells(16, 4));
+TEST(MeshResult, GivesADoubleConesApexOnePointAndTheNormalsOfItsRulings) {
+  const MeshResult result = mesh_on_grid(double_cone(), cells(16, 4));
   std::set<std::uint32_t> apex;
   for (std::size_t k = 0; k < result.mesh.position.size(); ++k) {
     if (result.mesh.uv[k].y != 0) continue;
@@ -171,7 +171,7 @@ TEST(GridMesh, GivesADoubleConesApexOnePointAndTheNormalsOfItsRulings) {
   EXPECT_EQ(result.mesh.point_count, 4U * 16 + 1);
 }
 
-TEST(GridMesh, SplitsCornersAlongACuspEdge) {
+TEST(MeshResult, SplitsCornersAlongACuspEdge) {
   const Mesh mesh = mesh_on_grid(surface_from_text("u^2", "u^3", "v", {}), cells(10, 5)).mesh;
   int front = 0;
   int back = 0;
@@ -186,8 +186,8 @@ TEST(GridMesh, SplitsCornersAlongACuspEdge) {
   EXPECT_EQ(mesh.point_count, 11U * 6);
 }
 
-TEST(GridMesh, GivesAWhitneyUmbrellasPinchPointOneNormalPerCell) {
-  const GridMesh result = mesh_on_grid(surface_from_text("u*v", "u", "v^2", {}), cells(4, 8));
+TEST(MeshResult, GivesAWhitneyUmbrellasPinchPointOneNormalPerCell) {
+  const MeshResult result = mesh_on_grid(surface_from_text("u*v", "u", "v^2", {}), cells(4, 8));
   std::vector<dvec3> normals;
   for (std::size_t k = 0; k < result.mesh.uv.size(); ++k) {
     if (result.mesh.uv[k] == dvec2(0)) normals.push_back(result.mesh.normal[k]);
@@ -202,9 +202,9 @@ TEST(GridMesh, GivesAWhitneyUmbrellasPinchPointOneNormalPerCell) {
   EXPECT_TRUE(result.report.singular_points[0].has_limit);
 }
 
-TEST(GridMesh, UsesAndReportsTheFaceNormalWhereThereIsNoLimit) {
+TEST(MeshResult, UsesAndReportsTheFaceNormalWhereThereIsNoLimit) {
   const Surface surface = surface_from_text("u", "v", "u^0.95", {0, 1, 0, 1});
-  const GridMesh result = mesh_on_grid(surface, cells(4, 3));
+  const MeshResult result = mesh_on_grid(surface, cells(4, 3));
   expect_sound(result.mesh);
   ASSERT_EQ(result.report.singular_point_count, 4U);
   const double slope = std::pow(0.25, 0.95) / 0.25;  // of the chord over the first cell
@@ -219,15 +219,15 @@ TEST(GridMesh, UsesAndReportsTheFaceNormalWhereThereIsNoLimit) {
   }
 }
 
-TEST(GridMesh, ListsAThousandSingularPointsAndCountsAll) {
-  const GridMesh result = mesh_on_grid(sphere(), cells(700, 2));
+TEST(MeshResult, ListsAThousandSingularPointsAndCountsAll) {
+  const MeshResult result = mesh_on_grid(sphere(), cells(700, 2));
   EXPECT_EQ(result.report.singular_point_count, 2U * 701);
   EXPECT_EQ(result.report.singular_points.size(), 1000U);
 }
 
-TEST(GridMesh, LeavesOutAndCountsUndefinedCells) {
+TEST(MeshResult, LeavesOutAndCountsUndefinedCells) {
   const int n = 20;
-  const GridMesh result = mesh_on_grid(hemisphere(), cells(n, n));
+  const MeshResult result = mesh_on_grid(hemisphere(), cells(n, n));
   expect_sound(result.mesh);
   const auto defined = [&](int i, int j) {
     const double u = (2.0 * i - n) / n;
@@ -246,13 +246,13 @@ TEST(GridMesh, LeavesOutAndCountsUndefinedCells) {
                    1 - static_cast<double>(kept) / static_cast<double>(n * n));
 }
 
-TEST(GridMesh, DoesNotDependOnTheNumberOfThreads) {
+TEST(MeshResult, DoesNotDependOnTheNumberOfThreads) {
   for (const Surface& surface : {torus(), sphere(), hemisphere()}) {
     GridOptions options = cells(120, 90);
     options.threads = 1;
-    const GridMesh one = mesh_on_grid(surface, options);
+    const MeshResult one = mesh_on_grid(surface, options);
     options.threads = 5;
-    const GridMesh five = mesh_on_grid(surface, options);
+    const MeshResult five = mesh_on_grid(surface, options);
     EXPECT_EQ(one.mesh.position, five.mesh.position);
     EXPECT_EQ(one.mesh.normal, five.mesh.normal);
     EXPECT_EQ(one.mesh.uv, five.mesh.uv);
@@ -265,36 +265,36 @@ TEST(GridMesh, DoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST(GridMesh, HasTheEndsOfTheRangesExactly) {
+TEST(MeshResult, HasTheEndsOfTheRangesExactly) {
   const Mesh mesh = mesh_on_grid(torus({0.1, 0.7, 0.3, 1.1}), cells(7, 11)).mesh;
   EXPECT_EQ(mesh.uv.front(), dvec2(0.1, 0.3));
   EXPECT_EQ(mesh.uv.back(), dvec2(0.7, 1.1));
 }
 
-TEST(GridMesh, HitsZeroInTheMiddleOfASymmetricRange) {
+TEST(MeshResult, HitsZeroInTheMiddleOfASymmetricRange) {
   const Mesh mesh =
       mesh_on_grid(surface_from_text("u", "v", "u*v", {-kPi, kPi, -0.1, 0.1}), cells(14, 22)).mesh;
   EXPECT_EQ(std::count(mesh.uv.begin(), mesh.uv.end(), dvec2(0)), 1);
 }
 
-TEST(GridMesh, BoundsItself) {
+TEST(MeshResult, BoundsItself) {
   const Mesh mesh = mesh_on_grid(torus(), cells(8, 4)).mesh;
   EXPECT_NEAR(mesh.bounds.high.x, 3, 1e-15);
   EXPECT_NEAR(mesh.bounds.low.y, -3, 1e-15);
   EXPECT_NEAR(mesh.bounds.high.z, 1, 1e-15);
 }
 
-TEST(GridMesh, CutsCellsAlongTheDiagonalThatIsNearerToTheSurface) {
+TEST(MeshResult, CutsCellsAlongTheDiagonalThatIsNearerToTheSurface) {
   // Either surface is a cylinder whose rulings are one family of diagonals. A cut along them leaves
   // the sagitta of the sides, h^2 / 4; along the others it would be h^2.
   const double h = 0.2;
   for (const char* z : {"(u+v)^2", "(u-v)^2"}) {
-    const GridMesh result = mesh_on_grid(surface_from_text("u", "v", z, {}), cells(10, 10));
+    const MeshResult result = mesh_on_grid(surface_from_text("u", "v", z, {}), cells(10, 10));
     EXPECT_LT(result.report.max_error, h * h / 4) << z;
   }
 }
 
-TEST(GridMesh, SharesACornerAmongNormalsLessThanADegreeApart) {
+TEST(MeshResult, SharesACornerAmongNormalsLessThanADegreeApart) {
   // Approached from (+-a, +-b) the normals at the pinch point are along (+-2b, 0, +-a): two pairs,
   // 2 atan(a / 2b) apart.
   const Surface umbrella = surface_from_text("u*v", "u", "v^2", {});
@@ -306,26 +306,26 @@ TEST(GridMesh, SharesACornerAmongNormalsLessThanADegreeApart) {
   EXPECT_EQ(corners_at_pinch(200), 2);  // 0.6 degrees
 }
 
-TEST(GridMesh, DoesNotDependOnSizeOrPlace) {
-  const GridMesh plain = mesh_on_grid(torus(), cells(20, 10));
+TEST(MeshResult, DoesNotDependOnSizeOrPlace) {
+  const MeshResult plain = mesh_on_grid(torus(), cells(20, 10));
   for (const char* size : {"1e-200", "1e-8", "1e8", "1e150"}) {
     const Surface scaled = surface_from_text("s*(2+cos(v))*cos(u)", "s*(2+cos(v))*sin(u)",
                                              "s*sin(v)", {0, 2 * kPi, 0, 2 * kPi}, {{"s", size}});
-    const GridMesh result = mesh_on_grid(scaled, cells(20, 10));
+    const MeshResult result = mesh_on_grid(scaled, cells(20, 10));
     EXPECT_EQ(result.mesh.triangles.size(), plain.mesh.triangles.size()) << size;
     EXPECT_EQ(euler_number(result.mesh), 0) << size;
     EXPECT_NEAR(result.report.max_error / std::stod(size), plain.report.max_error, 1e-12) << size;
   }
   const Surface away = surface_from_text("1e7+(2+cos(v))*cos(u)", "(2+cos(v))*sin(u)-1e7",
                                          "1e7+sin(v)", {0, 2 * kPi, 0, 2 * kPi});
-  const GridMesh result = mesh_on_grid(away, cells(20, 10));
+  const MeshResult result = mesh_on_grid(away, cells(20, 10));
   EXPECT_EQ(euler_number(result.mesh), 0);
   EXPECT_EQ(triangles_against_normals(result.mesh), 0U);
 }
 
-TEST(GridMesh, CutsASampleNextToAPoleOffAsANeedle) {
+TEST(MeshResult, CutsASampleNextToAPoleOffAsANeedle) {
   const Surface surface = surface_from_text("u", "v", "tan(u)", {0, kPi, 0, 1});
-  const GridMesh result = mesh_on_grid(surface, cells(20, 5));  // tan(pi/2) is 1.6e16
+  const MeshResult result = mesh_on_grid(surface, cells(20, 5));  // tan(pi/2) is 1.6e16
   EXPECT_EQ(result.mesh.triangles.size(), 2U * 18 * 5);
   EXPECT_EQ(result.report.closed_u, "");
   EXPECT_LT(result.mesh.bounds.high.z, 10);

@@ -63,7 +63,7 @@ std::size_t walls(const Mesh& mesh, Denominator denominator) {
 
 TEST(Poles, AslantOrCurvedAreCutWithoutABox) {
   for (const PoleCase& c : kAslant) {
-    const GridMesh result = mesh_within_tolerance(height_field(c.z), options()).value();
+    const MeshResult result = mesh_within_tolerance(height_field(c.z), options()).value();
     EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z;
     EXPECT_GT(result.report.pole_count, 0U) << c.z;
     EXPECT_GT(area_in_uv(result.mesh), 0.85 * 4) << c.z;
@@ -76,7 +76,7 @@ TEST(Poles, AslantOrCurvedAreCutOutOfSamples) {
   };
   for (const PoleCase& c : kAslant) {
     for (const Cells cells : {Cells{20, 20}, Cells{10, 10}, Cells{7, 9}}) {
-      const GridMesh result =
+      const MeshResult result =
           mesh_of_samples(height_field(c.z), options(), cells.u, cells.v).value();
       EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << cells.u;
       // The poles are no longer than 4.5, and cross each row and column in at most two cells.
@@ -92,7 +92,7 @@ TEST(Poles, AreCutWhereTheLimitOfTrianglesEndsTheMesh) {
     AdaptiveOptions limited = options();
     limited.max_triangles = most;
     for (const PoleCase& c : kAslant) {
-      const GridMesh result = mesh_within_tolerance(height_field(c.z), limited).value();
+      const MeshResult result = mesh_within_tolerance(height_field(c.z), limited).value();
       EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << most;
     }
   }
@@ -105,7 +105,7 @@ TEST(Poles, ThatMeetARimAreCutThere) {
   clipped.clip = Bounds{dvec3(-kFar, -kFar, -4), dvec3(kFar, kFar, 3)};
   for (const PoleCase& c : kBesideRims) {
     const Surface surface = height_field(c.z);
-    const std::vector<GridMesh> meshes = {
+    const std::vector<MeshResult> meshes = {
         mesh_within_tolerance(surface, options()).value(),
         mesh_within_tolerance(surface, clipped).value(),
         mesh_of_samples(surface, options(), 20, 20).value(),
@@ -145,20 +145,21 @@ TEST(Poles, AreToldFromJumpsWhereRoundingEndsTheWayToThem) {
   const Line to_peak = {dvec2(0, 0.1), dvec2(0.3, 0.1)};
   EXPECT_FALSE(diverge(height_field("1/(u^2+1e-8)"), std::span(&to_peak, 1), 1e-2, 1)[0]);
   AdaptiveOptions options = within_share(1e-3, 3);
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("1/(1+cos(u)*cos(v))", domain), options).value();
   EXPECT_GT(result.report.pole_count, 0U);
   EXPECT_EQ(result.report.jump_count, 0U);
 }
 
 TEST(Poles, AreLeftOut) {
-  const GridMesh result = mesh_within_tolerance(height_field("ln(u)"), within_share(1e-3)).value();
+  const MeshResult result =
+      mesh_within_tolerance(height_field("ln(u)"), within_share(1e-3)).value();
   EXPECT_GT(result.mesh.bounds.low.z, -50);
   EXPECT_NEAR(result.report.undefined_fraction, 0.5, 0.02);
 }
 
 TEST(Poles, AtARimTakeNoEndlessWork) {
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("ln(cos(v)/cos(u))", {-5, 5, -5, 5}), within_share(1e-3))
           .value();
   EXPECT_GT(result.report.pole_count, 0U);
@@ -169,14 +170,14 @@ TEST(Poles, OnCurvesTakeNoEndlessWork) {
   for (const char* z : {"1/(u-v)", "1/(u^2+v^2-0.5)"}) {
     AdaptiveOptions options = within_share(1e-3, 3);
     options.clip = Bounds{dvec3(-2, -2, -9), dvec3(2, 2, 9)};
-    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_GT(result.report.pole_count, 0U) << z;
     EXPECT_LT(result.mesh.triangles.size(), 50'000U) << z;
   }
 }
 
 TEST(Poles, AreCutWhereTheyAre) {
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("tan(u)", {-3, 3, -1, 1}), within_share(1e-3)).value();
   EXPECT_GT(result.report.pole_count, 0U);
   for (const dvec2& pole : result.report.poles) EXPECT_NEAR(std::fabs(pole.x), kPi / 2, 1e-12);
@@ -202,7 +203,7 @@ TEST(Poles, NeedlesToThemAreLeftOut) {
   for (const char* z : {"1/(u+v)", "1/(u-v^2)", "1/(u-v)^2"}) {
     AdaptiveOptions options = within_length(10);
     options.lines_u = options.lines_v = 31;  // at -0.2 and 0.2, where sums have rounding left
-    const GridMesh result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 10) << z;
     EXPECT_LT(result.mesh.bounds.diagonal(), 1e13) << z;
   }

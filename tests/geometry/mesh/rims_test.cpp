@@ -16,7 +16,7 @@
 namespace saddle {
 namespace {
 
-GridMesh mesh_of(const char* z, double tolerance, int lines = 0) {
+MeshResult mesh_of(const char* z, double tolerance, int lines = 0) {
   AdaptiveOptions options = within_share(tolerance);
   options.lines_u = lines;
   options.lines_v = lines;
@@ -41,7 +41,7 @@ double off_hemisphere(const Mesh& mesh) {
 
 TEST(Rims, AreRightWhereTheyTouchTheEdgeOfTheDomain) {
   for (const int lines : {0, 7, 16}) {
-    const GridMesh result = mesh_of("sqrt(1-u^2-v^2)", 5e-4, lines);
+    const MeshResult result = mesh_of("sqrt(1-u^2-v^2)", 5e-4, lines);
     EXPECT_LE(off_hemisphere(result.mesh), *result.report.tolerance) << lines;
     EXPECT_EQ(euler_number(result.mesh), 1) << lines;
   }
@@ -49,7 +49,7 @@ TEST(Rims, AreRightWhereTheyTouchTheEdgeOfTheDomain) {
 
 TEST(Rims, AreFoundWhereNothingBesideAHoleTellsOfIt) {
   // As flat as a sheet; the hole, of a radius of 0.02, lies between all samples.
-  const GridMesh result = mesh_of("1e-9*sqrt((u-0.03)^2+(v-0.04)^2-0.0004)", 1e-3, 16);
+  const MeshResult result = mesh_of("1e-9*sqrt((u-0.03)^2+(v-0.04)^2-0.0004)", 1e-3, 16);
   EXPECT_EQ(euler_number(result.mesh), 0);
   const dvec2 centre(0.03, 0.04);
   double nearest = 1;
@@ -64,7 +64,7 @@ TEST(Rims, AreFoundWhereNothingBesideAHoleTellsOfIt) {
 
 TEST(Rims, KeepTheToleranceOnEitherSideOfTheirChords) {
   // The rim bends away from the surface, which stands upright on it.
-  const GridMesh result = mesh_of("sqrt(u^2+v^2-0.3)", 1e-3);
+  const MeshResult result = mesh_of("sqrt(u^2+v^2-0.3)", 1e-3);
   const TriangleTree tree(result.mesh);
   double from_surface = 0;
   double from_rim = 0;
@@ -88,7 +88,7 @@ TEST(Rims, KeepTheToleranceOnEitherSideOfTheirChords) {
 }
 
 TEST(Rims, OfNarrowStripsDoNotTearThem) {
-  const GridMesh result = mesh_of("sqrt(1e-4-(u-v)^2)", 1e-3, 16);
+  const MeshResult result = mesh_of("sqrt(1e-4-(u-v)^2)", 1e-3, 16);
   const TriangleTree tree(result.mesh);
   for (int k = 0; k <= 1000; ++k) {
     const double u = -1 + 0.002 * k;
@@ -104,7 +104,7 @@ TEST(Islands, ThatNoCellOfTheRootGridHoldsAreFound) {
   for (const auto& [z, expected] :
        {Case{"sqrt(u-0.999)", 0.002}, Case{"sqrt(1e-6-(u-0.3)^2)", 0.004},
         Case{"sqrt(1e-7-(u-0.3)^2-(v+0.2)^2)", std::numbers::pi * 1e-7}}) {
-    const GridMesh result = mesh_of(z, 1e-3, 16);
+    const MeshResult result = mesh_of(z, 1e-3, 16);
     double sum = 0;
     for (const Triangle& t : result.mesh.triangles) {
       const dvec2 a = result.mesh.uv[t[1]] - result.mesh.uv[t[0]];
@@ -118,14 +118,14 @@ TEST(Islands, ThatNoCellOfTheRootGridHoldsAreFound) {
 
 TEST(Islands, BesideWhatIsFoundAnywayAreFound) {
   // Two discs of which one has a radius of 0.01, far less than a cell of the root grid.
-  const GridMesh result =
+  const MeshResult result =
       mesh_of("sqrt(max(0.25-(u+0.4)^2-v^2,1e-4-(u-0.723)^2-(v-0.517)^2))", 1e-3, 16);
   const TriangleTree tree(result.mesh);
   EXPECT_LE(tree.distance({0.723, 0.517, 0.01}), *result.report.tolerance);
 }
 
 TEST(Rims, AreCirclesAroundAHemisphere) {
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)", {-1.5, 1.5, -1.5, 1.5}),
                             within_share(1e-3, 3))
           .value();
@@ -134,11 +134,11 @@ TEST(Rims, AreCirclesAroundAHemisphere) {
   EXPECT_LE(result.report.max_error, eps);
   EXPECT_NEAR(result.report.undefined_fraction, 1 - kPi / 9, 1e-3);
   EXPECT_NEAR(area(mesh), 2 * kPi, 2 * kPi * eps * 2);
-  int on_rim = 0;
+  int on_boundary = 0;
   for (const auto& [edge, count] : edge_counts(mesh)) {
     ASSERT_LE(count, 2);
     if (count == 2) continue;
-    ++on_rim;  // every open edge is a chord of the unit circle
+    ++on_boundary;  // every open edge is a chord of the unit circle
     for (std::size_t k = 0; k < mesh.point.size(); ++k) {
       if (mesh.point[k] != edge.first && mesh.point[k] != edge.second) continue;
       EXPECT_NEAR(std::hypot(mesh.position[k].x, mesh.position[k].y), 1, 1e-12);
@@ -146,7 +146,7 @@ TEST(Rims, AreCirclesAroundAHemisphere) {
       EXPECT_NEAR(mesh.normal[k].z, 0, 1e-3);  // upright, as the sphere is there
     }
   }
-  EXPECT_GT(on_rim, 20);
+  EXPECT_GT(on_boundary, 20);
   EXPECT_EQ(euler_number(mesh), 1);
   EXPECT_EQ(triangles_against_normals(mesh), 0U);
 }
@@ -173,7 +173,7 @@ TEST(Rims, AlongALineOfConstantVAreHalved) {
   const Surface polar = surface_from_text("cos(u)*v", "sin(u)*v", "sqrt(1-v^2)",
                                           {0, 2 * std::numbers::pi, 0, 1.3}, {}, Order::Second);
   for (const double share : {3e-3, 1e-3, 3e-4}) {
-    const GridMesh mesh = mesh_within_tolerance(polar, within_share(share)).value();
+    const MeshResult mesh = mesh_within_tolerance(polar, within_share(share)).value();
     EXPECT_LE(mesh.report.max_error, mesh.report.tolerance) << share;
     EXPECT_LE(off_hemisphere(mesh.mesh), *mesh.report.tolerance) << share;
     EXPECT_LT(static_cast<double>(mesh.mesh.triangles.size()), 5 * mesh.report.least_triangles)
@@ -184,7 +184,7 @@ TEST(Rims, AlongALineOfConstantVAreHalved) {
 TEST(Rims, ThatCrossEndInACorner) {
   for (const char* z : {"sqrt(4-u^2)+sqrt(4-v^2)", "asin(u/2)+acos(v/2)"}) {
     const Surface surface = height_field(z, {-3, 3, -3, 3});
-    const GridMesh result = mesh_within_tolerance(surface, within_length(4e-3)).value();
+    const MeshResult result = mesh_within_tolerance(surface, within_length(4e-3)).value();
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
   }
 }
@@ -195,8 +195,8 @@ TEST(Rims, OnLinesOfTheMeshTakeNoTrianglesBeyondThem) {
     return mesh_within_tolerance(height_field("sqrt(u)", {u0, 2, -1, 1}), within_length(2e-3))
         .value();
   };
-  const GridMesh half = mesh_over(0);
-  const GridMesh whole = mesh_over(-1);
+  const MeshResult half = mesh_over(0);
+  const MeshResult whole = mesh_over(-1);
   EXPECT_EQ(whole.report.flat_triangles, 0U);
   EXPECT_TRUE(std::ranges::all_of(whole.report.singular_points, &SingularPoint::has_limit));
   EXPECT_EQ(whole.report.singular_point_count, half.report.singular_point_count);
@@ -207,14 +207,14 @@ TEST(Rims, OnLinesOfTheMeshTakeNoTrianglesBeyondThem) {
 /// Second derivatives are endless beside the rim, which is no reason for lines across the surface.
 TEST(Rims, ThatComeNearALineOfSamplesDrawNoDenseLines) {
   const Surface surface = height_field("sqrt(9-u^2-v^2)", {-5, 5, -5, 5});
-  const GridMesh result = mesh_within_tolerance(surface, within_length(4.4e-3)).value();
+  const MeshResult result = mesh_within_tolerance(surface, within_length(4.4e-3)).value();
   EXPECT_LE(result.report.max_error, *result.report.tolerance);
   EXPECT_FALSE(result.report.oscillates);
   EXPECT_LT(result.mesh.triangles.size(), 10'000U);
 }
 
 TEST(Rims, KeepTheToleranceWhereAJumpMeetsThem) {
-  const GridMesh result =
+  const MeshResult result =
       mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)*sign(u-v)"), within_length(1.4e-3))
           .value();
   EXPECT_LE(result.report.max_error, 1.4e-3);

@@ -19,11 +19,11 @@
 namespace saddle {
 namespace {
 
-GridMesh sampled(const Surface& surface, std::size_t cells = 20) {
+MeshResult sampled(const Surface& surface, std::size_t cells = 20) {
   return mesh_of_samples(surface, within_share(1e-3), cells, cells).value();
 }
 
-GridMesh sampled(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
+MeshResult sampled(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
   return sampled(height_field(z, domain));
 }
 
@@ -46,7 +46,7 @@ TEST(SampledMesh, OfWhatIsSmoothHasTwoTrianglesInEachCell) {
   for (const char* name :
        {"torus", "klein-bottle", "klein-figure8", "whitney-umbrella", "mobius"}) {
     const Scene scene = scene_of(name);
-    const GridMesh mesh =
+    const MeshResult mesh =
         sampled(prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface);
     EXPECT_EQ(mesh.mesh.triangles.size(), 800U) << name;
     EXPECT_FALSE(mesh.report.certified);
@@ -67,22 +67,22 @@ TEST(SampledMesh, EndsOnTheRim) {
   const Mesh m = sampled("sqrt(1-u^2-v^2)", {-1.2, 1.2, -1.2, 1.2}).mesh;
   std::vector<dvec3> place(m.point_count);
   for (std::size_t k = 0; k < m.point.size(); ++k) place[m.point[k]] = m.position[k];
-  std::size_t rim = 0;
+  std::size_t boundary = 0;
   for (const auto& [edge, count] : edge_counts(m)) {
     if (count != 1) continue;
-    ++rim;
+    ++boundary;
     EXPECT_NEAR(std::hypot(place[edge.first].x, place[edge.first].y), 1, 1e-6);
     EXPECT_NEAR(place[edge.first].z, 0, 1e-6);
   }
-  EXPECT_GT(rim, 40U);
+  EXPECT_GT(boundary, 40U);
   EXPECT_NEAR(area(m), 2 * kPi, 0.03 * 2 * kPi);
 }
 
 TEST(SampledMesh, BridgesNoPole) {
-  const GridMesh hyperbola = sampled("1/u");
+  const MeshResult hyperbola = sampled("1/u");
   EXPECT_GT(hyperbola.report.pole_count, 0U);
   EXPECT_EQ(bridges(hyperbola.mesh, [](double u, double) { return u > 0; }), 0U);
-  const GridMesh tangent = sampled("tan(u)", {-5, 5, -1, 1});
+  const MeshResult tangent = sampled("tan(u)", {-5, 5, -1, 1});
   EXPECT_GT(tangent.report.pole_count, 0U);
   EXPECT_EQ(bridges(tangent.mesh, [](double u, double) { return std::floor(u / kPi + 0.5); }), 0U);
 }
@@ -91,7 +91,7 @@ TEST(SampledMesh, BridgesNoPole) {
 TEST(SampledMesh, TellsOfJumpsAndPolesAlongLinesOfTheGrid) {
   EXPECT_GT(sampled("abs(u)/u").report.jump_count, 10U);
   EXPECT_EQ(sampled("sin(u)/u").report.jump_count, 0U);
-  const GridMesh hyperbola = sampled("1/u");
+  const MeshResult hyperbola = sampled("1/u");
   EXPECT_EQ(hyperbola.report.jump_count, 0U);
   EXPECT_LT(hyperbola.report.beside_poles.low.z, -1e6);
   EXPECT_GT(hyperbola.report.beside_poles.high.z, 1e6);
@@ -103,7 +103,7 @@ TEST(SampledMesh, FillsLinesWithTheirLimit) {
   for (const auto& [z, at_line, rounding] :
        {std::tuple("sin(u)/u", 1.0, 1e-9), std::tuple("(1-cos(u))/u^2", 0.5, 1e-4),
         std::tuple("v*sin(u)/u", 0.0, 1e-9)}) {
-    const GridMesh filled = sampled(z);
+    const MeshResult filled = sampled(z);
     EXPECT_EQ(topology(filled.mesh).boundary_loops, 1U) << z;
     EXPECT_EQ(topology(filled.mesh).components, 1U) << z;
     EXPECT_EQ(filled.report.undefined_fraction, 0) << z;
@@ -117,7 +117,7 @@ TEST(SampledMesh, FillsLinesWithTheirLimit) {
 }
 
 TEST(SampledMesh, GoesUpToJumpsOnEitherSide) {
-  const GridMesh steps = sampled("floor(3*u)");
+  const MeshResult steps = sampled("floor(3*u)");
   EXPECT_GT(steps.report.jump_count, 0U);
   EXPECT_EQ(bridges(steps.mesh, [](double u, double) { return std::min(std::floor(3 * u), 2.0); }),
             0U);
@@ -126,7 +126,7 @@ TEST(SampledMesh, GoesUpToJumpsOnEitherSide) {
 
 TEST(SampledMesh, GoesUpToJumpsAlongASheet) {
   for (const char* const x : {"u+sign(u)", "u+0.02*sign(u-0.03)"}) {
-    const GridMesh sheets =
+    const MeshResult sheets =
         sampled(surface_from_text(x, "v", "0", {-1, 1, -1, 1}, {}, Order::Second), 15);
     EXPECT_GT(sheets.report.jump_count, 0U) << x;
     EXPECT_NEAR(area(sheets.mesh), 4, 1e-9) << x;
@@ -134,7 +134,7 @@ TEST(SampledMesh, GoesUpToJumpsAlongASheet) {
 }
 
 TEST(SampledMesh, HasItsCreasesAsEdges) {
-  const GridMesh fold = sampled("abs(u-v+0.03)");
+  const MeshResult fold = sampled("abs(u-v+0.03)");
   EXPECT_LE(fold.report.max_error, 1e-12);
   for (const Triangle& t : fold.mesh.triangles) {
     double least = 0;

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kTwoPi = 2 * kPi;
 
-GridMesh mesh(const Surface& surface, int cells_u, int cells_v, int lines_u = 0, int lines_v = 0) {
+MeshResult mesh(const Surface& surface, int cells_u, int cells_v, int lines_u = 0,
+                int lines_v = 0) {
   return mesh_on_grid(surface, {cells_u, cells_v, lines_u, lines_v, 2});
 }
 
@@ -36,7 +37,7 @@ Surface klein() {
 }
 
 TEST(Seams, OfATorusJoinBothWays) {
-  const GridMesh result = mesh(torus(), 12, 9);
+  const MeshResult result = mesh(torus(), 12, 9);
   EXPECT_EQ(result.report.closed_u, "join");
   EXPECT_EQ(result.report.closed_v, "join");
   EXPECT_EQ(result.mesh.position.size(), 13U * 10);
@@ -54,7 +55,7 @@ TEST(Seams, KeepBothSidesParametersAndTakeThePositionOfTheFirst) {
 }
 
 TEST(Seams, OfAMobiusBandMeetReversed) {
-  const GridMesh result = mesh(mobius(), 12, 4);
+  const MeshResult result = mesh(mobius(), 12, 4);
   EXPECT_EQ(result.report.closed_u, "reversed");
   EXPECT_EQ(result.report.closed_v, "");
   EXPECT_EQ(euler_number(result.mesh), 0);
@@ -62,7 +63,7 @@ TEST(Seams, OfAMobiusBandMeetReversed) {
 }
 
 TEST(Seams, OfAKleinBottleMeetReversedAndJoin) {
-  const GridMesh result = mesh(klein(), 16, 12);
+  const MeshResult result = mesh(klein(), 16, 12);
   EXPECT_EQ(result.report.closed_u, "reversed");
   EXPECT_EQ(result.report.closed_v, "join");
   EXPECT_EQ(euler_number(result.mesh), 0);
@@ -78,7 +79,7 @@ Surface turned_torus(const std::string& turns = "1/2") {
 }
 
 TEST(Seams, ThatAreShiftedByHalfAreFoundWhereHalfIsAVertex) {
-  const GridMesh even = mesh(turned_torus(), 16, 12);
+  const MeshResult even = mesh(turned_torus(), 16, 12);
   EXPECT_EQ(even.report.closed_u, "shifted");
   EXPECT_EQ(even.report.closed_v, "join");
   EXPECT_EQ(euler_number(even.mesh), 0);
@@ -87,7 +88,7 @@ TEST(Seams, ThatAreShiftedByHalfAreFoundWhereHalfIsAVertex) {
 }
 
 TEST(Seams, ThatAreShiftedByAnotherPartAreFoundWhereItIsAVertex) {
-  const GridMesh third = mesh(turned_torus("1/3"), 16, 12);
+  const MeshResult third = mesh(turned_torus("1/3"), 16, 12);
   EXPECT_EQ(third.report.closed_u, "shifted");
   EXPECT_EQ(third.report.shift_u.parts, 2U);
   EXPECT_EQ(third.report.shift_u.of, 3U);
@@ -125,7 +126,7 @@ TEST(Seams, ThatAreReversedTakeThePositionsOfTheFirstEdgeToo) {
 }
 
 TEST(Seams, OfADiscAreNone) {
-  const GridMesh result = mesh(surface_from_text("u", "v", "u*v", {}), 6, 5);
+  const MeshResult result = mesh(surface_from_text("u", "v", "u*v", {}), 6, 5);
   EXPECT_EQ(result.report.closed_u, "");
   EXPECT_EQ(result.report.closed_v, "");
   EXPECT_EQ(euler_number(result.mesh), 1);
@@ -141,7 +142,7 @@ TEST(Seams, AreNotMadeAcrossASmallGap) {
 TEST(Seams, AreMadeAlongTheDefinedPartOfAnEdge) {
   const Surface holed =
       surface_from_text("cos(u)", "sin(u)", "v+0*sqrt(0.3-v)", {0, kTwoPi, -1, 1});
-  const GridMesh result = mesh(holed, 12, 10);
+  const MeshResult result = mesh(holed, 12, 10);
   EXPECT_EQ(result.report.closed_u, "join");
   EXPECT_EQ(euler_number(result.mesh), 0);
 }
@@ -168,7 +169,7 @@ std::size_t points_on(const Mesh& m, double u) {
 }
 
 TEST(Seams, OfAFoldedEdgeJoinItsHalves) {
-  const GridMesh even = mesh(pillow(), 10, 12);
+  const MeshResult even = mesh(pillow(), 10, 12);
   EXPECT_EQ(even.report.folded_u, (std::array{true, true}));
   EXPECT_EQ(even.report.folded_v, (std::array{false, false}));
   EXPECT_EQ(even.report.closed_u, "");
@@ -182,7 +183,7 @@ TEST(Seams, OfAFoldedEdgeJoinTheHalvesOfAMeshWithinATolerance) {
   for (const int lines : {0, 16, 17}) {
     AdaptiveOptions options = within_length(5e-3);
     options.lines_u = options.lines_v = lines;
-    const GridMesh result = mesh_within_tolerance(pillow(Order::Second), options).value();
+    const MeshResult result = mesh_within_tolerance(pillow(Order::Second), options).value();
     EXPECT_EQ(result.report.folded_u, (std::array{true, true}));
     EXPECT_EQ(euler_number(result.mesh), 2);
     const std::size_t corners = static_cast<std::size_t>(
@@ -199,7 +200,7 @@ TEST(Seams, HaveNoGapsWhereOneSideIsHalvedMoreOftenThanTheOther) {
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003}) {
     AdaptiveOptions options = within_length(tolerance);
     options.lines_u = options.lines_v = 0;
-    const GridMesh result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = mesh_within_tolerance(surface, options).value();
     EXPECT_EQ(result.report.closed_u, "join");
     EXPECT_EQ(euler_number(result.mesh), 0) << tolerance;
     for (const auto& [edge, count] : edge_counts(result.mesh)) ASSERT_EQ(count, 2) << tolerance;
@@ -228,7 +229,7 @@ TEST(Seams, AtAPoleAreOnePoint) {
 TEST(Seams, OfASpikeAreNotDecidedByItsHeight) {
   // The diagonal is 1e12, and every gap is far below 1e-9 of that.
   const Surface spike = surface_from_text("u", "v", "1/(u^2+v^2+1e-12)", {});
-  const GridMesh result = mesh(spike, 10, 10);
+  const MeshResult result = mesh(spike, 10, 10);
   EXPECT_EQ(result.report.closed_u, "");
   EXPECT_EQ(result.mesh.point_count, 121U);
 }

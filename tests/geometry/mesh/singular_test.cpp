@@ -68,17 +68,17 @@ TEST(Singular, AreNoneOfRegularSurfaces) {
 }
 
 /// Each of the points of a gallery surface, that many.
-struct Points {
+struct PointUnion {
   const char* name;
   std::size_t count;
 };
 
 TEST(Singular, AreCountedAsMathematicsDoes) {
   // Copies on closing edges count.
-  for (const Points& points :
-       {Points{"whitney-umbrella", 1}, Points{"bohemian-dome", 6}, Points{"catalan", 3},
-        Points{"riemann-asin", 2}, Points{"bent-horns", 8}, Points{"guimard", 3},
-        Points{"plucker-conoid", 4}, Points{"pillow", 6}, Points{"cross-cap", 3}}) {
+  for (const PointUnion& points :
+       {PointUnion{"whitney-umbrella", 1}, PointUnion{"bohemian-dome", 6}, PointUnion{"catalan", 3},
+        PointUnion{"riemann-asin", 2}, PointUnion{"bent-horns", 8}, PointUnion{"guimard", 3},
+        PointUnion{"plucker-conoid", 4}, PointUnion{"pillow", 6}, PointUnion{"cross-cap", 3}}) {
     const Scene scene = scene_of(points.name);
     const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
     EXPECT_EQ(singular_set(surface).points.size(), points.count) << points.name;
@@ -86,7 +86,7 @@ TEST(Singular, AreCountedAsMathematicsDoes) {
 }
 
 /// With so many lines each way.
-GridMesh mesh_with(const Surface& surface, double share, int lines) {
+MeshResult mesh_with(const Surface& surface, double share, int lines) {
   AdaptiveOptions options = within_share(share);
   options.lines_u = options.lines_v = lines;
   return mesh_within_tolerance(surface, options).value();
@@ -102,7 +102,7 @@ TEST(Singular, AreVerticesWhateverLinesAreDrawn) {
   const Surface surface = surface_from_text("(u-0.1234)*(v+0.4321)", "u", "(v+0.4321)^2",
                                             {-1, 1, -1, 1}, {}, Order::Second);
   for (const int lines : {0, 2, 9, 16}) {
-    const GridMesh mesh = mesh_with(surface, 1e-3, lines);
+    const MeshResult mesh = mesh_with(surface, 1e-3, lines);
     EXPECT_EQ(count_at(mesh.report, {0.1234, -0.4321}), 1U) << lines;
     EXPECT_EQ(mesh.report.singular_point_count, 1U) << lines;
     EXPECT_TRUE(std::ranges::any_of(mesh.mesh.uv, [](const dvec2& uv) {
@@ -128,7 +128,7 @@ TEST(Singular, PinchesAreOnePointWhateverLinesAreDrawn) {
 TEST(Singular, AreNamedWhereNoVertexMeetsThem) {
   const Surface surface =
       surface_from_text("u*(v-0.1)", "u", "(v-0.1)^2", {-1, 1, -1, 1}, {}, Order::Second);
-  const GridMesh mesh = mesh_of_samples(surface, within_length(1e-3), 21, 17).value();
+  const MeshResult mesh = mesh_of_samples(surface, within_length(1e-3), 21, 17).value();
   EXPECT_EQ(count_at(mesh.report, {0, 0.1}), 1U);
   EXPECT_EQ(mesh.report.singular_point_count, 1U);
 }
@@ -137,7 +137,7 @@ TEST(Singular, AreNamedWhereNoVertexMeetsThem) {
 TEST(Singular, AreNoneOfSteepSurfaces) {
   for (const char* const z : {"1e9*u*v", "1e8*sin(3*u)*v", "1e13*u*v"}) {
     const Surface surface = height_field(z);
-    const GridMesh mesh = mesh_with(surface, 1e-3, 16);
+    const MeshResult mesh = mesh_with(surface, 1e-3, 16);
     EXPECT_EQ(mesh.report.singular_point_count, 0U) << z;
     EXPECT_GT(mesh.mesh.triangles.size(), 100U) << z;
   }

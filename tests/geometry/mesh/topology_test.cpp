@@ -13,7 +13,7 @@
 namespace saddle {
 namespace {
 
-GridMesh mesh_of(const Scene& scene) {
+MeshResult mesh_of(const Scene& scene) {
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
   return mesh_of(surface, scene, 3e-3);
 }
@@ -26,7 +26,7 @@ TEST(Topology, OfATorusWhoseSeamIsShiftedIsThatOfATorus) {
     spec.x = "(R+r*cos(" + angle + "))*cos(u)";
     spec.y = "(R+r*cos(" + angle + "))*sin(u)";
     spec.z = "r*sin(" + angle + ")";
-    const GridMesh mesh = mesh_of(scene);
+    const MeshResult mesh = mesh_of(scene);
     EXPECT_EQ(mesh.report.closed_u, "shifted") << shift;
     const Topology t = topology(mesh.mesh);
     EXPECT_TRUE(t.is_closed()) << shift;
@@ -42,7 +42,7 @@ TEST(Topology, OfATurnedTubeWithCornersIsThatOfATorus) {
   spec.x = "(3+cos(u+v/3)*(1+0.3*cos(3*u)))*cos(v)";
   spec.y = "(3+cos(u+v/3)*(1+0.3*cos(3*u)))*sin(v)";
   spec.z = "sin(u+v/3)*(1+0.3*cos(3*u))";
-  const GridMesh mesh = mesh_of(scene);
+  const MeshResult mesh = mesh_of(scene);
   EXPECT_EQ(mesh.report.closed_v, "shifted");
   EXPECT_TRUE(topology(mesh.mesh).is_closed());
   EXPECT_EQ(topology(mesh.mesh).euler_number, 0);

@@ -14,7 +14,7 @@ namespace {
 
 Facts facts_of(const Scene& scene) {
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
-  const GridMesh mesh = mesh_of(surface, scene, 1e-3);
+  const MeshResult mesh = mesh_of(surface, scene, 1e-3);
   return gather_facts(surface, mesh.mesh, mesh.report, scene.clip.box.has_value(), 1);
 }
 

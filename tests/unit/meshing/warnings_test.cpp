@@ -10,8 +10,8 @@ namespace {
 using Warnings = std::vector<std::string>;
 
 /// A mesh whose corners span these parameters.
-GridMesh mesh_between(dvec2 low, dvec2 high) {
-  GridMesh result;
+MeshResult mesh_between(dvec2 low, dvec2 high) {
+  MeshResult result;
   result.mesh.uv = {low, {high.x, low.y}, {low.x, high.y}, high};
   return result;
 }
@@ -23,7 +23,7 @@ TEST(Warnings, AreNoneForACleanSurface) {
 }
 
 TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
-  GridMesh part = mesh_between({-0.5, 0}, {1, 2});
+  MeshResult part = mesh_between({-0.5, 0}, {1, 2});
   part.report.undefined_fraction = 0.25;
   EXPECT_EQ(mesh_warnings("s", part, kDomain),
             Warnings{"s: 25 % of the domain is undefined and left out, at least outside of "
@@ -40,7 +40,7 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
 }
 
 TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
-  GridMesh cut = mesh_between({-1, 0}, {1, 2});
+  MeshResult cut = mesh_between({-1, 0}, {1, 2});
   cut.report.clip = Bounds{{-kNoFace, -2, 3}, {4, 5, kNoFace}};
   cut.report.poles = {{0, 1}};
   cut.report.pole_count = 1;
@@ -56,7 +56,7 @@ TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
 }
 
 TEST(Warnings, DoNotSayWhereASurfaceIsDefinedThatABoxCuts) {
-  GridMesh cut = mesh_between({-0.1, 0}, {0.1, 2});
+  MeshResult cut = mesh_between({-0.1, 0}, {0.1, 2});
   cut.report.undefined_fraction = 0.25;
   cut.report.is_clipped = true;
   EXPECT_EQ(mesh_warnings("s", cut, kDomain),
@@ -64,16 +64,16 @@ TEST(Warnings, DoNotSayWhereASurfaceIsDefinedThatABoxCuts) {
 }
 
 TEST(Warnings, NamePointsThatHaveNoLimit) {
-  GridMesh torn = mesh_between({-1, 0}, {1, 2});
-  torn.report.torn = torn.report.jumps = {{0, 1}};
+  MeshResult torn = mesh_between({-1, 0}, {1, 2});
+  torn.report.without_limit = torn.report.jumps = {{0, 1}};
   torn.report.jump_count = 1;
   EXPECT_EQ(mesh_warnings("s", torn, kDomain),
             Warnings{"s: the surface has no limit at u = 0, v = 1: each way there leads to another "
                      "place; left out"});
-  torn.report.torn =
+  torn.report.without_limit =
       torn.report.jumps = {{-7e-21, 1e-11}};  // what a bisection takes for 0; near it
   EXPECT_NE(mesh_warnings("s", torn, kDomain)[0].find("at u = 0, v = 1e-11:"), std::string::npos);
-  torn.report.torn = torn.report.jumps = {{0, 1}, {1, 1}, {0.5, 1}};
+  torn.report.without_limit = torn.report.jumps = {{0, 1}, {1, 1}, {0.5, 1}};
   torn.report.jumps.emplace_back(0.25, 1);
   torn.report.jump_count = 6;
   const Warnings both = mesh_warnings("s", torn, kDomain);
@@ -84,7 +84,7 @@ TEST(Warnings, NamePointsThatHaveNoLimit) {
 }
 
 TEST(Warnings, SayThatASurfaceIsOneSided) {
-  GridMesh band = mesh_between({-1, 0}, {1, 2});
+  MeshResult band = mesh_between({-1, 0}, {1, 2});
   band.report.orientable = false;
   EXPECT_EQ(mesh_warnings("s", band, kDomain),
             Warnings{"s: the surface is one-sided: front and back meet along a line"});
@@ -96,7 +96,7 @@ TEST(Warnings, SayThatARangeRunsBackwards) {
 }
 
 TEST(Warnings, SayThatHolesAreInPlaces) {
-  GridMesh holes = mesh_between({-1, 0}, {1, 2});
+  MeshResult holes = mesh_between({-1, 0}, {1, 2});
   holes.report.undefined_fraction = 0.01;
   const Domain backwards{1, -1, 2, 0};
   for (const Domain& domain : {kDomain, backwards}) {
@@ -107,7 +107,7 @@ TEST(Warnings, SayThatHolesAreInPlaces) {
 }
 
 TEST(Warnings, TakeNoRangeForAPartThatIsPrintedLikeTheWhole) {
-  GridMesh holes = mesh_between({-1 + 1e-9, 0}, {1, 2});
+  MeshResult holes = mesh_between({-1 + 1e-9, 0}, {1, 2});
   holes.report.undefined_fraction = 0.01;
   EXPECT_EQ(mesh_warnings("s", holes, kDomain),
             Warnings{"s: 1 % of the domain is undefined and left out, in places across the "
@@ -115,7 +115,7 @@ TEST(Warnings, TakeNoRangeForAPartThatIsPrintedLikeTheWhole) {
 }
 
 TEST(Warnings, CountSingularPointsWithoutANormal) {
-  GridMesh singular = mesh_between({-1, 0}, {1, 2});
+  MeshResult singular = mesh_between({-1, 0}, {1, 2});
   singular.report.singular_points = {{{0, 1}, true}, {{-0.0, 0.5}, false}};
   singular.report.singular_point_count = 2;
   EXPECT_EQ(mesh_warnings("s", singular, kDomain),

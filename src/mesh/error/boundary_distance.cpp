@@ -1,0 +1,184 @@
+#include "mesh/error/boundary_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/error/sampled_error.h"
+#include "mesh/features/approach.h"
+#include "mesh/model/sides.h"
+#include "mesh/tree/cell_polygon.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings of the way across a leaf to its boundary: a millionth of it is enough for a distance.
+constexpr int kWayHalvings = 20;
+/// To a face of the box beside a pole, where a millionth of the way is as far off as the first
+/// half: as many as there are in doubles.
+constexpr int kFaceHalvings = 1100;
+
+/// Where a leaf without triangles is looked at, in sides of the leaf, and in which directions from
+/// there its border is.
+constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
+                                    dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
+constexpr std::array kLeafDirections = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
+constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
+
+/// The end of the way from `from`, inside of the unit square, along `way`, on the square's border.
+dvec2 border(const dvec2& from, const dvec2& way) {
+  double steps = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 2; ++k) {
+    const double room = way[k] > 0 ? 1 - from[k] : from[k];
+    if (way[k] != 0) steps = std::min(steps, room / std::fabs(way[k]));
+  }
+  return from + steps * way;
+}
+
+}  // namespace
+
+void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
+                           std::span<const Triangle> triangles) {
+  if (!leaf.on_boundary || leaf.is_split) return;
+  if (!triangles.empty()) return add_chords(leaf, number, triangles);
+  singularities_.push_back(number);
+  const dvec2 low = tree_.parameters(leaf.low);
+  const dvec2 size = tree_.parameters(leaf.high) - low;
+  for (const dvec2& place : kLeafPlaces) {
+    in_holes_.push_back(low + size * place);
+    for (const dvec2& way : kLeafDirections) in_holes_.push_back(low + size * border(place, way));
+  }
+}
+
+void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
+                                  std::span<const Triangle> triangles) {
+  const dvec2 low = tree_.parameters(leaf.low);
+  const dvec2 size = tree_.parameters(leaf.high) - low;
+  const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
+  const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
+  for (const Triangle& t : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i];
+      const std::uint32_t b = t[(i + 1) % 3];
+      const std::uint32_t opposite = t[(i + 2) % 3];
+      if (has_side(triangles, b, a)) continue;  // a diagonal
+      const dvec2 middle = 0.5 * (place(a) + place(b));
+      if (!(std::min(middle.x, middle.y) > 0 && std::max(middle.x, middle.y) < 1)) continue;
+      const dvec2 outward = glm::mix(place(a), place(b), foot(a, b, opposite)) - place(opposite);
+      if (outward == dvec2(0)) continue;
+      chords_.push_back({number,
+                         triangles,
+                         {a, b},
+                         low + size * middle,
+                         grid_.mesh.uv[opposite],
+                         low + size * border(middle, -outward),
+                         low + size * border(middle, outward),
+                         is_at_face});
+    }
+  }
+}
+
+std::vector<BoundaryDistance::LocatedDiscontinuity> BoundaryDistance::measure() {
+  std::vector<LocatedDiscontinuity> found;
+  if (!chords_.empty()) validate_chords(found);
+  if (!singularities_.empty()) validate_singularities(found);
+  return found;
+}
+
+double BoundaryDistance::distance_from_chord(const Chord& chord, const dvec3& position) const {
+  if (!is_finite(position)) return 0;
+  const dvec3 first = grid_.local(chord.ends[0]);
+  const dvec3 edge = grid_.local(chord.ends[1]) - first;
+  const dvec3 off = grid_.local_scale * position - first;
+  const double square = glm::dot(edge, edge);
+  if (!(square > 0)) return 0;
+  return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
+}
+
+/// The part of the way from one vertex to another at which a third is straight above it.
+double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const {
+  const dvec3 edge = grid_.local(to) - grid_.local(from);
+  const double square = glm::dot(edge, edge);
+  return square > 0 ? glm::dot(grid_.local(above) - grid_.local(from), edge) / square : 0.5;
+}
+
+/// Where the surface, or what is in the box, ends on ways across chords.
+std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
+  std::vector<dvec2> ends = last_defined(surface_, ways, kWayHalvings, threads_, clip_);
+  std::vector<Line> to_faces;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (chords_[k].is_at_face) to_faces.push_back({ends[k], ways[k][1]});
+  }
+  const auto faces = last_defined(surface_, to_faces, kFaceHalvings, threads_, clip_);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (chords_[k].is_at_face) ends[k] = faces[next++];
+  }
+  return ends;
+}
+
+/// Ways across chords on which the boundary is: outward where the surface is seen in the middle of
+/// the chord, and else from inside to there.
+std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoint> at_middle) {
+  std::vector<dvec2> across;
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    if (!is_seen(at_middle[k].position)) across.push_back(chords_[k].across);
+  }
+  const std::vector<SurfacePoint> at_across = evaluate(surface_, across, threads_);
+  evaluations_ += across.size();
+  std::vector<Line> ways;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    const Chord& chord = chords_[k];
+    if (is_seen(at_middle[k].position)) {
+      ways.push_back({chord.middle, chord.beyond});
+    } else {
+      const bool is_inside = is_seen(at_across[next++].position);
+      ways.push_back({is_inside ? chord.across : chord.opposite, chord.middle});
+    }
+  }
+  return ways;
+}
+
+/// The surface's boundary may be on either side of its chord: on this side the mesh has too much,
+/// on the other too little, and all that is between chord and boundary is off.
+void BoundaryDistance::validate_chords(std::vector<LocatedDiscontinuity>& found) {
+  std::vector<dvec2> middles;
+  for (const Chord& chord : chords_) middles.push_back(chord.middle);
+  const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
+  const std::vector<dvec2> boundary = ends_of(ways_to_boundary(at_middle));
+  const std::vector<SurfacePoint> at_boundary = evaluate(surface_, boundary, threads_);
+  evaluations_ += chords_.size() * (2 + kWayHalvings);
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    const Chord& chord = chords_[k];
+    const auto off = [&](const dvec2& uv, const SurfacePoint& point) {
+      return distance_from(grid_, chord.triangles, uv, point.position);
+    };
+    if (is_seen(at_middle[k].position)) {
+      found.push_back({chord.leaf, off(chord.middle, at_middle[k])});
+      found.push_back({chord.leaf, off(boundary[k], at_boundary[k])});
+    } else {
+      found.push_back({chord.leaf, distance_from_chord(chord, at_boundary[k].position)});
+    }
+  }
+}
+
+/// Of leaves that are defined in places but not at their corners, as beside the point where a
+/// boundary touches the edge of the domain: what is missing there is as far off as from the leaf's
+/// border, where neighbours are.
+void BoundaryDistance::validate_singularities(std::vector<LocatedDiscontinuity>& found) {
+  const std::vector<SurfacePoint> points = evaluate(surface_, in_holes_, threads_);
+  evaluations_ += points.size();
+  for (std::size_t k = 0; k < points.size(); k += kPlaceGroup) {
+    if (!is_seen(points[k].position)) continue;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t way = 1; way < kPlaceGroup; ++way) {
+      const dvec3& beside = points[k + way].position;
+      if (is_finite(beside)) nearest = std::min(nearest, glm::distance(beside, points[k].position));
+    }
+    found.push_back({singularities_[k / (kPlaceGroup * kLeafPlaces.size())], nearest});
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,68 @@
+// How far the boundary of the mesh is from that of the surface, and from what of it leaves on the
+// boundary miss.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+class BoundaryDistance {
+ public:
+  /// What is outside of `clip` does not count.
+  BoundaryDistance(const Surface& surface, const Grid& grid, const CellTree& tree,
+                   const std::optional<Bounds>& clip, unsigned threads)
+      : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
+
+  /// Adds a leaf with its triangles, which must outlive this; one off the boundary is left out.
+  void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+
+  /// A distance that was found at the leaf of some number, in units of length.
+  struct LocatedDiscontinuity {
+    std::size_t leaf;
+    double distance;
+  };
+  /// The distances at the leaves that were added; of one there may be several.
+  std::vector<LocatedDiscontinuity> measure();
+
+  std::size_t evaluations() const { return evaluations_; }
+
+ private:
+  /// A chord of the boundary, and where that is looked for.
+  struct Chord {
+    std::size_t leaf;
+    std::span<const Triangle> triangles;
+    std::array<std::uint32_t, 2> ends;
+    dvec2 middle;
+    dvec2 opposite;   ///< the corner of the triangle across from the chord
+    dvec2 across;     ///< on the leaf's border, straight from the middle into the triangle
+    dvec2 beyond;     ///< the same on the other side of the chord
+    bool is_at_face;  ///< of a leaf that ends on the box beside a pole
+  };
+  void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  double foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const;
+  std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
+  std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
+  void validate_chords(std::vector<LocatedDiscontinuity>& found);
+  void validate_singularities(std::vector<LocatedDiscontinuity>& found);
+  bool is_seen(const dvec3& position) const {
+    return is_finite(position) && (!clip_ || clip_->contains(position));
+  }
+  double distance_from_chord(const Chord& chord, const dvec3& position) const;
+
+  const Surface& surface_;
+  const Grid& grid_;
+  const CellTree& tree_;
+  const std::optional<Bounds>& clip_;
+  unsigned threads_;
+  std::vector<Chord> chords_;
+  std::vector<std::size_t> singularities_;  ///< leaves that have no triangles
+  std::vector<dvec2> in_holes_;  ///< of each, places and what is beside them on its border
+  std::size_t evaluations_ = 0;
+};
+
+}  // namespace saddle

@@ -1,0 +1,418 @@
+#include "mesh/error/error_indicator.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <span>
+
+#include <glm/common.hpp>
+
+#include "mesh/error/sampled_error.h"
+#include "mesh/grid/triangulate.h"
+#include "mesh/model/clip.h"
+
+namespace saddle {
+
+namespace {
+
+/// A chord's sample that is farther away than this part of the chord is no small arc: its distance
+/// along the normal says nothing.
+constexpr double kSmallArc = 0.3;
+/// A leaf on the boundary that is so many times as long as wide, in cells of the root grid, is
+/// halved along the boundary: what is off is a chord, not where the boundary is.
+constexpr std::uint32_t kSlender = 32;
+
+/// An arc of the surface above a chord, from its normals at both ends and about the middle.
+struct Arc {
+  dvec3 chord;
+  dvec3 first, last;  ///< normals at the ends
+  dvec3 normal;       ///< along which heights are taken
+
+  /// The largest height of the polynomial of fourth order that has the arc's slopes at its ends and
+  /// `height` above the part `share` of the chord: of an arc that turns, its middle tells little.
+  double largest_height(double share, double height) const {
+    constexpr double kSteep = 0.5;  // slopes beyond 60 degrees are no small ones
+    constexpr double kAside = 0.2;  // the sample is not about the middle
+    const double facing = std::min(glm::dot(first, normal), glm::dot(last, normal));
+    if (!(facing > kSteep) || !(std::fabs(share - 0.5) < kAside)) return std::fabs(height);
+    // s (1 - s) (a + b s + c s^2), s the share of the chord.
+    const double a = -glm::dot(first, chord) / glm::dot(first, normal);
+    const double end = glm::dot(last, chord) / glm::dot(last, normal);  // a + b + c
+    const double middle = height / (share * (1 - share)) - a;           // b s + c s^2
+    const double c = ((end - a) * share - middle) / (share * (1 - share));
+    const double b = end - a - c;
+    double largest = std::fabs(height);
+    for (const double s : {0.25, 0.375, 0.625, 0.75}) {
+      largest = std::max(largest, std::fabs(s * (1 - s) * (a + s * (b + s * c))));
+    }
+    return largest;
+  }
+};
+
+/// The largest height of a quadratic function above a triangle, from those at the middles of its
+/// sides: where it curves to one side, at the centre of the circle through the corners in the
+/// metric of the curvature. 0 if that is outside: one of the sides has the largest height.
+double bulge(double a, double b, double c) {
+  if (!(a * b > 0) || !(b * c > 0)) return 0;
+  const double x = std::fabs(a);
+  const double y = std::fabs(b);
+  const double z = std::fabs(c);
+  const bool is_acute = x < y + z && y < z + x && z < x + y;
+  const double area = 2 * (x * y + y * z + z * x) - x * x - y * y - z * z;  // squared
+  return is_acute && area > 0 ? 4 * x * y * z / area : 0;
+}
+
+/// Around the first of some points, as far as the others; points that are not finite are nowhere.
+class Ball {
+ public:
+  void add(const dvec3& p) {
+    if (!std::isfinite(p.x + p.y + p.z)) return;
+    if (!centre_) centre_ = p;
+    reach_ = std::max(reach_, glm::distance(*centre_, p));
+  }
+  double allowed_by(const Tolerance& tolerance) const {
+    constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+    return centre_ ? tolerance(*centre_, reach_) : tolerance(dvec3(0), kEverywhere);
+  }
+
+ private:
+  std::optional<dvec3> centre_;
+  double reach_ = 0;
+};
+
+/// The longer one of the shorter two opposite sides.
+double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
+  const auto length = [&](std::size_t a, std::size_t b) {
+    return glm::distance(mesh.position[corner[a]], mesh.position[corner[b]]);
+  };
+  return std::min(std::max(length(0, 1), length(2, 3)), std::max(length(1, 2), length(3, 0)));
+}
+
+}  // namespace
+
+/// A chord and the sample above it.
+struct ErrorIndicator::ChordSample {
+  ChordSample(const dvec3& first, const dvec3& last, const dvec3& sample)
+      : chord(last - first),
+        off(sample - 0.5 * (first + last)),
+        square(glm::dot(chord, chord)),
+        distance_of_middle(glm::length(off)),
+        is_small_arc(distance_of_middle <= kSmallArc * std::sqrt(square)) {}
+
+  dvec3 chord;
+  dvec3 off;      ///< from the chord's middle to the sample
+  double square;  ///< of the chord's length
+  double distance_of_middle;
+  bool is_small_arc;
+
+  /// Where along the chord the sample is: 0 above its middle, -0.5 and 0.5 above its ends.
+  double from_middle() const { return square > 0 ? glm::dot(off, chord) / square : 0; }
+  /// Of the sample from the chord, and from the line that it is on.
+  double distance() const {
+    return glm::length(off - std::clamp(from_middle(), -0.5, 0.5) * chord);
+  }
+  double distance_of_line() const { return glm::length(off - from_middle() * chord); }
+};
+
+void request_samples(Leaf& leaf, CellTree& tree) {
+  auto& [corner, side, centre] = leaf.samples;
+  const auto ask = [&](std::uint32_t& vertex, DyadicPoint place) {
+    if (vertex == SampleVertices::kUnasked) vertex = tree.vertex(place);
+  };
+  const DyadicPoint m = leaf.middle();
+  const auto& [low, high] = std::pair(leaf.low, leaf.high);
+  const auto corners = leaf.corners();
+  for (std::size_t k = 0; k < 4; ++k) ask(corner[k], corners[k]);
+  ask(side[0], {m.u, low.v});
+  ask(side[1], {high.u, m.v});
+  ask(side[2], {m.u, high.v});
+  ask(side[3], {low.u, m.v});
+  if (centre != SampleVertices::kUnasked) return;
+  const bool is_inside = leaf.size_u() > 1 && leaf.size_v() > 1;
+  centre = is_inside ? tree.vertex_inside(m) : tree.vertex(m);
+}
+
+double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const CellTree& tree) {
+  if (tolerance.is_same_everywhere()) return tolerance(dvec3(0));
+  Ball ball;
+  for (const std::uint32_t corner : leaf.samples.corner) ball.add(tree.mesh().position[corner]);
+  return ball.allowed_by(tolerance);
+}
+
+double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
+  const auto& p = mesh.position;
+  const dvec3 first = p[corner[2]] - p[corner[0]];
+  const dvec3 second = p[corner[3]] - p[corner[1]];
+  double longest = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    longest = std::max(longest, glm::distance(p[corner[k]], p[corner[(k + 1) % 4]]));
+  }
+  return longest > 0 ? glm::length(glm::cross(first, second)) / 2 / longest : 0;
+}
+
+int count_defined(const CellTree& tree, const Leaf& leaf) {
+  const SampleVertices& samples = leaf.samples;
+  int count = tree.is_defined(samples.centre) ? 1 : 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    count += tree.is_defined(samples.corner[k]) ? 1 : 0;
+    count += tree.is_defined(samples.side[k]) ? 1 : 0;
+  }
+  return count;
+}
+
+/// The distance of the leaf's triangles from the surface in their midst.
+double ErrorIndicator::bulge_of_triangles(const SampleVertices& samples, std::size_t first) const {
+  const auto& [corner, side, centre] = samples;
+  const auto is_far = [&](std::uint32_t vertex) {
+    return far_ && !far_->contains(mesh_.position[vertex]);
+  };
+  if (!is_regular(centre) || is_far(centre) || std::ranges::any_of(corner, is_far)) return 0;
+  const dvec3& normal = mesh_.normal[centre];
+  const auto height = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample) {
+    const dvec3 middle = 0.5 * (mesh_.position[a] + mesh_.position[b]);
+    return glm::dot(mesh_.position[sample] - middle, normal);
+  };
+  std::array<double, 4> sides{};
+  for (std::size_t k = 0; k < 4; ++k) sides[k] = height(corner[k], corner[(k + 1) % 4], side[k]);
+  const double diagonal = height(corner[first], corner[first + 2], centre);
+  return std::max(bulge(sides[first], sides[first + 1], diagonal),
+                  bulge(sides[first + 2], sides[(first + 3) % 4], diagonal));
+}
+
+/// Of a leaf's centre, which may be far off the diagonal that starts from corner `first`, but near
+/// the triangles: where the surface is upright they are a wall, as it is.
+double ErrorIndicator::distance_from_triangles(const Leaf& leaf, std::size_t first) const {
+  const SampleVertices& samples = leaf.samples;
+  const auto at = [&](std::size_t k) { return samples.corner[(first + k) % 4]; };
+  const std::array triangles = {Triangle{at(0), at(1), at(2)}, Triangle{at(2), at(3), at(0)}};
+  return distance_from(grid_, triangles, mesh_.uv[samples.centre], mesh_.position[samples.centre]);
+}
+
+CellError ErrorIndicator::estimate(const Leaf& leaf) const {
+  const auto& [corner, side, centre] = leaf.samples;
+  const double eps = allowed(leaf);
+  const double seen_turn = kSeenTurn * eps;
+  const bool is_wide = narrow_side(mesh_, corner) > seen_turn;
+  const bool is_opposed = has_opposed(leaf.samples);
+  // Between opposed normals a tip may be hidden that sticks out of a sliver.
+  const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
+  const bool is_visible = diameter(corner) > kVisible * eps;
+  const std::size_t first_corner = cut_from(corner);  // of the diagonal
+  CellError error;
+  ErrorRatios turn;  // squares of tangents yet
+  const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
+                         double ErrorRatios::*part) {
+    const dvec3 first = seen_position(a);
+    const dvec3 last = seen_position(b);
+    const ChordSample arc(first, last, seen_position(sample));
+    double distance = distance_of_sample(arc, {a, b, sample}, border) / eps;
+    if (part == &ErrorRatios::centre && !is_opposed && !arc.is_small_arc && distance > 1) {
+      distance = std::min(distance, distance_from_triangles(leaf, first_corner) / eps);
+    }
+    error.distance.*part = std::max(error.distance.*part, distance);
+    const double gap = arc.is_small_arc ? distance : arc.distance_of_middle / eps;
+    error.gap.*part = std::max(error.gap.*part, gap);
+    error.may_jump = error.may_jump || (is_visible && !arc.is_small_arc);
+    const bool is_seen =
+        part == &ErrorRatios::centre ? is_wide : arc.square > seen_turn * seen_turn;
+    if (is_seen && !is_sliver) {
+      turn.*part = std::max(turn.*part, square_of_tangent(a, b, sample));
+    }
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (tree_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
+    judge(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
+          k % 2 == 0 ? &ErrorRatios::along_u : &ErrorRatios::along_v);
+  }
+  judge(corner[first_corner], corner[first_corner + 2], centre, false, &ErrorRatios::centre);
+  error.distance.centre =
+      std::max(error.distance.centre, bulge_of_triangles(leaf.samples, first_corner) / eps);
+  error.turn = turn_ratios(turn);
+  error.is_folded = is_visible && is_opposed;
+  return error;
+}
+
+ErrorRatios ErrorIndicator::turn_ratios(const ErrorRatios& squares_of_tangents) const {
+  const auto& [along_u, along_v, centre] = squares_of_tangents;
+  return {turn_ratio(along_u), turn_ratio(along_v), turn_ratio(centre)};
+}
+
+double ErrorIndicator::allowed(const Leaf& leaf) const {
+  if (options_.tolerance.is_same_everywhere()) return options_.tolerance(dvec3(0));
+  const SampleVertices& samples = leaf.samples;
+  Ball ball;
+  ball.add(mesh_.position[samples.centre]);
+  for (std::size_t k = 0; k < 4; ++k) {
+    ball.add(mesh_.position[samples.corner[k]]);
+    ball.add(mesh_.position[samples.side[k]]);
+  }
+  return ball.allowed_by(options_.tolerance);
+}
+
+bool ErrorIndicator::misses(const Leaf& leaf, const Counterexample& counterexample) const {
+  const dvec2 size = glm::abs(tree_.parameters(leaf.high) - tree_.parameters(leaf.low));
+  const int along = splits_u(leaf, counterexample) ? 0 : 1;
+  if (size[along] <= counterexample.size[along]) return false;
+  if (!is_finite(counterexample.position)) return true;
+  Array<Triangle> triangles;
+  cut_cell(grid_, leaf.samples.corner, triangles);
+  return distance_from(grid_, triangles, counterexample.uv, counterexample.position) >
+         options_.tolerance(counterexample.position);
+}
+
+bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexample) const {
+  const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
+  const dvec2 arc = size * size * counterexample.bend;
+  return arc.x == arc.y || !std::isfinite(arc.x + arc.y) ? splits_u(leaf, ErrorRatios())
+                                                         : arc.x > arc.y;
+}
+
+bool ErrorIndicator::splits_u(const Leaf& leaf, const ErrorRatios& ratios) const {
+  const auto& corner = leaf.samples.corner;
+  // A twisted leaf has straight sides; its longer ones are halved.
+  constexpr double kStraight = 0.1;
+  if (std::max(ratios.along_u, ratios.along_v) > kStraight * ratios.centre) {
+    return ratios.along_u >= ratios.along_v;
+  }
+  const auto length = [&](std::size_t a, std::size_t b) {
+    return glm::distance(mesh_.position[corner[a]], mesh_.position[corner[b]]);
+  };
+  return length(0, 1) + length(3, 2) >= length(0, 3) + length(1, 2);
+}
+
+bool ErrorIndicator::splits_boundary_u(const Leaf& leaf) const {
+  const auto& [corner, side, centre] = leaf.samples;
+  const auto changes = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return (tree_.is_defined(a) != tree_.is_defined(b) ? 1 : 0) +
+           (tree_.is_defined(b) != tree_.is_defined(c) ? 1 : 0);
+  };
+  const int along_u = changes(corner[0], side[0], corner[1]) + changes(side[3], centre, side[1]) +
+                      changes(corner[3], side[2], corner[2]);
+  const int along_v = changes(corner[0], side[3], corner[3]) + changes(side[0], centre, side[2]) +
+                      changes(corner[1], side[1], corner[2]);
+  const std::uint32_t u = leaf.size_u();
+  const std::uint32_t v = leaf.size_v();
+  const bool is_slender = std::max(u, v) > kSlender * std::min(u, v);
+  return along_u == along_v || is_slender ? u >= v : along_u > along_v;
+}
+
+std::vector<dvec3> ErrorIndicator::defined_positions(const SampleVertices& samples) const {
+  std::vector<dvec3> positions;
+  const auto add = [&](std::uint32_t vertex) {
+    if (tree_.is_defined(vertex)) positions.push_back(mesh_.position[vertex]);
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    add(samples.corner[k]);
+    add(samples.side[k]);
+  }
+  add(samples.centre);
+  return positions;
+}
+
+bool ErrorIndicator::is_clipped(const Leaf& leaf) const {
+  return options_.clip && is_beyond(*options_.clip, defined_positions(leaf.samples));
+}
+
+bool ErrorIndicator::is_outside(const Leaf& leaf) const {
+  return options_.clip &&
+         std::ranges::all_of(defined_positions(leaf.samples), [&](const dvec3& position) {
+           return is_beyond(*options_.clip, std::span(&position, 1));
+         });
+}
+
+double ErrorIndicator::diameter(const Corners& corner) const {
+  const auto& p = mesh_.position;
+  return std::max(glm::distance(p[corner[0]], p[corner[2]]),
+                  glm::distance(p[corner[1]], p[corner[3]]));
+}
+
+bool ErrorIndicator::is_too_small_to_see(const Leaf& leaf) const {
+  Bounds bounds;
+  for (const dvec3& position : defined_positions(leaf.samples)) bounds.add(position);
+  return bounds.diagonal() <= allowed(leaf);
+}
+
+bool ErrorIndicator::is_seen(const Leaf& leaf, std::size_t side) const {
+  const auto is_among = [](std::uint32_t place, std::span<const std::uint8_t> lines) {
+    return place % kCellUnit == 0 && lines[place / kCellUnit] != 0;
+  };
+  switch (side) {
+    case 0:
+      return is_among(leaf.low.v, options_.seen_v);
+    case 1:
+      return is_among(leaf.high.u, options_.seen_u);
+    case 2:
+      return is_among(leaf.high.v, options_.seen_v);
+    default:
+      return is_among(leaf.low.u, options_.seen_u);
+  }
+}
+
+/// Whether the normals of two neighbours among the samples that have one are opposed: a smooth
+/// surface may well turn as much from corner to corner.
+bool ErrorIndicator::has_opposed(const SampleVertices& samples) const {
+  const auto& n = mesh_.normal;
+  const auto is_opposed = [&](std::uint32_t a, std::uint32_t middle, std::uint32_t b) {
+    if (!is_regular(middle)) return glm::dot(n[a], n[b]) < 0;
+    return glm::dot(n[a], n[middle]) < 0 || glm::dot(n[middle], n[b]) < 0;
+  };
+  const auto& [corner, side, centre] = samples;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (is_opposed(corner[k], side[k], corner[(k + 1) % 4])) return true;
+  }
+  return is_opposed(side[0], centre, side[2]) || is_opposed(side[1], centre, side[3]);
+}
+
+/// How far beyond the box a surface goes does not matter.
+dvec3 ErrorIndicator::seen_position(std::uint32_t vertex) const {
+  const dvec3& p = mesh_.position[vertex];
+  return far_ ? glm::clamp(p, far_->low, far_->high) : p;
+}
+
+/// The distance of a sample from the chord of a and b, which would be an edge of the mesh: along
+/// the normal, since the triangles go on beside the edge; at the domain's border in any direction.
+/// A steep front within a cell is near the chord, though far from its middle.
+double ErrorIndicator::distance_of_sample(const ChordSample& arc,
+                                          const std::array<std::uint32_t, 3>& vertices,
+                                          bool border) const {
+  if (!arc.is_small_arc) return arc.distance();
+  const auto& [a, b, sample] = vertices;
+  const auto is_near = [this](std::uint32_t v) { return far_->contains(mesh_.position[v]); };
+  const bool is_far = far_ && !std::ranges::all_of(vertices, is_near);
+  if (border || is_far || !is_regular(sample)) return arc.distance_of_line();
+  const dvec3& normal = mesh_.normal[sample];
+  return Arc{arc.chord, mesh_.normal[a], mesh_.normal[b], normal}.largest_height(
+      0.5 + arc.from_middle(), glm::dot(arc.off, normal));
+}
+
+/// The corner, 0 or 1, that the diagonal with the smaller arc starts from: along it cut_cell() of
+/// mesh/grid/triangulate cuts most cells. What else that looks at is left to it, as the lengths of
+/// arcs that are equal.
+std::size_t ErrorIndicator::cut_from(const Corners& corner) const {
+  const auto arc = [&](std::size_t a, std::size_t b) {
+    return sagitta(mesh_.position[corner[a]], mesh_.normal[corner[a]], mesh_.position[corner[b]],
+                   mesh_.normal[corner[b]]);
+  };
+  return is_smaller(arc(1, 3), arc(0, 2)) ? 1 : 0;
+}
+
+/// Of the angle between two lines, along a sample's normal and along the mean of those at the ends
+/// of its chord.
+double ErrorIndicator::square_of_tangent(std::uint32_t a, std::uint32_t b,
+                                         std::uint32_t sample) const {
+  if (!is_regular(a) || !is_regular(b) || !is_regular(sample)) return 0;
+  const dvec3 sum = mesh_.normal[a] + mesh_.normal[b];
+  const dvec3 sine = glm::cross(sum, mesh_.normal[sample]);
+  const double cosine = glm::dot(sum, mesh_.normal[sample]);
+  return glm::dot(sine, sine) / (cosine * cosine);
+}
+
+double ErrorIndicator::turn_ratio(double square_of_tangent) const {
+  if (square_of_tangent == 0) return 0;
+  const double degrees = std::atan(std::sqrt(square_of_tangent)) * 180 / std::numbers::pi;
+  const double share = degrees / options_.normal_tolerance;
+  return share * share;
+}
+
+}  // namespace saddle

@@ -1,0 +1,47 @@
+// Many leaves measured at a time: most of them are two triangles beside a smooth surface.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/error/sampled_error.h"
+#include "mesh/tree/leaf_mesh.h"
+
+namespace saddle {
+
+/// Places in a leaf, in sides of the leaf from its low corner.
+inline constexpr std::size_t kPlacesInLeaf = 4;
+using PlacesInLeaf = std::array<dvec2, kPlacesInLeaf>;
+
+/// A leaf that is cut into two triangles along one of its diagonals.
+struct TwoTriangles {
+  dvec2 low, high;  ///< parameters
+  std::array<Triangle, 2> triangles;
+  PlacesInLeaf places;  ///< where it is measured
+};
+
+struct LeafError {
+  SampledError worst;  ///< at its places
+  double predicted;    ///< distance that may be found beside them: mesh/error/newton_step.h
+};
+
+/// How far off leaves are; nothing for those that have to be measured
+/// place by place, with deviation().
+std::vector<std::optional<LeafError>> validate_many(const Surface& surface, const Grid& grid,
+                                                    std::span<const TwoTriangles> leaves,
+                                                    unsigned threads);
+
+/// A place on one of several triangles of a leaf.
+struct PlaceOnTriangle {
+  dvec2 uv;
+  std::array<std::uint32_t, 4> corners;  ///< of that triangle, 2 3 0, and of one beside it, 0 1 2
+  dvec3 weights;                         ///< of corners 2, 3 and 0; negative: it is outside
+};
+
+/// Deviations at places; nothing for those that are to be measured with deviation().
+std::vector<std::optional<LeafError>> validate_places(const Surface& surface, const Grid& grid,
+                                                      std::span<const PlaceOnTriangle> places,
+                                                      unsigned threads);
+
+}  // namespace saddle

@@ -1,0 +1,169 @@
+#include "mesh/error/validation_points.h"
+
+#include <algorithm>
+#include <array>
+
+#include <glm/common.hpp>
+
+#include "base/random.h"
+#include "mesh/error/crease_distance.h"
+#include "mesh/model/sides.h"
+#include "mesh/tree/cell_polygon.h"
+
+namespace saddle {
+
+namespace {
+
+/// One fresh sample in each quarter of a leaf, up to this part of its sides from the quarter's
+/// middle: there the error of an arc with a turning point is largest, which its middle does not
+/// show.
+constexpr double kQuarterJitter = 0.1;
+
+/// Samples on a chord. An arc with a turning point is not highest above its middle; but
+/// mesh/error/distance_maximizer goes from there to where more is foreseen, in leaves that nothing
+/// cuts.
+constexpr std::array kChordSamples = {0.36, 0.5, 0.64};
+constexpr std::span<const double> kInMiddle = std::span(kChordSamples).subspan(1, 1);
+
+/// How far from its chord a crease is looked for, in chords.
+constexpr double kBesideCrease = 0.3;
+
+/// Samples on the sides of triangles at a boundary: an arc with a vertical tangent at its end, as
+/// sqrt has, is highest above the first quarter of its chord.
+constexpr std::array kBesideBoundary = {0.25, 0.75};
+
+/// Whether a place, in sides of a leaf from its low corner, is in it and not on its border.
+bool is_inside(const dvec2& part) {
+  return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
+}
+
+/// Whether a chord in a leaf is told of by another triangle: a diagonal is a side of two, and so is
+/// the chord of a crease, of one in each piece with corners of its own.
+bool is_other_side(const Grid& grid, std::span<const Triangle> triangles, std::uint32_t a,
+                   std::uint32_t b, bool on_crease) {
+  if (!on_crease) return a > b;
+  const auto& point = grid.mesh.point;
+  return point[a] > point[b] && std::ranges::any_of(triangles, [&](const Triangle& t) {
+           for (std::size_t k = 0; k < 3; ++k) {
+             if (point[t[k]] == point[b] && point[t[(k + 1) % 3]] == point[a]) return true;
+           }
+           return false;
+         });
+}
+
+}  // namespace
+
+PlacesInLeaf validation_places(const Leaf& leaf) {
+  std::uint64_t seed = 0;
+  for (const std::uint32_t part : {leaf.low.u, leaf.low.v, leaf.size_u(), leaf.size_v()}) {
+    seed = (seed ^ part) * 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio: spreads the bits
+    seed ^= seed >> 32U;
+  }
+  const auto jitter = [&](std::uint64_t key) {
+    return kQuarterJitter * (2 * random_unit(seed + key) - 1);
+  };
+  return {dvec2(0.25 + jitter(0), 0.25 + jitter(1)), dvec2(0.75 + jitter(2), 0.25 + jitter(3)),
+          dvec2(0.25 + jitter(4), 0.75 + jitter(5)), dvec2(0.75 + jitter(6), 0.75 + jitter(7))};
+}
+
+void Sampler::append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
+                     std::vector<ValidationPoint>& samples) const {
+  const dvec2 low = tree_.parameters(leaf.low);
+  const dvec2 high = tree_.parameters(leaf.high);
+  // Of a leaf that is off by whole waves nobody needs to know where most.
+  const bool has_chords = !leaf.oscillates;
+  const bool is_whole = !leaf.is_split && !leaf.on_boundary;
+  // The middles of more triangles, and of the chords between them, are fresh enough.
+  if (!(has_chords && is_whole && triangles.size() > 2)) {
+    for (const dvec2& part : validation_places(leaf)) {
+      samples.push_back({number, low * (1.0 - part) + high * part});
+    }
+  }
+  if (leaf.on_boundary && !leaf.is_split) append_sides(number, triangles, samples);
+  if (has_chords) append_chords(number, leaf, triangles, samples);
+}
+
+/// On the sides of triangles, beside their corners.
+void Sampler::append_sides(std::size_t number, std::span<const Triangle> triangles,
+                           std::vector<ValidationPoint>& samples) const {
+  const auto& uv = grid_.mesh.uv;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const double share : kBesideBoundary) {
+        samples.push_back({number, glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), &t, true});
+      }
+    }
+  }
+}
+
+void Sampler::append_chords(std::size_t number, const Leaf& leaf,
+                            std::span<const Triangle> triangles,
+                            std::vector<ValidationPoint>& samples) const {
+  const bool is_creased = leaf.is_split && count_features(leaf, tree_).only_creases;
+  if (triangles.size() <= 2 && !is_creased) return;
+  // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
+  // chords of jumps the surface may be on either level.
+  const auto& at = grid_.mesh.uv;
+  const dvec2 low = tree_.parameters(leaf.low);
+  const dvec2 size = tree_.parameters(leaf.high) - low;
+  const auto append_chord = [&](const Triangle& t, std::size_t k) {
+    const std::uint32_t a = t[k];
+    const std::uint32_t b = t[(k + 1) % 3];
+    const bool inside = is_inside((0.5 * (at[a] + at[b]) - low) / size);
+    if (!inside && !is_creased) return;
+    const bool on_crease = inside && is_creased && !has_side(triangles, b, a);
+    if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
+    ValidationPoint sample{number, {}, &t, leaf.is_split};
+    if (on_crease) {
+      const dvec2 along = (at[b] - at[a]) / size;
+      sample.crease = Chord{a, b};
+      sample.across = kBesideCrease * size * dvec2(-along.y, along.x);
+    }
+    for (const double share : on_crease ? kChordSamples : kInMiddle) {
+      sample.uv = glm::mix(at[a], at[b], share);
+      samples.push_back(sample);
+    }
+  };
+  for (const Triangle& t : triangles) {
+    if (triangles.size() > 2) {
+      samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
+    }
+    if (leaf.is_split && !is_creased) continue;
+    for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
+  }
+}
+
+/// On sides between singular vertices: a cusp that is a line of constant u or v has no normals from
+/// which an arc above its chord would follow.
+void Sampler::append_singular_sides(const ValidatedMesh& mesh, std::span<const std::size_t> which,
+                                    std::vector<ValidationPoint>& samples) const {
+  if (!tree_.has_singular()) return;
+  const CellMarks& cells = tree_.singular_cells();
+  const auto& at = grid_.mesh.uv;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (leaf.is_split || leaf.on_boundary || !cells.contains(leaf)) continue;
+    for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
+      if (!is_cusp(a, b, tree_)) return;
+      for (const double share : kChordSamples) {
+        samples.push_back({k, glm::mix(at[a], at[b], share), nullptr, true, Chord{a, b}, {}});
+      }
+    });
+  }
+}
+
+void move_onto_creases(const Surface& surface, std::span<ValidationPoint> samples,
+                       unsigned threads) {
+  std::vector<Line> lines;
+  for (const ValidationPoint& sample : samples) {
+    if (sample.crease) lines.push_back({sample.uv - sample.across, sample.uv + sample.across});
+  }
+  if (lines.empty()) return;
+  const std::vector<dvec2> places = crease_places(surface, lines, threads);
+  std::size_t next = 0;
+  for (ValidationPoint& sample : samples) {
+    if (sample.crease) sample.uv = places[next++];
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,319 @@
+#include "mesh/error/validator.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+
+#include <glm/common.hpp>
+
+#include "mesh/error/boundary_distance.h"
+#include "mesh/error/crease_distance.h"
+#include "mesh/error/sharp_bends.h"
+#include "mesh/error/validate_many.h"
+#include "mesh/model/sides.h"
+
+namespace saddle {
+
+namespace {
+
+/// Leaves of several triangles that are measured together, on some ten samples each: what is known
+/// of these (170 bytes) stays in the second-level cache.
+constexpr std::size_t kAtATime = 400;
+/// Samples of most of them.
+constexpr std::size_t kSamples = 8;
+
+bool share_corner(const Triangle& a, const Triangle& b) {
+  return std::ranges::any_of(
+      a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
+}
+
+/// Triangles from the front that are connected; those of a leaf's pieces follow each other.
+std::size_t count_connected(std::span<const Triangle> triangles) {
+  std::size_t count = 1;
+  const auto is_connected = [&](const Triangle& t) {
+    return std::ranges::any_of(triangles.first(count),
+                               [&](const Triangle& other) { return share_corner(t, other); });
+  };
+  while (count < triangles.size() && is_connected(triangles[count])) ++count;
+  return count;
+}
+
+/// The triangle that a place is in, and the one beyond its nearest side, if that is one of them.
+/// `known`: the triangle, or nullptr.
+PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangles,
+                            const Triangle* known, const dvec2& uv) {
+  const auto& [below, weights] =
+      triangle_below(grid, known != nullptr ? std::span(known, 1) : triangles, uv);
+  const Triangle& own = *below;
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (weights[static_cast<int>(k)] < weights[static_cast<int>(least)]) least = k;
+  }
+  // In the triangle's order, with the nearest side from the third to the first.
+  const std::array<std::size_t, 3> order = {(least + 2) % 3, least, (least + 1) % 3};
+  PlaceOnTriangle place{uv, {}, {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    place.corners[(k + 2) % 4] = own[order[k]];
+    place.weights[static_cast<int>(k)] = weights[static_cast<int>(order[k])];
+  }
+  place.corners[1] =
+      apex_beyond(triangles, place.corners[2], place.corners[0]).value_or(place.corners[3]);
+  return place;
+}
+
+}  // namespace
+
+/// Where a leaf is cut, its pieces meet along a chord of the true line: what lies between the two
+/// is no farther from the surface than the other piece, and faces as that one does.
+SampledError Validator::sampled_error_of(const Leaf& leaf, std::span<const Triangle> triangles,
+                                         const dvec2& uv, const SurfacePoint& point,
+                                         double known) const {
+  if (!leaf.is_split || triangles.empty())
+    return sampled_error(grid_, triangles, uv, point, surface_.flip, known);
+  SampledError best{std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::infinity()};
+  while (!triangles.empty()) {
+    const std::size_t count = count_connected(triangles);
+    const SampledError d =
+        sampled_error(grid_, triangles.first(count), uv, point, surface_.flip, known);
+    best.distance = std::min(best.distance, d.distance);
+    best.degrees = std::min(best.degrees, d.degrees);
+    triangles = triangles.subspan(count);
+  }
+  return best;
+}
+
+/// Whether a corner of triangles is beyond a face of the box, where a boundary may go anywhere.
+bool Validator::crosses_box(std::span<const Triangle> triangles) const {
+  return clip_ && std::ranges::any_of(triangles, [this](const Triangle& t) {
+           return std::ranges::any_of(t, [this](std::uint32_t corner) {
+             return !clip_->contains(grid_.mesh.position[corner]);
+           });
+         });
+}
+
+/// Of a point that is as good as on a crease, from the crease's chord: along the chord is none.
+double Validator::distance_from_chord(const Chord& chord, const SurfacePoint& point) const {
+  const dvec3 first = grid_.local(chord[0]);
+  const dvec3 edge = grid_.local(chord[1]) - first;
+  const dvec3 off = grid_.local_scale * point.position - first;
+  const double square = glm::dot(edge, edge);
+  if (!(square > 0) || !is_finite(off)) return 0;
+  return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
+}
+
+std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
+                                                   std::span<const std::size_t> which,
+                                                   const LeafTriangles& triangles,
+                                                   DistanceMaximizer& maxima) {
+  std::vector<TwoTriangles> plain;
+  std::vector<std::size_t> numbers;  // of those, in `which`
+  std::vector<std::size_t> others;
+  plain.reserve(which.size());
+  numbers.reserve(which.size());
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    if (!triangles.ranges[k].is_plain) {
+      others.push_back(k);
+      continue;
+    }
+    const Leaf& leaf = mesh.leaves[which[k]];
+    const auto two = triangles.of(k);
+    numbers.push_back(k);
+    plain.push_back({tree_.parameters(leaf.low),
+                     tree_.parameters(leaf.high),
+                     {two[0], two[1]},
+                     validation_places(leaf)});
+  }
+  const auto sampled_errors = validate_many(surface_, grid_, plain, threads_);
+  evaluations_ += kPlacesInLeaf * plain.size();
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const std::size_t number = numbers[i];
+    const std::size_t leaf = which[number];
+    // Of what is off there may be nothing in the box.
+    if (!sampled_errors[i] || (clip_ && sampled_errors[i]->worst.distance > mesh.allowed[leaf])) {
+      others.push_back(number);
+      continue;
+    }
+    mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
+    if (!is_worth_a_look(mesh, leaf, sampled_errors[i]->predicted)) continue;
+    for (const dvec2& part : plain[i].places) {
+      maxima.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
+    }
+  }
+  return others;
+}
+
+std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
+                                                         std::span<const std::size_t> which,
+                                                         std::span<const std::size_t> others,
+                                                         const LeafTriangles& triangles,
+                                                         DistanceMaximizer& maxima) {
+  std::vector<ValidationPoint> rest;
+  std::vector<ValidationPoint> samples;
+  std::vector<PlaceOnTriangle> places;
+  samples.reserve(kSamples * others.size());
+  places.reserve(kSamples * others.size());
+  for (const std::size_t k : others) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    const std::span<const Triangle> of_leaf = triangles.of(k);
+    mesh.sampled_errors[which[k]] = {};
+    sampler_.append(k, leaf, of_leaf, samples);
+    const bool is_special = clip_ || leaf.on_boundary || of_leaf.empty();
+    if (is_special || leaf.is_split) {
+      const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
+      const auto one_by_one = std::stable_partition(
+          first, samples.end(), [&](const ValidationPoint& s) { return !is_special && !s.crease; });
+      rest.insert(rest.end(), one_by_one, samples.end());
+      samples.erase(one_by_one, samples.end());
+    }
+    for (std::size_t s = places.size(); s < samples.size(); ++s) {
+      places.push_back(on_triangle(grid_, of_leaf, samples[s].triangle, samples[s].uv));
+    }
+  }
+  const auto found = validate_places(surface_, grid_, places, threads_);
+  evaluations_ += places.size();
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const ValidationPoint& sample = samples[s];
+    const std::size_t leaf = which[sample.number];
+    // Of a leaf that is cut another piece may be nearer.
+    const bool is_known =
+        found[s] && (!mesh.leaves[leaf].is_split || is_good(found[s]->worst, mesh.allowed[leaf]));
+    if (!is_known) {
+      rest.push_back(sample);
+      continue;
+    }
+    SampledError& worst = mesh.sampled_errors[leaf];
+    worst.distance = std::max(worst.distance, found[s]->worst.distance);
+    if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->worst.degrees);
+    if (!mesh.leaves[leaf].is_split && is_worth_a_look(mesh, leaf, found[s]->predicted)) {
+      maxima.add(leaf, triangles.of(sample.number), sample.uv);
+    }
+  }
+  return rest;
+}
+
+void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                                    const LeafTriangles& triangles,
+                                    std::span<const ValidationPoint> samples) {
+  std::vector<dvec2> uv(samples.size());
+  std::ranges::transform(samples, uv.begin(), &ValidationPoint::uv);
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  evaluations_ += points.size();
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const auto& [k, place, triangle, beside_cut, crease, across] = samples[s];
+    const Leaf& leaf = mesh.leaves[which[k]];
+    SampledError& worst = mesh.sampled_errors[which[k]];
+    const auto of_leaf = triangles.of(k);
+    const Seen seen = seen_at(clip_, grid_, of_leaf, place, points[s].position);
+    if (!seen.surface && !seen.triangles) continue;
+    SampledError d = crease ? SampledError{distance_from_chord(*crease, points[s]), 0, true}
+                            : sampled_error_of(leaf, of_leaf, place, points[s], worst.distance);
+    // Triangles that are cut away there are beside the surface elsewhere.
+    if (!seen.triangles && !crease) {
+      d.distance = distance_from(grid_, of_leaf, place, points[s].position);
+    }
+    if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease};
+    if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
+  }
+}
+
+/// Leaves that nothing cuts, once more where the surface turns sharply in them.
+void Validator::measure_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                              const LeafTriangles& triangles) {
+  SharpBends bends(surface_, grid_, tree_, threads_);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (leaf.is_split || leaf.on_boundary || clip_) continue;
+    bends.add(mesh, which[k], triangles.of(k));
+  }
+  bends.measure(mesh);
+  evaluations_ += bends.evaluations();
+}
+
+/// How far triangles beside creases are off the surface, from the middles of diagonals: beside a
+/// cusp the surface turns too much for heights along its normals.
+void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                                        const LeafTriangles& triangles,
+                                        std::span<const std::size_t> others) {
+  std::vector<MiddleOfChord> chords;
+  std::vector<std::size_t> leaves;  // of each
+  const Mesh& of = grid_.mesh;
+  for (const std::size_t k : others) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (!leaf.is_split || !count_features(leaf, tree_).only_creases) continue;
+    if (crosses_box(triangles.of(k))) continue;
+    const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
+    for (const Triangle& t : triangles.of(k)) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = t[i];
+        const std::uint32_t b = t[(i + 1) % 3];
+        if (a > b || !has_side(triangles.of(k), b, a)) continue;
+        chords.push_back({{of.position[a], of.position[b]},
+                          {of.uv[a], of.uv[b]},
+                          glm::abs(size),
+                          mesh.allowed[which[k]],
+                          mesh.sampled_errors[which[k]].distance});
+        leaves.push_back(which[k]);
+      }
+    }
+  }
+  const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
+  for (std::size_t k = 0; k < chords.size(); ++k) {
+    mesh.add(leaves[k], distances[k]);
+  }
+}
+
+/// Corners of triangles without area, which are left out: what they stood for has an end that may
+/// stick out of the others.
+void Validator::add_left_out(ValidatedMesh& mesh, std::size_t number,
+                             std::span<const Triangle> triangles) const {
+  const Leaf& leaf = mesh.leaves[number];
+  if (leaf.on_boundary || leaf.is_split || triangles.empty()) return;
+  if (triangles.size() + 2 >= leaf.polygon_size) return;
+  const auto& point = grid_.mesh.point;
+  for_sides(leaf, tree_, [&](std::uint32_t vertex, std::uint32_t) {
+    const auto has_it = [&](const Triangle& t) {
+      return std::ranges::any_of(t, [&](auto corner) { return point[corner] == point[vertex]; });
+    };
+    const dvec3& position = grid_.mesh.position[vertex];
+    if (std::ranges::any_of(triangles, has_it)) return;
+    if (clip_ && !clip_->contains(position)) return;
+    mesh.add(number, distance_from(grid_, triangles, grid_.mesh.uv[vertex], position));
+  });
+}
+
+void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                        const LeafTriangles& triangles) {
+  mesh.sampled_errors.resize(mesh.leaves.size());
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    Leaf& leaf = mesh.leaves[which[k]];
+    leaf.polygon_size = triangles.ranges[k].is_plain ? 4 : count_polygon_vertices(leaf, tree_);
+  }
+  DistanceMaximizer maxima(surface_, grid_, clip_, threads_);
+  const std::vector<std::size_t> others = validate_plain(mesh, which, triangles, maxima);
+  std::vector<ValidationPoint> rest;
+  for (std::size_t begin = 0; begin < others.size(); begin += kAtATime) {
+    const auto some = std::span(others).subspan(begin, std::min(kAtATime, others.size() - begin));
+    const std::vector<ValidationPoint> more =
+        validate_several(mesh, which, some, triangles, maxima);
+    rest.insert(rest.end(), more.begin(), more.end());
+  }
+  move_onto_creases(surface_, rest, threads_);
+  sampler_.append_singular_sides(mesh, which, rest);
+  validate_one_by_one(mesh, which, triangles, rest);
+  maxima.climb(mesh);
+  evaluations_ += maxima.evaluations();
+  measure_bends(mesh, which, triangles);
+  validate_beside_creases(mesh, which, triangles, others);
+  for (const std::size_t k : others) add_left_out(mesh, which[k], triangles.of(k));
+  BoundaryDistance boundaries(surface_, grid_, tree_, clip_, threads_);
+  for (const std::size_t k : others) {
+    if (!crosses_box(triangles.of(k)))
+      boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k));
+  }
+  for (const auto& [leaf, distance] : boundaries.measure()) mesh.add(leaf, distance);
+  evaluations_ += boundaries.evaluations();
+}
+
+}  // namespace saddle

@@ -1,0 +1,261 @@
+#include "mesh/features/bisect_discontinuities.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include <glm/common.hpp>
+
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// A pole's gap is so many times as large at the end as at the beginning.
+constexpr double kPoleGrowth = 50;
+/// A gap that has shrunk to this part with its line is no jump, however steep the surface is.
+constexpr double kVanishing = 1e-9;
+/// A gap that is still shrinking after so many halvings, to less than this part until the last
+/// digits, is none: 1/ln(u) comes to 0 ever more slowly, and those end before it does.
+constexpr int kEarly = 32;
+constexpr double kShrinks = 0.8;
+/// Positions at the ends of a line are as nothing beside one between them if they differ by less
+/// than this part of what that differs from them.
+constexpr double kAlike = 1.0 / 4096;
+/// Of a line: where it is halved.
+constexpr double kShare = 0.498;
+
+/// Places nearer to an end than so many doubles may be that end.
+constexpr double kLeastStep = 2;
+/// A good guess is the very place of a cusp, which has no normal: then it is looked at beside it,
+/// on this side and on the other.
+constexpr int kMostMisses = 2;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Places beyond the ends of a jump, in its widths: adjacent doubles. Where sums and squares are
+/// rounded, u^2 + v^2 - 1 is 0 for thousands of them.
+constexpr std::array kOutward = {1.0, 0x1p3, 0x1p6, 0x1p9, 0x1p12, 0x1p15, 0x1p18};
+
+/// A line on its way.
+struct Search {
+  Line ends;
+  std::array<dvec3, 2> at_ends;
+  double first_gap = 0;
+  double early_gap = 0;  ///< after kEarly halvings, of positions
+  bool done = false;
+  LocatedDiscontinuity found = {};
+  /// What changes its sign where the line is broken, at its ends; NaN where nobody knows.
+  std::array<double, 2> heights = {kUnknown, kUnknown};
+  double share = kShare;   ///< of the line, where it is looked at
+  double width = 1;        ///< of the line, beside when heights were first known
+  int steps = 0;           ///< since then
+  int misses = 0;          ///< times that there was no value where it was looked at
+  bool is_missed = false;  ///< the last time
+};
+
+/// How far apart two values are, also where squares of that would overflow.
+double gap_between(const dvec3& a, const dvec3& b) {
+  return safe_length(a - b);
+}
+
+Search begin(const Bracket& gap) {
+  Search search{gap.line, gap.at_ends};
+  search.first_gap = gap_between(gap.at_ends[0], gap.at_ends[1]);
+  search.done = !is_finite(gap.at_ends[0]) || !is_finite(gap.at_ends[1]);
+  return search;
+}
+
+void finish(Search& search, Discontinuity kind) {
+  search.done = true;
+  search.found = {kind, search.ends};
+}
+
+/// What a gap is that no halving has closed.
+Discontinuity at_last_digits(const Search& search, double delta) {
+  const double gap = gap_between(search.at_ends[0], search.at_ends[1]);
+  if (gap < kShrinks * search.early_gap) return Discontinuity::None;
+  if (gap < std::max(delta, kVanishing * search.first_gap)) return Discontinuity::None;
+  return gap > kPoleGrowth * search.first_gap ? Discontinuity::Pole : Discontinuity::Jump;
+}
+
+/// The part of a line from its first end to where it is looked at next: where the chord of the
+/// heights at its ends is 0, a little nearer to the middle so that both ends come close, and never
+/// so far from it that halvings would have been faster. Source: I. F. D. Oliveira, R. H. C.
+/// Takahashi, "An enhancement of the bisection method average performance preserving minmax
+/// optimality", 2020, with their n_0 = 1, kappa_1 = 0.2 and kappa_2 = 2.
+double next_share(const Search& search) {
+  constexpr double kAside = 0.2;
+  const auto& [first, last] = search.heights;
+  if (!(first * last < 0) || !std::isfinite(first - last)) return kShare;
+  const auto& [a, b] = search.ends;
+  const dvec2 way = glm::abs(b - a);
+  const dvec2 place = glm::max(glm::abs(a), glm::abs(b));
+  const double digits = kLeastStep * std::numeric_limits<double>::epsilon();
+  const double least = digits * std::max(place.x, place.y) / std::max(way.x, way.y);
+  if (!(least < kShare)) return kShare;
+  if (search.is_missed) {
+    const double beside = search.share + (search.misses % 2 == 0 ? least : -least);
+    return std::clamp(beside, least, 1 - least);
+  }
+  const double on_chord = first / (first - last);
+  const double side = on_chord < 0.5 ? 1 : -1;
+  const double off = std::fabs(0.5 - on_chord);
+  const double inward = std::max(off - kAside * search.width, 0.0);
+  const double farthest = std::max(std::exp2(1 - search.steps) / search.width - 0.5, 0.0);
+  return std::clamp(0.5 - side * std::min(inward, farthest), least, 1 - least);
+}
+
+/// What is known of the place at which a line is looked at.
+struct Look {
+  dvec2 uv;
+  dvec3 value;
+  double height;
+  std::optional<dvec3> slope;  ///< along the line; nothing of normals
+};
+
+/// Whether to go on with the part of a line that ends where it is looked at: the one with the
+/// larger gap. Beside a pole both gaps may be the same to rounding, the ends being as nothing
+/// beside what is between them: then with the part into which the surface goes on moving away.
+bool is_in_first_part(const Search& search, const Look& look, double first_gap, double last_gap) {
+  const double ends = gap_between(search.at_ends[0], search.at_ends[1]);
+  if (look.slope && ends < kAlike * std::min(first_gap, last_gap)) {
+    const double away = glm::dot(*look.slope / safe_length(*look.slope),
+                                 (look.value - search.at_ends[0]) / first_gap);
+    if (away != 0 && std::isfinite(away)) return away < 0;
+  }
+  return first_gap >= last_gap;
+}
+
+/// Goes on with one of the parts.
+void advance(Search& search, const Look& look, double delta) {
+  if (look.uv == search.ends[0] || look.uv == search.ends[1]) {
+    return finish(search, at_last_digits(search, delta));
+  }
+  if (!is_finite(look.value)) {
+    if (search.misses == kMostMisses) return finish(search, Discontinuity::Pole);
+    ++search.misses;
+    search.is_missed = true;
+    return;
+  }
+  search.is_missed = false;
+  const double first = gap_between(search.at_ends[0], look.value);
+  const double second = gap_between(look.value, search.at_ends[1]);
+  if (std::max(first, second) < delta) return finish(search, Discontinuity::None);
+  const std::size_t replaced = is_in_first_part(search, look, first, second) ? 1 : 0;
+  search.ends[replaced] = look.uv;
+  search.at_ends[replaced] = look.value;
+  search.heights[replaced] = look.height;
+  search.width *= replaced == 1 ? search.share : 1 - search.share;
+  ++search.steps;
+  // Normals may turn slowly into a crease.
+  if (look.slope && search.steps == kEarly) search.early_gap = std::max(first, second);
+}
+
+/// At the very place of a jump a formula may have a value of its own, as sign(0) is 0. It belongs
+/// to neither side, and rounding may give it to some doubles: an end that is far from what is some
+/// places outward goes there. If the last two of those are far from each other, too, the surface
+/// goes to infinity, and the ends stay where they are.
+void look_outward(const Surface& surface, std::span<Search> searches,
+                  const BisectedVector& bisected, unsigned threads) {
+  std::vector<Search*> jumps;
+  std::vector<dvec2> uv;
+  for (Search& search : searches) {
+    if (search.found.kind != Discontinuity::Jump) continue;
+    jumps.push_back(&search);
+    const dvec2 step = search.ends[1] - search.ends[0];
+    for (const double steps : kOutward) {
+      uv.push_back(search.ends[0] - steps * step);
+      uv.push_back(search.ends[1] + steps * step);
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  for (std::size_t k = 0; k < jumps.size(); ++k) {
+    Line ends = jumps[k]->ends;
+    for (std::size_t end = 0; end < 2; ++end) {
+      dvec3 before = jumps[k]->at_ends[end];
+      for (std::size_t step = 0; step < kOutward.size(); ++step) {
+        const std::size_t next = 2 * (k * kOutward.size() + step) + end;
+        const dvec3 outward = bisected.value(points[next]);
+        if (is_finite(outward) && gap_between(outward, before) >= bisected.beyond) {
+          ends[end] = uv[next];
+          if (step + 1 == kOutward.size()) jumps[k]->found.kind = Discontinuity::Pole;
+        }
+        before = outward;
+      }
+    }
+    if (jumps[k]->found.kind == Discontinuity::Jump) jumps[k]->found.ends = ends;
+  }
+}
+
+/// Finds out the heights at the ends of lines.
+void validate_ends(const Surface& surface, std::span<Search> searches,
+                   std::span<const std::size_t> which, const BisectedVector& bisected,
+                   unsigned threads) {
+  std::vector<dvec2> uv;
+  for (const std::size_t k : which) {
+    uv.insert(uv.end(), searches[k].ends.begin(), searches[k].ends.end());
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    Search& search = searches[which[i]];
+    search.heights = {bisected.height(search.at_ends, points[2 * i]),
+                      bisected.height(search.at_ends, points[2 * i + 1])};
+    search.width = 1;
+    search.steps = 0;
+  }
+}
+
+}  // namespace
+
+dvec2 near_middle(const Line& line) {
+  return line[0] + kShare * (line[1] - line[0]);
+}
+
+std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
+                                                         std::span<const Bracket> gaps,
+                                                         const BisectedVector& bisected,
+                                                         unsigned threads, std::size_t& work) {
+  std::vector<Search> searches;
+  searches.reserve(gaps.size());
+  std::ranges::transform(gaps, std::back_inserter(searches), begin);
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < searches.size(); ++k) {
+    if (!searches[k].done) open.push_back(k);
+  }
+  std::vector<dvec2> uv;
+  for (int halving = 0; halving < kAllHalvings && !open.empty(); ++halving) {
+    if (bisected.height && halving == bisected.plain) {
+      validate_ends(surface, searches, open, bisected, threads);
+    }
+    uv.clear();
+    for (const std::size_t k : open) {
+      searches[k].share = next_share(searches[k]);
+      const Line& ends = searches[k].ends;
+      uv.push_back(ends[0] + searches[k].share * (ends[1] - ends[0]));
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+    work += uv.size();
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Search& search = searches[open[i]];
+      const SurfacePoint& point = points[i];
+      const dvec2 way = search.ends[1] - search.ends[0];
+      Look look{uv[i], bisected.value(point), kUnknown, std::nullopt};
+      if (bisected.height) look.height = bisected.height(search.at_ends, point);
+      if (bisected.are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
+      advance(search, look, bisected.delta);
+    }
+    std::erase_if(open, [&](std::size_t k) { return searches[k].done; });
+  }
+  for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], bisected.delta));
+  look_outward(surface, searches, bisected, threads);
+  std::vector<LocatedDiscontinuity> result(searches.size());
+  std::ranges::transform(searches, result.begin(), &Search::found);
+  return result;
+}
+
+}  // namespace saddle

@@ -1,0 +1,261 @@
+#include "mesh/features/discontinuities.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <glm/common.hpp>
+
+#include "mesh/features/approach.h"
+#include "mesh/grid/corners.h"
+#include "mesh/proof/continuity.h"
+#include "surface/normal.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings of a line for a proof that it has no break: what they do not prove may have one, and is
+/// searched.
+constexpr int kProofHalvings = 3;
+
+/// Halvings after which most lines are done, so that the others are worth more than halvings.
+constexpr int kPlainHalvings = 8;
+/// The same where there are only cusps: the first one tells most lines.
+constexpr int kPlainHalvingsOfCusps = 1;
+/// Breaks that are this near to each other, beside their line, are one: where a formula has a value
+/// of its own there are two steps.
+constexpr double kSameDiscontinuity = 1e-9;
+
+/// Where normals can only jump to their opposites, unit normals that are nearer to each other have
+/// no cusp between them, unless the surface turns back by as much as 166 degrees.
+constexpr double kNearOpposites = 0.25;
+
+/// Follows positions, which are not known yet.
+std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
+                                                   std::span<const Line> lines, double delta,
+                                                   unsigned threads, std::size_t& work) {
+  std::vector<dvec2> uv;
+  for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
+  const std::vector<SurfacePoint> ends = evaluate(surface, uv, threads);
+  std::vector<Bracket> gaps;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    gaps.push_back({lines[k], {ends[2 * k].position, ends[2 * k + 1].position}});
+  }
+  work += uv.size();
+  const BisectedVector positions = {
+      .value = [](const SurfacePoint& point) { return point.position; },
+      .height = {},
+      .delta = delta,
+      .beyond = delta,
+      .are_positions = true,
+      .plain = 0};
+  return bisect_discontinuities(surface, gaps, positions, threads, work);
+}
+
+/// Where bounds leave room for breaks beside those that were found. A line with a pole is cut away
+/// whole, however many there are.
+std::vector<LinePart> unproved_boxes(const Surface& surface, std::span<const Line> lines,
+                                     std::span<const LocatedDiscontinuity> found, double delta,
+                                     std::size_t& work) {
+  std::vector<LinePart> parts;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (found[k].kind == Discontinuity::None) {
+      parts.push_back({k, lines[k]});
+    } else if (found[k].kind == Discontinuity::Jump) {
+      parts.push_back({k, {lines[k][0], found[k].ends[0]}, 1});
+      parts.push_back({k, {found[k].ends[1], lines[k][1]}, 0});
+    }
+  }
+  return unproved(surface, std::move(parts), delta, work);
+}
+
+/// Whether values between the ends of a gap are not undefined but beyond the largest of doubles, as
+/// those of exp(-1/u) before it comes to 0. Then the ends are put where that begins.
+bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
+  const dvec2 middle = near_middle(ends);
+  const dvec3 value = evaluate(surface, std::array{middle}, 1)[0].position;
+  if (is_finite(value) || glm::any(glm::isnan(value))) return false;
+  const std::array<Line, 2> ways = {Line{ends[0], middle}, Line{ends[1], middle}};
+  const std::vector<dvec2> last = last_defined(surface, ways, kAllHalvings, threads);
+  ends = {last[0], last[1]};
+  return true;
+}
+
+/// Whether the surface goes to infinity on either side of what was found on lines.
+std::vector<bool> diverge_beside(const Surface& surface, std::span<const Line> lines,
+                                 std::span<const LocatedDiscontinuity> found, double delta,
+                                 unsigned threads) {
+  std::vector<std::size_t> numbers;
+  std::vector<Line> ways;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (found[k].kind == Discontinuity::None) continue;
+    numbers.push_back(k);
+    for (std::size_t end = 0; end < 2; ++end) ways.push_back({found[k].ends[end], lines[k][end]});
+  }
+  const std::vector<bool> far = diverge(surface, ways, delta, threads);
+  std::vector<bool> result(lines.size(), false);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    result[numbers[i]] = far[2 * i] || far[2 * i + 1];
+  }
+  return result;
+}
+
+/// A gap also grows if the ends of its line happen to be alike, a whole step of a saw's teeth from
+/// each other: a pole is where the surface goes to infinity. Beside one, rounding makes jumps.
+void verify(const Surface& surface, std::span<const Line> lines, double delta, unsigned threads,
+            std::span<LocatedDiscontinuity> found) {
+  const std::vector<bool> far = diverge_beside(surface, lines, found, delta, threads);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (far[k]) found[k].kind = Discontinuity::Pole;
+    if (far[k] || found[k].kind != Discontinuity::Pole) continue;
+    Line& ends = found[k].ends;
+    if (is_beyond_doubles(surface, threads, ends)) continue;
+    const dvec2 middle = near_middle(ends);
+    const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
+    const bool is_gap = (middle == ends[0] || middle == ends[1]) &&
+                        length(ends) <= kSameDiscontinuity * length(lines[k]);
+    found[k].kind = is_gap ? Discontinuity::Jump : Discontinuity::None;
+  }
+}
+
+/// What there is at suspects. At a pole of even order, where the surface comes back from where it
+/// went to, both ends of a gap may be alike.
+std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<const Line> lines,
+                                          std::span<const LinePart> unproved_boxes, double delta,
+                                          unsigned threads, std::size_t& work) {
+  std::vector<Line> parts;
+  std::vector<Line> ways;
+  for (const auto& [line, part, broken_end] : unproved_boxes) {
+    parts.push_back(part);
+    ways.push_back({part[0], lines[line][0]});
+    ways.push_back({part[1], lines[line][1]});
+  }
+  std::vector<LocatedDiscontinuity> found = follow_positions(surface, parts, delta, threads, work);
+  const std::vector<bool> far = diverge(surface, ways, delta, threads);
+  const std::vector<bool> beside = diverge_beside(surface, parts, found, delta, threads);
+  work += kLooksOnTheWay * ways.size();
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool is_pole = far[2 * i] || far[2 * i + 1] || beside[i];
+    if (found[i].kind == Discontinuity::None) found[i].ends = parts[i];
+    // A place where the surface is not defined is no pole: sin(1/u) goes nowhere.
+    if (is_pole) found[i].kind = Discontinuity::Pole;
+    if (!is_pole && found[i].kind == Discontinuity::Pole &&
+        !is_beyond_doubles(surface, threads, found[i].ends)) {
+      found[i].kind = Discontinuity::None;
+    }
+  }
+  return found;
+}
+
+/// Adds what was found at a suspect to what is known of its line.
+void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuity& known) {
+  if (more.kind == Discontinuity::None) return;
+  const double apart = glm::distance(known.ends[0], more.ends[0]);
+  if (known.kind == Discontinuity::None) {
+    known = more;
+  } else if (apart > kSameDiscontinuity * glm::distance(line[0], line[1])) {
+    known.has_more = true;
+  } else if (more.kind == Discontinuity::Pole) {
+    known.kind = Discontinuity::Pole;
+  }
+}
+
+/// Takes a few suspects of each line, those beside a known break first, that does not have more
+/// breaks than one anyway. `open`: in the order of lines; those that are taken are left out.
+std::vector<LinePart> take_some(std::span<const LocatedDiscontinuity> found,
+                                std::vector<LinePart>& open) {
+  constexpr std::size_t kAtATime = 2;
+  std::erase_if(open, [&](const LinePart& part) { return found[part.line].has_more; });
+  std::vector<LinePart> taken;
+  std::vector<LinePart> rest;
+  std::size_t count = 0;  // of the line
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    if (k == 0 || open[k].line != open[k - 1].line) count = 0;
+    (count++ < kAtATime ? taken : rest).push_back(open[k]);
+  }
+  open = std::move(rest);
+  return taken;
+}
+
+/// Breaks of lines that may have some.
+std::vector<LocatedDiscontinuity> find_discontinuities_in(const Surface& surface,
+                                                          std::span<const Line> lines, double delta,
+                                                          unsigned threads, std::size_t& work) {
+  std::vector<LocatedDiscontinuity> found = follow_positions(surface, lines, delta, threads, work);
+  verify(surface, lines, delta, threads, found);
+  std::vector<LinePart> open = unproved_boxes(surface, lines, found, delta, work);
+  const auto from_break = [&](const LinePart& part) {
+    const LocatedDiscontinuity& known = found[part.line];
+    return known.kind == Discontinuity::None ? 0 : glm::distance(part.part[0], known.ends[0]);
+  };
+  std::ranges::stable_sort(open, [&](const LinePart& a, const LinePart& b) {
+    return a.line != b.line ? a.line < b.line : from_break(a) < from_break(b);
+  });
+  while (true) {
+    const std::vector<LinePart> some = take_some(found, open);
+    if (some.empty()) return found;
+    const std::vector<LocatedDiscontinuity> more =
+        look_at(surface, lines, some, delta, threads, work);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      add(more[i], lines[some[i].line], found[some[i].line]);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
+                                                       std::span<const Line> lines, double delta,
+                                                       unsigned threads, std::size_t& work) {
+  std::vector<LinePart> whole;
+  for (std::size_t k = 0; k < lines.size(); ++k) whole.push_back({k, lines[k]});
+  std::vector<std::size_t> open;
+  std::vector<Line> open_lines;
+  for (const LinePart& part : unproved(surface, std::move(whole), delta, work, kProofHalvings)) {
+    if (!open.empty() && open.back() == part.line) continue;
+    open.push_back(part.line);
+    open_lines.push_back(lines[part.line]);
+  }
+  std::vector<LocatedDiscontinuity> result(lines.size());
+  const std::vector<LocatedDiscontinuity> found =
+      find_discontinuities_in(surface, open_lines, delta, threads, work);
+  for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = found[i];
+  return result;
+}
+
+std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,
+                                               std::span<const std::array<dvec3, 2>> normals,
+                                               unsigned threads, std::size_t& work) {
+  const double chord = 2 * std::sin(0.5 * kCreaseDegrees * std::numbers::pi / 180);
+  const auto [open, only_cusps] = unproved_normals(surface, lines, work);
+  std::vector<Bracket> gaps;
+  gaps.reserve(open.size());
+  for (const std::size_t k : open) gaps.push_back({lines[k], normals[k]});
+  const auto normal = [](const SurfacePoint& point) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return normal_direction(point).value_or(dvec3(kUnknown));
+  };
+  const auto height = [](const std::array<dvec3, 2>& at_ends, const SurfacePoint& point) {
+    return glm::dot(glm::cross(point.r_u, point.r_v), at_ends[0] - at_ends[1]);
+  };
+  const BisectedVector turning = {.value = normal,
+                                  .height = height,
+                                  .delta = only_cusps ? kNearOpposites : chord,
+                                  .beyond = chord,
+                                  .are_positions = false,
+                                  .plain = only_cusps ? kPlainHalvingsOfCusps : kPlainHalvings};
+  const std::vector<LocatedDiscontinuity> found =
+      bisect_discontinuities(surface, gaps, turning, threads, work);
+  std::vector<LocatedDiscontinuity> result(lines.size());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    result[open[i]] = found[i];
+    result[open[i]].is_cusp = only_cusps && found[i].kind != Discontinuity::None;
+  }
+  return result;
+}
+
+}  // namespace saddle

@@ -1,0 +1,294 @@
+#include "mesh/features/point_singularities.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include <glm/common.hpp>
+
+#include "eval/enclose.h"
+#include "mesh/features/approach.h"
+
+namespace saddle {
+
+namespace {
+
+/// Ways to a place, all around it. Every other one is aslant to the axes and diagonals along which
+/// formulas like to be undefined, or 0.
+constexpr std::size_t kWays = 16;
+constexpr double kAslantTurn = 0.07;  // of a turn between two ways
+/// How far away the ways begin, in ranges of the parameters; and where on them, as parts, the
+/// surface is looked at: 1e-6 and 1e-12 of the ranges away.
+constexpr double kReach = 0x1p-8;
+constexpr std::array kLooksOnWay = {0x1p-12, 0x1p-32};
+/// Chords of a curve that are looked at together, if a place is near to the box around them.
+constexpr std::size_t kChordsPerBox = 16;
+
+/// Ways that are taken around a point without a limit: a circle of limits is 2e-5 of its radius
+/// from chords between them.
+constexpr std::size_t kManyWays = 512;
+/// Places that agree to this part of the diagonal are one; what differs by no more than this part
+/// of what it did farther away is on its way to agree.
+constexpr double kAgree = 1e-4;
+constexpr double kApproaches = 0.5;
+
+/// The ways to one place that are in the domain.
+struct Ways {
+  std::vector<Line> lines;         ///< from the place outward
+  std::vector<bool> is_aslant;     ///< of each line
+  bool is_open_aslant = true;      ///< the surface is defined on all that are aslant
+  bool is_open = true;             ///< on all
+  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each look
+};
+
+Ways ways_to(const dvec2& place, const Domain& d) {
+  const dvec2 low = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  const dvec2 high = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  Ways ways;
+  for (std::size_t k = 0; k < kWays; ++k) {
+    const bool is_aslant = k % 2 != 0;
+    const double turn = (static_cast<double>(k) + (is_aslant ? kAslantTurn : 0)) / kWays;
+    const double angle = 2 * std::numbers::pi * turn;
+    dvec2 way(std::cos(angle), std::sin(angle));
+    if (!is_aslant) way = glm::round(1.1 * way);  // along axes and diagonals to the last digit
+    const dvec2 end = place + kReach * (high - low) * way;
+    const bool is_inside = end.x >= low.x && end.x <= high.x && end.y >= low.y && end.y <= high.y;
+    if (!is_inside) continue;
+    ways.lines.push_back({place, end});
+    ways.is_aslant.push_back(is_aslant);
+  }
+  return ways;
+}
+
+void look(const Surface& surface, std::span<Ways> all, unsigned threads) {
+  std::vector<dvec2> uv;
+  for (const Ways& ways : all) {
+    for (const double share : kLooksOnWay) {
+      for (const Line& line : ways.lines) uv.push_back(line[0] + share * (line[1] - line[0]));
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  std::size_t next = 0;
+  for (Ways& ways : all) {
+    for (Bounds& bounds : ways.at_looks) {
+      for (const bool is_aslant : ways.is_aslant) {
+        const dvec3& p = points[next++].position;
+        if (is_finite(p)) {
+          bounds.add(p);
+        } else {
+          ways.is_open = false;
+          if (is_aslant) ways.is_open_aslant = false;
+        }
+      }
+    }
+  }
+}
+
+PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, double agree,
+                                     unsigned threads) {
+  const std::vector<bool> far = diverge(surface, ways.lines, agree, threads);
+  if (std::ranges::count(far, true) > 0) return PointSingularity::Kind::Pole;
+  const double before = ways.at_looks[0].diagonal();
+  const double near = ways.at_looks[1].diagonal();
+  return near > agree && near > kApproaches * before ? PointSingularity::Kind::NoLimit
+                                                     : PointSingularity::Kind::Limit;
+}
+
+/// Where the surface is all around a place, as near to it as digits allow; nothing where it is not
+/// defined all around.
+std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsigned threads) {
+  const Domain& d = surface.domain;
+  const dvec2 reach = kReach * kLooksOnWay.back() * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
+  std::vector<dvec2> uv;
+  for (std::size_t k = 0; k < kManyWays; ++k) {
+    const double turn = (static_cast<double>(k) + kAslantTurn) / kManyWays;
+    const double angle = 2 * std::numbers::pi * turn;
+    uv.push_back(place + reach * dvec2(std::cos(angle), std::sin(angle)));
+  }
+  std::vector<dvec3> around;
+  for (const SurfacePoint& point : evaluate(surface, uv, threads)) {
+    if (!is_finite(point.position)) return {};
+    around.push_back(point.position);
+  }
+  return around;
+}
+
+/// A box is halved so many times each way, and so many of its parts are followed: four meet at a
+/// point on their corners.
+constexpr int kBoxHalvings = 40;
+constexpr std::size_t kMostBoxParts = 16;
+/// What is left then is one point if it is no larger than this part of the box.
+constexpr double kOnePoint = 0x1p-30;
+/// Of more parts those are followed in which the surface varies the most, and this share of that:
+/// around a point without a limit it does however small they are. In so many boxes, at most.
+constexpr double kVaries = 0.5;
+constexpr int kMostFollowed = 64;
+
+class Narrowing {
+ public:
+  Narrowing(const Surface& surface, std::optional<double> diagonal)
+      : surface_(surface), enclosure_(surface.bounds, 3), diagonal_(diagonal) {}
+
+  std::optional<dvec2> operator()(const ParameterBox& whole) {
+    std::vector<ParameterBox> parts = {whole};
+    bool is_followed = false;
+    for (int depth = 0; depth < 2 * kBoxHalvings; ++depth) {
+      std::erase_if(parts, [this](const ParameterBox& part) { return is_proved(part); });
+      if (parts.size() > kMostBoxParts && !is_followed && diagonal_ && followed_ < kMostFollowed) {
+        is_followed = true;
+        ++followed_;
+      }
+      if (is_followed) keep_varied(parts);
+      if (parts.empty() || parts.size() > kMostBoxParts) return std::nullopt;
+      const dvec2 size = glm::abs(parts[0].high - parts[0].low) / range_of(surface_.domain);
+      const int axis = size.x < size.y ? 1 : 0;
+      std::vector<ParameterBox> halves;
+      for (const ParameterBox& part : parts) {
+        ParameterBox first = part;
+        ParameterBox second = part;
+        first.high[axis] = second.low[axis] = part.middle()[axis];
+        halves.push_back(first);
+        halves.push_back(second);
+      }
+      parts = std::move(halves);
+    }
+    Bounds left;
+    for (const ParameterBox& part : parts) left.add(dvec3(part.middle(), 0));
+    const dvec2 most = kOnePoint * glm::abs(whole.high - whole.low);
+    if (left.size().x > most.x || left.size().y > most.y) return std::nullopt;
+    // A place that is 0 as far as digits go is meant to be 0.
+    dvec2 place(left.centre());
+    for (int k = 0; k < 2; ++k) {
+      if (std::fabs(place[k]) <= most[k]) place[k] = 0;
+    }
+    return place;
+  }
+
+ private:
+  bool is_proved(const ParameterBox& box) {
+    std::array<Interval, 3> position;
+    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
+               position);
+    return std::ranges::all_of(
+        position, [](const Interval& a) { return a.continuous && a.defined == Defined::Yes; });
+  }
+
+  /// Keeps the parts in which the surface varies the most; none if it comes to agree in all, nor if
+  /// it goes to infinity.
+  void keep_varied(std::vector<ParameterBox>& parts) const {
+    const std::vector<double> sizes = variations(parts);
+    const double most = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
+    const double least = std::max(kAgree * *diagonal_, kVaries * most);
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (most <= *diagonal_ && sizes[k] > least) order.push_back(k);
+    }
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return sizes[k]; });
+    if (order.size() > kMostBoxParts) order.resize(kMostBoxParts);
+    std::vector<ParameterBox> kept;
+    kept.reserve(order.size());
+    for (const std::size_t k : order) kept.push_back(parts[k]);
+    parts = std::move(kept);
+  }
+
+  /// How far apart places of the surface are in boxes, by nine of each.
+  std::vector<double> variations(std::span<const ParameterBox> boxes) const {
+    std::vector<dvec2> uv;
+    for (const ParameterBox& box : boxes) {
+      for (const double u : {box.low.x, box.middle().x, box.high.x}) {
+        for (const double v : {box.low.y, box.middle().y, box.high.y}) uv.emplace_back(u, v);
+      }
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface_, uv, 1);
+    std::vector<double> sizes;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      Bounds bounds;
+      for (const SurfacePoint& point : std::span(points).subspan(9 * k, 9)) {
+        if (is_finite(point.position)) bounds.add(point.position);
+      }
+      sizes.push_back(bounds.diagonal());
+    }
+    return sizes;
+  }
+
+  static dvec2 range_of(const Domain& d) { return glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)); }
+
+  const Surface& surface_;
+  Enclosure enclosure_;
+  std::optional<double> diagonal_;  ///< for more parts
+  int followed_ = 0;
+};
+
+}  // namespace
+
+ClosedCurve::ClosedCurve(std::vector<dvec3> places) : places_(std::move(places)) {
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (k % kChordsPerBox == 0) boxes_.emplace_back();
+    boxes_.back().add(places_[k]);
+    boxes_.back().add(places_[(k + 1) % places_.size()]);
+  }
+}
+
+bool ClosedCurve::is_within(const dvec3& place, double reach) const {
+  for (std::size_t box = 0; box < boxes_.size(); ++box) {
+    const Bounds around{boxes_[box].low - reach, boxes_[box].high + reach};
+    if (!around.contains(place)) continue;
+    const std::size_t end = std::min((box + 1) * kChordsPerBox, places_.size());
+    for (std::size_t k = box * kChordsPerBox; k < end; ++k) {
+      if (is_near_chord(k, place, reach)) return true;
+    }
+  }
+  return false;
+}
+
+std::size_t ClosedCurve::count_chords(double length) const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (glm::distance(places_[k], places_[(k + 1) % places_.size()]) > length) ++count;
+  }
+  return count;
+}
+
+bool ClosedCurve::is_near_chord(std::size_t number, const dvec3& place, double reach) const {
+  const dvec3& from = places_[number];
+  const dvec3 way = places_[(number + 1) % places_.size()] - from;
+  const double square = glm::dot(way, way);
+  const double share =
+      square > 0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(place, from + share * way) <= reach;
+}
+
+std::vector<std::optional<dvec2>> find_point_singularities(const Surface& surface,
+                                                           std::span<const ParameterBox> where,
+                                                           std::optional<double> diagonal) {
+  Narrowing narrow(surface, diagonal);
+  std::vector<std::optional<dvec2>> places;
+  for (const ParameterBox& box : where) places.push_back(narrow(box));
+  return places;
+}
+
+std::vector<PointSingularity> classify_points(const Surface& surface, std::span<const dvec2> places,
+                                              double diagonal, unsigned threads) {
+  std::vector<Ways> all;
+  for (const dvec2& place : places) all.push_back(ways_to(place, surface.domain));
+  look(surface, all, threads);
+  std::vector<PointSingularity> singularities;
+  for (const Ways& ways : all) {
+    PointSingularity singularity;
+    if (ways.is_open && !ways.lines.empty()) {
+      singularity = {kind_of_point(surface, ways, kAgree * diagonal, threads), ways.at_looks[1]};
+      if (singularity.kind == PointSingularity::Kind::NoLimit && ways.lines.size() == kWays) {
+        singularity.around = ClosedCurve(look_around(surface, ways.lines[0][0], threads));
+      }
+    } else if (ways.is_open_aslant) {
+      singularity.kind = PointSingularity::Kind::Line;
+    }
+    singularities.push_back(singularity);
+  }
+  return singularities;
+}
+
+}  // namespace saddle

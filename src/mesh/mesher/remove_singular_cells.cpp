@@ -1,0 +1,321 @@
+#include "mesh/mesher/remove_singular_cells.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include <glm/common.hpp>
+
+#include "mesh/features/approach.h"
+#include "mesh/model/clip.h"
+
+namespace saddle {
+
+namespace {
+
+/// Leaves in which points that are no part of the surface are looked for, at most: most take one
+/// proof.
+constexpr std::size_t kMostSingularities = 4096;
+/// The area of a leaf, in units, after 14 halvings of its root cell.
+constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
+/// How near to each other, in ranges, points are one.
+constexpr double kSamePlace = 1e-9;
+/// Limits that are this near to each other, in diagonals, are one; and so many are where the ways
+/// to a point cross sixteen lines of jumps, no more.
+constexpr double kSameLimit = 1e-6;
+constexpr std::size_t kLimitsOfLines = 32;
+/// How near each coordinate of a corner must be for it, in what is allowed: a square's corners are
+/// 1.41 times as far away as its sides.
+constexpr double kNearHole = 0.7;
+
+/// What is around a place in a box, as far as the box goes on either side of it, in the domain.
+ParameterBox box_around(const dvec2& place, const ParameterBox& box, const Domain& d) {
+  const dvec2 size = box.high - box.low;
+  const dvec2 first = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  const dvec2 last = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  return {glm::clamp(place - size, first, last), glm::clamp(place + size, first, last)};
+}
+
+/// Single points in leaves where bounds leave room for a break.
+struct PointsInLeaves {
+  std::vector<dvec2> places;
+  std::vector<std::size_t> leaves;  ///< their numbers
+  /// Whether there is no room around a point either: a leaf may touch a line of jumps in one point.
+  std::vector<bool> are_alone;
+};
+
+PointsInLeaves find_points(const Surface& surface, const CellTree& tree, const ValidatedMesh& mesh,
+                           std::span<const std::size_t> unproved_boxes) {
+  std::vector<ParameterBox> boxes;
+  for (const std::size_t k : unproved_boxes) {
+    const Leaf& leaf = mesh.leaves[k];
+    boxes.push_back({tree.parameters(leaf.low), tree.parameters(leaf.high)});
+  }
+  const auto found = find_point_singularities(surface, boxes, tree.mesh().bounds.diagonal());
+  PointsInLeaves points;
+  std::vector<ParameterBox> around;
+  for (std::size_t i = 0; i < unproved_boxes.size(); ++i) {
+    if (!found[i]) continue;
+    points.places.push_back(*found[i]);
+    points.leaves.push_back(unproved_boxes[i]);
+    around.push_back(box_around(*found[i], boxes[i], surface.domain));
+  }
+  for (const auto& place : find_point_singularities(surface, around)) {
+    points.are_alone.push_back(place.has_value());
+  }
+  return points;
+}
+
+/// Whether a point that is not alone has no limit: along a line of jumps, ways lead to few places.
+bool has_many_limits(const PointSingularity& singularity, double diagonal) {
+  return singularity.around.count_chords(kSameLimit * diagonal) > kLimitsOfLines;
+}
+
+/// Whether chords between corners keep to the places to which ways to a point lead: they may be a
+/// curve, which chords cut short.
+bool is_along(const PointSingularity& singularity, const std::array<dvec3, 4>& corners,
+              double allowed) {
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = a + 1; b < 4; ++b) {
+      for (const double share : {0.25, 0.5, 0.75}) {
+        const dvec3 place = glm::mix(corners[a], corners[b], share);
+        if (is_finite(place) && !singularity.around.is_within(place, allowed)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether halving did not help a leaf.
+bool exceeds_tolerance(const ValidatedMesh& mesh, std::size_t number) {
+  const Leaf& leaf = mesh.leaves[number];
+  return mesh.off(number) > 1 || (leaf.frozen && leaf.known_error > 1);
+}
+
+/// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
+/// is no larger than the tolerance is right, whatever is in it.
+std::vector<std::size_t> leaves_with_singularities(const RefineOptions& options,
+                                                   const CellTree& tree,
+                                                   const ValidatedMesh& mesh) {
+  std::vector<std::size_t> unproved_boxes;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
+    if (!leaf.on_boundary && (exceeds_tolerance(mesh, k) || is_deep) &&
+        !is_clipped(leaf, options.clip, tree))
+      unproved_boxes.push_back(k);
+  }
+  const auto area = [&](std::size_t k) {
+    const Leaf& leaf = mesh.leaves[k];
+    return std::uint64_t{leaf.size_u()} * leaf.size_v();
+  };
+  std::ranges::stable_sort(unproved_boxes, {}, area);
+  if (unproved_boxes.size() > kMostSingularities) unproved_boxes.resize(kMostSingularities);
+  return unproved_boxes;
+}
+
+/// Points that are poles or have no limit, by where the surface is around them.
+class HolesInSpace {
+ public:
+  explicit HolesInSpace(std::vector<const PointSingularity*> singularities)
+      : singularities_(std::move(singularities)) {
+    dvec3 widest(0);
+    Bounds lows;
+    for (const PointSingularity* const singularity : singularities_) {
+      widest = glm::max(widest, singularity->near.size());
+      lows.add(singularity->near.low);
+    }
+    // The axis along which they are best told apart; poles are as long as doubles go along others.
+    const auto told_apart = [&](int axis) { return lows.size()[axis] / widest[axis]; };
+    for (int axis = 1; axis < 3; ++axis) {
+      if (told_apart(axis) > told_apart(axis_)) axis_ = axis;
+    }
+    widest_ = widest[axis_];
+    std::ranges::stable_sort(singularities_, {}, [this](const PointSingularity* singularity) {
+      return low(singularity);
+    });
+  }
+
+  /// Calls f(hole) for all that a place may be near to.
+  template <class F>
+  void for_near(const dvec3& place, double near, F f) const {
+    const auto first = std::ranges::lower_bound(
+        singularities_, place[axis_] - near - widest_, {},
+        [this](const PointSingularity* singularity) { return low(singularity); });
+    for (auto singularity = first;
+         singularity != singularities_.end() && low(*singularity) <= place[axis_] + near;
+         ++singularity) {
+      f(**singularity);
+    }
+  }
+
+ private:
+  double low(const PointSingularity* singularity) const { return singularity->near.low[axis_]; }
+
+  std::vector<const PointSingularity*> singularities_;
+  int axis_ = 0;
+  double widest_ = 0;
+};
+
+/// Ways to a point that is a pole or has no limit lead to all places around which it is: what is
+/// nearer to them than is allowed is near enough to the surface, whichever part of it is measured.
+void accept_around(const PointSingularity& singularity, const std::array<dvec3, 4>& corners,
+                   std::size_t number, ValidatedMesh& mesh) {
+  const double near = kNearHole * mesh.allowed[number];
+  const Bounds around{singularity.near.low - near, singularity.near.high + near};
+  const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
+  if (!std::ranges::all_of(corners, is_near)) return;
+  Leaf& leaf = mesh.leaves[number];
+  if (!singularity.around.empty()) {
+    const auto exceeds_tolerance = [&](const dvec3& p) {
+      return is_finite(p) && !singularity.around.is_within(p, mesh.allowed[number]);
+    };
+    if (std::ranges::any_of(corners, exceeds_tolerance)) return;
+    if (!is_along(singularity, corners, mesh.allowed[number])) leaf.is_left_out = true;
+  }
+  mesh.sampled_errors[number] = {};
+  leaf.known_error = 0;
+}
+
+void accept_around(std::vector<const PointSingularity*> singularities, const CellTree& tree,
+                   ValidatedMesh& mesh) {
+  std::erase_if(singularities, [](const PointSingularity* singularity) {
+    return singularity->kind != PointSingularity::Kind::NoLimit &&
+           singularity->kind != PointSingularity::Kind::Pole;
+  });
+  if (singularities.empty()) return;
+  const HolesInSpace in_space(std::move(singularities));
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const std::array<dvec3, 4> corners = corner_positions(mesh.leaves[k], tree);
+    const auto* const known = std::ranges::find_if(corners, is_finite);
+    if (known == corners.end()) continue;
+    in_space.for_near(
+        *known, kNearHole * mesh.allowed[k],
+        [&](const PointSingularity& singularity) { accept_around(singularity, corners, k, mesh); });
+  }
+}
+
+/// Sides of leaves of which something is left, in the order of their numbers.
+struct Sides {
+  std::vector<Side> lead_to_poles;  ///< and are not cut
+  std::vector<Side> unsearched;     ///< that may lead there
+  std::vector<Side> cut;            ///< by what is no pole
+};
+
+/// A wall need not be far off: where nothing clips a surface that goes to infinity, tolerances are
+/// a share of its height without end, and all sides of leaves may lead to poles.
+Sides classify_sides(const RefineOptions& options, const CellTree& tree,
+                     const ValidatedMesh& mesh) {
+  Sides result;
+  const bool has_poles = tree.has_poles();
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    const bool is_unproved = exceeds_tolerance(mesh, k) || (has_poles && !options.clip);
+    if (!is_unproved && !has_poles) continue;
+    if (leaf.is_left_out || is_clipped(leaf, options.clip, tree)) continue;
+    for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+      const Side side = {std::min(a, b), std::max(a, b)};
+      if (const auto feature = tree.feature(a, b)) {
+        if (!leaves_out(feature->kind)) result.cut.push_back(side);
+      } else if (tree.leads_to_pole(a, b)) {
+        result.lead_to_poles.push_back(side);
+      } else if (is_unproved && !tree.is_searched(a, b)) {
+        result.unsearched.push_back(side);
+      }
+    });
+  }
+  for (std::vector<Side>* const sides : {&result.lead_to_poles, &result.unsearched, &result.cut}) {
+    std::ranges::sort(*sides);
+    sides->erase(std::unique(sides->begin(), sides->end()), sides->end());
+  }
+  return result;
+}
+
+/// Vertices that are on poles, at a finite place by rounding alone, of leaves that are off.
+std::set<std::uint32_t> vertices_on_poles(const RefineOptions& options, const CellTree& tree,
+                                          const ValidatedMesh& mesh) {
+  std::vector<Line> ways;
+  std::vector<std::uint32_t> vertices;
+  double delta = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[k];
+    if (leaf.is_left_out || !exceeds_tolerance(mesh, k)) continue;
+    delta = std::min(delta, mesh.allowed[k]);
+    for (std::size_t c = 0; c < 4; ++c) {
+      vertices.push_back(leaf.samples.corner[c]);
+      const std::uint32_t across = leaf.samples.corner[(c + 2) % 4];
+      ways.push_back({tree.mesh().uv[vertices.back()], tree.mesh().uv[across]});
+    }
+  }
+  const std::vector<bool> on_pole = diverge(tree.surface(), ways, delta, options.threads);
+  std::set<std::uint32_t> result;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (on_pole[k]) result.insert(vertices[k]);
+  }
+  return result;
+}
+
+/// Nothing clips the needles to such vertices.
+void leave_out_needles(const RefineOptions& options, const CellTree& tree, ValidatedMesh& mesh) {
+  const std::set<std::uint32_t> on_poles = vertices_on_poles(options, tree, mesh);
+  if (on_poles.empty()) return;
+  for (Leaf& leaf : mesh.leaves) {
+    for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
+      leaf.is_left_out = leaf.is_left_out || on_poles.contains(vertex);
+    });
+  }
+}
+
+}  // namespace
+
+bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const CellTree& tree) {
+  return clip && is_beyond(*clip, corner_positions(leaf, tree));
+}
+
+std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
+                                                       const RefineOptions& options,
+                                                       const CellTree& tree, ValidatedMesh& mesh) {
+  const auto [places, leaves, are_alone] =
+      find_points(surface, tree, mesh, leaves_with_singularities(options, tree, mesh));
+  const double diagonal = tree.mesh().bounds.diagonal();
+  const std::vector<PointSingularity> singularities =
+      classify_points(surface, places, diagonal, options.threads);
+  const Domain& d = surface.domain;
+  const dvec2 range = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
+  std::vector<PlacedSingularity> result;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool has_no_limit = singularities[i].kind == PointSingularity::Kind::NoLimit &&
+                              (are_alone[i] || has_many_limits(singularities[i], diagonal));
+    if (!has_no_limit && singularities[i].kind != PointSingularity::Kind::Pole) continue;
+    mesh.leaves[leaves[i]].is_left_out = true;
+    const auto is_same = [&, place = places[i]](const PlacedSingularity& other) {
+      const dvec2 off = glm::abs(other.uv - place) / range;
+      return std::max(off.x, off.y) < kSamePlace;
+    };
+    if (std::ranges::none_of(result, is_same)) result.push_back({places[i], singularities[i]});
+  }
+  std::vector<const PointSingularity*> to_accept;
+  to_accept.reserve(result.size() + tree.singularities().size());
+  for (const PlacedSingularity& placed : result) to_accept.push_back(&placed.singularity);
+  for (const auto& [vertex, singularity] : tree.singularities()) to_accept.push_back(&singularity);
+  accept_around(std::move(to_accept), tree, mesh);
+  return result;
+}
+
+void cut_walls(const RefineOptions& options, bool search, CellTree& tree, ValidatedMesh& mesh) {
+  const TraceOptions with_poles{options.tolerance, true, options.threads, options.clip,
+                                options.max_triangles};
+  if (!options.clip && tree.has_poles()) leave_out_needles(options, tree, mesh);
+  Sides sides = classify_sides(options, tree, mesh);
+  cut_poles(sides.lead_to_poles, with_poles, tree);
+  if (search) find_jumps(sides.unsearched, with_poles, tree);
+  follow_features(with_poles, mesh.leaves, tree);
+  if (!search || !tree.has_poles()) return;
+  for (const auto& [a, b] : sides.unsearched) {
+    const auto feature = tree.feature(a, b);
+    if (feature && !leaves_out(feature->kind)) sides.cut.push_back({a, b});
+  }
+  find_poles_beside_cuts(sides.cut, with_poles, tree);
+}
+
+}  // namespace saddle

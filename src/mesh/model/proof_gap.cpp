@@ -1,0 +1,152 @@
+#include "mesh/model/proof_gap.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "mesh/model/mesh.h"
+
+namespace saddle {
+
+namespace {
+
+struct GapText {
+  const char* name;
+  const char* words;
+};
+
+/// In the order of GapReason.
+constexpr std::array<GapText, 13> kTexts = {{
+    {"rim", "the surface ends there"},
+    {"jump", "it jumps"},
+    {"pole", "it goes to infinity"},
+    {"no limit", "each way leads to another place"},
+    {"crease", "it has a crease"},
+    {"singular point", "a point has no normal of its own"},
+    {"may be undefined", "bounds of the formula do not exclude that it is undefined somewhere"},
+    {"may jump", "bounds of the formula do not exclude a jump"},
+    {"endless derivatives", "second derivatives are endless or do not exist"},
+    {"wide bounds", "second derivatives are too large, or their bounds too wide"},
+    {"limit of work", "a proof would take more work than it is worth"},
+    {"limit of triangles", "--max-triangles stopped refinement"},
+    {"not tried", "nothing was proved of this mesh"},
+}};
+
+/// Boxes are one if they are within a cell of a grid of so many each way.
+constexpr std::size_t kCells = 64;
+
+/// Finds what hangs together of the boxes of one reason.
+class Merger {
+ public:
+  explicit Merger(const Domain& domain) : domain_(domain) {}
+
+  void add(const ProofGap& place) {
+    const auto [first, last] = cells_of(place);
+    for (std::size_t j = first[1]; j <= last[1]; ++j) {
+      for (std::size_t i = first[0]; i <= last[0]; ++i) {
+        auto& box = boxes_[j * kCells + i];
+        if (!box) box = std::pair(glm::min(place.low, place.high), glm::max(place.low, place.high));
+        box->first = glm::min(box->first, glm::min(place.low, place.high));
+        box->second = glm::max(box->second, glm::max(place.low, place.high));
+      }
+    }
+  }
+
+  void take(GapReason why, std::vector<ProofGap>& to) {
+    for (std::size_t cell = 0; cell < boxes_.size(); ++cell) {
+      if (boxes_[cell]) to.push_back(flood(why, cell));
+    }
+  }
+
+ private:
+  using GridCell = std::array<std::size_t, 2>;
+
+  GridCell cell_at(const dvec2& uv) const {
+    const dvec2 part = (uv - dvec2(domain_.u0, domain_.v0)) /
+                       dvec2(domain_.u1 - domain_.u0, domain_.v1 - domain_.v0);
+    const auto index = [](double x) {
+      return static_cast<std::size_t>(std::clamp(x * kCells, 0.0, kCells - 1.0));
+    };
+    return {index(part.x), index(part.y)};
+  }
+  std::pair<GridCell, GridCell> cells_of(const ProofGap& place) const {
+    const GridCell a = cell_at(place.low);
+    const GridCell b = cell_at(place.high);
+    return {{std::min(a[0], b[0]), std::min(a[1], b[1])},
+            {std::max(a[0], b[0]), std::max(a[1], b[1])}};
+  }
+
+  /// All that hangs together with a cell, which is taken away.
+  ProofGap flood(GapReason why, std::size_t start) {
+    ProofGap whole{why, boxes_[start]->first, boxes_[start]->second};
+    std::vector<std::size_t> open = {start};
+    while (!open.empty()) {
+      const std::size_t cell = open.back();
+      open.pop_back();
+      if (!boxes_[cell]) continue;
+      whole.low = glm::min(whole.low, boxes_[cell]->first);
+      whole.high = glm::max(whole.high, boxes_[cell]->second);
+      boxes_[cell].reset();
+      const std::size_t i = cell % kCells;
+      const std::size_t j = cell / kCells;
+      for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kCells - 1); ++b) {
+        for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kCells - 1); ++a) {
+          if (boxes_[b * kCells + a]) open.push_back(b * kCells + a);
+        }
+      }
+    }
+    return whole;
+  }
+
+  const Domain& domain_;
+  std::array<std::optional<std::pair<dvec2, dvec2>>, kCells* kCells> boxes_ = {};
+};
+
+}  // namespace
+
+std::string name_of(GapReason add_gap) {
+  return kTexts[static_cast<std::size_t>(add_gap)].name;
+}
+
+std::string words_for(GapReason add_gap) {
+  return kTexts[static_cast<std::size_t>(add_gap)].words;
+}
+
+bool ProofGap::contains(const dvec2& uv) const {
+  return glm::all(glm::lessThanEqual(glm::min(low, high), uv)) &&
+         glm::all(glm::lessThanEqual(uv, glm::max(low, high)));
+}
+
+void GapReasons::give_to(std::span<ProofGap> places) {
+  const auto u_of = [](const Named& named) { return named.uv.x; };
+  std::ranges::sort(named_, {}, u_of);
+  for (ProofGap& place : places) {
+    if (place.why < GapReason::Undefined || place.why > GapReason::Work) continue;
+    const auto [low, high] = std::minmax(place.low.x, place.high.x);
+    std::size_t first = named_.size();
+    auto at = std::ranges::lower_bound(named_, low, {}, u_of);
+    for (; at != named_.end() && at->uv.x <= high; ++at) {
+      if (at->order >= first || !place.contains(at->uv)) continue;
+      first = at->order;
+      place.why = at->why;
+    }
+  }
+}
+
+std::vector<ProofGap> merged(std::span<const ProofGap> places, const Domain& domain) {
+  std::vector<ProofGap> result;
+  for (std::size_t k = 0; k < kTexts.size(); ++k) {
+    const auto why = static_cast<GapReason>(k);
+    if (std::ranges::find(places, why, &ProofGap::why) == places.end()) continue;
+    Merger merger(domain);
+    for (const ProofGap& place : places) {
+      if (place.why == why) merger.add(place);
+    }
+    merger.take(why, result);
+  }
+  if (result.size() > kMaxListed) result.resize(kMaxListed);
+  return result;
+}
+
+}  // namespace saddle

@@ -1,0 +1,365 @@
+#include "mesh/tree/cell_polygon.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace saddle {
+
+namespace {
+
+/// The vertices in use around a leaf, counter-clockwise in (u, v), defined or not.
+Polygon polygon_size(const Leaf& leaf, const CellTree& tree) {
+  Polygon polygon;
+  polygon.reserve(8);
+  for (std::size_t k = 0; k < 4; ++k) {
+    tree.walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint place) {
+      polygon.push_back({vertex, {place.u, place.v}});
+    });
+  }
+  return polygon;
+}
+
+/// Adds the point of the surface at a singular vertex, if it is not among those yet.
+void add_singular_vertex(std::uint32_t vertex, const CellTree& tree,
+                         std::vector<std::uint32_t>& points) {
+  if (tree.is_regular(vertex)) return;
+  const std::uint32_t point = tree.mesh().point[vertex];
+  if (std::ranges::count(points, point) == 0) points.push_back(point);
+}
+
+/// The different points of the surface at the singular vertices of a polygon.
+std::vector<std::uint32_t> singular_points(const Polygon& polygon, const CellTree& tree) {
+  std::vector<std::uint32_t> points;
+  for (const PolygonCorner& corner : polygon) add_singular_vertex(corner.corner, tree, points);
+  return points;
+}
+
+Bounds box_around(const Polygon& polygon) {
+  Bounds box;
+  for (const PolygonCorner& corner : polygon) box.add(dvec3(corner.place, 0));
+  return box;
+}
+
+/// Whether a leaf is defined in two opposite corners, and not in the others.
+bool has_opposite_gaps(const Leaf& leaf, const CellTree& tree) {
+  std::array<bool, 4> is_defined{};
+  for (std::size_t k = 0; k < 4; ++k) is_defined[k] = tree.is_defined(leaf.samples.corner[k]);
+  return is_defined[0] == is_defined[2] && is_defined[1] == is_defined[3] &&
+         is_defined[0] != is_defined[1];
+}
+
+/// A run of vertices between two cuts of the outline.
+struct Run {
+  Polygon polygon;
+  bool goes_far = false;  ///< to a pole, or to where there is no limit
+};
+
+/// Cuts an outline at its crossings.
+class Cutter {
+ public:
+  Cutter(const Polygon& whole, const CellTree& tree) : whole_(whole), tree_(tree) {
+    for (std::size_t k = 0; k < whole.size(); ++k) go_on(k);
+  }
+
+  /// `folded`: a crease goes through the leaf, from crossing to crossing or singular point.
+  /// `has_middle`: the surface is defined in the leaf's middle. `has_opposite_gaps`: of the leaf.
+  std::vector<Polygon> take(bool folded, bool has_middle, bool has_opposite_gaps) {
+    // A crease that ends here leaves the leaf whole; a jump or a pole that does would be a wall.
+    if (cuts_ == 1 && creases_.empty()) return {};
+    if (cuts_ > boundaries_ && faces_ % 2 == 1) return {};  // so would a pole that leaves unseen
+    if (cuts_ > 0) join_ends();
+    const bool is_parted = lines_ > 1 || (faces_ > 0 && has_opposite_gaps);
+    if (has_middle && cuts_ == boundaries_ && !is_parted) join_runs();
+    if (folded && cuts_ < 2) cut_at_singular_points();
+    std::vector<Polygon> result;
+    if (creases_.size() >= 3) add(middle(), result);
+    for (Run& run : runs_) {
+      if (!run.goes_far) add(std::move(run.polygon), result);
+    }
+    return result;
+  }
+
+ private:
+  /// What creases that cross more than two sides leave between them: it has what is on a side
+  /// between two of them, which is no polygon by itself.
+  Polygon middle() {
+    if (creases_.size() != runs_.size()) return std::move(creases_);
+    Polygon polygon;
+    for (std::size_t k = 0; k < creases_.size(); ++k) {
+      polygon.push_back(creases_[k]);
+      Polygon& run = runs_[(k + 1) % runs_.size()].polygon;
+      if (!is_flat(run)) continue;
+      for (std::size_t i = 1; i + 1 < run.size(); ++i) polygon.push_back(run[i]);
+      run.clear();
+    }
+    return polygon;
+  }
+
+  void append(std::uint32_t vertex) {
+    runs_.back().polygon.push_back({vertex, tree_.place_between(vertex)});
+  }
+
+  void cut() {
+    ++cuts_;
+    runs_.emplace_back();
+  }
+
+  /// Appends the k-th vertex, and what lies between it and the next.
+  void go_on(std::size_t k) {
+    const std::uint32_t a = whole_[k].corner;
+    const std::uint32_t b = whole_[(k + 1) % whole_.size()].corner;
+    if (tree_.is_defined(a)) {
+      runs_.back().polygon.push_back(whole_[k]);
+    } else {
+      cut();
+      ++boundaries_;
+      if (tree_.singularity(a) == PointSingularity::Kind::Line) ++lines_;
+    }
+    const std::optional<EdgeFeature> feature = tree_.feature(a, b);
+    if (!feature) return;
+    const bool far = leaves_out(feature->kind);
+    if (tree_.is_defined(a)) {
+      runs_.back().goes_far = runs_.back().goes_far || far;
+      if (!far) append(feature->beside(a));
+    }
+    if (feature->is_boundary()) ++boundaries_;
+    if (feature->kind == FeatureKind::Face && tree_.is_defined(a)) ++faces_;
+    if (feature->kind == FeatureKind::Crease)
+      creases_.push_back({feature->beside(a), place(*feature)});
+    cut();
+    if (tree_.is_defined(b)) {
+      runs_.back().goes_far = far;
+      if (!far) append(feature->beside(b));
+    }
+  }
+
+  dvec2 place(const EdgeFeature& feature) const {
+    return tree_.place_between(feature.beside_first);
+  }
+
+  /// The outline is closed: its first run goes on where its last one ends.
+  void join_ends() {
+    Run last = std::move(runs_.back());
+    runs_.pop_back();
+    Run& first = runs_.front();
+    last.polygon.insert(last.polygon.end(), first.polygon.begin(), first.polygon.end());
+    first.polygon = std::move(last.polygon);
+    first.goes_far = first.goes_far || last.goes_far;
+  }
+
+  /// Rims that leave the middle whole cut corners off, and no more. But a line on which it is not
+  /// defined goes from one of its places to the next, and of boundaries at infinity two may cross
+  /// there.
+  void join_runs() {
+    Polygon& whole = runs_.front().polygon;
+    for (std::size_t k = 1; k < runs_.size(); ++k) {
+      whole.insert(whole.end(), runs_[k].polygon.begin(), runs_[k].polygon.end());
+    }
+    runs_.resize(1);
+  }
+
+  /// Where the crease ends in one singular point, or goes from one to another: a vertex as good as
+  /// on it.
+  void cut_at_singular_points() {
+    Polygon& whole = runs_.front().polygon;
+    const std::vector<std::uint32_t> points = singular_points(whole, tree_);
+    if (cuts_ + points.size() != 2) return;
+    const auto& point = tree_.mesh().point;
+    if (cuts_ == 1 && point[creases_.front().corner] == points.back()) return;  // it only ends here
+    if (cuts_ == 0) start_after(points[0], whole);
+    const auto is_there = [&](const PolygonCorner& c) { return point[c.corner] == points.back(); };
+    const auto first = std::ranges::find_if(whole, is_there);
+    const auto last = std::find_if(whole.rbegin(), whole.rend(), is_there).base() - 1;
+    Run rest{{last, whole.end()}};
+    whole.erase(first + 1, whole.end());
+    runs_.push_back(std::move(rest));
+  }
+
+  /// Rotates a polygon so that it begins and ends at a point.
+  void start_after(std::uint32_t point, Polygon& polygon) const {
+    const auto is_there = [&](const PolygonCorner& c) {
+      return tree_.mesh().point[c.corner] == point;
+    };
+    const auto elsewhere = std::ranges::find_if_not(polygon, is_there);
+    // What is there is then inside or at the end.
+    std::rotate(polygon.begin(), elsewhere, polygon.end());
+    const auto end = std::find_if(polygon.rbegin(), polygon.rend(), is_there).base();
+    std::rotate(polygon.begin(), end, polygon.end());
+    polygon.insert(polygon.begin(), polygon.back());
+  }
+
+  /// A crossing beside a vertex is that vertex: it is there twice. Where nothing but boundaries
+  /// cuts a leaf, what is left may be a side of it, and no area; between creases that holds sheets
+  /// together.
+  void add(Polygon polygon, std::vector<Polygon>& result) const {
+    const auto same = [](const PolygonCorner& a, const PolygonCorner& b) {
+      return a.corner == b.corner || a.place == b.place;
+    };
+    polygon.erase(std::unique(polygon.begin(), polygon.end(), same), polygon.end());
+    while (polygon.size() > 1 && same(polygon.front(), polygon.back())) polygon.pop_back();
+    const bool is_side = cuts_ > 0 && cuts_ == boundaries_ && is_flat(polygon);
+    if (polygon.size() >= 3 && !is_side) result.push_back(std::move(polygon));
+  }
+
+  const Polygon& whole_;
+  const CellTree& tree_;
+  std::vector<Run> runs_{1};
+  Polygon creases_;  // where creases cross the sides
+  std::size_t cuts_ = 0;
+  std::size_t boundaries_ = 0;  // of the cuts, with what is not defined between them
+  std::size_t lines_ = 0;       // places on lines where it is not defined
+  std::size_t faces_ = 0;       // times that the surface leaves the box on its way around the leaf
+};
+
+}  // namespace
+
+std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree) {
+  if (leaf.is_left_out) return {};
+  Polygon whole = polygon_size(leaf, tree);
+  if (!tree.may_be_crossed(leaf) && !leaf.on_boundary && !leaf.is_split) {
+    std::vector<Polygon> result;
+    result.push_back(std::move(whole));
+    return result;
+  }
+  return Cutter(whole, tree)
+      .take(leaf.is_split, tree.is_defined(leaf.samples.centre), has_opposite_gaps(leaf, tree));
+}
+
+std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree) {
+  std::uint32_t count = 0;
+  for_sides(leaf, tree, [&](std::uint32_t, std::uint32_t) { ++count; });
+  return count;
+}
+
+std::array<dvec3, 4> corner_positions(const Leaf& leaf, const CellTree& tree) {
+  std::array<dvec3, 4> positions;
+  for (std::size_t k = 0; k < 4; ++k) {
+    positions[k] = tree.mesh().position[leaf.samples.corner[k]];
+  }
+  return positions;
+}
+
+std::vector<Side> sides_of(const Leaf& leaf, const CellTree& tree) {
+  std::vector<Side> sides;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    sides.push_back({std::min(a, b), std::max(a, b)});
+  });
+  return sides;
+}
+
+std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, const CellTree& tree) {
+  if (leaf.on_boundary || leaf.is_split || leaf.is_left_out) return std::nullopt;
+  const auto& corners = leaf.samples.corner;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (tree.is_halved(leaf, k) || !tree.is_defined(corners[k])) return std::nullopt;
+  }
+  if (!tree.may_be_crossed(leaf)) return corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (tree.feature(corners[k], corners[(k + 1) % 4])) return std::nullopt;
+  }
+  return corners;
+}
+
+bool is_flat(const Polygon& sub_polygon) {
+  const Bounds box = box_around(sub_polygon);
+  return box.empty() || std::min(box.size().x, box.size().y) <= rounding_of_place(box.high);
+}
+
+std::optional<bool> flat_sub_polygon_along_u(const Leaf& leaf, const CellTree& tree) {
+  for (const Polygon& sub_polygon : sub_polygons(leaf, tree)) {
+    if (!is_flat(sub_polygon)) continue;
+    const dvec3 size = box_around(sub_polygon).size();
+    return size.x > size.y;
+  }
+  return std::nullopt;
+}
+
+bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
+  bool has_cut = false;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<EdgeFeature> feature = tree.feature(a, b);
+    has_cut = has_cut || (feature && feature->kind == kind);
+  });
+  return has_cut;
+}
+
+bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree) {
+  const auto& point = tree.mesh().point;
+  return tree.is_defined(a) && tree.is_defined(b) && !tree.is_regular(a) && !tree.is_regular(b) &&
+         point[a] != point[b];
+}
+
+bool is_cut_along_u(const Leaf& leaf, const CellTree& tree) {
+  Bounds cuts;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<EdgeFeature> feature = tree.feature(a, b);
+    if (feature) cuts.add(dvec3(tree.place_between(feature->beside_first), 0));
+    if (!is_cusp(a, b, tree)) return;
+    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(tree.place_between(end), 0));
+  });
+  const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
+  const double along_u = size.x / leaf.size_u();
+  const double along_v = size.y / leaf.size_v();
+  if (along_u == 0 && along_v == 0) return leaf.size_u() >= leaf.size_v();
+  return along_u >= along_v;
+}
+
+namespace {
+
+/// Whether a side from or to a vertex is cut in the place of that vertex, but not at a crease:
+/// there it belongs to both sides.
+bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const CellTree& tree) {
+  const std::optional<EdgeFeature> feature = tree.feature(vertex, other);
+  return feature && feature->kind == FeatureKind::Jump &&
+         tree.place_between(feature->beside(other)) == tree.place_between(vertex);
+}
+
+bool is_at_corner(const EdgeFeature& feature, const Leaf& leaf, const CellTree& tree) {
+  const dvec2 place = tree.place_between(feature.beside_first);
+  return std::ranges::any_of(leaf.corners(), [&](const DyadicPoint& corner) {
+    return place == dvec2(corner.u, corner.v);
+  });
+}
+
+/// The vertices in whose place both sides are cut that meet there.
+std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
+  std::size_t count = 0;
+  std::optional<bool> leaves_first;  // whether the first side is cut where it begins
+  bool arrives = false;              // whether the side before is where it ends
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const bool leaves = is_cut_at(a, b, tree);
+    if (!leaves_first) leaves_first = leaves;
+    if (arrives && leaves) ++count;
+    arrives = is_cut_at(b, a, tree);
+  });
+  if (arrives && leaves_first.value_or(false)) ++count;
+  return count;
+}
+
+}  // namespace
+
+FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
+  FeatureCount count;
+  std::vector<std::uint32_t> singular;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    add_singular_vertex(a, tree, singular);
+    const std::optional<EdgeFeature> feature = tree.feature(a, b);
+    count.leads_to_pole = count.leads_to_pole || tree.leads_to_pole(a, b);
+    if (!feature) return;
+    // A pole that leaves through a vertex at which it is not defined leaves once.
+    if (feature->kind == FeatureKind::Face && !tree.is_defined(a)) return;
+    const bool on_side_of_u = tree.place_between(a).x == tree.place_between(b).x;
+    const std::size_t features = tree.has_more(a, b) ? 2 : 1;
+    count.features += features;
+    (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
+    if (is_at_corner(*feature, leaf, tree)) {
+      ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
+    }
+    if (feature->kind != FeatureKind::Crease) count.only_creases = false;
+  });
+  count.singular_points = singular.size();
+  if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);
+  return count;
+}
+
+}  // namespace saddle

@@ -1,0 +1,91 @@
+// Where normals jump along lines of parameters, to the last double on either side.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/features/discontinuities.h"
+#include "surface/normal.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+/// What is found on a line. Adds to `work` the points and boxes that were looked at.
+LocatedDiscontinuity find_crease(const Surface& surface, const Line& line, std::size_t& work) {
+  std::array<dvec3, 2> normals{};
+  for (std::size_t end = 0; end < 2; ++end) {
+    normals[end] = *normal_direction(evaluate(surface, std::array{line[end]})[0]);
+  }
+  return find_creases(surface, std::span(&line, 1), std::span(&normals, 1), 1, work)[0];
+}
+LocatedDiscontinuity find_crease(const Surface& surface, const Line& line) {
+  std::size_t work = 0;
+  return find_crease(surface, line, work);
+}
+
+/// How many doubles there are from a to b, a being the smaller one; 9 if there are more.
+int doubles_between(double a, double b) {
+  int count = 0;
+  for (; a < b && count < 9; ++count) a = std::nextafter(a, b);
+  return count;
+}
+
+const double kPlace = std::sqrt(0.5);
+
+void expect_at_place(const Surface& surface, const Line& line, bool is_cusp = true) {
+  const LocatedDiscontinuity found = find_crease(surface, line);
+  ASSERT_NE(found.kind, Discontinuity::None);
+  const double low = std::min(found.ends[0].x, found.ends[1].x);
+  const double high = std::max(found.ends[0].x, found.ends[1].x);
+  EXPECT_LE(doubles_between(low, high), 8);  // the place itself may have no normal
+  EXPECT_LE(low, kPlace);
+  EXPECT_GE(high, kPlace);
+  EXPECT_EQ(found.ends[0].y, line[0].y);
+  EXPECT_EQ(found.is_cusp, is_cusp);
+}
+
+TEST(CreaseSearch, FindsCuspsBetweenTheLastDoubles) {
+  // The normal turns to its opposite while r_u goes through zero.
+  const Surface cusp = surface_from_text("(u-sqrt(0.5))^2", "(u-sqrt(0.5))^3+u*v*0", "v",
+                                         {-1, 2, -1, 1}, {}, Order::Second);
+  expect_at_place(cusp, {dvec2(-1, 0.3), dvec2(2, 0.3)});
+  expect_at_place(cusp, {dvec2(2, 0.3), dvec2(-1, 0.3)});
+  expect_at_place(cusp, {dvec2(kPlace - 1e-9, 0.3), dvec2(2, 0.3)});
+  expect_at_place(cusp, {dvec2(kPlace - 1e-9, 0.3), dvec2(kPlace + 1e-12, 0.3)});
+}
+
+TEST(CreaseSearch, FindsKinksBetweenTheLastDoubles) {
+  // Nothing goes through zero, and the slopes on both sides differ by a factor.
+  const Surface kink = surface_from_text("u", "v", "u<sqrt(0.5)?40*(u-sqrt(0.5)):0.1*(u-sqrt(0.5))",
+                                         {-1, 2, -1, 1}, {}, Order::Second);
+  expect_at_place(kink, {dvec2(-1, 0.3), dvec2(2, 0.3)}, false);
+  expect_at_place(kink, {dvec2(kPlace - 1e-9, 0.3), dvec2(2, 0.3)}, false);
+}
+
+TEST(CreaseSearch, WorksAtScalesFarFromOne) {
+  for (const char* scale : {"1e-150", "1e150"}) {
+    const std::string s = scale;
+    const Surface cusp = surface_from_text(s + "*(u-sqrt(0.5))^2", s + "*(u-sqrt(0.5))^3", s + "*v",
+                                           {-1, 2, -1, 1}, {}, Order::Second);
+    expect_at_place(cusp, {dvec2(-1, 0.3), dvec2(2, 0.3)});
+  }
+}
+
+TEST(CreaseSearch, FindsNoneWhereASmoothSurfaceTurns) {
+  const Surface bend = height_field("tanh(1000*(u-0.3))", {-1, 2, -1, 1});
+  EXPECT_EQ(find_crease(bend, {dvec2(-1, 0.3), dvec2(2, 0.3)}).kind, Discontinuity::None);
+}
+
+TEST(CreaseSearch, EndsSoonWhereOnlyCuspsCanBe) {
+  // The same turn of normals, once with tangents that bounds prove to be continuous.
+  const auto work_of = [](const char* z) {
+    std::size_t work = 0;
+    find_crease(height_field(z, {-1, 2, -1, 1}), {dvec2(-1, 0.3), dvec2(2, 0.3)}, work);
+    return work;
+  };
+  EXPECT_LT(work_of("0.4*u^2"), 8U);
+  EXPECT_GT(work_of("0.4*u^2+1e-9*abs(u-0.5)"), 10U);
+}
+
+}  // namespace
+}  // namespace saddle

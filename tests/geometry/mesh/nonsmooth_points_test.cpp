@@ -1,0 +1,69 @@
+// Points without tangents: the apexes of cones.
+#include "mesh/features/nonsmooth_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "adaptive_options.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "surface/normal.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+TEST(NonsmoothPoints, AreTheApexesOfCones) {
+  for (const auto& [z, u, v] :
+       {std::tuple("hypot(u,v)", 0.0, 0.0), std::tuple("sqrt(u^2+v^2)", 0.0, 0.0),
+        std::tuple("1e-6*hypot(u-0.1,v+0.3)", 0.1, -0.3), std::tuple("hypot(u,v-1)", 0.0, 1.0),
+        std::tuple("(u^2+v^2)/hypot(u,v)", 0.0, 0.0)}) {
+    EXPECT_EQ(find_nonsmooth_points(height_field(z), 1, 1).conical, std::vector{dvec2(u, v)}) << z;
+  }
+  // No end of a halved range is 0.
+  EXPECT_EQ(find_nonsmooth_points(height_field("hypot(u,v)", {-1, 2, -0.3, 1}), 1, 1).conical,
+            std::vector{dvec2(0)});
+  EXPECT_EQ(find_nonsmooth_points(height_field("hypot(u,v)*hypot(u-0.5,v)"), 1, 1).conical.size(),
+            2U);
+}
+
+TEST(NonsmoothPoints, AreNoneOnLinesAndInHoles) {
+  for (const char* const z :
+       {"u*v", "abs(u)", "floor(3*u)", "1/(u^2+v^2)", "atan2(v,u)", "u*v/(u^2+v^2)",
+        "sqrt(0.5-u^2-v^2)", "tan(3*u)", "sin(hypot(u,v))/hypot(u,v)"}) {
+    EXPECT_TRUE(find_nonsmooth_points(height_field(z), 1, 1).conical.empty()) << z;
+  }
+}
+
+TEST(NonsmoothPoints, AreNoLimitsOfWaysThatLeadElsewhere) {
+  const Surface without_limit = height_field("(u-0.125)*(v+0.375)/((u-0.125)^2+(v+0.375)^2)");
+  EXPECT_EQ(find_nonsmooth_points(without_limit, 3, 1).without_limit,
+            std::vector{dvec2(0.125, -0.375)});
+  for (const char* const z : {"1/(u^2+v^2)", "sin(hypot(u,v))/hypot(u,v)", "hypot(u,v)"}) {
+    EXPECT_TRUE(find_nonsmooth_points(height_field(z), 3, 1).without_limit.empty()) << z;
+  }
+  // Beside a line of the grid, too, which is 0.008 away here.
+  const MeshResult mesh = mesh_within_tolerance(without_limit, within_length(3e-3)).value();
+  EXPECT_LE(mesh.report.max_error, 3e-3);
+  ASSERT_EQ(mesh.report.without_limit.size(), 1U);
+  EXPECT_EQ(mesh.report.without_limit[0], dvec2(0.125, -0.375));
+  EXPECT_EQ(mesh.report.singular_point_count, 0U);
+}
+
+/// Normals of a cone of 45 degrees are as exact beside its apex as elsewhere.
+TEST(NonsmoothPoints, AreVerticesWithTheNormalOfEachSide) {
+  const Surface surface = height_field("hypot(u-0.1,v+0.3)");
+  const MeshResult mesh = mesh_within_tolerance(surface, within_length(1e-2)).value();
+  EXPECT_EQ(mesh.report.singular_point_count, 1U);
+  std::size_t corners = 0;
+  for (std::size_t k = 0; k < mesh.mesh.uv.size(); ++k) {
+    if (mesh.mesh.uv[k] != dvec2(0.1, -0.3)) continue;
+    ++corners;
+    EXPECT_NEAR(mesh.mesh.normal[k].z, std::sqrt(0.5), 1e-9);
+  }
+  EXPECT_GE(corners, 4U);
+}
+
+}  // namespace
+}  // namespace saddle
