@@ -47,4 +47,13 @@ struct Bounds {
   }
 };
 
+/// Factors that give each coordinate an extent of 1, or leave it alone where it has none.
+inline dvec3 axis_scale(const Bounds& bounds) {
+  dvec3 scale(1);
+  for (int k = 0; k < 3; ++k) {
+    if (std::isnormal(1 / bounds.size()[k])) scale[k] = 1 / bounds.size()[k];
+  }
+  return scale;
+}
+
 }  // namespace saddle

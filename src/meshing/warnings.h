@@ -6,6 +6,7 @@
 
 #include "mesh/color/color_mesh.h"
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "surface/surface.h"
 
 namespace saddle {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/model/mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "study/measures.h"
 #include "surface/defined_share.h"

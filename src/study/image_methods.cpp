@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "mesh/mesher/choose.h"
+#include "mesh/model/mesh_report.h"
 #include "render/gl/context.h"
 #include "render/picture/picture_in_tiles.h"
 #include "study/exact_image.h"

@@ -8,6 +8,7 @@
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/choose.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/tidy.h"
 #include "study/mesh_distance.h"
 #include "study/methods.h"

@@ -7,6 +7,7 @@
 #include "base/format.h"
 #include "eval/batch.h"
 #include "mesh/grid/grid.h"
+#include "mesh/model/parameter_box.h"
 #include "study/methods.h"
 
 namespace saddle {

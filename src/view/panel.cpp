@@ -13,6 +13,7 @@
 #include <imgui_stdlib.h>
 
 #include "base/format.h"
+#include "mesh/model/mesh_report.h"
 #include "scene/model/assignments.h"
 #include "scene/model/colormap.h"
 #include "scene/model/gallery.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/model/mesh_report.h"
 #include "meshing/tessellate.h"
 #include "scene/model/gallery.h"
 

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "mesh/mesher/choose.h"
 #include "mesh/mesher/grid_within.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/sizing/cost_model.h"
 #include "meshing/tolerance.h"
 #include "render/gl/context.h"

@@ -12,6 +12,7 @@
 #include "base/image_png.h"
 #include "eval/batch.h"
 #include "mesh/mesher/choose.h"
+#include "mesh/model/mesh_report.h"
 #include "render/gl/context.h"
 #include "render/picture/picture_in_tiles.h"
 #include "scene/model/gallery.h"

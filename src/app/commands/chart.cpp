@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/standard_streams.h"
+#include "mesh/model/mesh_report.h"
 #include "meshing/tessellate.h"
 #include "render/picture/picture_in_tiles.h"
 #include "study/chart.h"

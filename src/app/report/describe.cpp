@@ -6,6 +6,7 @@
 
 #include "app/report/words.h"
 #include "base/format.h"
+#include "mesh/model/mesh_report.h"
 #include "meshing/warnings.h"
 
 namespace saddle {

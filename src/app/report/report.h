@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/model/mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "render/picture/picture.h"
 #include "study/facts.h"
 

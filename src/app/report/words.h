@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "mesh/model/mesh_report.h"
 #include "study/facts.h"
 
 namespace saddle::words {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/color/color_range.h"
+#include "mesh/color/drawn_colors.h"
 #include "mesh/model/pair_table.h"
 
 namespace saddle {

@@ -5,7 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "mesh/mesher/subdivide.h"
+#include "mesh/error/limits.h"
+#include "mesh/model/counterexample.h"
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {

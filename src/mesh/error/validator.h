@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "mesh/error/distance_maximizer.h"
+#include "mesh/error/limits.h"
 #include "mesh/error/validated_mesh.h"
 #include "mesh/error/validation_points.h"
-#include "mesh/mesher/subdivide.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {

@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/approach.h"
-#include "mesh/grid/corners.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
 #include "surface/normal.h"
 

@@ -6,6 +6,7 @@
 
 #include "eval/enclose.h"
 #include "mesh/features/point_singularities.h"
+#include "mesh/model/parameter_box.h"
 #include "mesh/proof/certify.h"
 #include "mesh/proof/small_components.h"
 #include "surface/normal.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/bounds.h"
+#include "mesh/model/parameter_box.h"
 #include "mesh/proof/small_components.h"
 #include "surface/surface.h"
 

@@ -12,8 +12,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/random.h"
-#include "mesh/grid/corners.h"
-#include "mesh/grid/degenerate.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "surface/surface.h"
 
 namespace saddle {

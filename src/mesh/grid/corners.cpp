@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -110,16 +111,6 @@ std::uint32_t add_corner(Mesh& mesh, std::size_t like, const dvec3& normal) {
   mesh.uv.push_back(dvec2(mesh.uv[like]));
   mesh.point.push_back(std::uint32_t{mesh.point[like]});
   return static_cast<std::uint32_t>(mesh.position.size() - 1);
-}
-
-void add_singular_point(const dvec2& uv, MeshReport& report) {
-  ++report.singular_point_count;
-  if (report.singular_points.size() < kMaxListed) report.singular_points.push_back({uv});
-}
-
-void mark_without_limit(MeshReport& report) {
-  const bool listed = report.singular_points.size() == report.singular_point_count;
-  if (listed) report.singular_points.back().has_limit = false;
 }
 
 std::vector<NormalLimit> limits_in_cells(const Surface& surface, std::vector<Approach> approaches,

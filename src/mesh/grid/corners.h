@@ -7,13 +7,10 @@
 #include <vector>
 
 #include "mesh/grid/grid.h"
+#include "mesh/model/mesh_report.h"
 #include "surface/normal.h"
 
 namespace saddle {
-
-/// Normals of cells around a singular vertex that differ by no more share a corner, degrees. Less
-/// is no visible crease, and one corner in place of four keeps smooth poles smooth.
-inline constexpr double kCreaseDegrees = 1;
 
 /// The corners of one singular vertex after the other.
 class VertexCorners {
@@ -35,11 +32,6 @@ class VertexCorners {
 
 /// A new corner of the same point as another one, with a normal of its own: its number.
 std::uint32_t add_corner(Mesh& mesh, std::size_t like, const dvec3& normal);
-
-/// Counts a singular point and lists it, if the list is not full.
-void add_singular_point(const dvec2& uv, MeshReport& report);
-/// The normal has no limit at the point that was added last.
-void mark_without_limit(MeshReport& report);
 
 /// limit_normals() within cells. To a corner at which the surface is not defined the way is aslant:
 /// 0/0 may run along the cell's diagonal, and beside it nothing but rounding is left of it.

@@ -5,6 +5,7 @@
 
 #include "mesh/grid/grid.h"
 #include "mesh/grid/weld.h"
+#include "mesh/model/mesh_report.h"
 
 namespace saddle {
 

@@ -96,14 +96,6 @@ std::string explain(std::span<const SurfacePoint> points) {
 
 }  // namespace
 
-dvec3 axis_scale(const Bounds& bounds) {
-  dvec3 scale(1);
-  for (int k = 0; k < 3; ++k) {
-    if (std::isnormal(1 / bounds.size()[k])) scale[k] = 1 / bounds.size()[k];
-  }
-  return scale;
-}
-
 void require_two_dimensional(const Surface& surface, const Grid& grid, unsigned threads) {
   if (any_vertex_is_regular(grid)) return;
   const std::vector<SurfacePoint> points = probe(surface, grid, threads);

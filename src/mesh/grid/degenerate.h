@@ -5,9 +5,6 @@
 
 namespace saddle {
 
-/// Factors that give each coordinate an extent of 1, or leave it alone where it has none.
-dvec3 axis_scale(const Bounds& bounds);
-
 /// Throws Error (Nothing) if the tangents are parallel wherever they were looked at: a straight
 /// line or a curve.
 void require_two_dimensional(const Surface& surface, const Grid& grid, unsigned threads);

@@ -10,7 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/mesh.h"
+#include "surface/surface.h"
 
 namespace saddle {
 
@@ -105,19 +106,9 @@ struct Grid {
   }
 };
 
-/// `cells` + 1 evenly spaced parameters, both ends exact.
-std::vector<double> even_lines(double first, double last, std::size_t cells);
-
 /// Sets the box around the vertices, and the local units. Throws Error (Nothing) where all are one
 /// point, or too far apart for a finite diagonal.
 void set_extent(Grid& grid, const Bounds& bounds);
-
-/// Evaluates the surface on the grid of lines u x v (at least two each, the ends those of the
-/// domain) and cuts the cells that are plain. Throws Error: Input for a grid whose corners could
-/// not be numbered; Nothing as set_extent() does, which is not called where no cell has four
-/// defined corners. The extent is that of what is in `clip`.
-Grid sample_grid(const Surface& surface, std::vector<double> u, std::vector<double> v,
-                 unsigned threads, const std::optional<Bounds>& clip = {});
 
 /// Throws Error (Nothing) if no cell is kept: the surface is undefined, or defined at isolated
 /// samples only.

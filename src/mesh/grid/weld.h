@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/grid/grid.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/seam.h"
 
 namespace saddle {

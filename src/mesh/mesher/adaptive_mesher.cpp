@@ -8,11 +8,14 @@
 
 #include "mesh/features/robust_box.h"
 #include "mesh/grid/degenerate.h"
+#include "mesh/grid/sample_grid.h"
 #include "mesh/grid/weld.h"
 #include "mesh/mesher/envelope.h"
 #include "mesh/mesher/subdivide.h"
+#include "mesh/model/parameter_box.h"
 #include "mesh/proof/small_components.h"
 #include "mesh/tree/flip.h"
+#include "mesh/tree/patches.h"
 
 namespace saddle {
 
@@ -249,7 +252,7 @@ void AdaptiveMesher::add(const Failed& failed) {
   points_.settle();
   std::vector<std::size_t> changed = follow_features(trace_options(false), leaves, tree_);
   if (tree_.has_features() && seams_.any()) {
-    mirror_features(seams_, trace_options(false), grid_, tree_);
+    trace_features_across_seams(seams_, trace_options(false), grid_, tree_);
     const auto more = follow_features(trace_options(false), leaves, tree_);
     changed.insert(changed.end(), more.begin(), more.end());
     join_features(seams_, grid_, tree_, points_);
@@ -475,24 +478,25 @@ AdaptiveMesher::Failed AdaptiveMesher::take_small_components(std::size_t& boxes)
 bool AdaptiveMesher::is_visible_hole(const UnprovedBox& box) const {
   // A hole holds boxes half as wide as it is, or a little wider.
   constexpr double kOfTolerance = 0.5;
-  const Leaf& leaf = mesh_.leaves[box.leaf];
+  const Leaf& leaf = mesh_.leaves[box.patch];
   const dvec2 size = glm::abs(tree_.parameters(leaf.high) - tree_.parameters(leaf.low));
   const dvec2 part = box.size / size;
   const auto p = corner_positions(leaf, tree_);
   const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
   const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
-  return std::max(part.x * along_u, part.y * along_v) > kOfTolerance * mesh_.allowed[box.leaf];
+  return std::max(part.x * along_u, part.y * along_v) > kOfTolerance * mesh_.allowed[box.patch];
 }
 
 /// The leaves in which bounds found places that deviate too much, holes that are seen, or tears.
 AdaptiveMesher::Failed AdaptiveMesher::take_unproved_boxes() {
-  const Certification proof = certify(surface_, grid_, tree_, mesh_.leaves, mesh_.allowed, budget_);
+  const Certification proof = certify(
+      surface_, root_lines(grid_), patches_of(mesh_.leaves, mesh_.allowed, grid_, tree_), budget_);
   proof_gaps_ = proof.proof_gaps;
   std::vector<dvec2> middles;
   std::vector<std::size_t> unproved;
-  for (const UnprovedBox& leave_unproved : proof.unproved_boxes) {
-    middles.push_back(leave_unproved.middle);
-    unproved.push_back(leave_unproved.leaf);
+  for (const UnprovedBox& unproved_box : proof.unproved_boxes) {
+    middles.push_back(unproved_box.middle);
+    unproved.push_back(unproved_box.patch);
   }
   std::ranges::sort(unproved);
   unproved.erase(std::unique(unproved.begin(), unproved.end()), unproved.end());
@@ -501,27 +505,27 @@ AdaptiveMesher::Failed AdaptiveMesher::take_unproved_boxes() {
   const std::vector<SurfacePoint> points = evaluate(surface_, middles, options_.threads);
   std::vector<double> distances;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const UnprovedBox& leave_unproved = proof.unproved_boxes[k];
-    const auto number = std::ranges::lower_bound(unproved, leave_unproved.leaf) - unproved.begin();
+    const UnprovedBox& unproved_box = proof.unproved_boxes[k];
+    const auto number = std::ranges::lower_bound(unproved, unproved_box.patch) - unproved.begin();
     distances.push_back(distance_from(grid_, triangles.of(static_cast<std::size_t>(number)),
-                                      leave_unproved.middle, points[k].position));
-    SampledError& worst = mesh_.sampled_errors[leave_unproved.leaf];
+                                      unproved_box.middle, points[k].position));
+    SampledError& worst = mesh_.sampled_errors[unproved_box.patch];
     worst.distance = std::max(worst.distance, distances.back());
   }
   const Oscillation unresolvable = oscillation();
   std::set<std::size_t> guilty;
   std::vector<Counterexample> counterexamples;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const UnprovedBox& leave_unproved = proof.unproved_boxes[k];
-    const bool exceeds_tolerance = leave_unproved.is_undefined
-                                       ? is_visible_hole(leave_unproved)
-                                       : distances[k] > mesh_.allowed[leave_unproved.leaf];
-    if (!exceeds_tolerance || stop_if_done(mesh_.leaves[leave_unproved.leaf], unresolvable)) {
+    const UnprovedBox& unproved_box = proof.unproved_boxes[k];
+    const bool exceeds_tolerance = unproved_box.is_undefined
+                                       ? is_visible_hole(unproved_box)
+                                       : distances[k] > mesh_.allowed[unproved_box.patch];
+    if (!exceeds_tolerance || stop_if_done(mesh_.leaves[unproved_box.patch], unresolvable)) {
       continue;
     }
-    guilty.insert(leave_unproved.leaf);
-    counterexamples.push_back({leave_unproved.middle, points[k].position, leave_unproved.size,
-                               leave_unproved.bend, leave_unproved.leaf});
+    guilty.insert(unproved_box.patch);
+    counterexamples.push_back({unproved_box.middle, points[k].position, unproved_box.size,
+                               unproved_box.bend, unproved_box.patch});
   }
   const std::vector<std::size_t> without_limit = find_points_without_limit(proof.unproved_boxes);
   guilty.insert(without_limit.begin(), without_limit.end());
@@ -530,7 +534,8 @@ AdaptiveMesher::Failed AdaptiveMesher::take_unproved_boxes() {
 
 /// The leaves with a tear alone.
 AdaptiveMesher::Failed AdaptiveMesher::take_points_without_limit() {
-  const Certification proof = certify(surface_, grid_, tree_, mesh_.leaves, mesh_.allowed, budget_);
+  const Certification proof = certify(
+      surface_, root_lines(grid_), patches_of(mesh_.leaves, mesh_.allowed, grid_, tree_), budget_);
   const std::vector<std::size_t> without_limit = find_points_without_limit(proof.unproved_boxes);
   return take({without_limit.begin(), without_limit.end()}, {});
 }
@@ -540,10 +545,10 @@ AdaptiveMesher::Failed AdaptiveMesher::take_points_without_limit() {
 std::vector<std::size_t> AdaptiveMesher::find_points_without_limit(
     std::span<const UnprovedBox> unproved_boxes) {
   std::set<std::size_t> leaves;
-  for (const UnprovedBox& leave_unproved : unproved_boxes) {
-    const Leaf& leaf = mesh_.leaves[leave_unproved.leaf];
+  for (const UnprovedBox& unproved_box : unproved_boxes) {
+    const Leaf& leaf = mesh_.leaves[unproved_box.patch];
     const bool is_done = leaf.frozen || leaf.oscillates || leaf.leads_to_pole || is_clipped(leaf);
-    if (leave_unproved.may_jump && !is_done) leaves.insert(leave_unproved.leaf);
+    if (unproved_box.may_jump && !is_done) leaves.insert(unproved_box.patch);
   }
   std::vector<Side> sides;
   for (const std::size_t k : leaves) append_unsearched(mesh_.leaves[k], tree_, sides);

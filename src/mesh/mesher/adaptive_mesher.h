@@ -10,9 +10,10 @@
 
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/validator.h"
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesh_plan.h"
 #include "mesh/mesher/oscillation.h"
 #include "mesh/mesher/remove_singular_cells.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/point_union.h"
 #include "mesh/proof/certify.h"
 #include "mesh/tree/leaf_mesh.h"

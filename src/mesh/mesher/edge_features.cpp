@@ -445,4 +445,14 @@ std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<
   }
 }
 
+void trace_features_across_seams(const Seams& seams, const TraceOptions& options, const Grid& grid,
+                                 CellTree& tree) {
+  std::vector<Side> sides;
+  for (const SeamSide& both : seam_sides_with_features(seams, grid, tree)) {
+    const auto [a, b] = std::minmax(both.other[0], both.other[1]);
+    if (!tree.is_searched(a, b)) sides.push_back({a, b});
+  }
+  if (!sides.empty()) trace_features(sides, options, tree);
+}
+
 }  // namespace saddle

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "mesh/sizing/probe.h"
-#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/match_seams.h"
 
 namespace saddle {
 
@@ -47,5 +47,9 @@ void sort_sides(std::vector<Side>& sides);
 /// what is cut is cut through. Returns the numbers of the leaves that this has split.
 std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<Leaf> leaves,
                                          CellTree& tree);
+
+/// Searches the sides on a seam whose partners across the seam carry a feature.
+void trace_features_across_seams(const Seams& seams, const TraceOptions& options, const Grid& grid,
+                                 CellTree& tree);
 
 }  // namespace saddle

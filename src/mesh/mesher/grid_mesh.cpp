@@ -5,6 +5,8 @@
 #include "mesh/error/sampled_error.h"
 #include "mesh/grid/cut_grid.h"
 #include "mesh/grid/grid.h"
+#include "mesh/grid/sample_grid.h"
+#include "mesh/model/parameter_box.h"
 
 namespace saddle {
 

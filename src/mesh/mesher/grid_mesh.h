@@ -1,7 +1,7 @@
 // Tessellation by a uniform grid of cells in the parameter rectangle.
 #pragma once
 
-#include "mesh/model/mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -14,11 +14,6 @@ struct GridOptions {
   int lines_u = 16;
   int lines_v = 16;
   unsigned threads = 0;  ///< 0: all
-};
-
-struct MeshResult {
-  Mesh mesh;
-  MeshReport report;
 };
 
 /// Tessellates `surface`. Cells with an undefined corner are left out and counted. Throws Error:

@@ -4,7 +4,7 @@
 
 #include "mesh/error/check_cells.h"
 #include "mesh/grid/cut_grid.h"
-#include "mesh/mesher/subdivide.h"
+#include "mesh/grid/sample_grid.h"
 #include "mesh/proof/certify.h"
 
 namespace saddle {
@@ -53,28 +53,34 @@ bool may_be_broken(const ProofGap& place) {
   return place.why == GapReason::Undefined || place.why == GapReason::Discontinuous;
 }
 
+std::vector<Patch> cells_as_patches(const Grid& grid, double allowed) {
+  std::vector<Patch> patches;
+  patches.reserve(grid.cell_count());
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto vertices = grid.vertices(cell);
+    patches.push_back({{grid.uv(vertices[0]), grid.uv(vertices[2])}, allowed, cell, {}});
+  }
+  return patches;
+}
+
 /// Whether bounds find a place that is farther off than allowed, or none to be; `certified`: they
 /// prove that there is none.
 bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned threads, Grid& grid,
                        MeshReport& report) {
-  const CellTree tree(surface, grid, threads);
-  const std::vector<Leaf> leaves = root_leaves(grid);
   const double allowed = aim(grid.mesh.bounds.centre());
   ProofBudget budget(surface.bounds);
   const Certification proof =
-      certify(surface, grid, tree, leaves, std::vector<double>(leaves.size(), allowed), budget);
+      certify(surface, {grid.u, grid.v}, cells_as_patches(grid, allowed), budget);
   report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
   // Jumps along the surface, as in a plane, are no distance off.
   if (std::ranges::any_of(proof.proof_gaps, may_be_broken)) return true;
   report.certified = proof.proof_gaps.empty();
   report.proof_gaps = merged(proof.proof_gaps, surface.domain);
   std::vector<dvec2> uv;
-  for (const UnprovedBox& leave_unproved : proof.unproved_boxes)
-    uv.push_back(leave_unproved.middle);
+  for (const UnprovedBox& box : proof.unproved_boxes) uv.push_back(box.middle);
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const DyadicPoint& low = leaves[proof.unproved_boxes[k].leaf].low;
-    const auto triangles = grid.triangles(grid.cell(low.u / kCellUnit, low.v / kCellUnit));
+    const auto triangles = grid.triangles(proof.unproved_boxes[k].patch);
     const double distance = distance_from(grid, triangles, uv[k], points[k].position);
     if (!(distance <= allowed)) return true;
     report.max_error = std::max(report.max_error, distance);

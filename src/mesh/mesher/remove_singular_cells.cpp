@@ -8,6 +8,7 @@
 
 #include "mesh/features/approach.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/parameter_box.h"
 
 namespace saddle {
 

@@ -7,6 +7,7 @@
 #include "eval/enclose.h"
 #include "mesh/grid/grid.h"
 #include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/model/parameter_box.h"
 
 namespace saddle {
 

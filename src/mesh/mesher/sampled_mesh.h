@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/mesh_report.h"
 
 namespace saddle {
 

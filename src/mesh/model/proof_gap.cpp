@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "mesh/model/mesh.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "mesh/model/mesh.h"
+#include "mesh/model/mesh_report.h"
 
 namespace saddle {
 

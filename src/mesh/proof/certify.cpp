@@ -8,8 +8,6 @@
 
 #include "eval/enclose.h"
 #include "formula/operations.h"
-#include "mesh/error/error_indicator.h"
-#include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
 
@@ -51,12 +49,6 @@ double least_length(std::span<const Interval> vector) {
   return std::hypot(least(vector[0]), least(vector[1]), least(vector[2]));
 }
 
-struct Box {
-  dvec2 low, high;
-  dvec2 middle() const { return 0.5 * low + 0.5 * high; }
-  dvec2 size() const { return glm::abs(high - low); }
-};
-
 /// Cells [first, end) of the root grid.
 struct Cells {
   std::size_t first_u, end_u;
@@ -64,40 +56,37 @@ struct Cells {
   bool is_one() const { return end_u - first_u == 1 && end_v - first_v == 1; }
 };
 
-/// Leaves by the cell of the root grid that they are in.
-class LeavesOfCells {
+/// The patches of each cell of the root grid.
+class PatchesOfCells {
  public:
-  LeavesOfCells(const Grid& grid, std::span<const Leaf> leaves)
-      : first_(grid.cell_count() + 1, 0), leaves_(leaves.size()) {
-    const auto cell_of = [&](const Leaf& leaf) {
-      return grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
-    };
-    for (const Leaf& leaf : leaves) ++first_[cell_of(leaf) + 1];
+  PatchesOfCells(std::size_t cells, std::span<const Patch> patches)
+      : first_(cells + 1, 0), patches_(patches.size()) {
+    for (const Patch& patch : patches) ++first_[patch.root_cell + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t k = 0; k < leaves.size(); ++k) leaves_[next[cell_of(leaves[k])]++] = k;
+    for (std::uint32_t k = 0; k < patches.size(); ++k) patches_[next[patches[k].root_cell]++] = k;
   }
   std::span<const std::uint32_t> of(std::size_t cell) const {
-    return std::span(leaves_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+    return std::span(patches_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
   }
 
  private:
   std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> leaves_;
+  std::vector<std::uint32_t> patches_;
 };
 
 class Certifier {
  public:
-  Certifier(const Surface& surface, const Grid& grid, const CellTree& tree,
-            std::span<const Leaf> leaves, std::span<const double> allowed, ProofBudget& budget)
-      : grid_(grid),
-        tree_(tree),
-        leaves_(leaves),
-        allowed_(allowed),
+  Certifier(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
+            ProofBudget& budget)
+      : root_(root),
+        cells_u_(root.u.size() - 1),
+        cells_v_(root.v.size() - 1),
+        patches_(patches),
         budget_(budget),
         enclosure_(surface.bounds),
         outputs_(surface.bounds.outputs.size()),
-        leaves_of_(grid, leaves) {}
+        patches_of_(cells_u_ * cells_v_, patches) {}
 
   Certification run() {
     gather_demands();
@@ -107,20 +96,16 @@ class Certifier {
   }
 
  private:
-  /// A part of a leaf, halved so many times.
+  /// A part of a patch, halved so many times.
   struct Part {
-    std::uint32_t leaf;
+    std::uint32_t patch;
     int depth;
-    Box box;
+    ParameterBox box;
     dvec2 bend;
     GapReason why = GapReason::Work;  ///< what its last try has met
   };
 
-  dvec2 size_of(const Leaf& leaf) const {
-    return glm::abs(tree_.parameters(leaf.high) - tree_.parameters(leaf.low));
-  }
-
-  /// What some leaves ask of a proof: that of all of them, and the least that one of them does.
+  /// The demands of some patches: sizes and tolerances, from the smallest to the largest.
   struct Demand {
     dvec2 largest{0};
     double eps = std::numeric_limits<double>::infinity();
@@ -134,23 +119,23 @@ class Certifier {
       largest_eps = std::max(largest_eps, other.largest_eps);
     }
   };
-  Demand demand(std::uint32_t leaf) const {
-    const dvec2 size = size_of(leaves_[leaf]);
-    return {size, allowed_[leaf], size, allowed_[leaf]};
+  Demand demand(std::uint32_t patch) const {
+    const dvec2 size = patches_[patch].box.size();
+    return {size, patches_[patch].allowed, size, patches_[patch].allowed};
   }
   Demand demand(const Cells& cells) const {
     Demand demand;
     for (std::size_t j = cells.first_v; j < cells.end_v; ++j) {
       for (std::size_t i = cells.first_u; i < cells.end_u; ++i) {
-        demand.add(of_cells_[grid_.cell(i, j)]);
+        demand.add(of_cells_[cell(i, j)]);
       }
     }
     return demand;
   }
   void gather_demands() {
-    of_cells_.resize(grid_.cell_count());
+    of_cells_.resize(cells_u_ * cells_v_);
     for (std::size_t cell = 0; cell < of_cells_.size(); ++cell) {
-      for (const std::uint32_t leaf : leaves_of_.of(cell)) of_cells_[cell].add(demand(leaf));
+      for (const std::uint32_t patch : patches_of_.of(cell)) of_cells_[cell].add(demand(patch));
     }
   }
 
@@ -159,7 +144,7 @@ class Certifier {
   /// Whether leaves of a size are near enough wherever they are in the box, second derivatives are
   /// endless, no halving can prove anything, or the surface is not defined at all there. Of a box
   /// that nobody looks at any more nothing is known.
-  Proof prove(const Box& box, const Demand& of) {
+  Proof prove(const ParameterBox& box, const Demand& of) {
     --budget_.boxes;
     enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
                outputs_);
@@ -204,18 +189,18 @@ class Certifier {
     return Proof::Open;
   }
 
-  void add_gap(GapReason why, const Box& box) {
+  void add_gap(GapReason why, const ParameterBox& box) {
     result_.proof_gaps.push_back({why, box.low, box.high});
   }
 
-  /// Cells of the root grid, many at a time. Leaves the leaves of those without a proof.
+  /// Cells of the root grid, many at a time. The patches of cells without a proof remain.
   void prove_cells() {
-    std::vector<Cells> level = {{0, grid_.cells_u, 0, grid_.cells_v}};
+    std::vector<Cells> level = {{0, cells_u_, 0, cells_v_}};
     std::vector<Cells> next;
     while (!level.empty()) {
       next.clear();
       for (const Cells& cells : level) {
-        const Box box = box_of(cells);
+        const ParameterBox box = box_of(cells);
         if (budget_.boxes == 0) {
           add_gap(GapReason::Work, box);
           continue;
@@ -225,7 +210,7 @@ class Certifier {
         if (proof == Proof::Unresolvable) {
           add_gap(GapReason::Wide, box);
         } else if (cells.is_one()) {
-          add_leaves(cells);
+          add_patches(cells);
         } else {
           halve(cells, next);
         }
@@ -244,13 +229,13 @@ class Certifier {
     if (next < static_cast<std::size_t>(kFewBoxes)) return false;
     const auto count = static_cast<double>(next);
     const double growth = count / static_cast<double>(level);
-    const double generations = std::log2(static_cast<double>(grid_.cell_count()) / count);
+    const double generations = std::log2(static_cast<double>(cells_u_ * cells_v_) / count);
     return count * std::pow(growth, generations) > static_cast<double>(budget_.boxes);
   }
 
-  Box box_of(const Cells& cells) const {
-    return {{grid_.u[cells.first_u], grid_.v[cells.first_v]},
-            {grid_.u[cells.end_u], grid_.v[cells.end_v]}};
+  ParameterBox box_of(const Cells& cells) const {
+    return {{root_.u[cells.first_u], root_.v[cells.first_v]},
+            {root_.u[cells.end_u], root_.v[cells.end_v]}};
   }
 
   static void halve(const Cells& cells, std::vector<Cells>& to) {
@@ -265,34 +250,18 @@ class Certifier {
     to.push_back(b);
   }
 
-  void add_leaves(const Cells& cell) {
-    for (const std::uint32_t k : leaves_of_.of(grid_.cell(cell.first_u, cell.first_v))) {
-      const Leaf& leaf = leaves_[k];
-      const Box box = {tree_.parameters(leaf.low), tree_.parameters(leaf.high)};
-      if (leaf.on_boundary || leaf.is_split) {
-        add_gap(worst_feature(leaf), box);  // nothing is proved about boundaries, jumps and creases
+  void add_patches(const Cells& cells) {
+    for (const std::uint32_t k : patches_of_.of(cell(cells.first_u, cells.first_v))) {
+      const Patch& patch = patches_[k];
+      if (patch.cut_by) {
+        add_gap(*patch.cut_by, patch.box);
       } else {
-        parts_.push_back({k, 0, box, dvec2(0)});
+        parts_.push_back({k, 0, patch.box, dvec2(0)});
       }
     }
   }
 
-  /// The worst of what cuts a leaf.
-  GapReason worst_feature(const Leaf& leaf) const {
-    constexpr std::array kOfCut = {GapReason::Boundary, GapReason::Jump,    GapReason::Pole,
-                                   GapReason::Crease,   GapReason::NoLimit, GapReason::Pole};
-    GapReason worst = leaf.on_boundary ? GapReason::Boundary : GapReason::Crease;
-    for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
-      const auto feature = tree_.feature(a, b);
-      if (!feature || feature->kind == FeatureKind::Boundary ||
-          feature->kind == FeatureKind::Crease)
-        return;
-      worst = kOfCut[static_cast<std::size_t>(feature->kind)];
-    });
-    return worst;
-  }
-
-  /// Parts of leaves, all of a size before any of the next: when there are no proofs to be found,
+  /// Parts of patches, all of a size before any of the next: when there are no proofs to be found,
   /// or no boxes to find them with, all places without one have been narrowed down alike.
   void prove_parts() {
     std::vector<Part> next;
@@ -315,7 +284,7 @@ class Certifier {
   }
 
   void prove(Part& part, std::vector<Part>& next) {
-    const Proof proof = prove(part.box, demand(part.leaf));
+    const Proof proof = prove(part.box, demand(part.patch));
     if (proof == Proof::LocatedDiscontinuity) return;
     part.why = why_;
     if (proof == Proof::Unresolvable) return add_gap(GapReason::Wide, part.box);
@@ -334,7 +303,7 @@ class Certifier {
   void leave_unproved(const Part& part, bool is_undefined = false) {
     const bool may_jump = part.why == GapReason::Discontinuous;
     result_.unproved_boxes.push_back(
-        {part.leaf, part.box.middle(), part.box.size(), part.bend, is_undefined, may_jump});
+        {part.patch, part.box.middle(), part.box.size(), part.bend, is_undefined, may_jump});
     add_gap(part.why, part.box);
   }
 
@@ -348,14 +317,15 @@ class Certifier {
     to.push_back(b);
   }
 
-  const Grid& grid_;
-  const CellTree& tree_;
-  std::span<const Leaf> leaves_;
-  std::span<const double> allowed_;
+  std::size_t cell(std::size_t i, std::size_t j) const { return j * cells_u_ + i; }
+
+  RootLines root_;
+  std::size_t cells_u_, cells_v_;
+  std::span<const Patch> patches_;
   ProofBudget& budget_;
   Enclosure enclosure_;
   std::vector<Interval> outputs_;
-  LeavesOfCells leaves_of_;
+  PatchesOfCells patches_of_;
   std::vector<Demand> of_cells_;  // of the root grid
   std::vector<Part> parts_;
   GapReason why_ = GapReason::Work;  // of the last box without a proof
@@ -374,10 +344,9 @@ ProofBudget::ProofBudget(const Tape& tape) {
   boxes = std::min(kMaxBoxes, kMaxSteps / steps);
 }
 
-Certification certify(const Surface& surface, const Grid& grid, const CellTree& tree,
-                      std::span<const Leaf> leaves, std::span<const double> allowed,
+Certification certify(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
                       ProofBudget& budget) {
-  return Certifier(surface, grid, tree, leaves, allowed, budget).run();
+  return Certifier(surface, root, patches, budget).run();
 }
 
 }  // namespace saddle

@@ -4,12 +4,14 @@
 // J. Snyder, "Interval analysis for computer graphics", 1992.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "mesh/model/parameter_box.h"
 #include "mesh/model/proof_gap.h"
-#include "mesh/sizing/probe.h"
-#include "mesh/tree/cell_tree.h"
+#include "surface/surface.h"
 
 namespace saddle {
 
@@ -17,35 +19,47 @@ namespace saddle {
 /// and those along the surface count although they do no harm. What is finer is left to samples.
 inline constexpr double kProofFactor = 8;
 
-/// A box of parameters for which there is no proof.
+/// A box of parameters whose triangles are to be proved.
+struct Patch {
+  ParameterBox box;
+  double allowed;                   ///< distance from the surface, in units of length
+  std::size_t root_cell;            ///< number of the root cell that holds the box; u is inner
+  std::optional<GapReason> cut_by;  ///< feature in the box: no proof is tried
+};
+
+/// A box of parameters without a proof, in a patch.
 struct UnprovedBox {
-  std::size_t leaf;
+  std::size_t patch;
   dvec2 middle;
   dvec2 size;
   dvec2 bend;                 ///< bounds of |r_uu| and |r_vv|
-  bool is_undefined = false;  ///< it is proved that the surface is not defined anywhere in it
-  bool may_jump = false;      ///< bounds do not exclude that the surface jumps in it
+  bool is_undefined = false;  ///< proved: the surface is defined nowhere in the box
+  bool may_jump = false;      ///< bounds do not exclude that the surface jumps in the box
 };
 
 struct Certification {
-  std::vector<UnprovedBox> unproved_boxes;  ///< places to be looked at
-  std::vector<ProofGap> proof_gaps;         ///< none: the proof holds everywhere
+  std::vector<UnprovedBox> unproved_boxes;
+  std::vector<ProofGap> proof_gaps;  ///< empty: the proof holds everywhere
 };
 
-/// Boxes that may still be tried. There are fewer where each one is dear.
+/// Boxes that may still be tried: fewer for long formulas.
 struct ProofBudget {
   /// For a surface with these bounds.
   explicit ProofBudget(const Tape& bounds);
   std::size_t boxes;
 };
 
-/// Bounds the distance of r(u, v) from the triangles of each leaf, of sides h and k, by
+/// Lines of the root grid, whose cells are numbered with u inner.
+struct RootLines {
+  std::span<const double> u, v;
+};
+
+/// Bounds the distance of r(u, v) from the triangles of each patch, of sides h and k, by
 /// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
-/// its first derivatives continuous; large boxes first, parts of leaves last. `allowed`: of each
-/// leaf, in units of length. Where the budget is used up, what has no proof by then is suspected;
-/// where derivatives are known well and too large for a proof, there is none, and no suspicion.
-Certification certify(const Surface& surface, const Grid& grid, const CellTree& tree,
-                      std::span<const Leaf> leaves, std::span<const double> allowed,
+/// its first derivatives continuous; large boxes first, parts of patches last. Boxes that have no
+/// proof when the budget ends are unproved. Where derivatives are known well and too large for a
+/// proof, there is a gap and no unproved box.
+Certification certify(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
                       ProofBudget& budget);
 
 }  // namespace saddle

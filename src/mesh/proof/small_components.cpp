@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 
 #include "eval/enclose.h"
-#include "mesh/grid/grid.h"
 
 namespace saddle {
 

@@ -9,16 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "mesh/model/parameter_box.h"
 #include "surface/surface.h"
 
 namespace saddle {
-
-/// A rectangle of parameters; `low` may be the larger where a range runs backwards.
-struct ParameterBox {
-  dvec2 low, high;
-
-  dvec2 middle() const { return 0.5 * low + 0.5 * high; }
-};
 
 /// Where the surface is defined in each box, or nothing: bounds prove that it is not, or it was not
 /// found. Boxes are halved, all alike, until their middles are defined, as long as there are

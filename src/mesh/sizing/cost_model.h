@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/model/mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "surface/surface.h"
 
 namespace saddle {

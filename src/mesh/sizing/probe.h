@@ -9,6 +9,7 @@
 
 #include "base/bounds.h"
 #include "mesh/features/singular.h"
+#include "mesh/model/counterexample.h"
 #include "mesh/model/seam.h"
 #include "mesh/model/tolerance.h"
 #include "mesh/proof/small_components.h"
@@ -20,15 +21,6 @@ namespace saddle {
 /// Parameters that a grid's lines must include: those of the lines that are drawn and the ends.
 struct FixedLines {
   std::vector<double> u, v;  ///< at least two each, from the range's first end to its last
-};
-
-/// A known point of the surface, or of a hole, in a cell of a grid that may be too large for it.
-struct Counterexample {
-  dvec2 uv;
-  dvec3 position;    ///< not finite in a hole
-  dvec2 size;        ///< of the box of parameters that it stands for
-  dvec2 bend;        ///< second derivatives along u and along v there, in any unit
-  std::size_t cell;  ///< its number, of whatever it is a counterexample against
 };
 
 /// How far the surface departs from its linear approximation along the sides of cells of some size,

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mesh/model/mesh_report.h"
 #include "mesh/tree/cell_polygon.h"
 #include "surface/normal.h"
 

@@ -43,38 +43,6 @@ void use_middles_of_folds(const Seams& seams, const Grid& grid, CellTree& tree) 
   }
 }
 
-/// The ends of a side on a seam, and their partners.
-struct SeamSide {
-  Side side;
-  Side other;  ///< not in order: other[k] is the partner of side[k]
-};
-
-/// The sides on seams that are cut.
-std::vector<SeamSide> crossed_seam_sides(const Seams& seams, const Grid& grid,
-                                         const CellTree& tree) {
-  std::vector<SeamSide> result;
-  for (const Side& side : tree.sides_with_features()) {
-    const DyadicPoint a = tree.place(side[0]);
-    const DyadicPoint b = tree.place(side[1]);
-    if (a.u != b.u && a.v != b.v) continue;
-    const auto place_c = partner(seams, grid, a);
-    const auto place_d = place_c ? partner(seams, grid, b) : std::nullopt;
-    if (!place_d) continue;
-    const auto vertex_c = tree.used_vertex(*place_c);
-    const auto vertex_d = tree.used_vertex(*place_d);
-    if (!vertex_c || !vertex_d) continue;
-    // Both ends are on a seam; the side is, if its partners are as far apart.
-    const bool along_u = a.v == b.v;
-    const auto length = [&](const DyadicPoint& p, const DyadicPoint& q) {
-      const auto [low, high] = along_u ? std::minmax(p.u, q.u) : std::minmax(p.v, q.v);
-      return high - low;
-    };
-    if (length(a, b) == length(*place_c, *place_d))
-      result.push_back({side, {*vertex_c, *vertex_d}});
-  }
-  return result;
-}
-
 /// Calls f(a, b) for the neighbours a and b on the sides of a leaf. Those on a side that is halved
 /// are corners of a leaf beyond it, and left to that, but at the domain's border.
 template <class F>
@@ -154,6 +122,31 @@ class Poles {
 
 }  // namespace
 
+std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& grid,
+                                               const CellTree& tree) {
+  std::vector<SeamSide> result;
+  for (const Side& side : tree.sides_with_features()) {
+    const DyadicPoint a = tree.place(side[0]);
+    const DyadicPoint b = tree.place(side[1]);
+    if (a.u != b.u && a.v != b.v) continue;
+    const auto place_c = partner(seams, grid, a);
+    const auto place_d = place_c ? partner(seams, grid, b) : std::nullopt;
+    if (!place_d) continue;
+    const auto vertex_c = tree.used_vertex(*place_c);
+    const auto vertex_d = tree.used_vertex(*place_d);
+    if (!vertex_c || !vertex_d) continue;
+    // Both ends are on a seam; the side is, if its partners are as far apart.
+    const bool along_u = a.v == b.v;
+    const auto length = [&](const DyadicPoint& p, const DyadicPoint& q) {
+      const auto [low, high] = along_u ? std::minmax(p.u, q.u) : std::minmax(p.v, q.v);
+      return high - low;
+    };
+    if (length(a, b) == length(*place_c, *place_d))
+      result.push_back({side, {*vertex_c, *vertex_d}});
+  }
+  return result;
+}
+
 void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTree& tree,
                   PointUnion& points) {
   use_middles_of_folds(seams, grid, tree);
@@ -170,18 +163,8 @@ void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTr
   for (const auto& [a, b] : pairs) points.unite(a, b);
 }
 
-void mirror_features(const Seams& seams, const TraceOptions& options, const Grid& grid,
-                     CellTree& tree) {
-  std::vector<Side> sides;
-  for (const SeamSide& both : crossed_seam_sides(seams, grid, tree)) {
-    const auto [a, b] = std::minmax(both.other[0], both.other[1]);
-    if (!tree.is_searched(a, b)) sides.push_back({a, b});
-  }
-  if (!sides.empty()) trace_features(sides, options, tree);
-}
-
 void join_features(const Seams& seams, const Grid& grid, const CellTree& tree, PointUnion& points) {
-  for (const SeamSide& both : crossed_seam_sides(seams, grid, tree)) {
+  for (const SeamSide& both : seam_sides_with_features(seams, grid, tree)) {
     const auto feature = tree.feature(both.side[0], both.side[1]);
     const auto other = tree.feature(both.other[0], both.other[1]);
     if (!other || other->kind != feature->kind || leaves_out(other->kind)) continue;

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "mesh/grid/weld.h"
-#include "mesh/mesher/edge_features.h"
 #include "mesh/model/point_union.h"
+#include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {
@@ -16,9 +17,15 @@ namespace saddle {
 void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTree& tree,
                   PointUnion& points);
 
-/// Looks on one side of each seam at sides that are cut on the other.
-void mirror_features(const Seams& seams, const TraceOptions& options, const Grid& grid,
-                     CellTree& tree);
+/// The ends of a side on a seam, and their partners.
+struct SeamSide {
+  Side side;
+  Side other;  ///< not in order: other[k] is the partner of side[k]
+};
+
+/// The sides on seams that carry a feature.
+std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& grid,
+                                               const CellTree& tree);
 
 /// Makes the vertices beside cuts one point with those on the other side of a seam.
 void join_features(const Seams& seams, const Grid& grid, const CellTree& tree, PointUnion& points);

@@ -14,6 +14,8 @@
 #include "mesh/grid/grid.h"
 #include "mesh/mesher/grid_mesh.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/mesh_report.h"
+#include "mesh/model/parameter_box.h"
 #include "meshing/clip_box.h"
 #include "render/overlay/annotations.h"
 #include "scene/model/camera.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/color/color_range.h"
+#include "mesh/color/drawn_colors.h"
 #include "scene/model/scene.h"
 
 namespace saddle {

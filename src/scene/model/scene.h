@@ -11,7 +11,7 @@
 #include "base/bounds.h"
 #include "base/vec.h"
 #include "formula/scope.h"
-#include "mesh/color/color_range.h"
+#include "mesh/color/drawn_colors.h"
 
 namespace saddle {
 

@@ -8,6 +8,7 @@
 
 #include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"
 #include "scene/model/prepare.h"

@@ -9,6 +9,7 @@
 #include "geometry/gallery/forms.h"
 #include "geometry/gallery/table.h"
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 
 namespace saddle {

@@ -16,6 +16,7 @@
 #include "adaptive_options.h"
 #include "base/random.h"
 #include "mesh/error/sampled_error.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

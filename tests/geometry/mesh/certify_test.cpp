@@ -4,6 +4,7 @@
 #include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "surface_from_text.h"
 
 namespace saddle {

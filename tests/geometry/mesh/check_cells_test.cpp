@@ -12,7 +12,9 @@
 #include "base/random.h"
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/grid.h"
+#include "mesh/grid/sample_grid.h"
 #include "mesh/grid/vertex_columns.h"
+#include "mesh/model/parameter_box.h"
 #include "surface_from_text.h"
 
 namespace saddle {

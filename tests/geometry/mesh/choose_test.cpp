@@ -13,6 +13,7 @@
 #include "base/random.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/grid_within.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/sizing/cost_model.h"
 #include "mesh_checks.h"
 #include "meshing/tolerance.h"

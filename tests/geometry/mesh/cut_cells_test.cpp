@@ -8,7 +8,10 @@
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/grid.h"
+#include "mesh/grid/sample_grid.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/model/mesh_report.h"
+#include "mesh/model/parameter_box.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -8,6 +8,9 @@
 #include "mesh/error/estimate_many.h"
 #include "mesh/error/leaf_loops.h"
 #include "mesh/error/validate_many.h"
+#include "mesh/grid/sample_grid.h"
+#include "mesh/mesher/subdivide.h"
+#include "mesh/model/parameter_box.h"
 #include "surface_from_text.h"
 
 namespace saddle {

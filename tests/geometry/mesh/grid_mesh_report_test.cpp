@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "surface_from_text.h"
 
 namespace saddle {

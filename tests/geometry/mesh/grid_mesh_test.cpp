@@ -1,4 +1,5 @@
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/mesh_report.h"
 
 #include <gtest/gtest.h>
 

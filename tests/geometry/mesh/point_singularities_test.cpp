@@ -11,6 +11,7 @@
 
 #include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_checks.h"
 #include "surface/normal.h"

@@ -12,6 +12,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/sampled_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

@@ -9,6 +9,7 @@
 
 #include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "study/triangle_tree.h"
 #include "surface_from_text.h"

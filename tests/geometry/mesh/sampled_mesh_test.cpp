@@ -12,6 +12,7 @@
 
 #include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"

@@ -8,6 +8,8 @@
 
 #include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "surface_from_text.h"
 

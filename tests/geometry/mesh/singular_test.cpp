@@ -9,6 +9,7 @@
 #include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/sampled_mesh.h"
+#include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"

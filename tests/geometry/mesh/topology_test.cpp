@@ -1,6 +1,7 @@
 // Euler numbers, edges and sides of meshes made by hand and of changed surfaces; those of the
 // gallery as it is stand in gallery/table.cpp.
 #include "mesh/model/topology.h"
+#include "mesh/model/mesh_report.h"
 
 #include <gtest/gtest.h>
 

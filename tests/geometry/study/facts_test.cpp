@@ -1,5 +1,6 @@
 // What `saddle check` measures and proves, against closed forms.
 #include "study/facts.h"
+#include "mesh/model/mesh_report.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/model/mesh_report.h"
 #include "meshing/clip_box.h"
 
 namespace saddle {

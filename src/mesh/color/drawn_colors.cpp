@@ -1,4 +1,4 @@
-#include "mesh/color/color_range.h"
+#include "mesh/color/drawn_colors.h"
 
 #include <algorithm>
 #include <array>

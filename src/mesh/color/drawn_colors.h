@@ -4,18 +4,12 @@
 #include <optional>
 
 #include "base/bounds.h"
+#include "mesh/model/color_range.h"
 
 namespace saddle {
 
 struct Mesh;
 struct Surface;
-
-/// The numbers at the first and the last of the colours; those outside have the colours of the
-/// ends.
-struct ColorRange {
-  double low = 0;
-  double high = 0;
-};
 
 struct DrawnColors {
   ColorRange range;

@@ -1,0 +1,163 @@
+#include "mesh/mesher/mesh_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <span>
+
+#include "mesh/features/nonsmooth_points.h"
+#include "mesh/model/clip.h"
+#include "mesh/model/parameter_box.h"
+
+namespace saddle {
+namespace {
+
+/// The part of the tolerance that is aimed at: samples miss some of the largest distance.
+constexpr double kAim = 0.98;
+/// Cells of the root grid each way around an island that no sample has met.
+constexpr std::size_t kComponentCells = 16;
+/// A root grid has no more lines each way than this over the tolerance as a share of the diagonal:
+/// its cells are as narrow as leaves of an Oscillation, or a little narrower.
+constexpr double kMostRootLines = 0.28;
+/// Lines become fewer by steps for tolerances that are larger by this factor, or by this one while
+/// they are more than twice too many, which halves them, up to so much: of sin(1e15*u) 1e15 lines
+/// would be within tolerance.
+constexpr double kCoarser = 1.25;
+constexpr double kMuchCoarser = 4;
+constexpr double kCoarsest = 1e40;
+/// More lines than this each way cannot be numbered by a cell tree.
+constexpr std::size_t kMaxLines = 60000;
+
+FixedLines drawn_lines(const Domain& domain, const AdaptiveOptions& options) {
+  const auto lines = [](double first, double last, int count) {
+    return even_lines(first, last, static_cast<std::size_t>(std::max(count, 2) - 1));
+  };
+  return {lines(domain.u0, domain.u1, options.lines_u),
+          lines(domain.v0, domain.v1, options.lines_v)};
+}
+
+std::size_t cells(const FixedLines& lines) {
+  return (lines.u.size() - 1) * (lines.v.size() - 1);
+}
+
+/// Lines and more lines within their range, in order and once each.
+std::vector<double> merged_lines(std::vector<double> lines, std::span<const double> more) {
+  const bool backwards = lines.front() > lines.back();
+  lines.insert(lines.end(), more.begin(), more.end());
+  if (backwards) {
+    std::ranges::sort(lines, std::greater());
+  } else {
+    std::ranges::sort(lines);
+  }
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
+/// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
+/// than are allowed.
+void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
+  plan.sizing = plan.probe.sizing(plan.fixed, tolerance_within(options.clip, plan.aim));
+  // For a tolerance that is larger by a factor.
+  const auto place = [&plan](double factor) {
+    plan.lines = plan.probe.place_lines(plan.fixed, plan.sizing, 1 / std::sqrt(factor));
+  };
+  place(1);
+  const double most = std::max(kMostRootLines / share_of_diagonal(plan),
+                               static_cast<double>(plan.fixed.u.size() + plan.fixed.v.size()));
+  const auto lines = [&] {
+    return static_cast<double>(std::max(plan.lines.u.size(), plan.lines.v.size()));
+  };
+  double factor = 1;
+  while (lines() > most && factor < kCoarsest) {
+    factor *= lines() > 2 * most ? kMuchCoarser : kCoarser;
+    place(factor);
+  }
+  const auto is_too_fine = [&] {
+    return 2 * cells(plan.lines) > options.max_triangles && cells(plan.lines) > cells(plan.fixed);
+  };
+  for (factor *= 2; is_too_fine(); factor *= 2) {
+    plan.is_limited = true;
+    place(factor);
+  }
+  if (const auto& component = plan.probe.component()) {
+    const auto [low, high] = component->where;
+    plan.lines.u =
+        merged_lines(std::move(plan.lines.u), even_lines(low.x, high.x, kComponentCells));
+    plan.lines.v =
+        merged_lines(std::move(plan.lines.v), even_lines(low.y, high.y, kComponentCells));
+  }
+}
+
+/// What descents from the probe's samples find, and bounds.
+SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
+                         const MeshPlan& plan) {
+  const Domain& d = surface.domain;
+  const auto even = [](std::vector<double> lines, double first, double last) {
+    lines.push_back(0);
+    lines.push_back(0.5 * first + 0.5 * last);
+    return lines;
+  };
+  SingularSet set = find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
+                                  even(plan.drawn.v, d.v0, d.v1), options.threads);
+  NonsmoothPoints rough =
+      find_nonsmooth_points(surface, plan.probe.bounds().diagonal(), options.threads);
+  set.points.insert(set.points.end(), rough.conical.begin(), rough.conical.end());
+  set.without_limit = std::move(rough.without_limit);
+  return set;
+}
+
+bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
+  const double diagonal = bounds.diagonal();
+  if (!std::isnormal(diagonal * diagonal)) return false;  // the judge takes squares of lengths
+  const double eps = tolerance(bounds.centre());
+  return eps > 0 && std::isfinite(eps);
+}
+
+}  // namespace
+
+Tolerance tolerance_within(const std::optional<Bounds>& clip, const Tolerance& tolerance) {
+  if (!clip) return tolerance;
+  return [box = *clip, tolerance](const dvec3& place, double reach) {
+    const bool is_clipped = is_beyond(box, std::span(&place, 1));
+    return is_clipped ? std::numeric_limits<double>::infinity() : tolerance(place, reach);
+  };
+}
+
+std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options) {
+  Probe probe(surface, options.threads);
+  if (options.clip) probe.keep_within(*options.clip);
+  const Tolerance tolerance = options.tolerance(probe);
+  if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
+  MeshPlan plan{std::move(probe),
+                tolerance,
+                tolerance.times(kAim),
+                drawn_lines(surface.domain, options),
+                {},
+                {},
+                {},
+                {}};
+  plan.singular = singular_set(surface, options, plan);
+  plan.fixed = plan.probe.fixed_lines(plan.drawn, plan.singular);
+  place_root_lines(options, plan);
+  if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
+  return plan;
+}
+
+double share_of_diagonal(const MeshPlan& plan) {
+  const Bounds& bounds = plan.probe.bounds();
+  const double diagonal = bounds.diagonal();
+  return plan.tolerance(bounds.centre(), diagonal) / diagonal;
+}
+
+MeshReport report_of(const MeshPlan& plan) {
+  MeshReport report;
+  const Bounds& bounds = plan.probe.bounds();
+  report.reached_limit = plan.is_limited;
+  report.tolerance = plan.tolerance(bounds.centre(), bounds.diagonal());
+  report.least_triangles = plan.probe.least_triangles(plan.tolerance);
+  report.evaluations = plan.probe.evaluations();
+  return report;
+}
+
+}  // namespace saddle

@@ -1,0 +1,59 @@
+// What is decided of a mesh before any cell is made: its tolerance, and the lines of its root grid.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "mesh/features/singular.h"
+#include "mesh/model/mesh_report.h"
+#include "mesh/model/tolerance.h"
+#include "mesh/sizing/probe.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+struct AdaptiveOptions {
+  /// The tolerance, once it is known about where the surface is.
+  std::function<Tolerance(const Probe&)> tolerance;
+  double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
+  std::size_t max_triangles = 4'000'000;
+  /// The mesh is cut along this box; its faces may be infinitely far.
+  std::optional<Bounds> clip = {};
+  /// Once poles are found, or vertices so many diagonals beyond the box that most of the probe's
+  /// samples keep to, nothing is wanted but the report of them: the mesh is then empty.
+  std::optional<double> until_far = {};
+  /// Lines of constant u and of constant v, evenly spaced, first and last on the ends of the range;
+  /// 0: none. They are among the mesh's edges.
+  int lines_u = 16;
+  int lines_v = 16;
+  bool certify = true;   ///< prove that nothing hides between samples, as far as that goes
+  unsigned threads = 0;  ///< 0: all
+};
+
+/// What is known of a mesh before it is made.
+struct MeshPlan {
+  Probe probe;
+  Tolerance tolerance;
+  Tolerance aim;            ///< a little less: samples miss some of the largest distance
+  FixedLines drawn;         ///< lines that are drawn, and the ends of the ranges
+  SingularSet singular;     ///< where a root line goes, if they are few
+  FixedLines fixed;         ///< lines that the root grid must have: Probe::fixed_lines()
+  FixedLines lines;         ///< of the root grid
+  SizingField sizing;       ///< that they were placed for
+  bool is_limited = false;  ///< they are farther apart than the tolerance asks for: max_triangles
+};
+
+/// Nothing if the surface is so large or small that its tolerance is not a positive number, or
+/// takes more lines than can be numbered.
+std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options);
+
+/// A tolerance that is infinite outside of the clip box.
+Tolerance tolerance_within(const std::optional<Bounds>& clip, const Tolerance& tolerance);
+
+/// The tolerance as a share of the surface's diagonal.
+double share_of_diagonal(const MeshPlan& plan);
+
+/// What a report says of a mesh before it is made.
+MeshReport report_of(const MeshPlan& plan);
+
+}  // namespace saddle

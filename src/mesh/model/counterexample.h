@@ -1,0 +1,19 @@
+// Points of the surface that a cell of the mesh misses.
+#pragma once
+
+#include <cstddef>
+
+#include "base/vec.h"
+
+namespace saddle {
+
+/// A known point of the surface, or of a hole, in a cell of a grid that may be too large for it.
+struct Counterexample {
+  dvec2 uv;
+  dvec3 position;    ///< not finite in a hole
+  dvec2 size;        ///< of the box of parameters that it stands for
+  dvec2 bend;        ///< second derivatives along u and along v there, in any unit
+  std::size_t cell;  ///< its number, of whatever it is a counterexample against
+};
+
+}  // namespace saddle

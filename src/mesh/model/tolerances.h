@@ -1,0 +1,15 @@
+// Limits that several parts of the mesher share.
+#pragma once
+
+#include <cstddef>
+
+namespace saddle {
+
+/// Places of a kind that a report names; it counts the others.
+inline constexpr std::size_t kMaxListed = 1000;
+
+/// Normals that differ by no more, in degrees, are one normal. A smaller angle is no visible
+/// crease, and one corner in place of four keeps smooth poles smooth.
+inline constexpr double kCreaseDegrees = 1;
+
+}  // namespace saddle

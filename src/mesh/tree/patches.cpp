@@ -1,0 +1,42 @@
+#include "mesh/tree/patches.h"
+
+#include <array>
+
+#include "mesh/tree/cell_polygon.h"
+
+namespace saddle {
+namespace {
+
+/// The worst feature on the sides of a leaf, or the boundary of the surface.
+GapReason worst_feature(const Leaf& leaf, const CellTree& tree) {
+  constexpr std::array kReasonOfFeature = {GapReason::Boundary, GapReason::Jump,
+                                           GapReason::Pole,     GapReason::Crease,
+                                           GapReason::NoLimit,  GapReason::Pole};
+  GapReason worst = leaf.on_boundary ? GapReason::Boundary : GapReason::Crease;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const auto feature = tree.feature(a, b);
+    if (!feature || feature->kind == FeatureKind::Boundary || feature->kind == FeatureKind::Crease)
+      return;
+    worst = kReasonOfFeature[static_cast<std::size_t>(feature->kind)];
+  });
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Patch> patches_of(std::span<const Leaf> leaves, std::span<const double> allowed,
+                              const Grid& grid, const CellTree& tree) {
+  std::vector<Patch> patches;
+  patches.reserve(leaves.size());
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    const Leaf& leaf = leaves[k];
+    patches.push_back({{tree.parameters(leaf.low), tree.parameters(leaf.high)},
+                       allowed[k],
+                       grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
+                       {}});
+    if (leaf.on_boundary || leaf.is_split) patches.back().cut_by = worst_feature(leaf, tree);
+  }
+  return patches;
+}
+
+}  // namespace saddle

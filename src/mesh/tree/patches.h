@@ -1,0 +1,21 @@
+// Leaves as patches for the interval proof.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/proof/certify.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+/// The patch of each leaf. `allowed`: of each leaf, in units of length.
+std::vector<Patch> patches_of(std::span<const Leaf> leaves, std::span<const double> allowed,
+                              const Grid& grid, const CellTree& tree);
+
+/// The lines of the root grid; they refer to `grid`.
+inline RootLines root_lines(const Grid& grid) {
+  return {grid.u, grid.v};
+}
+
+}  // namespace saddle
