@@ -12,12 +12,7 @@
 
 #include "mesh/color/color_mesh.h"
 #include "mesh/features/robust_box.h"
-#include "mesh/mesher/adaptive_mesh.h"
-#include "mesh/mesher/choose.h"
-#include "mesh/mesher/grid_mesh.h"
-#include "mesh/mesher/sampled_mesh.h"
-#include "mesh/model/clip.h"
-#include "mesh/model/tidy.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
@@ -30,11 +25,6 @@ namespace {
 /// Without --samples a cell is about this large in the picture to begin with: for most surfaces of
 /// the gallery that is within kPictureTolerance, and the grid is halved until it is.
 constexpr int kPixelsPerCell = 8;
-/// The error of a smooth surface falls to a quarter when cells are halved; where it does not fall
-/// to this share, at a kink or the edge of a hole, finer cells do not help.
-constexpr double kWorthHalving = 0.5;
-/// A coarse grid may miss most of a wave, and so of its own error: one halving proves nothing.
-constexpr int kHalvingsInVain = 2;
 /// At most this many cells each way: two million triangles.
 constexpr int kMaxDefaultCells = 1000;
 
@@ -47,9 +37,6 @@ constexpr std::size_t kEnoughTriangles = 1'000'000;
 constexpr double kLeastShare = 0.25;
 /// Boxes that a surface with poles is clipped to before its poles show all the faces that it needs.
 constexpr int kMostBoxes = 3;
-/// AdaptiveOptions::until_far: poles alone.
-constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-
 /// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
 /// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
 /// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks.
@@ -61,37 +48,21 @@ int default_cells(int larger_side, int lines) {
   return rounded <= kMaxDefaultCells ? rounded : wanted;
 }
 
-GridOptions first_grid(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
+/// The grid of --samples, or the coarsest of the defaults that keeps the tolerance.
+UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                               unsigned threads) {
   const int larger_side = std::max(scene.picture.width, scene.picture.height);
-  GridOptions options;
-  options.lines_u = spec.grid_u;
-  options.lines_v = spec.grid_v;
-  options.cells_u =
+  UniformRequest request;
+  request.grid.lines_u = spec.grid_u;
+  request.grid.lines_v = spec.grid_v;
+  request.grid.cells_u =
       scene.mesh.samples ? scene.mesh.samples->u : default_cells(larger_side, spec.grid_u);
-  options.cells_v =
+  request.grid.cells_v =
       scene.mesh.samples ? scene.mesh.samples->v : default_cells(larger_side, spec.grid_v);
-  options.threads = threads;
-  return options;
-}
-
-/// The grid that --samples asks for, or the coarsest of the defaults that keeps the tolerance.
-MeshResult mesh_uniformly(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,
-                          double tolerance, unsigned threads) {
-  GridOptions options = first_grid(scene, spec, threads);
-  MeshResult result = mesh_on_grid(surface, options);
-  int stagnation = 0;  // halvings in a row
-  while (!scene.mesh.samples && stagnation < kHalvingsInVain &&
-         result.report.max_error > tolerance * result.mesh.bounds.diagonal() &&
-         2 * std::max(options.cells_u, options.cells_v) <= kMaxDefaultCells) {
-    options.cells_u *= 2;
-    options.cells_v *= 2;
-    MeshResult finer = mesh_on_grid(surface, options);
-    finer.report.evaluations += result.report.evaluations;
-    const bool helped = finer.report.max_error <= kWorthHalving * result.report.max_error;
-    result = std::move(finer);
-    stagnation = helped ? 0 : stagnation + 1;
-  }
-  return result;
+  request.grid.threads = threads;
+  request.clip = scene.clip.box;
+  if (!scene.mesh.samples) request.share = tolerance_share(scene, purpose);
+  return request;
 }
 
 /// The box, open at the faces that the surface does not go through on its way to its poles, or to
@@ -106,56 +77,28 @@ Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
   return box;
 }
 
-/// A picture's mesh is the one that costs least; a file's has the fewest triangles, and what is
-/// told of a surface is told of that.
-std::optional<MeshResult> mesh_for(const Scene& scene, const Purpose& purpose,
-                                   const Surface& surface, const AdaptiveOptions& options) {
+/// A picture's mesh is the one that costs least; a file's has the fewest triangles, and reports are
+/// about that.
+MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                          unsigned threads) {
+  MeshRequest request;
   if (const auto& samples = scene.mesh.samples) {
-    return mesh_of_samples(surface, options, static_cast<std::size_t>(samples->u),
-                           static_cast<std::size_t>(samples->v));
+    request.method = MeshRequest::Method::Samples;
+    request.samples = {static_cast<std::size_t>(samples->u), static_cast<std::size_t>(samples->v)};
+  } else if (!purpose.mesh) {
+    request.method = MeshRequest::Method::LeastCost;
   }
-  const auto times = static_cast<double>(std::max<std::size_t>(purpose.moments.size(), 1));
-  if (!purpose.mesh) return mesh_at_least_cost(surface, options, times);
-  auto mesh = mesh_within_tolerance(surface, options);
-  if (mesh) mesh->report.choice = MeshChoice();
-  return mesh;
-}
-
-/// Deducts what a mesh took from the triangles that the next mesh of the run may have. A number
-/// that the user gave stays.
-void deduct_triangles(const Scene& scene, const std::optional<MeshResult>& made,
-                      AdaptiveOptions& options) {
-  if (!made || scene.mesh.max_triangles) return;
-  const auto least =
-      static_cast<std::size_t>(kLeastShare * static_cast<double>(most_triangles(scene)));
-  const std::size_t taken = made->report.effort / kPlacesPerTriangle;
-  options.max_triangles = std::max(options.max_triangles, least + taken) - taken;
-}
-
-/// The mesh of a surface that goes to infinity, clipped, if there is any. `known`: what is known of
-/// its poles; `options.clip`: the box that everything else is in.
-std::optional<MeshResult> mesh_clipped(const MeshReport& known, const Scene& scene,
-                                       const Purpose& purpose, const Surface& surface,
-                                       AdaptiveOptions options) {
-  // Only where its poles are tells that it needs the box, and in which coordinates.
-  const Bounds box = *options.clip;
-  Bounds beside_poles = known.beside_poles;
-  std::optional<MeshResult> mesh;
-  for (int k = 0; k < kMostBoxes; ++k) {
-    options.clip = open_where_it_stays(box, beside_poles);
-    mesh = mesh_for(scene, purpose, surface, options);
-    if (!mesh) return std::nullopt;
-    mesh->report.clip = options.clip;
-    beside_poles.add(mesh->report.beside_poles);
-    if (open_where_it_stays(box, beside_poles) == *options.clip) break;
-    deduct_triangles(scene, mesh, options);
-  }
-  // Cells outside of the box are not looked at any more.
-  if (known.pole_count > mesh->report.pole_count) {
-    mesh->report.poles = known.poles;
-    mesh->report.pole_count = known.pole_count;
-  }
-  return mesh;
+  request.draws = static_cast<double>(std::max<std::size_t>(purpose.moments.size(), 1));
+  request.clip = scene.clip.box;
+  request.tolerance = [&scene, &spec, &purpose, clip = request.clip](const Probe& probe) {
+    return tolerance_of(scene, spec, purpose, probe, clip);
+  };
+  request.normal_tolerance = scene.mesh.normal_tolerance;
+  request.max_triangles = most_triangles(scene);
+  request.lines_u = spec.grid_u;
+  request.lines_v = spec.grid_v;
+  request.threads = threads;
+  return request;
 }
 
 /// What of a surface's box goes so far beyond another that it is no better than a pole.
@@ -169,83 +112,136 @@ Bounds far_from(const Bounds& box, const Bounds& whole) {
   return beyond;
 }
 
-/// Where a surface is, by samples that are spread over it.
-struct Whereabouts {
-  Bounds around;
-  std::vector<dvec3> positions;
+/// Meshes a surface as often as it takes to know the box that its poles, or parts of it that are
+/// out of proportion, are clipped to.
+class ProportionateMesher {
+ public:
+  ProportionateMesher(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                      const Surface& surface, unsigned threads)
+      : scene_(scene),
+        spec_(spec),
+        purpose_(purpose),
+        surface_(surface),
+        request_(first_request(scene, spec, purpose, threads)) {
+    request_.tolerance = [this](const Probe& probe) {
+      around_ = probe.bounds();
+      positions_ = probe.positions();
+      return tolerance_of(scene_, spec_, purpose_, probe, {});
+    };
+  }
+
+  /// The mesh without what goes to infinity or is out of proportion, if there is any.
+  std::optional<MeshResult> run() {
+    if (!scene_.mesh.samples) {
+      request_.stop = MeshRequest::Stop::AtPolesOrFar;
+      request_.far = kNeedle;
+    }
+    std::optional<MeshResult> mesh = next_mesh();
+    Bounds whole = around_;  // what a mesh follows between the samples may go much farther
+    if (mesh) {
+      whole.add(mesh->mesh.bounds);
+      whole.add(mesh->report.beside_poles);
+    }
+    const std::optional<Bounds> readable = readable_box(whole, positions_);
+    const auto has_poles = [&mesh] { return mesh && mesh->report.pole_count > 0; };
+    if (mesh && mesh->report.stopped_early && !has_poles()) {
+      // Out of proportion as far as was looked; or with a peak that no sample has met.
+      if (readable) clip_to(*readable);
+      request_.stop = readable ? MeshRequest::Stop::Never : MeshRequest::Stop::AtPoles;
+      mesh = next_mesh();
+    } else if (!has_poles() && readable) {
+      clip_to(*readable);
+      request_.stop = MeshRequest::Stop::Never;
+      if (auto clipped = try_mesh(surface_, request_)) mesh = std::move(clipped);
+    }
+    if (mesh) mesh->report.clip = request_.clip;
+    if (!has_poles()) return mesh;
+    request_.stop = MeshRequest::Stop::Never;
+    return without_poles(std::move(mesh->report), whole);
+  }
+
+ private:
+  /// Clips the next meshes to a box, whose tolerance then is that of what is in it.
+  void clip_to(const Bounds& box) {
+    request_.clip = box;
+    request_.tolerance = [this, box](const Probe& probe) {
+      return tolerance_of(scene_, spec_, purpose_, probe, box);
+    };
+  }
+
+  /// A mesh whose triangles are deducted from those that the next mesh of the run may have. A
+  /// number that the user gave stays.
+  std::optional<MeshResult> next_mesh() {
+    std::optional<MeshResult> mesh = try_mesh(surface_, request_);
+    if (mesh && !scene_.mesh.max_triangles) {
+      const auto least =
+          static_cast<std::size_t>(kLeastShare * static_cast<double>(most_triangles(scene_)));
+      const std::size_t taken = mesh->report.effort / kPlacesPerTriangle;
+      request_.max_triangles = std::max(request_.max_triangles, least + taken) - taken;
+    }
+    return mesh;
+  }
+
+  /// The mesh of a surface that goes to infinity. `known`: the report of a mesh that was not
+  /// clipped; `whole`: a box around all that was seen of the surface.
+  std::optional<MeshResult> without_poles(MeshReport known, const Bounds& whole) {
+    const std::vector<dvec3> balanced = balanced_positions(surface_, request_.threads);
+    // Of a small part of a surface the probe knows more.
+    const bool knows_more = balanced.size() > positions_.size();
+    const Bounds box = clip_box(around_, knows_more ? balanced : positions_);
+    known.beside_poles.add(far_from(box, whole));
+    clip_to(box);
+    std::optional<MeshResult> mesh = mesh_clipped(known, box);
+    if (mesh) return mesh;
+    request_.clip = std::nullopt;
+    request_.tolerance = [this](const Probe& probe) {
+      return tolerance_of(scene_, spec_, purpose_, probe, {});
+    };
+    return try_mesh(surface_, request_);
+  }
+
+  /// The mesh within those faces of the box that the surface goes through on its way to its poles:
+  /// only the poles tell which ones that are.
+  std::optional<MeshResult> mesh_clipped(const MeshReport& known, const Bounds& box) {
+    Bounds beside_poles = known.beside_poles;
+    const std::size_t max_triangles = request_.max_triangles;
+    std::optional<MeshResult> mesh;
+    for (int k = 0; k < kMostBoxes; ++k) {
+      request_.clip = open_where_it_stays(box, beside_poles);
+      mesh = next_mesh();
+      if (!mesh) break;
+      mesh->report.clip = request_.clip;
+      beside_poles.add(mesh->report.beside_poles);
+      if (open_where_it_stays(box, beside_poles) == *request_.clip) break;
+    }
+    request_.max_triangles = max_triangles;
+    // Cells outside of the box are not looked at any more.
+    if (mesh && known.pole_count > mesh->report.pole_count) {
+      mesh->report.poles = known.poles;
+      mesh->report.pole_count = known.pole_count;
+    }
+    return mesh;
+  }
+
+  const Scene& scene_;
+  const SurfaceSpec& spec_;
+  const Purpose& purpose_;
+  const Surface& surface_;
+  MeshRequest request_;
+  // Where the whole surface is, by samples that are spread over it.
+  Bounds around_;
+  std::vector<dvec3> positions_;
 };
-
-/// The mesh of a surface, without what of it goes to infinity or is out of proportion; if there is
-/// any. `known`: filled in by `options.tolerance`, which goes by `options.clip`, while that is
-/// none.
-std::optional<MeshResult> mesh_in_proportion(const Scene& scene, const Purpose& purpose,
-                                             const Surface& surface, const Whereabouts& known,
-                                             AdaptiveOptions& options) {
-  if (!scene.mesh.samples) options.until_far = kNeedle;
-  auto mesh = mesh_for(scene, purpose, surface, options);
-  deduct_triangles(scene, mesh, options);
-  Bounds whole = known.around;  // what a mesh follows between the samples may go much farther
-  if (mesh) {
-    whole.add(mesh->mesh.bounds);
-    whole.add(mesh->report.beside_poles);
-  }
-  const std::optional<Bounds> readable = readable_box(whole, known.positions);
-  const auto has_poles = [&mesh] { return mesh && mesh->report.pole_count > 0; };
-  if (mesh && mesh->mesh.triangles.empty() && !has_poles()) {
-    // Out of proportion, as far as anybody looked; or with a peak that no sample has met.
-    options.clip = readable;
-    options.until_far = readable ? std::nullopt : std::optional(kAnywhere);
-    mesh = mesh_for(scene, purpose, surface, options);
-    deduct_triangles(scene, mesh, options);
-  } else if (!has_poles() && readable) {
-    options.clip = readable;
-    options.until_far = std::nullopt;
-    if (auto clipped = mesh_for(scene, purpose, surface, options)) mesh = std::move(clipped);
-  }
-  if (mesh) mesh->report.clip = options.clip;
-  if (!has_poles()) return mesh;
-
-  options.until_far = std::nullopt;
-  MeshReport report = std::move(mesh->report);
-  const std::vector<dvec3> balanced = balanced_positions(surface, options.threads);
-  // Of a small part of a surface the probe knows more.
-  const bool knows_more = balanced.size() > known.positions.size();
-  options.clip = clip_box(known.around, knows_more ? balanced : known.positions);
-  report.beside_poles.add(far_from(*options.clip, whole));
-  mesh = mesh_clipped(report, scene, purpose, surface, options);
-  if (mesh) return mesh;
-  options.clip = std::nullopt;
-  return mesh_for(scene, purpose, surface, options);
-}
 
 /// The mesh that --samples asks for, or the best one that keeps the tolerance.
 MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                          const Surface& surface, unsigned threads) {
-  AdaptiveOptions options;
-  options.clip = scene.clip.box;
-  Whereabouts known;
-  options.tolerance = [&](const Probe& probe) {
-    const std::optional<Bounds>& clip = options.clip;
-    if (!clip) known = {probe.bounds(), probe.positions()};
-    return tolerance_of(scene, spec, purpose, probe, clip);
-  };
-  options.normal_tolerance = scene.mesh.normal_tolerance;
-  options.max_triangles = most_triangles(scene);
-  options.lines_u = spec.grid_u;
-  options.lines_v = spec.grid_v;
-  options.threads = threads;
-  auto mesh = scene.clip.automatic ? mesh_in_proportion(scene, purpose, surface, known, options)
-                                   : mesh_for(scene, purpose, surface, options);
-  if (mesh) return std::move(*mesh);
-  const double share = tolerance_share(scene, purpose);
-  MeshResult grid = mesh_uniformly(scene, spec, surface, share, threads);
-  if (scene.clip.box) {
-    clip_mesh(*scene.clip.box, grid.mesh);
-    grid.report.is_clipped = true;
-    keep_used_corners(grid.mesh);
+  const UniformRequest fallback = uniform_request(scene, spec, purpose, threads);
+  if (!scene.clip.automatic) {
+    return make_mesh(surface, first_request(scene, spec, purpose, threads), fallback);
   }
-  if (!scene.mesh.samples) grid.report.tolerance = share * grid.mesh.bounds.diagonal();
-  return grid;
+  auto mesh = ProportionateMesher(scene, spec, purpose, surface, threads).run();
+  return mesh ? std::move(*mesh) : mesh_uniformly(surface, fallback);
 }
 
 /// Without a tolerance, as of a uniform grid, edges of this share of the diagonal are short enough

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "mesh/color/color_mesh.h"
-#include "mesh/mesher/grid_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/tolerance.h"
 #include "scene/model/prepare.h"

@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/model/tolerance.h"
+#include "mesh/sizing/probe.h"
 #include "scene/model/instances.h"
 #include "scene/model/scene.h"
 

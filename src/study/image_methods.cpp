@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
-#include "mesh/mesher/choose.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "render/gl/context.h"
 #include "render/picture/picture_in_tiles.h"
@@ -91,7 +91,8 @@ class ImageStudy {
   }
 
   std::optional<MeshResult> tessellate(double pixels) const {
-    AdaptiveOptions options;
+    MeshRequest options;
+    options.method = MeshRequest::Method::LeastCost;
     const double length = pixels * subject_.pixel;
     options.tolerance = [length](const Probe&) { return Tolerance(length); };
     options.normal_tolerance = subject_.normal_tolerance;
@@ -100,7 +101,7 @@ class ImageStudy {
     options.lines_u = 0;
     options.lines_v = 0;
     options.threads = subject_.threads;
-    return mesh_at_least_cost(subject_.surface, options, 1);
+    return try_mesh(subject_.surface, options);
   }
 
   const Subject& subject_;

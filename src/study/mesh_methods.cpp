@@ -5,8 +5,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
-#include "mesh/mesher/adaptive_mesh.h"
-#include "mesh/mesher/choose.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/tidy.h"
@@ -36,16 +35,18 @@ class MeshStudy {
       const std::string text = std::to_string(n) + "x" + std::to_string(n);
       if (!add("uniform", text, {}, [&] { return uniform(n); })) break;
     }
-    add_over_tolerances("adaptive", [&](const AdaptiveOptions& options) {
-      AdaptiveOptions quick = options;
+    add_over_tolerances("adaptive", [&](const MeshRequest& options) {
+      MeshRequest quick = options;
       quick.certify = false;
-      return mesh_within_tolerance(subject_.surface, quick);
+      return try_mesh(subject_.surface, quick);
     });
-    add_over_tolerances("adaptive certified", [&](const AdaptiveOptions& options) {
-      return mesh_within_tolerance(subject_.surface, options);
+    add_over_tolerances("adaptive certified", [&](const MeshRequest& options) {
+      return try_mesh(subject_.surface, options);
     });
-    add_over_tolerances("chosen for a picture", [&](const AdaptiveOptions& options) {
-      return mesh_at_least_cost(subject_.surface, options, 1);
+    add_over_tolerances("chosen for a picture", [&](const MeshRequest& options) {
+      MeshRequest cheapest = options;
+      cheapest.method = MeshRequest::Method::LeastCost;
+      return try_mesh(subject_.surface, cheapest);
     });
     add_limit();
     return std::move(result_);
@@ -56,7 +57,7 @@ class MeshStudy {
   template <class F>
   void add_over_tolerances(const char* method, F mesh) {
     for (const double pixels : kMeshTolerances) {
-      const AdaptiveOptions options = within(pixels);
+      const MeshRequest options = within(pixels);
       const auto make = [&] { return mesh(options); };
       if (!add(method, rounded(pixels, kSettingDigits) + " px", pixels, make)) return;
     }
@@ -91,8 +92,8 @@ class MeshStudy {
     return mesh;
   }
 
-  AdaptiveOptions within(double pixels) const {
-    AdaptiveOptions options;
+  MeshRequest within(double pixels) const {
+    MeshRequest options;
     const double length = pixels * subject_.pixel;
     options.tolerance = [length](const Probe&) { return Tolerance(length); };
     options.max_triangles = subject_.max_triangles;

@@ -83,7 +83,7 @@ class Study {
           [&] { return mesh_within_tolerance(surface_, options_, *plan); });
     if (!options_.clip && plan->tolerance.is_same_everywhere())
       try_grids(*plan, planning, renderer);
-    print("chosen", 0, renderer, [&] { return mesh_at_least_cost(surface_, options_, 1); });
+    print("chosen", 0, renderer, [&] { return mesh_at_least_cost(surface_, options_); });
   }
 
  private:
@@ -134,7 +134,7 @@ class Study {
   double factor_;
   Surface surface_;
   Operations operations_;
-  AdaptiveOptions options_;
+  MeshRequest options_;
 };
 
 }  // namespace

@@ -82,7 +82,7 @@ void measure(const std::string& name, Mean& mean) {
   const MeshDistance distance(subject);
   for (const double share : kTolerances) {
     double length = 0;
-    AdaptiveOptions options;
+    MeshRequest options;
     options.tolerance = [&](const Probe& probe) -> Tolerance {
       length = share * probe.bounds().diagonal();
       return [length](const dvec3&) { return length; };

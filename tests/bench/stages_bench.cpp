@@ -57,8 +57,8 @@ const Surface& torus_surface() {
   return kSurface;
 }
 
-AdaptiveOptions within(double share, unsigned threads) {
-  AdaptiveOptions options;
+MeshRequest within(double share, unsigned threads) {
+  MeshRequest options;
   options.tolerance = [share](const Probe& probe) {
     const double length = share * probe.bounds().diagonal();
     return [length](const dvec3&) { return length; };
@@ -79,9 +79,9 @@ void mesh(benchmark::State& state, double share, unsigned threads) {
 
 /// By the method that costs least.
 void chosen_mesh(benchmark::State& state, double share) {
-  const AdaptiveOptions options = within(share, 1);
+  const MeshRequest options = within(share, 1);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(mesh_at_least_cost(torus_surface(), options, 1));
+    benchmark::DoNotOptimize(mesh_at_least_cost(torus_surface(), options));
   }
 }
 

@@ -28,19 +28,14 @@ inline double turn_of_line(double degrees) {
   return std::min(degrees, 180 - degrees);
 }
 
-/// When nothing more is wanted: once all leaves pass, after the generation past the one that finds
-/// poles (CellTree::has_poles()), or after one.
-enum class Until : std::uint8_t { Done, Poles, OneGeneration };
-
-/// What a mesh is to keep.
+/// The limits that each leaf of a mesh keeps. They stay the same from the first leaf to the last.
 struct RefineOptions {
   Tolerance tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
-  std::optional<Bounds> clip = {};  ///< what is outside of it does not matter
+  std::optional<Bounds> clip = {};  ///< errors outside of this box do not count
   std::vector<std::uint8_t> seen_u,
       seen_v;  ///< the grid's lines that are drawn or the domain's ends
-  Until until = Until::Done;
   unsigned threads = 0;
   double share = 1e-3;  ///< the tolerance as a share of the surface's diagonal
 };

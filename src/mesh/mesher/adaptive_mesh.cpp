@@ -233,15 +233,16 @@ void keep_singular_points_within(const Bounds& box, const Surface& surface, unsi
 }
 
 /// The mesh; nothing if none of its triangles has any area.
-std::optional<MeshResult> finish(const Surface& surface, const AdaptiveOptions& options,
+std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& request,
                                  const SingularSet& singular, AdaptiveMesher& halving,
                                  MeshResult result) {
   MeshReport& report = result.report;
   const Finisher finisher(halving);
   report.effort = halving.tree().effort().total();
-  finisher.list_poles(surface, options.threads, report);
+  finisher.list_poles(surface, request.threads, report);
   if (halving.stops_early()) {
     report.beside_poles.add(halving.far());
+    report.stopped_early = true;
     return result;
   }
   finisher.list_jumps(report);
@@ -252,7 +253,7 @@ std::optional<MeshResult> finish(const Surface& surface, const AdaptiveOptions& 
   report.undefined_fraction = finisher.undefined_fraction(surface.domain);
   // A polygon that meets itself at a pole may have more triangles than it has corners for.
   // Beside a box most of those without area are beyond it.
-  report.is_clipped = options.clip.has_value();
+  report.is_clipped = request.clip.has_value();
   report.flat_triangles = report.is_clipped ? 0
                                             : std::max(triangles.expected(), triangles.all.size()) -
                                                   triangles.all.size();
@@ -262,11 +263,11 @@ std::optional<MeshResult> finish(const Surface& surface, const AdaptiveOptions& 
   report.evaluations += halving.reach_extremes();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =
-      leaf_lines(grid, halving.tree(), halving.measured().leaves, options.lines_u, options.lines_v);
-  report.evaluations += face_own_triangles(surface, options.threads, grid.mesh);
-  if (options.clip) {
-    clip_mesh(*options.clip, grid.mesh);
-    keep_singular_points_within(*options.clip, surface, options.threads, report);
+      leaf_lines(grid, halving.tree(), halving.measured().leaves, request.lines_u, request.lines_v);
+  report.evaluations += face_own_triangles(surface, request.threads, grid.mesh);
+  if (request.clip) {
+    clip_mesh(*request.clip, grid.mesh);
+    keep_singular_points_within(*request.clip, surface, request.threads, report);
   }
   keep_used_corners(grid.mesh);
   result.mesh = std::move(grid.mesh);
@@ -276,20 +277,20 @@ std::optional<MeshResult> finish(const Surface& surface, const AdaptiveOptions& 
 }  // namespace
 
 std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
-                                                const AdaptiveOptions& options) {
-  std::optional<MeshPlan> plan = plan_mesh(surface, options);
+                                                const MeshRequest& request) {
+  std::optional<MeshPlan> plan = plan_mesh(surface, request);
   if (!plan) return std::nullopt;
-  return mesh_within_tolerance(surface, options, std::move(*plan));
+  return mesh_within_tolerance(surface, request, std::move(*plan));
 }
 
-std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
-                                                const AdaptiveOptions& options, MeshPlan plan) {
+std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const MeshRequest& request,
+                                                MeshPlan plan) {
   MeshResult result{{}, report_of(plan)};
   std::vector<Counterexample> counterexamples =
-      plan.probe.counterexamples(plan.lines, tolerance_within(options.clip, plan.aim));
-  AdaptiveMesher halving(surface, options, plan);
+      plan.probe.counterexamples(plan.lines, tolerance_within(request.clip, plan.aim));
+  AdaptiveMesher halving(surface, request, plan);
   halving.run(std::move(counterexamples));
-  return finish(surface, options, plan.singular, halving, std::move(result));
+  return finish(surface, request, plan.singular, halving, std::move(result));
 }
 
 }  // namespace saddle

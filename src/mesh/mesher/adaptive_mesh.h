@@ -13,10 +13,9 @@ namespace saddle {
 /// Tessellates a surface of second order. Cells that the boundary of the surface crosses are
 /// clipped at it. Nothing if there is no plan, no cell of the root grid is defined or no triangle
 /// has any area: mesh_on_grid() deals with those. Throws Error (Nothing) as mesh_on_grid() does.
-std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
-                                                const AdaptiveOptions& options);
+std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const MeshRequest& request);
 /// The same, as planned.
-std::optional<MeshResult> mesh_within_tolerance(const Surface& surface,
-                                                const AdaptiveOptions& options, MeshPlan plan);
+std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const MeshRequest& request,
+                                                MeshPlan plan);
 
 }  // namespace saddle

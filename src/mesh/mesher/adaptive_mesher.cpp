@@ -47,62 +47,60 @@ std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-AdaptiveMesher::AdaptiveMesher(const Surface& surface, const AdaptiveOptions& options,
-                               MeshPlan& plan)
+AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& request, MeshPlan& plan)
     : surface_(surface),
-      options_(options),
-      refining_{plan.aim,
-                options.normal_tolerance,
-                options.max_triangles,
-                options.clip,
-                seen_lines(plan.lines.u, plan.drawn.u),
-                seen_lines(plan.lines.v, plan.drawn.v),
-                options.until_far ? Until::Poles : Until::Done,
-                options.threads,
-                share_of_diagonal(plan)},
-      grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), options.threads,
-                        options.clip)),
+      request_(request),
+      limits_{plan.aim,
+              request.normal_tolerance,
+              request.method == MeshRequest::Method::Samples ? 0 : request.max_triangles,
+              request.clip,
+              seen_lines(plan.lines.u, plan.drawn.u),
+              seen_lines(plan.lines.v, plan.drawn.v),
+              request.threads,
+              share_of_diagonal(plan)},
+      grid_(sample_grid(surface, std::move(plan.lines.u), std::move(plan.lines.v), request.threads,
+                        request.clip)),
       seams_(weld_if_two_dimensional(plan.probe)),
       points_(grid_.mesh),
-      tree_(surface, grid_, options.threads),
-      indicator_(refining_, grid_, tree_),
-      validator_(surface, grid_, tree_, refining_),
+      tree_(surface, grid_, request.threads),
+      indicator_(limits_, grid_, tree_),
+      validator_(surface, grid_, tree_, limits_),
       predicted_(predict(plan)),
       budget_(surface.bounds) {
-  if (!options.until_far || std::isinf(*options.until_far)) return;
+  if (request.stop != MeshRequest::Stop::AtPolesOrFar) return;
   const Bounds most = rough_box(plan.probe.positions());
-  const dvec3 far(*options.until_far * most.diagonal());
+  const dvec3 far(request.far * most.diagonal());
   proportionate_ = {most.low - far, most.high + far};
 }
 
 void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   look_far();
-  if (stops_early()) refining_.until = Until::OneGeneration;
-  tree_.add_middles(options_.threads);
-  refining_.max_triangles =
-      static_cast<std::size_t>(kFirst * static_cast<double>(options_.max_triangles));
-  add({root_leaves(grid_), std::move(counterexamples)});
-  refining_.max_triangles = options_.max_triangles;
+  const Until until = stops_early() ? Until::OneGeneration
+                      : may_stop()  ? Until::Poles
+                                    : Until::Done;
+  tree_.add_middles(request_.threads);
+  const auto first = static_cast<std::size_t>(kFirst * static_cast<double>(limits_.max_triangles));
+  add({root_leaves(grid_), std::move(counterexamples)}, {until, first});
   std::size_t component_boxes = budget_.boxes / kProofsPerComponent;
   for (int round = 0; round < kRounds && !stops_early(); ++round) {
     Failed failed{take_failed(), {}};
     if (failed.leaves.empty() && revalidate()) failed.leaves = take_failed();
-    if (failed.leaves.empty() && options_.certify) failed = take_small_components(component_boxes);
+    if (failed.leaves.empty() && certifies()) failed = take_small_components(component_boxes);
     if (failed.leaves.empty() && validate_singular()) failed.leaves = take_failed();
-    if (failed.leaves.empty() && options_.certify) failed = take_unproved_boxes();
+    if (failed.leaves.empty() && certifies()) failed = take_unproved_boxes();
     if (failed.leaves.empty() && is_unrefined()) failed = take_points_without_limit();
     if (failed.leaves.empty()) break;
-    add(failed);
+    add(failed, {until, limits_.max_triangles});
   }
   if (stops_early()) return;
   const bool is_finished = !reached_limit_ || is_unrefined();
-  if (is_finished) singularities_ = leave_out_singularities(surface_, refining_, tree_, mesh_);
-  cut_walls(refining_, is_finished, tree_, mesh_);
+  if (is_finished) singularities_ = leave_out_singularities(surface_, limits_, tree_, mesh_);
+  cut_walls(limits_, is_finished, tree_, mesh_);
 }
 
 LeafTriangles AdaptiveMesher::triangulate(MeshReport& report) {
   const auto& leaves = mesh_.leaves;
-  const SingularCorners singular(leaves, tree_, options_.threads, limits_, grid_, report);
+  const SingularCorners singular(leaves, tree_, request_.threads, normal_limits_, grid_, report);
   measure(singular.leaves(), singular);
   std::vector<std::size_t> stale;
   for (std::size_t k = 0; k < leaves.size(); ++k) {
@@ -119,7 +117,7 @@ std::size_t AdaptiveMesher::reach_extremes() {
   if (!oscillates_) return 0;
   const Oscillation unresolvable = oscillation();
   const auto oscillates = [&](const Leaf& leaf) { return unresolvable.contains(leaf, tree_); };
-  return saddle::reach_extremes(surface_, mesh_.leaves, oscillates, options_.threads, tree_, grid_);
+  return saddle::reach_extremes(surface_, mesh_.leaves, oscillates, request_.threads, tree_, grid_);
 }
 
 /// Whether a leaf would be cut into the same triangles as when it was measured.
@@ -143,7 +141,7 @@ void AdaptiveMesher::complete(MeshReport& report) {
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
-  report.budget_spent = stopped && tree_.budget_spent(options_.max_triangles);
+  report.budget_spent = stopped && tree_.budget_spent(limits_.max_triangles);
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
   if (stopped) leave_all_unproved(GapReason::Triangles);
@@ -181,28 +179,28 @@ Seams AdaptiveMesher::weld_if_two_dimensional(const Probe& probe) {
     set_extent(grid_, probe.bounds());
     return {};
   }
-  require_two_dimensional(surface_, grid_, options_.threads);
-  return weld(surface_, options_.threads, grid_);
+  require_two_dimensional(surface_, grid_, request_.threads);
+  return weld(surface_, request_.threads, grid_);
 }
 
 TraceOptions AdaptiveMesher::trace_options(bool poles) const {
-  return {refining_.tolerance, poles, options_.threads, options_.clip, options_.max_triangles};
+  return {limits_.tolerance, poles, request_.threads, request_.clip, limits_.max_triangles};
 }
 
 /// Stops, and remembers it, if one more halving could exceed the limit of triangles.
 bool AdaptiveMesher::stop_if_full() {
-  const bool full = tree_.is_full(options_.max_triangles);
+  const bool full = tree_.is_full(limits_.max_triangles);
   reached_limit_ = reached_limit_ || full;
   return full;
 }
 
 bool AdaptiveMesher::is_clipped(const Leaf& leaf) const {
-  return saddle::is_clipped(leaf, options_.clip, tree_);
+  return saddle::is_clipped(leaf, request_.clip, tree_);
 }
 
 bool AdaptiveMesher::crosses_box(const Leaf& leaf) const {
-  return options_.clip && std::ranges::any_of(corner_positions(leaf, tree_), [&](const dvec3& p) {
-           return !options_.clip->contains(p);
+  return request_.clip && std::ranges::any_of(corner_positions(leaf, tree_), [&](const dvec3& p) {
+           return !request_.clip->contains(p);
          });
 }
 
@@ -234,7 +232,7 @@ void AdaptiveMesher::take(const Subdivision& subdivision) {
 
 /// Looks for new vertices that are too far away.
 void AdaptiveMesher::look_far() {
-  if (!options_.until_far) return;
+  if (!may_stop()) return;
   const auto& position = grid_.mesh.position;
   for (; seen_ < position.size(); ++seen_) {
     const dvec3& p = position[seen_];
@@ -243,12 +241,13 @@ void AdaptiveMesher::look_far() {
 }
 
 /// Refines leaves, adds what comes out and measures it.
-void AdaptiveMesher::add(const Failed& failed) {
-  take(subdivide(failed.leaves, failed.counterexamples, oscillation(), refining_, grid_, tree_));
+void AdaptiveMesher::add(const Failed& failed, const SubdivisionGoal& goal) {
+  take(
+      subdivide(failed.leaves, failed.counterexamples, oscillation(), limits_, goal, grid_, tree_));
   look_far();
   if (stops_early()) return;
   auto& leaves = mesh_.leaves;
-  mirror_seams(seams_, options_.threads, grid_, tree_, points_);
+  mirror_seams(seams_, request_.threads, grid_, tree_, points_);
   points_.settle();
   std::vector<std::size_t> changed = follow_features(trace_options(false), leaves, tree_);
   if (tree_.has_features() && seams_.any()) {
@@ -258,12 +257,12 @@ void AdaptiveMesher::add(const Failed& failed) {
     join_features(seams_, grid_, tree_, points_);
   }
   meets_itself_ |= join_poles(std::span(leaves).subspan(mesh_.sampled_errors.size()),
-                              options_.threads, grid_, tree_, points_);
+                              request_.threads, grid_, tree_, points_);
   points_.settle();
   for (const std::uint32_t vertex : points_.take_changed()) tree_.mark_changed(vertex);
   std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.sampled_errors.size(); });
   for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
-    mesh_.allowed.push_back(tolerance_of(leaves[k], refining_.tolerance, tree_));
+    mesh_.allowed.push_back(tolerance_of(leaves[k], limits_.tolerance, tree_));
   }
   const std::vector<std::size_t> fresh = numbers(mesh_.sampled_errors.size(), leaves.size());
   changed.insert(changed.end(), fresh.begin(), fresh.end());
@@ -316,7 +315,8 @@ bool AdaptiveMesher::validate_singular() {
   Mesh& mesh = grid_.mesh;
   const std::size_t count = mesh.position.size();
   MeshReport unused;
-  const SingularCorners singular(mesh_.leaves, tree_, options_.threads, limits_, grid_, unused);
+  const SingularCorners singular(mesh_.leaves, tree_, request_.threads, normal_limits_, grid_,
+                                 unused);
   measure(singular.leaves(), singular);
   for (const std::size_t k : singular.leaves()) mesh_.made[k] = 0;  // their corners go away
   mesh.position.resize(count);
@@ -342,7 +342,7 @@ bool AdaptiveMesher::splits_u(std::size_t number) {
   const ErrorRatios ratios = is_far ? error.distance : error.turn;
   constexpr double kTells = 0.5;  // of the tolerance
   const bool tells = std::max(ratios.along_u, ratios.along_v) > kTells;
-  const bool is_narrow = Oscillation(grid_, refining_.share).is_sliver(leaf, tree_);
+  const bool is_narrow = Oscillation(grid_, limits_.share).is_sliver(leaf, tree_);
   if (tells && !is_narrow) return ratios.along_u >= ratios.along_v;
   // Normals at a singular side are not known yet, but it is there that they turn most.
   if (!is_far && has_singular_side(leaf.samples, 0) != has_singular_side(leaf.samples, 1)) {
@@ -370,7 +370,7 @@ bool AdaptiveMesher::is_cut_unclearly(std::size_t number) const {
 
 /// Whether the normals of a leaf turn by more than is allowed.
 bool AdaptiveMesher::is_turned(std::size_t number) const {
-  return turn_of_line(mesh_.sampled_errors[number].degrees) > options_.normal_tolerance;
+  return turn_of_line(mesh_.sampled_errors[number].degrees) > request_.normal_tolerance;
 }
 
 /// How many times worse than allowed the normals of a leaf are, as a score; 0 where no more
@@ -379,15 +379,15 @@ double AdaptiveMesher::turn(std::size_t number) {
   if (!is_turned(number)) return 0;
   const Leaf& leaf = mesh_.leaves[number];
   const double share =
-      turn_of_line(mesh_.sampled_errors[number].degrees) / options_.normal_tolerance;
-  if (!tree_.has_many(allowed_for_normals(options_.max_triangles))) return share * share;
+      turn_of_line(mesh_.sampled_errors[number].degrees) / request_.normal_tolerance;
+  if (!tree_.has_many(allowed_for_normals(limits_.max_triangles))) return share * share;
   if (!coarse_normals_) coarse_normals_ = tree_.parameters(leaf.middle());
   return 0;
 }
 
 /// Where leaves will be hopeless.
 Oscillation AdaptiveMesher::predict(const MeshPlan& plan) const {
-  Oscillation oscillation(grid_, refining_.share);
+  Oscillation oscillation(grid_, limits_.share);
   oscillation.predict(plan.probe.linearization_errors(oscillation.narrow_size(), plan.tolerance));
   return oscillation;
 }
@@ -459,7 +459,7 @@ AdaptiveMesher::Failed AdaptiveMesher::take_small_components(std::size_t& boxes)
   for (const Leaf& leaf : empty_) {
     where.push_back({tree_.parameters(leaf.low), tree_.parameters(leaf.high)});
   }
-  const auto found = find_defined(surface_, where, boxes, options_.threads);
+  const auto found = find_defined(surface_, where, boxes, request_.threads);
   Failed failed;
   std::vector<Leaf> kept;
   for (std::size_t k = 0; k < where.size(); ++k) {
@@ -502,7 +502,7 @@ AdaptiveMesher::Failed AdaptiveMesher::take_unproved_boxes() {
   unproved.erase(std::unique(unproved.begin(), unproved.end()), unproved.end());
   const LeafTriangles triangles =
       triangulate_leaves(mesh_.leaves, unproved, SingularCorners(), grid_, tree_);
-  const std::vector<SurfacePoint> points = evaluate(surface_, middles, options_.threads);
+  const std::vector<SurfacePoint> points = evaluate(surface_, middles, request_.threads);
   std::vector<double> distances;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const UnprovedBox& unproved_box = proof.unproved_boxes[k];

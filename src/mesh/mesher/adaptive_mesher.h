@@ -13,6 +13,7 @@
 #include "mesh/mesher/mesh_plan.h"
 #include "mesh/mesher/oscillation.h"
 #include "mesh/mesher/remove_singular_cells.h"
+#include "mesh/mesher/subdivide.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/point_union.h"
 #include "mesh/proof/certify.h"
@@ -21,20 +22,16 @@
 
 namespace saddle {
 
-/// A limit of triangles that has no cell of the root grid halved.
-inline constexpr std::size_t kUnrefined = 0;
-
 class AdaptiveMesher {
  public:
   /// Takes the plan's lines. Throws Error (Nothing) as mesh_on_grid() does.
-  AdaptiveMesher(const Surface& surface, const AdaptiveOptions& options, MeshPlan& plan);
+  AdaptiveMesher(const Surface& surface, const MeshRequest& request, MeshPlan& plan);
 
   /// Halves until nothing is found any more, and cuts poles out.
   void run(std::vector<Counterexample> counterexamples);
 
-  /// Whether there are poles, or vertices that far away, and no more was asked for than to find
-  /// them: there are no leaves.
-  bool stops_early() const { return options_.until_far && (tree_.has_poles() || !far_.empty()); }
+  /// Whether poles or far vertices were found that the request stops at: there are no leaves.
+  bool stops_early() const { return may_stop() && (tree_.has_poles() || !far_.empty()); }
   /// A box around the vertices that are too far away.
   const Bounds& far() const { return far_; }
 
@@ -72,13 +69,15 @@ class AdaptiveMesher {
     std::vector<Counterexample> counterexamples;
   };
 
-  bool is_unrefined() const { return options_.max_triangles == kUnrefined; }
+  bool is_unrefined() const { return request_.method == MeshRequest::Method::Samples; }
+  bool certifies() const { return request_.certify && !is_unrefined(); }
+  bool may_stop() const { return request_.stop != MeshRequest::Stop::Never; }
   void leave_all_unproved(GapReason why);
   void name_proof_gaps(MeshReport& report);
   Seams weld_if_two_dimensional(const Probe& probe);
   TraceOptions trace_options(bool poles) const;
   bool stop_if_full();
-  void add(const Failed& failed);
+  void add(const Failed& failed, const SubdivisionGoal& goal);
   void take(const Subdivision& subdivision);
   bool revalidate();
   void measure(std::span<const std::size_t> which, const SingularCorners& singular);
@@ -102,8 +101,8 @@ class AdaptiveMesher {
   Failed take_points_without_limit();
 
   const Surface& surface_;
-  const AdaptiveOptions& options_;
-  RefineOptions refining_;
+  const MeshRequest& request_;
+  const RefineOptions limits_;
   Grid grid_;
   Seams seams_;
   PointUnion points_;
@@ -112,7 +111,7 @@ class AdaptiveMesher {
   Validator validator_;
   Oscillation predicted_;
   ValidatedMesh mesh_;
-  LastLimits limits_;
+  LastLimits normal_limits_;
   /// Outside of it vertices are too far away.
   Bounds proportionate_{dvec3(-std::numeric_limits<double>::infinity()),
                         dvec3(std::numeric_limits<double>::infinity())};

@@ -25,12 +25,10 @@ using Why = MeshChoice::Why;
 
 class Chooser {
  public:
-  Chooser(const Surface& surface, const AdaptiveOptions& options, const MeshPlan& plan,
-          double times)
+  Chooser(const Surface& surface, const MeshRequest& request, const MeshPlan& plan)
       : surface_(surface),
-        options_(options),
+        request_(request),
         plan_(plan),
-        times_(times),
         operations_(count_operations(surface)),
         grid_forecast_(plan.probe.grid_forecast(plan.lines, plan.aim)) {
     choice_.halving_cost = cost_of(work_of_halving(grid_forecast_.cells), grid_forecast_.cells);
@@ -45,7 +43,7 @@ class Chooser {
       if (!is_cheaper(cells_of(lines))) return std::nullopt;
       ++choice_.grids;
       if (worst <= kPredicted) {
-        GridTrial trial = try_grid(surface_, options_, plan_, lines);
+        GridTrial trial = try_grid(surface_, request_, plan_, lines);
         if (trial.mesh) return std::move(trial.mesh);
         work_.add(trial.work);
         choice_.why = trial.excess > 0 ? Why::GridMisses : Why::NotSmooth;
@@ -70,11 +68,11 @@ class Chooser {
 
  private:
   double cost_of(const MeshWork& work, double cells) const {
-    return cost(work, operations_) + drawing_cost(kTrianglesOfCell * cells, times_);
+    return cost(work, operations_) + drawing_cost(kTrianglesOfCell * cells, request_.draws);
   }
 
   bool may_be_grid() {
-    choice_.why = options_.clip || plan_.is_limited       ? Why::Limited
+    choice_.why = request_.clip || plan_.is_limited       ? Why::Limited
                   : !plan_.tolerance.is_same_everywhere() ? Why::VariesTolerance
                   : !grid_forecast_.is_regular || !plan_.singular.points.empty()
                       ? Why::NotSmooth
@@ -90,7 +88,7 @@ class Chooser {
   bool is_cheaper(const dvec2& sides) {
     const double cells = sides.x * sides.y;
     // Not so for NaN.
-    const bool is_allowed = kTrianglesOfCell * cells <= static_cast<double>(options_.max_triangles);
+    const bool is_allowed = kTrianglesOfCell * cells <= static_cast<double>(request_.max_triangles);
     const MeshWork work = is_allowed ? work_of_grid(cells) : MeshWork();
     const double stagnation = cost(work_, operations_);
     if (stagnation > 0 &&
@@ -109,9 +107,8 @@ class Chooser {
   }
 
   const Surface& surface_;
-  const AdaptiveOptions& options_;
+  const MeshRequest& request_;
   const MeshPlan& plan_;
-  double times_;
   Operations operations_;
   GridForecast grid_forecast_;
   MeshChoice choice_;
@@ -120,13 +117,12 @@ class Chooser {
 
 }  // namespace
 
-std::optional<MeshResult> mesh_at_least_cost(const Surface& surface, const AdaptiveOptions& options,
-                                             double times) {
-  std::optional<MeshPlan> plan = plan_mesh(surface, options);
+std::optional<MeshResult> mesh_at_least_cost(const Surface& surface, const MeshRequest& request) {
+  std::optional<MeshPlan> plan = plan_mesh(surface, request);
   if (!plan) return std::nullopt;
-  Chooser chooser(surface, options, *plan, times);
+  Chooser chooser(surface, request, *plan);
   std::optional<MeshResult> mesh = chooser.grid();
-  if (!mesh) mesh = mesh_within_tolerance(surface, options, std::move(*plan));
+  if (!mesh) mesh = mesh_within_tolerance(surface, request, std::move(*plan));
   if (mesh) chooser.complete(mesh->report);
   return mesh;
 }

@@ -13,7 +13,6 @@ namespace saddle {
 /// that turns out to miss the tolerance is made anew with closer lines, if that still costs less,
 /// or given up. The report's `choice` says which method it was and why. Nothing, and errors, as
 /// those of mesh_within_tolerance().
-std::optional<MeshResult> mesh_at_least_cost(const Surface& surface, const AdaptiveOptions& options,
-                                             double times);
+std::optional<MeshResult> mesh_at_least_cost(const Surface& surface, const MeshRequest& request);
 
 }  // namespace saddle

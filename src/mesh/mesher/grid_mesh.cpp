@@ -1,16 +1,28 @@
 #include "mesh/mesher/grid_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/error/sampled_error.h"
 #include "mesh/grid/cut_grid.h"
 #include "mesh/grid/grid.h"
 #include "mesh/grid/sample_grid.h"
+#include "mesh/model/clip.h"
 #include "mesh/model/parameter_box.h"
+#include "mesh/model/tidy.h"
 
 namespace saddle {
 
 namespace {
+
+/// The error of a smooth surface falls to a quarter when cells are halved. Where it does not fall
+/// to this share, at a kink or at the edge of a hole, finer cells do not help.
+constexpr double kWorthHalving = 0.5;
+/// A coarse grid may miss most of a wave, and so of its own error: one halving proves nothing.
+constexpr int kHalvingsInVain = 2;
+/// At most this many cells each way: two million triangles.
+constexpr int kMostUniformCells = 1000;
 
 /// Indices of the mesh lines nearest to `lines` evenly spaced ones, without repetition.
 std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
@@ -48,6 +60,30 @@ MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options) {
   result.mesh =
       finish_grid(std::move(grid), plain, nearest_mesh_lines(options.lines_u, grid.cells_u),
                   nearest_mesh_lines(options.lines_v, grid.cells_v));
+  return result;
+}
+
+MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request) {
+  GridOptions grid = request.grid;
+  MeshResult result = mesh_on_grid(surface, grid);
+  int stagnation = 0;  // halvings in a row that did not help
+  while (request.share && stagnation < kHalvingsInVain &&
+         result.report.max_error > *request.share * result.mesh.bounds.diagonal() &&
+         2 * std::max(grid.cells_u, grid.cells_v) <= kMostUniformCells) {
+    grid.cells_u *= 2;
+    grid.cells_v *= 2;
+    MeshResult finer = mesh_on_grid(surface, grid);
+    finer.report.evaluations += result.report.evaluations;
+    const bool helped = finer.report.max_error <= kWorthHalving * result.report.max_error;
+    result = std::move(finer);
+    stagnation = helped ? 0 : stagnation + 1;
+  }
+  if (request.clip) {
+    clip_mesh(*request.clip, result.mesh);
+    result.report.is_clipped = true;
+    keep_used_corners(result.mesh);
+  }
+  if (request.share) result.report.tolerance = *request.share * result.mesh.bounds.diagonal();
   return result;
 }
 

@@ -90,33 +90,33 @@ bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned th
 
 }  // namespace
 
-GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const MeshPlan& plan,
+GridTrial try_grid(const Surface& surface, const MeshRequest& request, const MeshPlan& plan,
                    FixedLines lines) {
   GridTrial trial;
   MeshResult result{{}, report_of(plan)};
   MeshReport& report = result.report;
   const std::vector<std::size_t> columns = indices_of(plan.drawn.u, lines.u);
   const std::vector<std::size_t> rows = indices_of(plan.drawn.v, lines.v);
-  Grid grid = sample_grid(surface, std::move(lines.u), std::move(lines.v), options.threads);
+  Grid grid = sample_grid(surface, std::move(lines.u), std::move(lines.v), request.threads);
   trial.work.grid_samples = grid.vertex_count();
   if (grid.left_out_count > 0) return trial;
-  const std::vector<std::size_t> opened = cut_grid(surface, options.threads, grid, report);
+  const std::vector<std::size_t> opened = cut_grid(surface, request.threads, grid, report);
   if (!is_joined_alike(plan.probe.seams(), report, grid) || !has_poles_only(grid, opened))
     return trial;
 
   const SeenLines seen{marks(columns, grid.u.size()), marks(rows, grid.v.size())};
-  const MeasuredError error = check_cells(surface, grid, seen, options.threads);
+  const MeasuredError error = check_cells(surface, grid, seen, request.threads);
   trial.work.grid_samples += error.evaluations;
   report.max_error = error.distance;
   report.max_normal_error = error.normal_degrees;
-  const double turn = error.normal_degrees / options.normal_tolerance;
+  const double turn = error.normal_degrees / request.normal_tolerance;
   const double excess = std::max(error.distance / plan.aim(grid.mesh.bounds.centre()), turn * turn);
   if (!(excess <= 1)) {
     trial.excess = excess;
     return trial;
   }
   const bool off =
-      options.certify && exceeds_tolerance(surface, plan.aim, options.threads, grid, report);
+      request.certify && exceeds_tolerance(surface, plan.aim, request.threads, grid, report);
   trial.work.boxes = report.work.boxes;
   if (off) return trial;
   name_singular(plan.singular, surface.domain, report);
@@ -124,8 +124,8 @@ GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const
   report.work = trial.work;
   report.evaluations += trial.work.grid_samples;
   const auto none = std::vector<std::size_t>();
-  result.mesh = finish_grid(std::move(grid), opened.empty(), options.lines_u > 1 ? columns : none,
-                            options.lines_v > 1 ? rows : none);
+  result.mesh = finish_grid(std::move(grid), opened.empty(), request.lines_u > 1 ? columns : none,
+                            request.lines_v > 1 ? rows : none);
   trial.mesh = std::move(result);
   return trial;
 }

@@ -21,7 +21,7 @@ struct GridTrial {
 /// fresh points, and by bounds. There is none if the surface is not smooth and regular everywhere,
 /// poles of its parameters apart, or some cell is farther off than allowed: mesh_within_tolerance()
 /// deals with those.
-GridTrial try_grid(const Surface& surface, const AdaptiveOptions& options, const MeshPlan& plan,
+GridTrial try_grid(const Surface& surface, const MeshRequest& request, const MeshPlan& plan,
                    FixedLines lines);
 
 }  // namespace saddle

@@ -29,12 +29,12 @@ constexpr double kCoarsest = 1e40;
 /// More lines than this each way cannot be numbered by a cell tree.
 constexpr std::size_t kMaxLines = 60000;
 
-FixedLines drawn_lines(const Domain& domain, const AdaptiveOptions& options) {
+FixedLines drawn_lines(const Domain& domain, const MeshRequest& request) {
   const auto lines = [](double first, double last, int count) {
     return even_lines(first, last, static_cast<std::size_t>(std::max(count, 2) - 1));
   };
-  return {lines(domain.u0, domain.u1, options.lines_u),
-          lines(domain.v0, domain.v1, options.lines_v)};
+  return {lines(domain.u0, domain.u1, request.lines_u),
+          lines(domain.v0, domain.v1, request.lines_v)};
 }
 
 std::size_t cells(const FixedLines& lines) {
@@ -56,8 +56,8 @@ std::vector<double> merged_lines(std::vector<double> lines, std::span<const doub
 
 /// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
 /// than are allowed.
-void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
-  plan.sizing = plan.probe.sizing(plan.fixed, tolerance_within(options.clip, plan.aim));
+void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
+  plan.sizing = plan.probe.sizing(plan.fixed, tolerance_within(request.clip, plan.aim));
   // For a tolerance that is larger by a factor.
   const auto place = [&plan](double factor) {
     plan.lines = plan.probe.place_lines(plan.fixed, plan.sizing, 1 / std::sqrt(factor));
@@ -74,7 +74,7 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
     place(factor);
   }
   const auto is_too_fine = [&] {
-    return 2 * cells(plan.lines) > options.max_triangles && cells(plan.lines) > cells(plan.fixed);
+    return 2 * cells(plan.lines) > request.max_triangles && cells(plan.lines) > cells(plan.fixed);
   };
   for (factor *= 2; is_too_fine(); factor *= 2) {
     plan.is_limited = true;
@@ -90,8 +90,7 @@ void place_root_lines(const AdaptiveOptions& options, MeshPlan& plan) {
 }
 
 /// What descents from the probe's samples find, and bounds.
-SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
-                         const MeshPlan& plan) {
+SingularSet singular_set(const Surface& surface, const MeshRequest& request, const MeshPlan& plan) {
   const Domain& d = surface.domain;
   const auto even = [](std::vector<double> lines, double first, double last) {
     lines.push_back(0);
@@ -99,9 +98,9 @@ SingularSet singular_set(const Surface& surface, const AdaptiveOptions& options,
     return lines;
   };
   SingularSet set = find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
-                                  even(plan.drawn.v, d.v0, d.v1), options.threads);
+                                  even(plan.drawn.v, d.v0, d.v1), request.threads);
   NonsmoothPoints rough =
-      find_nonsmooth_points(surface, plan.probe.bounds().diagonal(), options.threads);
+      find_nonsmooth_points(surface, plan.probe.bounds().diagonal(), request.threads);
   set.points.insert(set.points.end(), rough.conical.begin(), rough.conical.end());
   set.without_limit = std::move(rough.without_limit);
   return set;
@@ -124,22 +123,22 @@ Tolerance tolerance_within(const std::optional<Bounds>& clip, const Tolerance& t
   };
 }
 
-std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options) {
-  Probe probe(surface, options.threads);
-  if (options.clip) probe.keep_within(*options.clip);
-  const Tolerance tolerance = options.tolerance(probe);
+std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& request) {
+  Probe probe(surface, request.threads);
+  if (request.clip) probe.keep_within(*request.clip);
+  const Tolerance tolerance = request.tolerance(probe);
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
   MeshPlan plan{std::move(probe),
                 tolerance,
                 tolerance.times(kAim),
-                drawn_lines(surface.domain, options),
+                drawn_lines(surface.domain, request),
                 {},
                 {},
                 {},
                 {}};
-  plan.singular = singular_set(surface, options, plan);
+  plan.singular = singular_set(surface, request, plan);
   plan.fixed = plan.probe.fixed_lines(plan.drawn, plan.singular);
-  place_root_lines(options, plan);
+  place_root_lines(request, plan);
   if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
   return plan;
 }

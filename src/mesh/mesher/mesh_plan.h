@@ -1,34 +1,16 @@
 // What is decided of a mesh before any cell is made: its tolerance, and the lines of its root grid.
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "mesh/features/singular.h"
+#include "mesh/mesher/mesh_request.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/tolerance.h"
 #include "mesh/sizing/probe.h"
 #include "surface/surface.h"
 
 namespace saddle {
-
-struct AdaptiveOptions {
-  /// The tolerance, once it is known about where the surface is.
-  std::function<Tolerance(const Probe&)> tolerance;
-  double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
-  std::size_t max_triangles = 4'000'000;
-  /// The mesh is cut along this box; its faces may be infinitely far.
-  std::optional<Bounds> clip = {};
-  /// Once poles are found, or vertices so many diagonals beyond the box that most of the probe's
-  /// samples keep to, nothing is wanted but the report of them: the mesh is then empty.
-  std::optional<double> until_far = {};
-  /// Lines of constant u and of constant v, evenly spaced, first and last on the ends of the range;
-  /// 0: none. They are among the mesh's edges.
-  int lines_u = 16;
-  int lines_v = 16;
-  bool certify = true;   ///< prove that nothing hides between samples, as far as that goes
-  unsigned threads = 0;  ///< 0: all
-};
 
 /// What is known of a mesh before it is made.
 struct MeshPlan {
@@ -45,7 +27,7 @@ struct MeshPlan {
 
 /// Nothing if the surface is so large or small that its tolerance is not a positive number, or
 /// takes more lines than can be numbered.
-std::optional<MeshPlan> plan_mesh(const Surface& surface, const AdaptiveOptions& options);
+std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& request);
 
 /// A tolerance that is infinite outside of the clip box.
 Tolerance tolerance_within(const std::optional<Bounds>& clip, const Tolerance& tolerance);

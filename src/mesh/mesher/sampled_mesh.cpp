@@ -6,7 +6,8 @@
 
 #include "eval/enclose.h"
 #include "mesh/grid/grid.h"
-#include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/grid_mesh.h"
 #include "mesh/model/parameter_box.h"
 
 namespace saddle {
@@ -48,23 +49,20 @@ bool is_smooth(const Surface& surface) {
 
 }  // namespace
 
-std::optional<MeshResult> mesh_of_samples(const Surface& surface, const AdaptiveOptions& options,
-                                          std::size_t cells_u, std::size_t cells_v) {
-  std::optional<MeshPlan> plan = plan_mesh(surface, options);
+std::optional<MeshResult> mesh_of_samples(const Surface& surface, const MeshRequest& request) {
+  const auto [cells_u, cells_v] = request.samples.value();
+  std::optional<MeshPlan> plan = plan_mesh(surface, request);
   if (!plan || std::max(cells_u, cells_v) > kMostCells) return std::nullopt;
-  if (!options.clip && is_smooth(surface)) {
+  if (!request.clip && is_smooth(surface)) {
     MeshResult mesh = mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
-                                             options.lines_u, options.lines_v, options.threads});
+                                             request.lines_u, request.lines_v, request.threads});
     name_singular(plan->singular, surface.domain, mesh.report);
     return mesh;
   }
   const Domain& d = surface.domain;
   plan->lines = {even_lines(d.u0, d.u1, cells_u), even_lines(d.v0, d.v1, cells_v)};
   plan->is_limited = false;
-  AdaptiveOptions unrefined = options;
-  unrefined.max_triangles = kUnrefined;
-  unrefined.certify = false;
-  std::optional<MeshResult> mesh = mesh_within_tolerance(surface, unrefined, std::move(*plan));
+  std::optional<MeshResult> mesh = mesh_within_tolerance(surface, request, std::move(*plan));
   if (mesh) {
     mesh->report.tolerance.reset();
     mesh->report.least_triangles = 0;

@@ -69,14 +69,15 @@ struct Estimated {
 
 class Subdivider {
  public:
-  Subdivider(std::span<const Counterexample> counterexamples, const RefineOptions& options,
-             const Grid& grid, Oscillation known, CellTree& tree)
+  Subdivider(std::span<const Counterexample> counterexamples, const RefineOptions& limits,
+             const SubdivisionGoal& goal, const Grid& grid, Oscillation known, CellTree& tree)
       : counterexamples_(counterexamples),
-        options_(options),
+        limits_(limits),
+        goal_(goal),
         tree_(tree),
-        indicator_(options, grid, tree),
+        indicator_(limits, grid, tree),
         known_(std::move(known)),
-        oscillation_(grid, options.share) {}
+        oscillation_(grid, limits.share) {}
 
   /// Judges a generation, and puts the next one in its place.
   void advance(std::vector<Candidate>& candidates) {
@@ -86,8 +87,8 @@ class Subdivider {
       request_samples(candidate.leaf, tree_);
       leaves.push_back(candidate.leaf);
     }
-    tree_.evaluate(options_.threads);
-    const FastCellErrors fast_errors = estimate_many(leaves, options_, indicator_, tree_);
+    tree_.evaluate(limits_.threads);
+    const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
     next_.clear();
     oscillation_.clear();
     std::vector<Estimated> boundaries;
@@ -147,7 +148,7 @@ class Subdivider {
     const auto halves = done < wanted_halvings ? halve_if_allowed(leaf, across_u) : std::nullopt;
     if (!halves) {
       leaf.frozen = done >= (leaf.on_boundary ? most_boundary_halvings(leaf) : kMostCutHalvings) ||
-                    tree_.is_full(options_.max_triangles);
+                    tree_.is_full(goal_.max_triangles);
       result_.leaves.push_back(leaf);
       return;
     }
@@ -198,7 +199,7 @@ class Subdivider {
     std::vector<Leaf> fine;
     for (const Estimated& boundary : boundaries) {
       const bool is_fine = halvings(boundary.candidate.leaf) >= kBoundaryHalvings;
-      if (is_fine && options_.clip && !indicator_.is_outside(boundary.candidate.leaf))
+      if (is_fine && limits_.clip && !indicator_.is_outside(boundary.candidate.leaf))
         fine.push_back(boundary.candidate.leaf);
     }
     look_at(fine);
@@ -208,7 +209,7 @@ class Subdivider {
       // A pole that cut the whole may be its boundary.
       if (leaf.leads_to_pole) leaf.is_split = leaf.leads_to_pole = false;
       const bool goes_far =
-          options_.clip && !indicator_.is_outside(leaf) && has_cut(FeatureKind::Pole, leaf, tree_);
+          limits_.clip && !indicator_.is_outside(leaf) && has_cut(FeatureKind::Pole, leaf, tree_);
       estimate_cut(
           boundary, leaf, indicator_.splits_boundary_u(leaf),
           goes_far || has_no_limit(leaf.samples) ? kMostCutHalvings : boundary_halvings(leaf));
@@ -264,7 +265,7 @@ class Subdivider {
   }
 
   TraceOptions trace_options() const {
-    return {options_.tolerance, false, options_.threads, options_.clip, options_.max_triangles};
+    return {limits_.tolerance, false, limits_.threads, limits_.clip, goal_.max_triangles};
   }
 
   /// An arc that is no small one may jump; only normals that are opposed, or never agree, tell of a
@@ -324,7 +325,7 @@ class Subdivider {
     Leaf leaf = estimated.candidate.leaf;
     const CellError& error = estimated.error;
     const double distance = error.distance.worst() * leaf.safety;
-    const bool turn_counts = !tree_.has_many(allowed_for_normals(options_.max_triangles));
+    const bool turn_counts = !tree_.has_many(allowed_for_normals(goal_.max_triangles));
     const double turn = turn_counts ? error.turn.worst() * leaf.normal_safety : 0;
     // Toward a pole errors grow as leaves shrink: there is always more to do. Beside it, where the
     // surface comes back into sight, there is not.
@@ -369,7 +370,7 @@ class Subdivider {
 
   /// Nothing where the limit is reached.
   std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool across_u) {
-    const bool full = tree_.is_full(options_.max_triangles);
+    const bool full = tree_.is_full(goal_.max_triangles);
     result_.reached_limit = result_.reached_limit || full;
     return full ? std::nullopt : halve(leaf, across_u, tree_);
   }
@@ -400,7 +401,8 @@ class Subdivider {
   }
 
   std::span<const Counterexample> counterexamples_;
-  const RefineOptions& options_;
+  const RefineOptions& limits_;
+  SubdivisionGoal goal_;
   CellTree& tree_;
   ErrorIndicator indicator_;
   std::vector<Candidate> next_;
@@ -447,9 +449,9 @@ std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, CellTr
 }
 
 Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexample> counterexamples,
-                      Oscillation known, const RefineOptions& options, const Grid& grid,
-                      CellTree& tree) {
-  Subdivider refiner(counterexamples, options, grid, std::move(known), tree);
+                      Oscillation known, const RefineOptions& limits, const SubdivisionGoal& goal,
+                      const Grid& grid, CellTree& tree) {
+  Subdivider subdivider(counterexamples, limits, goal, grid, std::move(known), tree);
   std::vector<Candidate> candidates;
   candidates.reserve(active.size());
   for (const Leaf& leaf : active) {
@@ -462,12 +464,12 @@ Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexamp
   }
   // A generation past the one that finds poles, which may be on a few cells' sides only.
   for (bool has_poles = false; !candidates.empty(); has_poles = tree.has_poles()) {
-    refiner.advance(candidates);
-    if (options.until == Until::OneGeneration || (options.until == Until::Poles && has_poles)) {
+    subdivider.advance(candidates);
+    if (goal.until == Until::OneGeneration || (goal.until == Until::Poles && has_poles)) {
       break;
     }
   }
-  return refiner.take();
+  return subdivider.take();
 }
 
 }  // namespace saddle

@@ -15,6 +15,15 @@ namespace saddle {
 
 class Oscillation;
 
+/// When a subdivision ends: once all leaves pass, one generation after the first pole was found
+/// (CellTree::has_poles()), or after one generation.
+enum class Until : std::uint8_t { Done, Poles, OneGeneration };
+
+struct SubdivisionGoal {
+  Until until;
+  std::size_t max_triangles;  ///< no leaf is halved that would give the mesh more
+};
+
 struct Subdivision {
   std::vector<Leaf> leaves;         ///< in no order but always the same
   std::vector<Leaf> empty;          ///< the surface is defined at none of their samples
@@ -28,8 +37,8 @@ struct Subdivision {
 /// leaf that is defined nowhere, a counterexample is a place where it is. `known`: among leaves
 /// that are not active.
 Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexample> counterexamples,
-                      Oscillation known, const RefineOptions& options, const Grid& grid,
-                      CellTree& tree);
+                      Oscillation known, const RefineOptions& limits, const SubdivisionGoal& goal,
+                      const Grid& grid, CellTree& tree);
 
 /// Whether a vertex in use around a leaf is defined.
 bool has_defined_corner(const Leaf& leaf, const CellTree& tree);

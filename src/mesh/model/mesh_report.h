@@ -64,6 +64,7 @@ struct MeshReport {
   double undefined_fraction = 0;     ///< share of the domain's cells that were left out
   bool exceeds_doubles = false;      ///< because numbers there are too large, not undefined
   std::size_t flat_triangles = 0;    ///< without area in double precision: left out
+  bool stopped_early = false;        ///< MeshRequest::stop: there is no mesh
   std::optional<double> tolerance;   ///< what max_error was to stay within
   double least_triangles = 0;        ///< that any mesh within it needs, about; 0: unknown
   bool reached_limit = false;        ///< more triangles were not allowed
@@ -86,7 +87,7 @@ struct MeshReport {
   std::vector<dvec2> poles;  ///< where the surface goes to infinity and was cut, at most 1000
   std::size_t pole_count = 0;
   /// A box around the last points before them, as far as doubles go, and around what was so far
-  /// away that the mesh was not made: AdaptiveOptions::until_far.
+  /// away that the mesh was not made: MeshRequest::stop.
   Bounds beside_poles;
   std::vector<dvec2> jumps;  ///< the same where it jumps
   std::size_t jump_count = 0;

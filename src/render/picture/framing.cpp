@@ -12,7 +12,7 @@
 #include "eval/tape.h"
 #include "mesh/color/color_mesh.h"
 #include "mesh/grid/grid.h"
-#include "mesh/mesher/grid_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/parameter_box.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh_requests.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"
 #include "scene/model/prepare.h"
@@ -29,7 +29,7 @@ inline Scene scene_of(const std::string& name, const std::vector<std::string>& o
 /// Its adaptive mesh within a share of the diagonal, clipped to the scene's box. `surface`: of
 /// second order.
 inline MeshResult mesh_of(const Surface& surface, const Scene& scene, double share) {
-  AdaptiveOptions options = within_share(share);
+  MeshRequest options = within_share(share);
   options.clip = scene.clip.box;
   return mesh_within_tolerance(surface, options).value();
 }

@@ -138,7 +138,7 @@ std::size_t count_opposed(const Mesh& mesh, double tolerance) {
 TEST_P(GalleryTable, HasNoNormalThatOpposesItsTriangle) {
   const Scene scene = scene_of(GetParam());
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
-  AdaptiveOptions options = within_share(1e-3, 3);
+  MeshRequest options = within_share(1e-3, 3);
   options.clip = scene.clip.box;
   const MeshResult mesh = mesh_within_tolerance(surface, options).value();
   EXPECT_EQ(count_opposed(mesh.mesh, mesh.report.tolerance.value()), 0U);

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "base/random.h"
 #include "mesh/error/sampled_error.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -165,8 +165,8 @@ TEST(AdaptiveMesh, IsWithinItsToleranceAtPlacesThatNobodyLookedAt) {
   }
 }
 
-AdaptiveOptions without_lines(double share) {
-  AdaptiveOptions options = within_share(share, 180);
+MeshRequest without_lines(double share) {
+  MeshRequest options = within_share(share, 180);
   options.lines_u = options.lines_v = 0;
   return options;
 }
@@ -264,7 +264,7 @@ TEST(AdaptiveMesh, DoesNotRefineTheWholeDomainForANarrowPeak) {
 }
 
 TEST(AdaptiveMesh, MakesTwoTrianglesOfAPlane) {
-  AdaptiveOptions options = within_share(1e-3, 3);
+  MeshRequest options = within_share(1e-3, 3);
   options.lines_u = options.lines_v = 0;
   const Surface plane = surface_from_text("u+v", "v", "2*u-3*v", {}, {}, Order::Second);
   EXPECT_EQ(mesh_within_tolerance(plane, options)->mesh.triangles.size(), 2U);
@@ -280,7 +280,7 @@ TEST(AdaptiveMesh, FollowsTheEdgeOfTheDomainWhateverTheSurfaceDoesInside) {
 }
 
 TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
-  AdaptiveOptions options = within_share(1e-3, 3);
+  MeshRequest options = within_share(1e-3, 3);
   const Surface surface = surface_of(cases().back());
   options.threads = 1;
   const MeshResult one = mesh_within_tolerance(surface, options).value();

@@ -6,17 +6,17 @@
 #include <cmath>
 #include <optional>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {
 namespace {
 
-AdaptiveOptions thousandth() {
+MeshRequest thousandth() {
   return within_share(1e-3, 3);
 }
 
@@ -41,7 +41,7 @@ TEST(BoundedWork, TakesNoMoreCellsForWavesThanTheirToleranceShows) {
   // then; along u alone a few hundred, fifteen times between drawn lines.
   for (const auto& [z, most] :
        {std::pair("sin(1e6*u*v+1e5*u)", 1'000'000U), std::pair("sin(1e6*u)", 60'000U)}) {
-    AdaptiveOptions options = thousandth();
+    MeshRequest options = thousandth();
     const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.oscillates) << z;
@@ -62,7 +62,7 @@ TEST(BoundedWork, ForeseesWavesThatNoMeshCouldFollow) {
 }
 
 TEST(BoundedWork, DoesNotFollowTheRimsOfWavesThatNoMeshCouldFollow) {
-  AdaptiveOptions options = within_share(1e-2, 3);
+  MeshRequest options = within_share(1e-2, 3);
   options.max_triangles = 40'000;
   const MeshResult result =
       mesh_within_tolerance(height_field("sqrt(sin(1e3*u*v))"), options).value();
@@ -127,7 +127,7 @@ TEST(BoundedWork, TakesRangesOfFewDoubles) {
 }
 
 TEST(BoundedWork, SaysThatTheLimitWasReachedWhereOnlyCutCellsAreLeft) {
-  AdaptiveOptions options = thousandth();
+  MeshRequest options = thousandth();
   options.max_triangles = 1000;
   const MeshResult result =
       mesh_within_tolerance(height_field("sign(sin(9*u)+sin(7*v))"), options).value();
@@ -148,7 +148,7 @@ TEST(BoundedWork, DoesNotTakeFrontsAndPeaksForWaves) {
 TEST(BoundedWork, CountsTheSearchForCutsAsTriangles) {
   const Surface poles =
       surface_from_text("tan(u)", "tan(v)", "tan(u*v)", {-10, 10, -10, 10}, {}, Order::Second);
-  AdaptiveOptions options = thousandth();
+  MeshRequest options = thousandth();
   options.max_triangles = 40'000;
   options.clip = Bounds{dvec3(-30), dvec3(30)};
   const MeshResult result = mesh_within_tolerance(poles, options).value();
@@ -161,7 +161,7 @@ TEST(BoundedWork, CountsTheSearchForCutsAsTriangles) {
 TEST(BoundedWork, EndsTheSearchForJumpsWithoutEnd) {
   constexpr std::size_t kTriangles = 100'000;  // more than there are before it is tired
   for (const char* z : {"mod(1e4*u*v,1)", "floor(1/u)+floor(1/v)"}) {
-    AdaptiveOptions options = thousandth();
+    MeshRequest options = thousandth();
     options.max_triangles = kTriangles;
     options.clip = Bounds{dvec3(-5), dvec3(5)};
     const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
@@ -196,7 +196,7 @@ TEST(BoundedWork, EndsWhateverLeavesTake) {
   constexpr std::size_t kTriangles = 150'000;
   for (const char* z : {"sin(200*u*v)", "lgamma(9*u*v)", "sqrt(sin(60*u)*sin(60*v))",
                         "max(sin(90*u),cos(110*v),sin(130*u*v))"}) {
-    AdaptiveOptions options = thousandth();
+    MeshRequest options = thousandth();
     options.max_triangles = kTriangles;
     const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_TRUE(result.report.reached_limit) << z;
@@ -217,9 +217,10 @@ TEST(BoundedWork, PlacesNoMoreLinesThanShowHoweverFastWavesAre) {
 
 TEST(BoundedWork, StopsAtPolesIfNoMoreIsAskedFor) {
   const Surface poles = height_field("ln(abs(u^2+v^2-0.5))");
-  AdaptiveOptions options = within_share(3e-3);
+  MeshRequest options = within_share(3e-3);
   const MeshResult whole = mesh_within_tolerance(poles, options).value();
-  options.until_far = 1e9;
+  options.stop = MeshRequest::Stop::AtPolesOrFar;
+  options.far = 1e9;
   const MeshResult known = mesh_within_tolerance(poles, options).value();
   EXPECT_TRUE(known.mesh.triangles.empty());
   ASSERT_GT(known.report.pole_count, 0U);
@@ -236,8 +237,9 @@ TEST(BoundedWork, StopsAtWhatIsTooFarAwayIfNoMoreIsAskedFor) {
   // is too large.
   const Surface funnel = surface_from_text("tan(u)*cos(v)", "tan(u)*sin(v)", "tan(v)",
                                            {-kPi / 2, kPi / 2, 0, kPi / 2}, {}, Order::Second);
-  AdaptiveOptions options = thousandth();
-  options.until_far = 1000;
+  MeshRequest options = thousandth();
+  options.stop = MeshRequest::Stop::AtPolesOrFar;
+  options.far = 1000;
   const MeshResult mesh = mesh_within_tolerance(funnel, options).value();
   EXPECT_TRUE(mesh.mesh.triangles.empty());
   EXPECT_LT(mesh.report.evaluations, 50'000U);

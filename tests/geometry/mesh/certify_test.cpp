@@ -1,10 +1,10 @@
 // What is proved of a mesh, and how much work goes into proofs where there are none.
 #include <gtest/gtest.h>
 
-#include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {

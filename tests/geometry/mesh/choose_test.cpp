@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "base/random.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/grid_within.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/sizing/cost_model.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "meshing/tolerance.h"
 #include "scene/options/resolve.h"
 #include "study/mesh_distance.h"
@@ -49,7 +49,9 @@ class InGallery {
   }
 
   std::optional<MeshResult> choose(double times = 1) const {
-    return mesh_at_least_cost(subject_.surface, options_, times);
+    MeshRequest request = options_;
+    request.draws = times;
+    return mesh_at_least_cost(subject_.surface, request);
   }
   std::optional<MeshResult> halve() const {
     return mesh_within_tolerance(subject_.surface, options_);
@@ -99,7 +101,7 @@ class InGallery {
   Scene scene_;
   Subject subject_;
   Operations operations_;
-  AdaptiveOptions options_;
+  MeshRequest options_;
 };
 
 class ChoiceOverTheGallery : public testing::TestWithParam<std::string> {};
@@ -147,12 +149,12 @@ INSTANTIATE_TEST_SUITE_P(Gallery, ChoiceOverTheGallery, testing::ValuesIn([] {
                            return name;
                          });
 
-AdaptiveOptions half_a_thousandth() {
+MeshRequest half_a_thousandth() {
   return within_share(5e-4, 3);
 }
 
-MeshResult chosen(const Surface& surface, const AdaptiveOptions& options = half_a_thousandth()) {
-  return mesh_at_least_cost(surface, options, 1).value();
+MeshResult chosen(const Surface& surface, const MeshRequest& options = half_a_thousandth()) {
+  return mesh_at_least_cost(surface, options).value();
 }
 
 Why why(const MeshResult& mesh) {
@@ -227,14 +229,14 @@ TEST(Choice, IsMadeSoonWhereCloserLinesDoNotHelp) {
   EXPECT_NE(why(plateau), Why::GridIsCheaper);
   EXPECT_LE(plateau.report.choice.value().grids, 2U);
   // Where every closer grid has as many lines, those that are drawn.
-  AdaptiveOptions options = half_a_thousandth();
+  MeshRequest options = half_a_thousandth();
   options.lines_u = options.lines_v = 60;
   const MeshResult bump = chosen(height_field("exp(-40*(u^2+v^2))"), options);
   EXPECT_LE(bump.report.choice.value().grids, 8U);
 }
 
 TEST(Choice, HalvesCellsOfWhatIsClippedOrSeenFromCloseBy) {
-  AdaptiveOptions options = half_a_thousandth();
+  MeshRequest options = half_a_thousandth();
   options.clip = Bounds{dvec3(-2), dvec3(0.5)};
   EXPECT_EQ(why(chosen(height_field("u*v"), options)), Why::Limited);
   options = half_a_thousandth();

@@ -6,11 +6,11 @@
 #include <limits>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -19,7 +19,7 @@ namespace {
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 MeshResult clipped(const Surface& surface, const Bounds& box) {
-  AdaptiveOptions options = within_length(4e-3);
+  MeshRequest options = within_length(4e-3);
   options.clip = box;
   return mesh_within_tolerance(surface, options).value();
 }
@@ -76,7 +76,7 @@ TEST(Clip, CutsEdgesThatAFaceCrossesBetweenVertices) {
 TEST(Clip, CutsAlongTheBox) {
   const Surface sphere = surface_from_text("cos(u)*cos(v)", "sin(u)*cos(v)", "sin(v)",
                                            {0, 2 * kPi, -kPi / 2, kPi / 2}, {}, Order::Second);
-  AdaptiveOptions options = within_share(1e-3, 3);
+  MeshRequest options = within_share(1e-3, 3);
   options.clip = Bounds{dvec3(-2, -2, -0.3), dvec3(2, 0.5, 2)};
   const Mesh mesh = mesh_within_tolerance(sphere, options)->mesh;
   EXPECT_EQ(mesh.bounds.low.z, -0.3);
@@ -102,7 +102,7 @@ TEST(Clip, CutsAlongTheBox) {
 TEST(Clip, NeedsNoDenseLinesForWhatItLeavesOut) {
   // Beside the pole it takes lines as close as doubles go, out where nothing is kept.
   const Surface funnel = height_field("1/((u-0.4)^2+(v-0.1)^2)");
-  AdaptiveOptions options = within_length(2e-3);
+  MeshRequest options = within_length(2e-3);
   options.clip = Bounds{dvec3(-1, -1, 0), dvec3(1, 1, 3)};
   const MeshResult mesh = mesh_within_tolerance(funnel, options).value();
   EXPECT_LE(mesh.report.max_error, 2e-3);
@@ -123,7 +123,7 @@ TEST(Clip, KeepsTheToleranceBesidePoles) {
       {"(u+v)/(u-v)", 1, {dvec3(-1, -1, -4.243), dvec3(1, 1, 3.757)}, 5.44e-3},
   };
   for (const auto& [z, half, box, tolerance] : cases) {
-    AdaptiveOptions options = within_length(tolerance);
+    MeshRequest options = within_length(tolerance);
     options.normal_tolerance = 3;
     options.clip = box;
     const Surface surface = height_field(z, {-half, half, -half, half});
@@ -145,7 +145,7 @@ TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
                {"u*ln(v)", {-2, 2, -2, 2}, 1.6185, 4.3e-3},
                {"ln(abs(u))*ln(abs(v))", {-5, 5, -5, 5}, 2, 0.0106}};
   for (const auto& [z, domain, half, tolerance] : cases) {
-    AdaptiveOptions options = within_length(tolerance);
+    MeshRequest options = within_length(tolerance);
     options.normal_tolerance = 3;
     options.clip = Bounds{dvec3(-10, -10, -half), dvec3(10, 10, half)};
     const Surface surface = height_field(z, domain);
@@ -156,7 +156,7 @@ TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
 
 /// A cell along a pole, between dense lines, is no area full of waves.
 TEST(Clip, FindsNoOscillationAlongAPole) {
-  AdaptiveOptions options = within_length(0.0116);
+  MeshRequest options = within_length(0.0116);
   options.normal_tolerance = 3;
   options.clip = Bounds{dvec3(-5, -5, -5.007), dvec3(5, 5, 5.007)};
   const Surface surface = height_field("u/v", {-5, 5, -5, 5});
@@ -172,7 +172,7 @@ TEST(Clip, EndsWhatGoesToInfinityAtARimOnTheFace) {
     std::size_t parts;
   } cases[] = {{"ln(u+v)", 1}, {"ln(u*v)", 2}, {"ln(1-u^2-v^2)", 1}};
   for (const auto& [z, parts] : cases) {
-    AdaptiveOptions options = within_length(1e-2);
+    MeshRequest options = within_length(1e-2);
     options.clip = Bounds{dvec3(-1, -1, -7.8), dvec3(1, 1, 9)};
     const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 1e-2) << z;
@@ -194,7 +194,7 @@ TEST(Clip, EndsBothSidesOfAPoleOnTheFace) {
                {"ln(abs(u^2-v^2))", 4, 20'000},   {"1/(u-v^2)", 2, 3000},
                {"tan(3*(u+v))", 5, 9000},         {"cot(3*u*v)", 4, 4000}};
   for (const auto& [z, parts, triangles] : cases) {
-    AdaptiveOptions options = within_length(1e-2);
+    MeshRequest options = within_length(1e-2);
     options.clip = Bounds{dvec3(-1, -1, -kHalf), dvec3(1, 1, kHalf)};
     const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 1e-2) << z;
@@ -207,7 +207,7 @@ TEST(Clip, EndsBothSidesOfAPoleOnTheFace) {
 
 /// Cells that are cut have twice as many triangles, and those count.
 TEST(Clip, KeepsTheLimitOfTrianglesWherePolesEndOnFaces) {
-  AdaptiveOptions options = within_length(1e-3);
+  MeshRequest options = within_length(1e-3);
   options.clip = Bounds{dvec3(-3, -3, -5), dvec3(3, 3, 5)};
   options.max_triangles = 10'000;
   const Surface surface = height_field("tan(3*u*v)", {-3, 3, -3, 3});

@@ -10,6 +10,7 @@
 #include "mesh/grid/grid.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/mesher/grid_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/parameter_box.h"
 #include "surface_from_text.h"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_options.h"
 #include "mesh/features/discontinuities.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -88,7 +88,7 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
                                             {-1, 1, 0, 30}, {}, Order::Second);
   for (const double tolerance : {0.1, 0.05, 0.03, 0.01, 5e-3, 5e-4}) {
     for (const int lines : {0, 7, 16}) {
-      AdaptiveOptions options = within_share(tolerance);
+      MeshRequest options = within_share(tolerance);
       options.lines_u = options.lines_v = lines;
       const MeshResult result = mesh_within_tolerance(surface, options).value();
       EXPECT_NEAR(area(result.mesh), 120, 1e-6) << tolerance << ' ' << lines;
@@ -184,7 +184,7 @@ TEST(Creases, OnLinesOfTheMeshLeaveNoCracks) {
                {"min(abs(u),abs(v),0.7)", 3, 1e-3, 0},
                {"max(0,1-abs(u))*max(0,1-abs(v))", 3, 1e-3, 0}};
   for (const auto& [z, half, share, lines] : cases) {
-    AdaptiveOptions options = within_share(share, 3);
+    MeshRequest options = within_share(share, 3);
     options.lines_u = options.lines_v = lines;
     const Surface surface = height_field(z, {-half, half, -half, half});
     const MeshResult result = mesh_within_tolerance(surface, options).value();

@@ -119,7 +119,7 @@ TEST_P(WithinTolerance, BothWaysBetweenSamples) {
   const MeshDistance distance_of(subject);
   for (const double share : shares) {
     double length = 0;
-    AdaptiveOptions options;
+    MeshRequest options;
     options.tolerance = [&](const Probe& probe) -> Tolerance {
       length = share * probe.bounds().diagonal();
       return [&length](const dvec3&) { return length; };

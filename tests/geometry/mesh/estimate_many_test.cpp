@@ -51,7 +51,7 @@ struct Subject {
 };
 
 RefineOptions options_for(double tolerance, double degrees) {
-  RefineOptions options{tolerance, degrees, 1000, {}, {}, {}, Until::Done, 1};
+  RefineOptions options{tolerance, degrees, 1000, {}, {}, {}, 1};
   options.seen_u.assign(21, 0);
   options.seen_v.assign(18, 0);
   options.seen_u[4] = options.seen_v[0] = 1;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh_requests.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
 

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface/normal.h"
 #include "surface_from_text.h"
 
@@ -56,7 +56,7 @@ TEST(Holes, AreToldApart) {
 
 MeshResult mesh_of(const Surface& surface, double tolerance,
                    const std::optional<Bounds>& clip = {}) {
-  AdaptiveOptions options = within_length(tolerance);
+  MeshRequest options = within_length(tolerance);
   options.clip = clip;
   return mesh_within_tolerance(surface, options).value();
 }
@@ -85,7 +85,7 @@ TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
 TEST(Holes, WithoutALimitOnALineThatBoundsDoubtAreNamedAndLeftOut) {
   for (const char* const z : {"sin(3*atan2(v,u))", "sin(2*atan2(v,u))", "cos(2*atan2(v,u))"}) {
     for (const int lines : {16, 17}) {
-      AdaptiveOptions options = within_share(1e-3, 3);
+      MeshRequest options = within_share(1e-3, 3);
       options.lines_u = options.lines_v = lines;
       const MeshReport report = mesh_within_tolerance(height_field(z), options).value().report;
       EXPECT_LE(report.max_error, *report.tolerance) << z << ' ' << lines;
@@ -164,7 +164,7 @@ TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
   // Where both ranges have lines that are as good as the same, u - v is one digit.
   for (const char* z : {"(u^3-v^3)/(u-v)", "(exp(u)-exp(v))/(u-v)"}) {
     for (const double end : {0.7, 1.0}) {
-      AdaptiveOptions options = within_share(1e-3, 3);
+      MeshRequest options = within_share(1e-3, 3);
       options.lines_u = options.lines_v = 15;
       const MeshResult result =
           mesh_within_tolerance(height_field(z, {0, end, 0, 2 * end}), options).value();
@@ -175,7 +175,7 @@ TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
 }
 
 TEST(Holes, ThatHaveALimitAreFilled) {
-  AdaptiveOptions options = within_share(1e-3, 3);
+  MeshRequest options = within_share(1e-3, 3);
   options.lines_u = options.lines_v = 17;  // one each through the middle
   const MeshResult result =
       mesh_within_tolerance(height_field("sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", {-9, 9, -9, 9}),

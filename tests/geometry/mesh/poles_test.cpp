@@ -7,13 +7,13 @@
 #include <limits>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "base/random.h"
 #include "mesh/features/approach.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/sampled_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -41,7 +41,7 @@ const std::vector<PoleCase> kBesideRims = {
     {"sqrt(1-u^2-v^2)/(u-0.1)", [](double u, double) { return u - 0.1; }},
     {"sqrt(1-u^2-v^2)/(u-0.3*v)", [](double u, double v) { return u - 0.3 * v; }}};
 
-AdaptiveOptions options() {
+MeshRequest options() {
   return within_share(1e-3);
 }
 
@@ -78,7 +78,7 @@ TEST(Poles, AslantOrCurvedAreCutOutOfSamples) {
   for (const PoleCase& c : kAslant) {
     for (const Cells cells : {Cells{20, 20}, Cells{10, 10}, Cells{7, 9}}) {
       const MeshResult result =
-          mesh_of_samples(height_field(c.z), options(), cells.u, cells.v).value();
+          mesh_of_samples(height_field(c.z), with_samples(options(), cells.u, cells.v)).value();
       EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << cells.u;
       // The poles are no longer than 4.5, and cross each row and column in at most two cells.
       const double crossed = 4.0 / static_cast<double>(cells.u * cells.v);
@@ -90,7 +90,7 @@ TEST(Poles, AslantOrCurvedAreCutOutOfSamples) {
 
 TEST(Poles, AreCutWhereTheLimitOfTrianglesEndsTheMesh) {
   for (const std::size_t most : {300U, 1000U, 3000U}) {
-    AdaptiveOptions limited = options();
+    MeshRequest limited = options();
     limited.max_triangles = most;
     for (const PoleCase& c : kAslant) {
       const MeshResult result = mesh_within_tolerance(height_field(c.z), limited).value();
@@ -101,7 +101,7 @@ TEST(Poles, AreCutWhereTheLimitOfTrianglesEndsTheMesh) {
 
 TEST(Poles, ThatMeetARimAreCutThere) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  AdaptiveOptions clipped = options();
+  MeshRequest clipped = options();
   clipped.tolerance = [](const Probe&) -> Tolerance { return 0.0078; };
   clipped.clip = Bounds{dvec3(-kFar, -kFar, -4), dvec3(kFar, kFar, 3)};
   for (const PoleCase& c : kBesideRims) {
@@ -109,8 +109,8 @@ TEST(Poles, ThatMeetARimAreCutThere) {
     const std::vector<MeshResult> meshes = {
         mesh_within_tolerance(surface, options()).value(),
         mesh_within_tolerance(surface, clipped).value(),
-        mesh_of_samples(surface, options(), 20, 20).value(),
-        mesh_of_samples(surface, clipped, 20, 20).value(),
+        mesh_of_samples(surface, with_samples(options(), 20, 20)).value(),
+        mesh_of_samples(surface, with_samples(clipped, 20, 20)).value(),
     };
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       EXPECT_EQ(walls(meshes[k].mesh, c.denominator), 0U) << c.z << ' ' << k;
@@ -145,7 +145,7 @@ TEST(Poles, AreToldFromJumpsWhereRoundingEndsTheWayToThem) {
   EXPECT_TRUE(diverge(height_field("1/(1+cos(u))", domain), std::span(&way, 1), 1e-2, 1)[0]);
   const Line to_peak = {dvec2(0, 0.1), dvec2(0.3, 0.1)};
   EXPECT_FALSE(diverge(height_field("1/(u^2+1e-8)"), std::span(&to_peak, 1), 1e-2, 1)[0]);
-  AdaptiveOptions options = within_share(1e-3, 3);
+  MeshRequest options = within_share(1e-3, 3);
   const MeshResult result =
       mesh_within_tolerance(height_field("1/(1+cos(u)*cos(v))", domain), options).value();
   EXPECT_GT(result.report.pole_count, 0U);
@@ -169,7 +169,7 @@ TEST(Poles, AtARimTakeNoEndlessWork) {
 
 TEST(Poles, OnCurvesTakeNoEndlessWork) {
   for (const char* z : {"1/(u-v)", "1/(u^2+v^2-0.5)"}) {
-    AdaptiveOptions options = within_share(1e-3, 3);
+    MeshRequest options = within_share(1e-3, 3);
     options.clip = Bounds{dvec3(-2, -2, -9), dvec3(2, 2, 9)};
     const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_GT(result.report.pole_count, 0U) << z;
@@ -202,7 +202,7 @@ TEST(Poles, ThatAreTheSameFromAllSidesAreNoLimits) {
 /// there.
 TEST(Poles, NeedlesToThemAreLeftOut) {
   for (const char* z : {"1/(u+v)", "1/(u-v^2)", "1/(u-v)^2"}) {
-    AdaptiveOptions options = within_length(10);
+    MeshRequest options = within_length(10);
     options.lines_u = options.lines_v = 31;  // at -0.2 and 0.2, where sums have rounding left
     const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 10) << z;

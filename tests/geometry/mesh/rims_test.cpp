@@ -7,10 +7,10 @@
 #include <map>
 #include <numbers>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "study/triangle_tree.h"
 #include "surface_from_text.h"
 
@@ -18,7 +18,7 @@ namespace saddle {
 namespace {
 
 MeshResult mesh_of(const char* z, double tolerance, int lines = 0) {
-  AdaptiveOptions options = within_share(tolerance);
+  MeshRequest options = within_share(tolerance);
   options.lines_u = lines;
   options.lines_v = lines;
   const Surface surface = height_field(z);

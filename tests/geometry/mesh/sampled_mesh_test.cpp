@@ -10,18 +10,18 @@
 #include <tuple>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {
 namespace {
 
 MeshResult sampled(const Surface& surface, std::size_t cells = 20) {
-  return mesh_of_samples(surface, within_share(1e-3), cells, cells).value();
+  return mesh_of_samples(surface, with_samples(within_share(1e-3), cells, cells)).value();
 }
 
 MeshResult sampled(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
@@ -61,7 +61,7 @@ TEST(SampledMesh, OfWhatIsSmoothHasTwoTrianglesInEachCell) {
 
 TEST(SampledMesh, IsLeftToThePlainGridWhereLinesCannotBeNumbered) {
   const Surface rough = height_field("abs(u)");
-  EXPECT_FALSE(mesh_of_samples(rough, within_length(1e-3), 100000, 2));
+  EXPECT_FALSE(mesh_of_samples(rough, with_samples(within_length(1e-3), 100000, 2)));
 }
 
 TEST(SampledMesh, EndsOnTheRim) {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/grid_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -183,7 +183,7 @@ TEST(Seams, OfAFoldedEdgeJoinItsHalves) {
 
 TEST(Seams, OfAFoldedEdgeJoinTheHalvesOfAMeshWithinATolerance) {
   for (const int lines : {0, 16, 17}) {
-    AdaptiveOptions options = within_length(5e-3);
+    MeshRequest options = within_length(5e-3);
     options.lines_u = options.lines_v = lines;
     const MeshResult result = mesh_within_tolerance(pillow(Order::Second), options).value();
     EXPECT_EQ(result.report.folded_u, (std::array{true, true}));
@@ -200,7 +200,7 @@ TEST(Seams, HaveNoGapsWhereOneSideIsHalvedMoreOftenThanTheOther) {
       "(2+r*cos(v))*cos(u)", "(2+r*cos(v))*sin(u)", "r*sin(v)", {0, kTwoPi, 0, kTwoPi},
       {{"r", "1+0.2*max(0,1-((u-0.3)/0.29)^2)^3*exp(-((v-3)/0.02)^2)"}}, Order::Second);
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003}) {
-    AdaptiveOptions options = within_length(tolerance);
+    MeshRequest options = within_length(tolerance);
     options.lines_u = options.lines_v = 0;
     const MeshResult result = mesh_within_tolerance(surface, options).value();
     EXPECT_EQ(result.report.closed_u, "join");

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "adaptive_options.h"
 #include "geometry/gallery/samples.h"
+#include "mesh_requests.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "adaptive_options.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh_requests.h"
 #include "study_subject.h"
 
 namespace saddle {
@@ -68,7 +68,7 @@ TEST(MeshDistance, FindsTheWayToARimWhereTheSurfaceStandsUpright) {
   const Scene scene = scene_of("u", "v", "asin(sinh(u)*sinh(v))", {"-3", "3"}, {"-3", "3"});
   const Subject subject(scene, scene.surfaces[0]);
   constexpr double kTolerance = 0.09;
-  AdaptiveOptions options = within_length(kTolerance);
+  MeshRequest options = within_length(kTolerance);
   options.lines_u = options.lines_v = 0;
   const auto mesh = mesh_within_tolerance(subject.surface, options);
   ASSERT_TRUE(mesh);

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/sampled_mesh.h"
 
 namespace saddle {
 
 /// Within a share of the diagonal of the surface's box, and `normal_tolerance` degrees.
-inline AdaptiveOptions within_share(double share, double normal_tolerance = 180) {
-  AdaptiveOptions options;
+inline MeshRequest within_share(double share, double normal_tolerance = 180) {
+  MeshRequest options;
   options.tolerance = [share](const Probe& probe) -> Tolerance {
     return share * probe.bounds().diagonal();
   };
@@ -16,10 +17,17 @@ inline AdaptiveOptions within_share(double share, double normal_tolerance = 180)
 }
 
 /// Within a length, in the surface's units.
-inline AdaptiveOptions within_length(double length) {
-  AdaptiveOptions options;
+inline MeshRequest within_length(double length) {
+  MeshRequest options;
   options.tolerance = [length](const Probe&) -> Tolerance { return length; };
   return options;
+}
+
+/// The same with a grid of cells that are not subdivided.
+inline MeshRequest with_samples(MeshRequest request, std::size_t cells_u, std::size_t cells_v) {
+  request.method = MeshRequest::Method::Samples;
+  request.samples = {cells_u, cells_v};
+  return request;
 }
 
 }  // namespace saddle
