@@ -1,4 +1,9 @@
 // Quotients, comparisons, choices, steps and kinks of intervals.
+#include "eval/interval.h"
+
+#include <algorithm>
+#include <cmath>
+
 #include "eval/interval_rules.h"
 
 #include "formula/special.h"

@@ -1,5 +1,10 @@
 // Roots, exponentials, logarithms and trigonometry of intervals: ends of monotone pieces, and the
 // turning points and poles between them.
+#include "eval/interval.h"
+
+#include <algorithm>
+#include <cmath>
+
 #include "eval/interval_rules.h"
 
 namespace saddle {
