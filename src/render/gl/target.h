@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/image.h"
-#include "render/gl/average.h"
 #include "render/gl/gl.h"
+#include "render/gl/viewport.h"
 
 namespace saddle {
 

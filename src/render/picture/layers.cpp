@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/error.h"
+#include "render/shading/shader_text.h"
 #include "render/shading/shaders.h"
-#include "render/shading/surface_shader.h"
 
 namespace saddle {
 namespace {

@@ -72,6 +72,10 @@ struct Rendering {
 /// no OpenGL, or the picture is larger than it can draw; Input for a camera that cannot be.
 Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,
                  Backend backend = Backend::Any);
+/// The same, at most `tile_samples` samples a side at once; for tests.
+Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                          const PictureSettings& options, int tile_samples,
+                          Backend backend = Backend::Any);
 
 /// A maker that has warmed up and that nobody has entered: for a thread beside tessellation, which
 /// takes about as long.

@@ -11,9 +11,11 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "render/picture/tiles.h"
 #include "render/shading/normal_shader.h"
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
+#include "render/shading/surface_shader.h"
 
 namespace saddle {
 namespace {

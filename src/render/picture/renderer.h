@@ -12,27 +12,18 @@
 #include "mesh/model/mesh.h"
 #include "render/gl/gpu_mesh.h"
 #include "render/gl/program.h"
+#include "render/gl/viewport.h"
 #include "render/overlay/overlay_drawer.h"
 #include "render/picture/layers.h"
 #include "render/picture/placed_mesh.h"
-#include "render/picture/tiles.h"
 #include "render/shading/colormap_textures.h"
 #include "render/shading/shader_lights.h"
-#include "render/shading/surface_shader.h"
+#include "render/shading/shader_text.h"
 #include "scene/model/camera.h"
 #include "scene/model/color_scale.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
-
-/// The part of a picture that is drawn. Its lower left is that of the framebuffer.
-struct Viewport {
-  int width = 0;  ///< of the whole picture, in pixels
-  int height = 0;
-  PixelRect rect;    ///< of the part
-  int margin = 0;    ///< pixels around it that are drawn too
-  int per_side = 1;  ///< samples per pixel and side
-};
 
 /// What a viewer can change about a picture without changing the scene.
 struct Look {

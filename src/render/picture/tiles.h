@@ -5,7 +5,7 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "render/gl/average.h"
+#include "render/gl/viewport.h"
 
 namespace saddle {
 

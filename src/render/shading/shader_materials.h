@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/gl/program.h"
-#include "render/shading/surface_shader.h"
+#include "render/shading/shader_needs.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
