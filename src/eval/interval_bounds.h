@@ -54,7 +54,7 @@ inline constexpr double kUnderflow = 0x1p-960;
 inline double down(double x, double error) {
   const double size = std::fabs(x);
   if (size < kUnderflow) return x < 0 ? -kUnderflow : 0;
-  if (size > kMax) return std::min(x, kMax);  // of what is finite, but too large
+  if (size > kMax) return std::min(x, kMax);  // finite, but too large
   return x - size * error;
 }
 inline double up(double x, double error) {
@@ -87,7 +87,7 @@ inline double product_error(const Interval& a, const Interval& b) {
   return zeros >= 53 ? 0 : kRoundoff;
 }
 
-/// What a result inherits: undefined where one argument is, continuous where both are.
+/// The decorations of a result: undefined where one argument is, continuous where both are.
 inline Interval with_decorations_of(const Interval& a, const Interval& b) {
   return {0, 0, std::min(a.defined, b.defined), a.continuous && b.continuous};
 }

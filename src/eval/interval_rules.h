@@ -1,4 +1,4 @@
-// What the rules for functions of one argument share: monotone pieces, domains, error bounds.
+// Shared parts of the rules for functions of one argument: monotone pieces, domains, error bounds.
 #pragma once
 
 #include <algorithm>

@@ -126,7 +126,7 @@ Interval gamma(const Interval& a) {
 
 namespace {
 
-/// Of odd order: positive and convex between poles, falling on x > 0.
+/// A lower bound for odd n: positive and convex between poles, falling on x > 0.
 double least_polygamma(double n, const Interval& x) {
   const auto f = [n](double t) { return saddle::polygamma(n, t); };
   if (x.low > 0) return f(x.high);

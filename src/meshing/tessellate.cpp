@@ -42,8 +42,8 @@ constexpr int kMaxDefaultCells = 1000;
 /// takes 3 to 7 microseconds and 1 kB.
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
-/// A mesh that was made before another, to find poles, or the faces of the box that they need,
-/// leaves the next one so much of what is allowed at least.
+/// A first mesh, which finds poles or the faces of the box that they need, leaves the next mesh at
+/// least this share of the triangles that are allowed.
 constexpr double kLeastShare = 0.25;
 /// Boxes that a surface with poles is clipped to before its poles show all the faces that it needs.
 constexpr int kMostBoxes = 3;
@@ -158,7 +158,7 @@ std::optional<MeshResult> mesh_clipped(const MeshReport& known, const Scene& sce
   return mesh;
 }
 
-/// What of a surface's box goes so far beyond another that it is no better than a pole.
+/// The sides of a surface's box that go beyond another box so far that they count as poles.
 Bounds far_from(const Bounds& box, const Bounds& whole) {
   const double far = kNeedle * box.diagonal();
   Bounds beyond = box;
@@ -175,9 +175,8 @@ struct Whereabouts {
   std::vector<dvec3> positions;
 };
 
-/// The mesh of a surface, without what of it goes to infinity or is out of proportion; if there is
-/// any. `known`: filled in by `options.tolerance`, which goes by `options.clip`, while that is
-/// none.
+/// The mesh of a surface, if there is one, without the parts that go to infinity or are out of
+/// proportion. `options.tolerance` fills in `known` as long as `options.clip` is not set.
 std::optional<MeshResult> mesh_in_proportion(const Scene& scene, const Purpose& purpose,
                                              const Surface& surface, const Whereabouts& known,
                                              AdaptiveOptions& options) {
@@ -192,7 +191,7 @@ std::optional<MeshResult> mesh_in_proportion(const Scene& scene, const Purpose& 
   const std::optional<Bounds> readable = readable_box(whole, known.positions);
   const auto has_poles = [&mesh] { return mesh && mesh->report.pole_count > 0; };
   if (mesh && mesh->mesh.triangles.empty() && !has_poles()) {
-    // Out of proportion, as far as anybody looked; or with a peak that no sample has met.
+    // The surface is out of proportion as far as it was sampled, or has a peak that no sample met.
     options.clip = readable;
     options.until_far = readable ? std::nullopt : std::optional(kAnywhere);
     mesh = mesh_for(scene, purpose, surface, options);
@@ -208,7 +207,7 @@ std::optional<MeshResult> mesh_in_proportion(const Scene& scene, const Purpose& 
   options.until_far = std::nullopt;
   MeshReport report = std::move(mesh->report);
   const std::vector<dvec3> balanced = balanced_positions(surface, options.threads);
-  // Of a small part of a surface the probe knows more.
+  // The probe has more samples of a small part of a surface.
   const bool knows_more = balanced.size() > known.positions.size();
   options.clip = clip_box(known.around, knows_more ? balanced : known.positions);
   report.beside_poles.add(far_from(*options.clip, whole));
@@ -251,7 +250,8 @@ MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purp
 /// Without a tolerance, as of a uniform grid, edges of this share of the diagonal are short enough
 /// for colours: a pixel or less of a picture.
 constexpr double kLeastEdge = 1.0 / 2048;
-/// Curvatures that differ by less than this of what a sphere around the surface has are the same.
+/// Curvatures are the same if they differ by less than this share of the curvature of a sphere
+/// around the surface.
 constexpr double kFlat = 1e-9;
 
 ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,

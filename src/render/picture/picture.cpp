@@ -48,12 +48,12 @@ PictureMaker::PictureMaker(Backend backend) {
   times_.context = stopwatch.lap();
 }
 
-/// Nobody may have entered it.
+/// No thread may have entered it.
 PictureMaker::~PictureMaker() {
   try {
     enter();
   } catch (const Error&) {
-    // What OpenGL holds ends with its context.
+    // OpenGL's objects end with their context.
   }
 }
 

@@ -25,7 +25,7 @@
 
 namespace saddle {
 
-/// What a viewer can change about a picture without changing the scene.
+/// Settings of a picture that are not part of the scene: the viewer's.
 struct Look {
   bool lines = true;       ///< the surfaces' grid lines
   bool wireframe = false;  ///< the edges of the triangles in place of the triangles
@@ -56,7 +56,7 @@ class Renderer {
   void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
             const Look& look = {});
 
-  /// In which ways the pictures so far are not what was asked for.
+  /// Differences of the pictures so far from what was asked for.
   std::vector<std::string> warnings() const;
 
   /// The sources of all programs that were made to draw surfaces, for people to read.

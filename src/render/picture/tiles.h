@@ -1,4 +1,4 @@
-// Pictures larger than what GL or a sane amount of memory holds are drawn in tiles.
+// Pictures that exceed GL's limits or a sensible amount of memory are drawn in tiles.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace saddle {
 
-/// Longest side of what is drawn at once, in samples. Colour and depth of 4096 x 4096 take 200 MB;
-/// a picture of 1920x1080 at antialias 2 is still one piece. GL allows 16384.
+/// Longest side of a tile in samples. Colour and depth of 4096 x 4096 take 200 MB; a picture of
+/// 1920x1080 at antialias 2 is still one piece. GL allows 16384.
 inline constexpr int kTileSamples = 4096;
 
 /// Pixels drawn around each tile and thrown away: GL drops a wide line whose middle is outside, and

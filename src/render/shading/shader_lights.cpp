@@ -17,7 +17,7 @@ namespace {
 /// float's precision, and the square of its distance must not overflow.
 constexpr double kFarthestLight = 1e9;
 
-/// Bounds of what floats multiply: a light brighter than this is white at any angle that counts.
+/// Bounds of factors in floats: a light brighter than this is white at any angle that counts.
 constexpr double kBrightest = 1e6;
 /// An exponent whose highlight is narrower than any pixel's.
 constexpr double kLargestExponent = 1e9;

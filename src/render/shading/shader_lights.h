@@ -1,5 +1,5 @@
-// The lights of a scene as its shaders want them: in eye coordinates, in units of the scene, those
-// that are off left out.
+// The lights of a scene as uniforms of its shaders: in eye coordinates, in units of the scene,
+// without lights that are off.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& c
 /// Some light is a spot light.
 bool has_cone(const ShaderNeeds& needs);
 
-/// What these lights need of the shader.
+/// Adds the parts of the shader that these lights need.
 void add_light_needs(std::span<const ShaderLight> lights, ShaderNeeds& needs);
 
 /// Lights that fit into a program at once, if it has room for so many uniform components.

@@ -26,7 +26,7 @@ struct ShaderNeeds {
   bool colored = false;        ///< each point has a colour of its own, in place of the materials'
   bool normal_matrix = false;  ///< the model is not only turned, moved and scaled evenly
   const ShaderNormal* normal = nullptr;  ///< the formula for normals; none: they are interpolated
-  bool see_through = false;              ///< it is a layer of what is seen, with others behind
+  bool see_through = false;              ///< it is drawn in layers, with others behind
 
   bool operator==(const ShaderNeeds&) const = default;
 };
