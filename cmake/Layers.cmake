@@ -49,7 +49,7 @@ foreach(folder study ${folders})
     # GCC 12 has false alarms where numbers of 700 digits become ones of 50.
     target_compile_options(saddle_exact PRIVATE -O1 -Wno-array-bounds)
   elseif(folder STREQUAL view AND NOT SADDLE_VIEWER)
-    list(FILTER sources EXCLUDE REGEX "/(window|panel|overlay|viewer)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/(window|panel|overlay|fields|widgets|viewer)\\.cpp$")
   endif()
   if(NOT sources)
     continue()

@@ -6,9 +6,9 @@
 #include "app/commands/commands.h"
 #include "app/run/outputs.h"
 #include "base/error.h"
-#include "base/file.h"
 #include "base/heap.h"
 #include "base/standard_streams.h"
+#include "base/temporary.h"
 
 namespace {
 

@@ -19,10 +19,6 @@ void write_file_whole(const std::filesystem::path& path,
 /// path that is a folder. Called before the computing starts, so that nobody waits in vain.
 void check_writable(const std::filesystem::path& path);
 
-/// Removes temporaries that are still open when SIGINT, SIGTERM or SIGHUP ends the program, then
-/// lets the signal do its default work. Call once, at the start of main.
-void remove_temporaries_on_signals();
-
 /// The whole content of a file, at most 1 GiB. Throws Error (Machine) with the system's reason.
 std::string read_file(const std::filesystem::path& path);
 

@@ -44,4 +44,8 @@ class UnnamedFile {
   int descriptor_ = -1;
 };
 
+/// Removes temporaries that are still open when SIGINT, SIGTERM or SIGHUP ends the program, then
+/// lets the signal do its default work. Call once, at the start of main.
+void remove_temporaries_on_signals();
+
 }  // namespace saddle

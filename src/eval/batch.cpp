@@ -97,7 +97,7 @@ struct Banks {
 Banks banks_of(const Tape& tape) {
   Banks banks;
   banks.loops = &kernels(cpu_level());
-  // Nobody writes to constants, but a bank can be written to.
+  // Constants are never written, although a bank can be.
   banks[Rate::Constant] = {const_cast<double*>(tape.constants.data()), 1, false};
   return banks;
 }
@@ -125,7 +125,7 @@ void evaluate_points(const Tape& tape, std::span<const double> u, std::span<cons
   });
 }
 
-/// What depends on u alone, on v alone, for a whole grid.
+/// Values that depend on u alone, and on v alone, for a whole grid.
 struct GridBanks {
   GridBanks(const Tape& tape, std::span<const double> u, std::span<const double> v)
       : columns(tape.slots_u * Slots::pitch(u.size())),

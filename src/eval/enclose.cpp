@@ -14,7 +14,7 @@ namespace {
 /// no cells have ranges of their own.
 constexpr std::size_t kMostRanges = 1024;
 constexpr std::size_t kFirstRanges = 16;
-/// What a special function takes in additions.
+/// The cost of a special function in additions.
 constexpr std::size_t kSpecialSteps = 30;
 
 std::size_t hash_of(const Interval& range) {

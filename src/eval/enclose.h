@@ -23,19 +23,20 @@ inline Interval range_between(double a, double b) {
 /// are ignored.
 Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c);
 
-/// A tape made ready for many boxes. What depends on u alone, or on v alone, is computed once for
-/// each range of it, as long as those are few: boxes are often cells of grids. One for each thread.
+/// A tape made ready for many boxes. Values of u alone, or of v alone, are computed once for each
+/// range of it, as long as those are few: boxes are often cells of grids. Each thread needs its
+/// own.
 class Enclosure {
  public:
   explicit Enclosure(const Tape& tape) : Enclosure(tape, tape.outputs.size()) {}
-  /// Of the tape's first outputs alone: nothing is done for the others.
+  /// Encloses the tape's first outputs alone; the others are not computed.
   Enclosure(const Tape& tape, std::size_t outputs);
 
   /// outputs[k] encloses output k over u x v. The ends of u and v may be infinite. A product of a
   /// value with itself is a square. Tapes compiled with Powers::Whole give narrower bounds.
   void operator()(const Interval& u, const Interval& v, std::span<Interval> outputs);
 
-  /// What a box takes, in additions.
+  /// The cost of a box in additions.
   std::size_t steps() const;
 
  private:
@@ -45,8 +46,7 @@ class Enclosure {
     std::uint32_t out;
     std::array<std::uint32_t, 3> in;
   };
-  /// What depends on one parameter alone. Of ranges that would be kept in one place the last one
-  /// is.
+  /// Values that depend on one parameter alone. A range replaces the one in the same place.
   struct Bank {
     std::vector<Step> steps;
     std::uint32_t first = 0;  ///< slot: the parameter's own

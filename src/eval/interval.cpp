@@ -1,4 +1,9 @@
 // Quotients, comparisons, choices, steps and kinks of intervals.
+#include "eval/interval.h"
+
+#include <algorithm>
+#include <cmath>
+
 #include "eval/interval_rules.h"
 
 #include "formula/special.h"
@@ -113,7 +118,7 @@ Interval operator/(const Interval& a, const Interval& b) {
 
 namespace {
 
-/// What is undefined compares as false in doubles, or as an infinity does.
+/// Undefined values compare as false in doubles, or as infinities do.
 bool comparable(const Interval& a, const Interval& b) {
   return std::min(a.defined, b.defined) == Defined::Yes;
 }

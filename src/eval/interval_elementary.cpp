@@ -1,5 +1,10 @@
 // Roots, exponentials, logarithms and trigonometry of intervals: ends of monotone pieces, and the
 // turning points and poles between them.
+#include "eval/interval.h"
+
+#include <algorithm>
+#include <cmath>
+
 #include "eval/interval_rules.h"
 
 namespace saddle {
@@ -68,13 +73,13 @@ Interval log10(const Interval& a) {
 
 namespace {
 
-/// A box of angles in quarter turns, widened by what the quotient may be off.
+/// A box of angles in quarter turns, widened by the error of the quotient.
 struct Quarters {
   double low;
   double high;
 
   explicit Quarters(const Interval& a)
-      // Relative errors of 2/pi, of the product and of what follows: 2^-53 each.
+      // Relative errors of 2/pi, of the product and of the operations after it: 2^-53 each.
       : low(a.low * kTwoOverPi - 4 * kRoundoff * std::fabs(a.low)),
         high(a.high * kTwoOverPi + 4 * kRoundoff * std::fabs(a.high)) {}
 

@@ -1,4 +1,9 @@
 // Powers of intervals: whole exponents, of any base, and others, of bases that are not negative.
+#include "eval/interval.h"
+
+#include <algorithm>
+#include <cmath>
+
 #include "eval/interval_rules.h"
 
 namespace saddle {

@@ -1,9 +1,11 @@
-// What the rules for functions of one argument share: monotone pieces, domains, error bounds.
+// Shared parts of the rules for functions of one argument: monotone pieces, domains, error bounds.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "eval/interval.h"
+#include "eval/interval_bounds.h"
 
 namespace saddle::rounding {
 

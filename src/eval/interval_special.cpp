@@ -1,6 +1,11 @@
 // Special functions of intervals: ends of monotone pieces, convexity (ln|gamma| and some of its
 // derivatives are convex between poles), and Taylor's formula for the oscillating ones.
 // Source: M. Abramowitz, I. Stegun, "Handbook of mathematical functions", 1964, chapters 6 and 9.
+#include "eval/interval.h"
+
+#include <algorithm>
+#include <cmath>
+
 #include "eval/interval_rules.h"
 #include "formula/special.h"
 
@@ -121,7 +126,7 @@ Interval gamma(const Interval& a) {
 
 namespace {
 
-/// Of odd order: positive and convex between poles, falling on x > 0.
+/// A lower bound for odd n: positive and convex between poles, falling on x > 0.
 double least_polygamma(double n, const Interval& x) {
   const auto f = [n](double t) { return saddle::polygamma(n, t); };
   if (x.low > 0) return f(x.high);

@@ -15,7 +15,7 @@ Rate rate_of(const Node& node) {
   return v ? Rate::V : Rate::Constant;
 }
 
-/// Gives every value a slot; those of bank Both go back once nobody needs them any more.
+/// Gives every value a slot; a slot of bank Both is free again after the last use of its value.
 class Allocator {
  public:
   Allocator(const Graph& graph, const std::vector<bool>& needed, std::span<const NodeId> roots)
@@ -52,7 +52,7 @@ class Allocator {
     return slots_[id] = {rate, take(rate, tape)};
   }
 
-  /// `user` has nothing to compute: its argument may go if nobody else wants it.
+  /// `user` has nothing to compute: its argument's slot is free if this was its last use.
   void skip(NodeId user) { release(graph_[user].args[0], user); }
 
   Slot slot(NodeId id) const { return slots_[id]; }

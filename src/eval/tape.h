@@ -12,7 +12,7 @@
 
 namespace saddle {
 
-/// What a value depends on, and so how often a grid has to compute it.
+/// The parameters that a value depends on: they decide how often a grid computes it.
 enum class Rate : std::uint8_t { Constant, U, V, Both };
 
 /// Where an operand or a result lives: the rate names the bank of slots, the index the slot.

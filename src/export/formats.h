@@ -9,26 +9,12 @@
 #include <string>
 #include <string_view>
 
-#include "base/image.h"
-#include "mesh/model/mesh.h"
+#include "export/content.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
 
 struct VideoFormat;
-
-/// A picture of a scene at one moment.
-struct PictureContent {
-  const Image& image;
-  const Scene& scene;
-  unsigned threads = 0;  ///< 0: all
-};
-
-/// The meshes of a scene at one moment.
-struct MeshContent {
-  std::span<const Mesh> meshes;  ///< meshes[i] is that of scene.surfaces[i]
-  const Scene& scene;
-};
 
 /// One row of the table. Exactly one of its writers is set: the one of its kind.
 struct Format {

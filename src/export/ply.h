@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "export/formats.h"
+#include "export/content.h"
 #include "export/placed_meshes.h"
 #include "mesh/model/mesh.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "export/formats.h"
+#include "export/content.h"
 
 namespace saddle {
 

@@ -12,8 +12,9 @@ namespace {
 
 /// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
 constexpr double kFarOut = 3;
-/// What goes to infinity is shown so many times as far as the surface's other sides are long, if
-/// that shows half of it: beside the spikes of 1/(u v) its square would be too small to be seen.
+/// A side that goes to infinity is shown up to so many times the length of the surface's other
+/// sides, if half of the surface is inside. Beside the spikes of 1/(u v), its square would be too
+/// small to see.
 constexpr double kTall = 4;
 /// A part of so many of the samples is worth a picture: more than one of the probe's 64 columns.
 constexpr double kReadable = 0.02;

@@ -21,11 +21,11 @@ Bounds clip_box(const Bounds& all, std::span<const dvec3> points);
 /// Beside a side that is so many times as long, the others are narrower than a pixel.
 inline constexpr double kNeedle = 1000;
 
-/// The box that shows what can be seen of a surface that outgrows its picture: one of whose sides
-/// is so long that the others are no wider than a pixel, while a part of the points (finite) is in
-/// proportion. Its faces are infinitely far where no point is beyond. Nothing for other surfaces.
-/// Where it is only the edges of the domain that go so far, as that of tan(u) at u = pi / 2, which
-/// is no pole in double precision, it is clip_box() without the faces that are not needed.
+/// The box for a surface that outgrows its picture: one side is so long that the others are no
+/// wider than a pixel, while a part of the points (finite) is in proportion. Its faces are
+/// infinitely far where no point is beyond. Nothing for other surfaces. Where it is only the edges
+/// of the domain that go so far, as that of tan(u) at u = pi / 2, which is no pole in double
+/// precision, it is clip_box() without the faces that are not needed.
 std::optional<Bounds> readable_box(const Bounds& all, std::span<const dvec3> points);
 
 }  // namespace saddle

@@ -32,8 +32,8 @@ constexpr int kMaxDefaultCells = 1000;
 /// takes 3 to 7 microseconds and 1 kB.
 constexpr std::size_t kMostTriangles = 4'000'000;
 constexpr std::size_t kEnoughTriangles = 1'000'000;
-/// A mesh that was made before another, to find poles, or the faces of the box that they need,
-/// leaves the next one so much of what is allowed at least.
+/// A first mesh, which finds poles or the faces of the box that they need, leaves the next mesh at
+/// least this share of the triangles that are allowed.
 constexpr double kLeastShare = 0.25;
 /// Boxes that a surface with poles is clipped to before its poles show all the faces that it needs.
 constexpr int kMostBoxes = 3;
@@ -101,7 +101,7 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
   return request;
 }
 
-/// What of a surface's box goes so far beyond another that it is no better than a pole.
+/// The sides of a surface's box that go beyond another box so far that they count as poles.
 Bounds far_from(const Bounds& box, const Bounds& whole) {
   const double far = kNeedle * box.diagonal();
   Bounds beyond = box;
@@ -247,7 +247,8 @@ MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purp
 /// Without a tolerance, as of a uniform grid, edges of this share of the diagonal are short enough
 /// for colours: a pixel or less of a picture.
 constexpr double kLeastEdge = 1.0 / 2048;
-/// Curvatures that differ by less than this of what a sphere around the surface has are the same.
+/// Curvatures are the same if they differ by less than this share of the curvature of a sphere
+/// around the surface.
 constexpr double kFlat = 1e-9;
 
 ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,

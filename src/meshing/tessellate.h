@@ -35,9 +35,8 @@ struct Tessellation {
   double tessellate_ms = 0;
 };
 
-/// Triangles at most: what --max-triangles says; 4000000 for whoever asks for a tolerance, or for
-/// cells; else about as many as the picture has pixels, from 1000000 to 4000000, which is more than
-/// can be told apart in it.
+/// Triangles at most: the value of --max-triangles; 4000000 with --tolerance or --samples; else
+/// about one per pixel of the picture, from 1000000 to 4000000, more than can be told apart in it.
 std::size_t most_triangles(const Scene& scene);
 
 /// Prepares and tessellates surface `spec` of `scene`: on the grid of --samples, or with the fewest

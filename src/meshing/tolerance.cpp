@@ -35,7 +35,7 @@ std::vector<ToleranceValue> asked(const Scene& scene, const Purpose& purpose) {
   return tolerances;
 }
 
-/// What of the surface is in the box.
+/// The part of the surface's box that is in the clip box.
 Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
   Bounds bounds = probe.bounds();
   if (!clip) return bounds;
@@ -115,7 +115,8 @@ struct View {
   glm::dmat4 place;
 };
 
-/// Those of all moments. What rests from one moment to the next is there once.
+/// The views of all moments. A place that does not change from one moment to the next is there
+/// once.
 std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose) {
   std::vector<View> result;
   if (purpose.moments.empty()) {

@@ -21,16 +21,16 @@ struct Moment {
   bool operator==(const Moment&) const = default;
 };
 
-/// What a run draws and writes, as far as its tolerance depends on it.
+/// The outputs of a run that its tolerance depends on.
 struct Purpose {
   bool picture = false;
   bool mesh = false;
   std::vector<Moment> moments{};  ///< that the mesh is drawn at; none: the scene's own
 };
 
-/// The tolerance of a surface of the scene that is known by a probe, or of what of it is in a box:
-/// the stricter one of picture and mesh. A picture's pixels are those of the part of the surface,
-/// in any of its nodes, that is nearest to the eye at any of its moments.
+/// The tolerance of a surface of the scene that a probe has sampled, or of its part in a box: the
+/// stricter one of picture and mesh. A picture's pixels are those of the part of the surface, in
+/// any of its nodes, that is nearest to the eye at any of its moments.
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
 

@@ -15,7 +15,7 @@ namespace {
 /// that doubles cannot hold.
 constexpr double kManyFlat = 0.1;
 
-/// What is so small beside its range is an error of rounding, or as good as one, to who reads it.
+/// Numbers below this share of their range are written as 0: errors of rounding.
 constexpr double kNothing = 1e-12;
 
 /// Four digits: enough to find the place, short enough to read.
@@ -36,7 +36,7 @@ std::string range(const char* name, double low, double high) {
   return std::string(name) + " = " + number(low) + ":" + number(high);
 }
 
-/// What is left between two faces of a box, of which either may be infinitely far.
+/// The range between two faces of a box, either of which may be infinitely far.
 std::string clipped_range(const char* name, double low, double high) {
   if (std::isfinite(low) && std::isfinite(high)) return range(name, low, high);
   if (std::isfinite(low)) return std::string(name) + " from " + number(low) + " up";
@@ -92,7 +92,7 @@ std::string where_defined(const Mesh& mesh, const Domain& domain) {
 
 namespace {
 
-/// Collects what is to be said of a mesh, in this order.
+/// Collects the warnings about a mesh, in this order.
 class MeshWarnings {
  public:
   MeshWarnings(const std::string& name, const MeshResult& grid_mesh, const Domain& domain)

@@ -1,4 +1,4 @@
-// What a user would otherwise be misled about.
+// Warnings about a mesh that would otherwise mislead.
 #pragma once
 
 #include <string>

@@ -25,7 +25,7 @@ std::optional<dvec3> unit_normal(const SurfacePoint& point, double scale_u, doub
 double cross_terms(const SurfacePoint& point);
 
 /// The unit vector along r_u x r_v (along r_v x r_u for a flipped surface), if it is more than
-/// kDegenerateCross of its terms. What the tangents have lost themselves is not known to it.
+/// kDegenerateCross of its terms. Rounding errors in the tangents themselves are not considered.
 std::optional<dvec3> known_normal(const SurfacePoint& point, bool flip);
 
 /// The direction of r_u x r_v, however short it is; nothing where it has none.

@@ -26,12 +26,12 @@ inline bool runs_backwards(const Domain& domain) {
   return (domain.u0 > domain.u1) != (domain.v0 > domain.v1);
 }
 
-/// What a surface is compiled for.
+/// The derivatives that a surface is compiled for.
 enum class Order { First, Second };
 
 struct Surface {
-  /// Of u and v, or of u and s: where the ends of v depend on u, s is the part of the way from the
-  /// lower to the upper one, 0 to 1, and takes the place of v in all that is about the surface.
+  /// The range of u and v. Where the ends of v depend on u, the second parameter is s, 0 to 1: the
+  /// share of the way from the lower end to the upper one. It takes the place of v everywhere.
   Domain domain;
   bool flip = false;  ///< front and back are swapped: the normal is r_v x r_u
   Tape tangents;      ///< tangent_outputs() of surface/forms.h

@@ -26,22 +26,6 @@ constexpr double kKeepsUpMs = 100;
 /// While t plays there are at most so many steps a second: that of most displays.
 constexpr std::chrono::microseconds kStep{16'667};
 
-Light point_light(const dvec3& position, double brightness) {
-  Light light;
-  light.position = position;
-  light.color = {brightness, brightness, brightness};
-  return light;
-}
-
-/// The setups after the scene's own.
-std::vector<Light> light_setup(int number) {
-  if (number == 1) return {point_light({0, 0, 0}, 1)};
-  Light above = point_light({0, 1, 0.3}, 0.9);
-  above.directional = true;
-  return {above, point_light({0, 0, 0}, 0.2)};
-}
-constexpr int kLightSetups = 3;  // with the scene's own
-
 /// What they look at, and from how far.
 bool are_placed_alike(const Camera& a, const Camera& b) {
   return a.distance == b.distance && a.target == b.target;
@@ -82,7 +66,6 @@ Model::Model(ViewerSetup setup, std::function<void()> wake)
       reload_(std::move(setup.reload)),
       threads_(setup.threads),
       worker_(tessellation_of(setup), std::move(wake)) {
-  own_lights_ = scene_.lights;
   frame();
   request_meshes(Manner::PreviewFirst);
 }
@@ -186,8 +169,7 @@ void Model::restore(std::optional<Scene> scene) {
 
 void Model::open(Scene scene) {
   scene.picture = scene_.picture;
-  own_lights_ = scene.lights;
-  light_setup_ = 0;
+  lights_ = {};
   table_up = scene.camera.up;
   history_.record(scene_, "");
   scene_ = std::move(scene);
@@ -316,104 +298,6 @@ Scene Model::scene_to_save() const {
     for (SurfaceSpec& spec : scene.surfaces) spec.grid_u = spec.grid_v = 0;
   }
   return scene;
-}
-
-void Model::next_lights() {
-  if (light_setup_ == 0) own_lights_ = scene_.lights;
-  light_setup_ = (light_setup_ + 1) % kLightSetups;
-  scene_.lights = light_setup_ == 0 ? own_lights_ : light_setup(light_setup_);
-}
-
-bool Model::act(Action action) {
-  return act_on_looks(action) || act_on_camera(action) || act_on_scene(action);
-}
-
-/// Of what concerns colours and lines.
-bool Model::act_on_looks(Action action) {
-  Scene changed = scene_;
-  switch (action) {
-    case Action::Grid:
-      grid = !grid;
-      return true;
-    case Action::Wireframe:
-      wireframe = !wireframe;
-      return true;
-    case Action::NextLights:
-      next_lights();
-      return true;
-    case Action::ShadeVertices:
-    case Action::ShadePixels:
-    case Action::ShadeExactly:
-      changed.picture.shading = action == Action::ShadeVertices ? Shading::Vertex
-                                : action == Action::ShadePixels ? Shading::Pixel
-                                                                : Shading::Exact;
-      change_look(std::move(changed));
-      return true;
-    case Action::Axes:
-      changed.axes = !changed.axes;
-      change_look(std::move(changed));
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool Model::act_on_camera(Action action) {
-  switch (action) {
-    case Action::Orthographic: {
-      Camera camera = scene_.camera;
-      camera.ortho = !camera.ortho;
-      look_through(camera);
-      return true;
-    }
-    case Action::Turntable:
-      turntable = !turntable;
-      return true;
-    case Action::AlongX:
-    case Action::AlongY:
-    case Action::AlongZ:
-      look_through(
-          seen_along(scene_.camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)));
-      return true;
-    case Action::Fit:
-      scene_.camera = fit_again(scene_.camera);
-      frame();
-      look_through(scene_.camera);
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// Of what is meshed anew.
-bool Model::act_on_scene(Action action) {
-  Scene changed = scene_;
-  switch (action) {
-    case Action::Flip:
-      for (SurfaceSpec& spec : changed.surfaces) spec.flip = !spec.flip;
-      edit(std::move(changed), "");
-      return true;
-    case Action::Play:
-      playing = !playing;
-      return true;
-    case Action::Coarser:
-    case Action::Finer:
-      changed.mesh.tolerance = tolerance();
-      changed.mesh.tolerance->value *= action == Action::Finer ? 0.5 : 2;
-      edit(std::move(changed), "tolerance");
-      return true;
-    case Action::Undo:
-      undo();
-      return true;
-    case Action::Redo:
-      redo();
-      return true;
-    case Action::Reload:
-      reload();
-      return true;
-    default:
-      return false;
-  }
 }
 
 }  // namespace saddle

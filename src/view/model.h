@@ -16,6 +16,7 @@
 #include "view/controls.h"
 #include "view/history.h"
 #include "view/keys.h"
+#include "view/light_setups.h"
 #include "view/mesh_worker.h"
 #include "view/meshed_scene.h"
 
@@ -113,7 +114,6 @@ class Model {
   void show(Meshed meshed);
   void follow_picked();
   double surface_radius(const dvec3& centre) const;
-  void next_lights();
   bool act_on_looks(Action action);
   bool act_on_camera(Action action);
   bool act_on_scene(Action action);
@@ -135,8 +135,7 @@ class Model {
   std::optional<PickedPoint> picked_;
   std::optional<std::string> news_;
   Bounds bounds_;  ///< of the meshes
-  int light_setup_ = 0;
-  std::vector<Light> own_lights_;
+  LightSetups lights_;
   Camera meshed_camera_;
   std::optional<Clock::time_point> refine_at_;
   std::optional<Clock::time_point> last_tick_;

@@ -19,15 +19,10 @@
 #include "scene/model/gallery.h"
 #include "scene/model/values.h"
 #include "view/fields.h"
+#include "view/widgets.h"
 
 namespace saddle {
 namespace {
-
-const ImVec4 kWrong{1.0F, 0.45F, 0.4F, 1};
-const ImVec4 kQuiet{0.65F, 0.65F, 0.7F, 1};
-
-/// Characters on each side of a wrong place that are shown of a long line.
-constexpr std::size_t kAround = 12;
 
 /// A plain number and nothing else.
 std::optional<double> plain_number(const std::string& text) {
@@ -35,41 +30,6 @@ std::optional<double> plain_number(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
-}
-
-void wrapped(const ImVec4& color, const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-}
-
-/// The part of the text that is wrong, underlined, with a little around it.
-void show_place(const Place& place) {
-  const std::string& text = place.text;
-  if (text.empty()) return;
-  const std::size_t begin = std::min(place.span.begin, text.size());
-  const std::size_t end = std::clamp(place.span.end, begin, text.size());
-  const std::string before =
-      text.substr(begin - std::min(begin, kAround), std::min(begin, kAround));
-  const std::string wrong = begin < end ? text.substr(begin, end - begin) : " ";
-  ImGui::TextUnformatted(before.c_str());
-  ImGui::SameLine(0, 0);
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
-  ImGui::TextUnformatted(wrong.c_str());
-  ImGui::PopStyleColor();
-  const ImVec2 size = ImGui::CalcTextSize(wrong.c_str());
-  ImGui::GetWindowDrawList()->AddLine({corner.x, corner.y + size.y},
-                                      {corner.x + size.x, corner.y + size.y},
-                                      ImGui::GetColorU32(kWrong), 1.5F);
-  ImGui::SameLine(0, 0);
-  ImGui::TextUnformatted(text.substr(end, kAround).c_str());
-}
-
-void show_error(const Error& error) {
-  show_place(error.place());
-  wrapped(kWrong, error.what());
-  if (!error.hint().empty()) wrapped(kQuiet, error.hint());
 }
 
 /// Whether the error is that of the thing with this name: "x", "u", or "f" of "f(s)".
@@ -86,13 +46,6 @@ bool contains(std::string_view text, std::string_view word) {
          std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
-/// Of a button that does what a key does.
-void show_tip(Action action) {
-  if (!ImGui::IsItemHovered()) return;
-  const auto key = std::ranges::find(key_table(), action, &KeyBinding::action);
-  ImGui::SetTooltip("%s (%s)", key->help, key->name);
-}
-
 }  // namespace
 
 /// Below the field of this name, if the error is about it.
@@ -100,20 +53,6 @@ void Panel::show_error_of(const Model& model, const std::string& name) {
   if (!is_about(model.error(), name)) return;
   show_error(*model.error());
   has_shown_error_ = true;
-}
-
-/// A line of text with its label before it; true if it was changed.
-bool Panel::field(const std::string& label, std::string& text, bool wrong) {
-  ImGui::PushID(label.c_str());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label.c_str());
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(-1);
-  if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, kWrong);
-  const bool changed = ImGui::InputText("##text", &text);
-  if (wrong) ImGui::PopStyleColor();
-  ImGui::PopID();
-  return changed;
 }
 
 void Panel::show_surface(Model& model, std::size_t index) {
@@ -124,7 +63,7 @@ void Panel::show_surface(Model& model, std::size_t index) {
   const bool is_faulty = index == model.faulty_surface();
   const auto formula = [&](const char* name, std::string& text) {
     const bool wrong = is_faulty && is_about(model.error(), name);
-    if (field(name, text, wrong)) model.edit(scene, spec.name + name);
+    if (text_field(name, text, wrong)) model.edit(scene, spec.name + name);
     if (is_faulty) show_error_of(model, name);
   };
   formula("x", spec.x);
@@ -172,7 +111,7 @@ void Panel::show_parameter(Model& model, Scene& scene, std::size_t index) {
   const auto number = definition.is_function ? std::nullopt : plain_number(definition.text);
   ImGui::PushID(static_cast<int>(index));
   const bool wrong = is_about(model.error(), name) || is_about(model.error(), definition.name);
-  if (field(name, definition.text, wrong)) model.edit(scene, name);
+  if (text_field(name, definition.text, wrong)) model.edit(scene, name);
   if (number) show_slider(model, scene, definition, *number);
   show_error_of(model, name);
   if (name != definition.name) show_error_of(model, definition.name);
@@ -219,7 +158,7 @@ void Panel::show_definitions(Model& model) {
       refused_ = error.what();
     }
   }
-  if (!refused_.empty()) wrapped(kWrong, refused_);
+  if (!refused_.empty()) show_wrapped(Tone::Wrong, refused_);
 }
 
 void Panel::show_buttons() {
@@ -343,38 +282,39 @@ void Panel::show_picked(const Model& model) {
   ImGui::Separator();
   ImGui::TextUnformatted(formatted("u %.6g  v %.6g", place.uv.x, place.uv.y).c_str());
   const dvec3& p = place.position;
-  wrapped(ImGui::GetStyleColorVec4(ImGuiCol_Text),
-          formatted("x %.6g  y %.6g  z %.6g", p.x, p.y, p.z));
+  show_wrapped(Tone::Plain, formatted("x %.6g  y %.6g  z %.6g", p.x, p.y, p.z));
   if (place.normal) {
     const dvec3& n = *place.normal;
-    wrapped(kQuiet, formatted("normal %.4f %.4f %.4f", n.x, n.y, n.z));
+    show_wrapped(Tone::Quiet, formatted("normal %.4f %.4f %.4f", n.x, n.y, n.z));
   } else {
-    wrapped(kQuiet, "no normal: a singular point");
+    show_wrapped(Tone::Quiet, "no normal: a singular point");
   }
   const Curvature& c = place.curvature;
-  wrapped(kQuiet, formatted("Gauss %.5g  mean %.5g", c.gauss, c.mean));
-  wrapped(kQuiet, formatted("principal %.5g and %.5g", c.largest, c.smallest));
+  show_wrapped(Tone::Quiet, formatted("Gauss %.5g  mean %.5g", c.gauss, c.mean));
+  show_wrapped(Tone::Quiet, formatted("principal %.5g and %.5g", c.largest, c.smallest));
 }
 
 void Panel::show_warnings(const std::vector<std::string>& warnings) const {
   if (quiet_) return;
-  for (const std::string& warning : warnings) wrapped(kQuiet, warning);
+  for (const std::string& warning : warnings) show_wrapped(Tone::Quiet, warning);
 }
 
 void Panel::show_figures(const Model& model, const Figures& figures) {
   ImGui::Separator();
   for (const auto& surface : model.meshes()) {
     const MeshReport& report = surface->report;
-    wrapped(kQuiet, formatted("%zu triangles, %zu evaluations", surface->mesh.triangles.size(),
-                              report.evaluations));
+    show_wrapped(Tone::Quiet, formatted("%zu triangles, %zu evaluations",
+                                        surface->mesh.triangles.size(), report.evaluations));
     if (report.tolerance) {
-      wrapped(kQuiet, formatted("off by %.2g of %.2g", report.max_error, *report.tolerance));
+      show_wrapped(Tone::Quiet,
+                   formatted("off by %.2g of %.2g", report.max_error, *report.tolerance));
     }
     show_warnings(surface->warnings);
   }
   show_warnings(figures.warnings);
-  wrapped(kQuiet, formatted("%.1f ms a frame, mesh %.1f ms%s", figures.frame_ms,
-                            model.last_good().milliseconds, model.is_meshing() ? " ..." : ""));
+  show_wrapped(Tone::Quiet,
+               formatted("%.1f ms a frame, mesh %.1f ms%s", figures.frame_ms,
+                         model.last_good().milliseconds, model.is_meshing() ? " ..." : ""));
 }
 
 void Panel::confirm(Model& model) {

@@ -49,7 +49,6 @@ class Panel {
   void show_figures(const Model& model, const Figures& figures);
   void show_warnings(const std::vector<std::string>& warnings) const;
   void show_error_of(const Model& model, const std::string& name);
-  bool field(const std::string& label, std::string& text, bool wrong);
 
   bool quiet_;
   std::optional<Action> action_;

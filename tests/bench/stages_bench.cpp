@@ -14,6 +14,7 @@
 #include "mesh/mesher/choose.h"
 #include "mesh/model/mesh_report.h"
 #include "render/gl/context.h"
+#include "render/picture/picture.h"
 #include "render/picture/picture_in_tiles.h"
 #include "scene/model/gallery.h"
 #include "scene/model/prepare.h"

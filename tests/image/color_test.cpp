@@ -11,7 +11,7 @@
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
 #include "render/overlay/annotations.h"
-#include "render/picture/picture_in_tiles.h"
+#include "render/picture/picture.h"
 #include "scene/model/colormap.h"
 
 namespace saddle {

@@ -12,6 +12,7 @@
 #include "meshing/tessellate.h"
 #include "render/gl/context.h"
 #include "render/gl/target.h"
+#include "render/picture/picture.h"
 #include "render/picture/picture_in_tiles.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"

@@ -10,7 +10,7 @@
 
 #include "image/lighting_reference.h"
 #include "mesh/mesher/grid_mesh.h"
-#include "render/picture/picture_in_tiles.h"
+#include "render/picture/picture.h"
 #include "study/dice.h"
 #include "study/methods.h"
 #include "study_subject.h"

@@ -11,7 +11,7 @@
 
 #include "image/lighting_reference.h"
 #include "mesh/mesher/grid_mesh.h"
-#include "render/picture/picture_in_tiles.h"
+#include "render/picture/picture.h"
 #include "scene/model/assignments.h"
 #include "scene/model/prepare.h"
 #include "scene/options/resolve.h"

@@ -11,6 +11,7 @@
 #include "image/lighting_reference.h"
 #include "render/gl/context.h"
 #include "render/gl/gl.h"
+#include "render/picture/picture.h"
 #include "render/picture/picture_in_tiles.h"
 #include "scene/model/instances.h"
 

@@ -15,7 +15,7 @@
 #include "image/passes.h"
 #include "render/gl/context.h"
 #include "render/picture/layers.h"
-#include "render/picture/picture_in_tiles.h"
+#include "render/picture/picture.h"
 
 namespace saddle {
 namespace {

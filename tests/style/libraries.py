@@ -15,7 +15,7 @@ HOMES = {
     r"iostream": r"src/base/standard_streams\.cpp|tests/.*",
     r"toml\+\+/.*": r"src/scene/toml/toml\.cpp",
     r"GLFW/.*|backends/imgui.*": r"src/view/window\.cpp",
-    r"imgui.*": r"src/view/(window|panel|overlay|fields)\.cpp",
+    r"imgui.*": r"src/view/(window|panel|overlay|fields|widgets)\.cpp",
     r"stb_truetype\.h": r"src/render/overlay/font\.cpp",
     r"zlib\.h": r"src/base/png_pixels\.cpp|tests/.*",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",

@@ -19,7 +19,7 @@ struct GivenOption {
 struct Verb {
   std::string_view name;
   Command command;
-  std::string_view hint;  ///< for whoever gives it an option that it does not take
+  std::string_view hint;  ///< where it is given an option that it does not take
 };
 
 /// nullptr if no verb has the name.
@@ -37,8 +37,8 @@ struct CommandLine {
 };
 
 /// Options are those of scene/options/options.h: `--name VALUE`, `--name=VALUE`, `-n VALUE`,
-/// `-nVALUE`, flags together (`-qh`), in any place; what follows `--` is no option. Of an option
-/// that is given again the last counts. Throws Error (Input): an unknown option or one that the
+/// `-nVALUE`, flags together (`-qh`), in any place; what follows `--` is no option. An option that
+/// is given again replaces its value. Throws Error (Input): an unknown option or one that the
 /// command does not take, a value that is missing; of the run's options also one that is malformed
 /// or out of range.
 CommandLine parse_command_line(int argc, const char* const* argv);

@@ -1,4 +1,4 @@
-// The texts of --help. What it says about options and scene keys is from scene/options/options.
+// The texts of --help. Lines about options and scene keys are made from scene/options/options.
 #include "app/command_line/help.h"
 
 #include <algorithm>

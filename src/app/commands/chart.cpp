@@ -80,8 +80,8 @@ void check_one_surface(const Scene& scene) {
       "chart them one at a time");
 }
 
-/// What a study needs to know of the picture: the length of a pixel, the camera and the clip box
-/// are those of the mesh that a picture would be drawn from.
+/// Adds the picture's length of a pixel, camera and clip box to the subject of a study: those of
+/// the mesh that a picture would be drawn from.
 void add_picture(const CommandLine& line, Subject& subject) {
   const Scene& scene = subject.scene;
   Scene one_pixel = scene;

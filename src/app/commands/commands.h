@@ -1,4 +1,4 @@
-// What the program can do: one function per command, each in a file of its own.
+// The program's commands: one function each, in a file of its own.
 #pragma once
 
 #include "app/command_line/cli.h"
@@ -13,11 +13,11 @@ void run_graph(const CommandLine& line, Clock::time_point start);
 /// Formulas in a window. Throws Error; Machine if there is no display.
 void run_view(const CommandLine& line);
 
-/// What is true of the surface, in words on standard output, and as a report. Throws Error.
+/// Writes the facts of the surface in words to standard output, and as a report. Throws Error.
 void run_check(const CommandLine& line, Clock::time_point start);
 
 /// Measures the methods on one surface and writes what each costs and how exact it is. Throws
-/// Error: Machine if a chart is to be drawn and gnuplot is missing.
+/// Error: Machine if a chart needs gnuplot and it is missing.
 void run_chart(const CommandLine& line);
 
 /// Prints the names of the gallery, each with its description.

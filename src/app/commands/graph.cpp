@@ -20,7 +20,7 @@
 namespace saddle {
 namespace {
 
-/// What is wrong with the scene at a moment of an animation, with the moment.
+/// Adds the moment to an error of the scene at a moment of an animation.
 Error located(const Error& error, const Shot& shot) {
   const std::string name = name_of(shot);
   if (name.empty() || error.status() == Status::Machine) return error;

@@ -1,4 +1,4 @@
-// What the viewer gets from the command line.
+// The viewer's setup from the command line.
 #pragma once
 
 #include "app/command_line/cli.h"

@@ -72,7 +72,7 @@ std::string seams(const SurfaceReport& s) {
   return text.empty() ? "none" : text;
 }
 
-/// A closed surface by its Euler number, which is none of a surface that touches itself in points.
+/// The name of a closed surface by its Euler number; empty for one that touches itself in points.
 std::string closed_kind(long euler_number, bool orientable) {
   if (!orientable) {
     return euler_number == 1 ? "projective plane" : euler_number == 0 ? "Klein bottle" : "";
@@ -83,7 +83,7 @@ std::string closed_kind(long euler_number, bool orientable) {
   return "sphere with " + std::to_string(1 - euler_number / 2) + " handles";
 }
 
-/// What a connected surface is called: a closed one, or one with holes.
+/// The name of a connected surface, closed or with holes.
 std::string kind(const Topology& t) {
   if (t.components != 1 || t.shared_edges > 0) return "";
   const auto holes = static_cast<long>(t.boundary_loops);

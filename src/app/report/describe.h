@@ -1,4 +1,4 @@
-// What `saddle check` found out, in words.
+// The results of `saddle check` in words.
 #pragma once
 
 #include <string>

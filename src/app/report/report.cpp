@@ -85,7 +85,7 @@ Json folded_edges(const SurfaceReport& s) {
   return list;
 }
 
-/// What `saddle check` adds to a surface's report.
+/// Adds the results of `saddle check` to a surface's report.
 void add_facts(const SurfaceReport& s, Json& json) {
   const Facts& facts = *s.facts;
   const Topology& t = facts.topology;

@@ -1,4 +1,4 @@
-// What a run did, as JSON.
+// The report of a run as JSON.
 #pragma once
 
 #include <optional>

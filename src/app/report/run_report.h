@@ -1,4 +1,4 @@
-// What commands do with what they found out.
+// Results of commands as reports and warnings.
 #pragma once
 
 #include <span>

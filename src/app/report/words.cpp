@@ -23,11 +23,11 @@ constexpr double kSamePlace = 1e-9;
 /// Normals this close are one, degrees; and what is less of a normal is what its limit lost.
 constexpr double kSameDegrees = 1e-3;
 constexpr double kLostOfNormals = 1e-9;
-/// What is less of a position, in diagonals, is rounding.
+/// Coordinates below this, in diagonals, are rounding errors.
 constexpr double kRounding = 1e-12;
 /// Digits of numbers.
 constexpr int kDigits = 6;
-/// So many places on a line of constant u or v, or at one point, are told as one.
+/// At least so many places on a line of constant u or v, or at one point, are reported as one.
 constexpr std::size_t kLine = 12;
 /// Places and lines that are told one by one.
 constexpr std::size_t kTold = 6;
@@ -208,7 +208,7 @@ class SingularWords {
     while (!others.empty()) {
       const std::size_t first = others.front();
       const Indices here = take(others, [&](std::size_t k) {
-        // Of a place that is nowhere no distance is known.
+        // A place without a position has no distance to itself either.
         return k == first || distance(k, first) <= kSamePlace * diagonal_;
       });
       if (here.size() >= kLine) groups.emplace_back(at_, here);
@@ -221,7 +221,7 @@ class SingularWords {
     return groups;
   }
 
-  /// What a group is, if that is one point, and the normal there.
+  /// The group's point, if it is one, and the normals there.
   std::string point_and_normal(const Group& group) const {
     const SingularPlace& first = *places_[group.members.front()];
     bool one_point = true;

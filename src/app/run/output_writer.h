@@ -37,7 +37,7 @@ class WorkBehind {
     if (last_.valid()) milliseconds_ += last_.get();
   }
 
-  /// Of the work that was waited for.
+  /// The time of all work that was waited for.
   double milliseconds() const { return milliseconds_; }
 
  private:
@@ -66,10 +66,10 @@ class OutputWriter {
   /// Writes scene files, then films. After wait().
   void finish(const Scene& scene);
 
-  /// In which ways the films are not what was asked for.
+  /// Differences of the films from what was asked for.
   std::vector<std::string> warnings() const;
 
-  /// Of writing, but for a picture that is being written.
+  /// The time of writing, without a picture that is still being written.
   double milliseconds() const { return milliseconds_ + behind_.milliseconds(); }
 
  private:

@@ -71,7 +71,7 @@ void unescape(Output& output) {
   }
 }
 
-/// What --format names; nullptr without it.
+/// The format that --format names; nullptr without it.
 const Format* checked_format(const std::string& name) {
   if (name.empty()) return nullptr;
   const Format* const format = find_format(name);
@@ -82,7 +82,7 @@ const Format* checked_format(const std::string& name) {
   return format;
 }
 
-/// `fallback` is the format of what has no extension, or nullptr.
+/// `fallback`: the format of a path without an extension, or nullptr.
 const Format* format_of(const std::string& path, const Format* fallback) {
   const std::string ending = path == "-" ? "" : extension_of(path);
   if (const Format* format = find_format(ending)) return format;

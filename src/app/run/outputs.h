@@ -29,7 +29,7 @@ struct Output {
   std::string path_of(int frame) const;
 };
 
-/// Nothing is to be written: the command line asks for the viewer.
+/// Nothing is written: the command line asks for the viewer.
 bool wants_viewer(const CommandLine& line);
 
 /// The outputs of the command line, checked before anything is computed. Throws Error: Input for

@@ -25,10 +25,10 @@ class PictureDrawer {
   Image draw(const Scene& scene, std::span<const Mesh> meshes,
              std::span<const std::size_t> updated);
 
-  /// In which ways the pictures are not what was asked for.
+  /// Differences of the pictures from what was asked for.
   std::vector<std::string> warnings() const;
 
-  /// Of a scene's picture. After draw(), as what follows.
+  /// The report of a scene's picture. After draw(), like the functions below.
   ImageReport describe(const Image& image, const Scene& scene) const;
   std::string shader_texts() const { return maker_->shader_texts(); }
   const RenderTimes& times() const { return maker_->times(); }

@@ -1,4 +1,4 @@
-// What a run of saddle FORMULAS draws and writes, checked before anything is computed.
+// The pictures and files of a run of saddle FORMULAS, checked before anything is computed.
 #pragma once
 
 #include <vector>

@@ -30,8 +30,8 @@ class SceneMeshes {
   /// There is something to warn of.
   bool warn() const;
 
-  /// What was found and done goes into the report. Throws Error (Nothing) if none of the surfaces
-  /// ever had anything to draw.
+  /// Adds the surfaces' results to the report. Throws Error (Nothing) if none of the surfaces ever
+  /// had anything to draw.
   void report(RunReport& report) const;
 
  private:

@@ -23,7 +23,7 @@ struct Shot {
   }
 };
 
-/// "frame 12, t = 0.4"; nothing for a moment that is none of the animation's.
+/// "frame 12, t = 0.4"; empty for a moment outside of the animation.
 std::string name_of(const Shot& shot);
 
 /// An output is made of frames.

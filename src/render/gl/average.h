@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/image.h"
+#include "render/gl/viewport.h"
 
 namespace saddle {
 
@@ -18,11 +19,6 @@ struct RgbaSamples {
   std::size_t row_bytes = 0;           ///< from a row to the one above it
   int per_side = 1;                    ///< samples per pixel and side, 1 to kMostSamplesPerSide
   bool opaque = true;                  ///< all alphas are 255
-};
-
-/// Pixels of a picture, x and y from the upper left.
-struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
 };
 
 /// Fills `rect` of `image` with the mean of each pixel's samples, rounded to nearest. Colours are

@@ -9,7 +9,7 @@
 
 namespace saddle {
 
-/// A current OpenGL 3.3 core context; GL functions are loaded once it exists. What is drawn goes
+/// A current OpenGL 3.3 core context; GL functions are loaded once it exists. Pictures are drawn
 /// into a Target, never into the context's own framebuffer. It belongs to the thread that made it,
 /// until that thread leaves it and another enters it.
 class Context {
@@ -29,8 +29,8 @@ class Context {
   Context() = default;
 };
 
-/// Loads the functions of a context that somebody else made current, a window's: `address` finds
-/// one by its name. Throws Error (Machine) if it is older than OpenGL 3.3.
+/// Loads the functions of a context that is current already, such as a window's. `address` finds a
+/// function by its name. Throws Error (Machine) if it is older than OpenGL 3.3.
 void load_gl_functions(void (*(*address)(const char* name))());
 
 /// The backends' libraries are loaded here and only here, when a picture is wanted. Throws Error

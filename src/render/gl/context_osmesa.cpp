@@ -73,7 +73,7 @@ class OsmesaContext final : public Context {
 
   using Handle = std::unique_ptr<osmesa_context, decltype(&OSMesaDestroyContext)>;
 
-  /// No depth: OSMesa's own framebuffer, which must exist, is a single pixel that nobody sees.
+  /// No depth: OSMesa's own framebuffer must exist, but is never shown. It is a single pixel.
   static Handle create(const OsmesaFunctions& functions) {
     refuse_unknown_driver();
     make_room_for_mesa();

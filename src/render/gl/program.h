@@ -1,5 +1,5 @@
-// Shader programs whose interface is checked: a uniform or attribute that the program uses and
-// nobody sets is an error, and so is one that is set and does not exist.
+// Shader programs whose interface is checked: a uniform or attribute that is used and not set is an
+// error, and so is one that is set and does not exist.
 #pragma once
 
 #include <map>
@@ -34,7 +34,7 @@ class Program {
   void set(const std::string& name, const glm::dmat3& value);
   void set(const std::string& name, std::span<const dvec3> values);
   void set(const std::string& name, std::span<const double> values);
-  /// Of a sampler: the unit that its texture is bound to.
+  /// Sets a sampler to the unit that its texture is bound to.
   void set_texture(const std::string& name, int unit);
 
   /// Throws Error (Machine) if a uniform has never been set.

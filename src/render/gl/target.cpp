@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "render/gl/average.h"
 
 namespace saddle {
 namespace {

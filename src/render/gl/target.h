@@ -1,21 +1,21 @@
-// What is drawn into: colour and depth of our own, larger than the picture by the samples of each
-// pixel, and the way from there to the picture.
+// A framebuffer with colour and depth, larger than the picture by the samples of each pixel, and
+// the averaging of its samples into the picture.
 #pragma once
 
 #include "base/image.h"
-#include "render/gl/average.h"
 #include "render/gl/gl.h"
+#include "render/gl/viewport.h"
 
 namespace saddle {
 
-/// RGBA of 8 bits and depth of 24, `width` x `height` samples; bound as the framebuffer as long as
-/// nobody binds another. Needs a current context.
+/// RGBA of 8 bits and depth of 24, `width` x `height` samples; bound as the framebuffer until
+/// another is bound. Needs a current context.
 class Target {
  public:
   /// Throws Error (Machine) if OpenGL cannot draw into as much.
   Target(int width, int height);
 
-  /// What is drawn from now on goes into it.
+  /// Binds it for drawing.
   void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get()); }
   void bind_for_reading() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get()); }
 

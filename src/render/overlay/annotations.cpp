@@ -119,7 +119,7 @@ class Annotator {
     return right - std::max(width, 2 * half + 2 * kGap * em_);
   }
 
-  /// What a bar takes of the picture's right side.
+  /// The width of a bar with its texts, at the picture's right side.
   double bar_zone(const ColorScale& scale) const {
     double widest = 0;
     for (const Tick& tick : ticks_of(scale).ticks) {
@@ -128,7 +128,7 @@ class Annotator {
     return widest + (2 * kBarMargin + kBarWidth + kTickLength + kGap) * em_;
   }
 
-  /// What ticks, labels and the axes' names take beside the box, and above and below it.
+  /// The room for ticks, labels and the axes' names: beside the box, and above and below it.
   dvec2 axes_margin() const {
     double widest = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -174,8 +174,7 @@ class Annotator {
         {corner(axis, first, second, false), corner(axis, first, second, true)});
   }
 
-  /// Of the edges along an axis that are part of the box's outline, the lowest one, or, if they are
-  /// upright, the leftmost.
+  /// The lowest edge along an axis on the box's outline; the leftmost one, if they are upright.
   std::optional<Edge> edge_with_ticks(int axis) const {
     std::optional<Edge> best;
     double best_rank = 0;
@@ -300,7 +299,8 @@ class Annotator {
     return ticks(scale.range.low, scale.range.high, std::clamp(count, 1, kMostTicks));
   }
 
-  /// The formula as far as there is room, and all of what the ticks leave out.
+  /// The formula, shortened to the room for it, and in full the offset and power of ten that the
+  /// ticks leave out.
   std::string bar_name(const ColorScale& scale, const Ticks& marks) const {
     const std::string note = marks.note.empty() ? "" : " (" + marks.note + ")";
     const double most = std::max(kMostBarName * size_.x, 6 * em_) - writer_.width(note, em_);

@@ -1,6 +1,5 @@
-// What is written around a picture: the box around all surfaces with ticks on its edges, the title,
-// and a bar for each scale of colours. Places and lengths are in pixels from the picture's upper
-// left.
+// Annotations of a picture: the box around all surfaces with ticks on its edges, the title, and a
+// bar for each scale of colours. Places and lengths are in pixels from the picture's upper left.
 #pragma once
 
 #include <array>
@@ -33,11 +32,12 @@ struct Annotations {
   bool empty() const { return edges.empty() && bars.empty() && texts.empty(); }
 };
 
-/// What a scene asks for in a picture of this size: the box with its ticks and the title with
-/// `axes`, the bars with `scales`. Ticks and labels are outside of the box's outline, so that they
-/// never hide a surface; labels keep clear of each other and of the picture's border, or are left
-/// out. What ticks leave out of their numbers is always written: an axis without room for it has no
-/// labels. A title or a formula that is too long ends in an ellipsis.
+/// The annotations of a scene in a picture of this size: the box with its ticks and the title if it
+/// has `axes`, a bar for each of `scales`. Ticks and labels are outside of the box's outline, so
+/// that they never hide a surface; labels keep clear of each other and of the picture's border, or
+/// are left out. The offset and the power of ten that ticks leave out of their numbers are always
+/// written: an axis without room for them has no labels. A title or a formula that is too long ends
+/// in an ellipsis.
 Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
                      std::span<const ColorScale> scales, const dvec2& size);
 

@@ -11,8 +11,8 @@
 namespace saddle {
 namespace {
 
-/// Of digits and capital letters above, and of letters with a tail below the line, in ems: with the
-/// room that superscripts need.
+/// Heights in ems: of digits and capital letters above the line, with room for superscripts, and of
+/// letters with a tail below it.
 constexpr double kAbove = 0.8;
 constexpr double kBelow = 0.24;
 

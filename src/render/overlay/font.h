@@ -24,10 +24,10 @@ class Font {
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
-  /// Of a line of UTF-8 in letters of `size` pixels: what its letters reach across.
+  /// The width in pixels of a line of UTF-8 in letters of `size` pixels.
   double width(const std::string& text, double size) const;
 
-  /// Those of a text's characters, each once, that the font has no letter for.
+  /// The characters of a text, each once, that the font has no letter for.
   std::string unknown_in(const std::string& text) const;
 
   /// From the top of the tallest to the bottom of the lowest letters, the same for all texts.

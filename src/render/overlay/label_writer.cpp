@@ -10,7 +10,7 @@
 namespace saddle {
 namespace {
 
-/// Letters that are smaller, in pixels, tell nobody anything.
+/// The least height of letters that can be read, in pixels.
 constexpr double kLeastReadable = 6;
 /// Lines up and down that a text may be from where it belongs.
 constexpr int kFarthest = 4;

@@ -39,7 +39,8 @@ class LabelWriter {
   /// Nothing is written here.
   void keep_clear(const Rect& rect) { taken_.push_back(rect); }
 
-  /// Of a text that touches `at` and lies in the direction `way` of it, of length 1 or 0.
+  /// The rectangle of a text that touches `at` and lies in the direction `way` of it, of length 1
+  /// or 0.
   Rect rect_beside(const std::string& text, const dvec2& at, const dvec2& way, double size) const;
 
   /// Writes there if nothing is there and it is in the picture.
@@ -50,7 +51,7 @@ class LabelWriter {
   bool write_near(const std::string& text, const dvec2& at, const dvec2& way, double size,
                   const Rect& avoid = {});
 
-  /// As much of a text as is no wider than `most`, with an ellipsis if that is not all.
+  /// The text, shortened by an ellipsis where it is wider than `most`.
   std::string shortened(const std::string& text, double most, double size) const;
 
  private:

@@ -7,7 +7,6 @@
 #include <glm/vec4.hpp>
 
 #include "render/gl/gpu_mesh.h"
-#include "render/picture/renderer.h"
 #include "render/shading/shaders.h"
 
 namespace saddle {

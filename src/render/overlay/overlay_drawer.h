@@ -10,12 +10,11 @@
 
 #include "render/gl/gl.h"
 #include "render/gl/program.h"
+#include "render/gl/viewport.h"
 #include "render/overlay/annotations.h"
 #include "render/shading/colormap_textures.h"
 
 namespace saddle {
-
-struct Viewport;
 
 /// Needs the same current context from the first to the last of its calls.
 class OverlayDrawer {

@@ -1,5 +1,5 @@
-// A scene in a window: drawn off screen when it changes, copied to the window whenever that wants
-// to be painted.
+// A scene in a window: drawn off screen when it changes, copied to the window whenever that must be
+// painted.
 #pragma once
 
 #include <optional>

@@ -27,14 +27,14 @@
 namespace saddle {
 namespace {
 
-/// Moments that are looked at, besides both ends. What turns is seen to a hundredth of a turn's
-/// radius in so many directions.
+/// Moments that are looked at, besides both ends. So many directions of a rotation bound its circle
+/// to a hundredth of the radius.
 constexpr int kMoments = 32;
 /// They advance by this part of the range, as far as possible from keeping step with anything.
 /// Source: H. Weyl, "Ueber die Gleichverteilung von Zahlen mod. Eins", 1916.
 constexpr double kGoldenPart = 0.6180339887498949;
-/// What changes from one moment to another goes this share of its way beyond what those show:
-/// a swing, at the end of which a moment is by a tenth of its time at most.
+/// A movement goes beyond two neighbouring moments by this share of its way: a swing whose end is
+/// at most a tenth of its time from a moment.
 constexpr double kBetweenMoments = 0.01;
 /// Samples of a surface, cells each way: what a smooth surface does between them is less than the
 /// room that the camera leaves around the sphere.
@@ -105,7 +105,7 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, unsigned threads) {
   return result;
 }
 
-/// The scene's surfaces at one moment. Those that do not move are sampled once.
+/// The scene's surfaces at one moment. A surface that does not move is sampled once.
 using Samples = std::vector<std::shared_ptr<const Sampled>>;
 
 Samples sample_all(const Scene& scene, const Samples& last, unsigned threads) {
@@ -119,8 +119,8 @@ Samples sample_all(const Scene& scene, const Samples& last, unsigned threads) {
   return samples;
 }
 
-/// Of surfaces that have poles at some moments, keeps to what is clipped then at the others, too:
-/// a pole that is just outside of the range leaves a surface that is as high as one likes.
+/// A surface that has poles at some moments keeps to the box of these moments at the others, too: a
+/// pole just outside of the range makes it as high as one likes.
 void keep_to_clipped(std::vector<Samples>& moments) {
   for (std::size_t i = 0; i < moments[0].size(); ++i) {
     Bounds clipped;

@@ -12,14 +12,14 @@
 
 namespace saddle {
 
-/// What the camera of a scene with an animation is, where the scene does not say so: the target is
-/// the centre of a box around the scene at all moments of its range of time; the distance is the
-/// one at which the sphere around the target that holds it all just fits. They depend on the scene
-/// and its range of time alone: frames that are drawn apart fit together, and a frame that is
-/// opened again is the same.
+/// The camera of a scene with an animation, where the scene leaves it open. The target is the
+/// centre of a box around the scene at all moments of its range of time. At the distance, the
+/// sphere around the target that holds the scene just fits. They depend on the scene and its range
+/// of time alone: frames that are drawn apart fit together, and a frame that is opened again is the
+/// same.
 ///
-/// So do the box that axes are drawn around, and the numbers that colours run over, which are those
-/// of all moments.
+/// The box of the axes and the range of the numbers that colours stand for are those of all
+/// moments, too.
 struct Framing {
   std::optional<dvec3> target;
   std::optional<double> distance;

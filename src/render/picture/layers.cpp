@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/error.h"
+#include "render/shading/shader_text.h"
 #include "render/shading/shaders.h"
-#include "render/shading/surface_shader.h"
 
 namespace saddle {
 namespace {
@@ -159,8 +159,8 @@ void Layers::put_under() {
   glEnable(GL_DEPTH_TEST);
 }
 
-/// What hides is copied for the shader to read: its alpha is not multiplied in, which blending does
-/// not know.
+/// The picture of the opaque surfaces is copied for the shader to read: its alpha is not multiplied
+/// into its colours, as blending would need.
 void Layers::put_over(GLuint framebuffer) {
   glBindFramebuffer(GL_FRAMEBUFFER, color_buffer_.get());
   copy(framebuffer, GL_COLOR_BUFFER_BIT);

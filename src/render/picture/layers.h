@@ -19,7 +19,8 @@ inline constexpr std::size_t kMostLayers = 1000;
 /// Needs a current context.
 class Layers {
  public:
-  /// Of `width` x `height` samples. Throws Error (Machine) if OpenGL cannot draw into as much.
+  /// Layers have `width` x `height` samples. Throws Error (Machine) if OpenGL cannot draw into as
+  /// much.
   Layers(int width, int height);
 
   bool has_size(int width, int height) const { return width == width_ && height == height_; }

@@ -1,20 +1,18 @@
-// The order of work: context, upload, then tile by tile the scene and the mean of the samples.
 #include "render/picture/picture.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <chrono>
-#include <cmath>
 #include <new>
 
 #include "base/error.h"
 #include "render/gl/average.h"
 #include "render/gl/context.h"
+#include "render/gl/gpu_mesh.h"
 #include "render/gl/target.h"
-#include "render/overlay/annotations.h"
 #include "render/picture/picture_in_tiles.h"
 #include "render/picture/renderer.h"
+#include "scene/model/camera.h"
 
 namespace saddle {
 namespace {
@@ -35,47 +33,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Of the numbers that the meshes are coloured by.
-std::vector<std::optional<ColorRange>> ranges_of(std::span<const Mesh> meshes) {
-  std::vector<std::optional<ColorRange>> ranges;
-  for (const Mesh& mesh : meshes) ranges.push_back(color_range_of(mesh));
-  return ranges;
-}
-
 }  // namespace
-
-FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, const dvec2& size) {
-  const std::vector<Instance> all = instances(scene);
-  Bounds bounds;
-  for (const Instance& instance : all) {
-    bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
-  }
-  if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
-  if (scene.camera.distance) return fit_camera(scene.camera, bounds, size.x / size.y);
-  const dvec3 target = camera_target(scene.camera, bounds);
-  double radius = 0;  // much less than the box's for a torus, say
-  for (const Instance& instance : all) {
-    radius = std::max(radius, farthest_vertex(target, meshes[instance.surface], instance.to_world));
-  }
-  return fit_camera(
-      scene.camera, bounds, size.x / size.y, radius,
-      room_for_annotations(scene, bounds, color_scales(scene, ranges_of(meshes)), size));
-}
-
-Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
-                 const PictureSettings& options, int tile_samples) {
-  const int n = options.antialias;
-  const Tiling tiling = split_picture(options.width, options.height, n, tile_samples);
-  const Target target(n * (tiling.tile_width + 2 * kTileMargin),
-                      n * (tiling.tile_height + 2 * kTileMargin));
-  const bool opaque = scene.background.a >= 1;  // no sample is see-through
-  Image image(options.width, options.height);
-  for (const PixelRect& tile : tiling.tiles) {
-    renderer.draw(scene, camera, {options.width, options.height, tile, kTileMargin, n});
-    target.read(kTileMargin * n, kTileMargin * n, n, opaque, tile, image);
-  }
-  return image;
-}
 
 struct PictureMaker::Gpu {
   std::unique_ptr<Context> context;
@@ -90,12 +48,12 @@ PictureMaker::PictureMaker(Backend backend) {
   times_.context = stopwatch.lap();
 }
 
-/// Nobody may have entered it.
+/// No thread may have entered it.
 PictureMaker::~PictureMaker() {
   try {
     enter();
   } catch (const Error&) {
-    // What OpenGL holds ends with its context.
+    // OpenGL's objects end with their context.
   }
 }
 

@@ -46,11 +46,11 @@ class PictureMaker {
   Image draw_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
                       const PictureSettings& options, int tile_samples);
 
-  /// Of all that was done until now.
+  /// The sum over all calls so far.
   const RenderTimes& times() const { return times_; }
   std::string renderer() const;      ///< "osmesa" ...
   std::string shader_texts() const;  ///< the programs that were made for the surfaces
-  /// In which ways the pictures are not what was asked for.
+  /// Differences of the pictures from what was asked for.
   std::vector<std::string> warnings() const;
 
  private:
@@ -72,9 +72,13 @@ struct Rendering {
 /// no OpenGL, or the picture is larger than it can draw; Input for a camera that cannot be.
 Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,
                  Backend backend = Backend::Any);
+/// The same, at most `tile_samples` samples a side at once; for tests.
+Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
+                          const PictureSettings& options, int tile_samples,
+                          Backend backend = Backend::Any);
 
-/// A maker that has warmed up and that nobody has entered: for a thread beside tessellation, which
-/// takes about as long.
+/// A maker that has warmed up, entered by no thread. For a thread beside tessellation, which takes
+/// about as long.
 std::unique_ptr<PictureMaker> start_picture_maker(Backend backend);
 
 }  // namespace saddle

@@ -1,10 +1,15 @@
-// Pictures piece by piece: render() with its limit exposed, for tests, and without its context, for
-// a renderer that is there already.
+// A picture by a renderer that is there already, piece by piece.
 #pragma once
 
-#include "render/picture/picture.h"
+#include <span>
+
+#include "base/image.h"
+#include "base/vec.h"
+#include "mesh/model/mesh.h"
 #include "render/picture/renderer.h"
 #include "render/picture/tiles.h"
+#include "scene/model/camera.h"
+#include "scene/model/scene.h"
 
 namespace saddle {
 
@@ -15,10 +20,5 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
 /// Leaves another framebuffer bound than there was.
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
                  const PictureSettings& options, int tile_samples = kTileSamples);
-
-/// render(), drawing at most `tile_samples` samples a side at once (see kTileSamples).
-Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
-                          const PictureSettings& options, int tile_samples,
-                          Backend backend = Backend::Any);
 
 }  // namespace saddle

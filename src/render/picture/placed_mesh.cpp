@@ -23,7 +23,7 @@ bool is_similarity(const glm::dmat3& m) {
          std::abs(glm::length(m[2]) - length) <= kSimilar * length;
 }
 
-/// Of the box's corners, along the view; before the near plane there is nothing to see.
+/// The least depth of the box's corners along the view. Parts before the near plane are not seen.
 double nearest_depth(const Bounds& box, const FittedCamera& camera) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const dvec3& p : box.corners()) {

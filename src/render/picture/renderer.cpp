@@ -11,16 +11,18 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "render/picture/tiles.h"
 #include "render/shading/normal_shader.h"
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
+#include "render/shading/surface_shader.h"
 
 namespace saddle {
 namespace {
 
 constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
 constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
-/// The box around the surfaces is less conspicuous than what is written about it.
+/// The box around the surfaces is less conspicuous than its labels.
 constexpr double kBoxInk = 0.3;
 
 /// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
@@ -153,7 +155,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (!overlay_) overlay_.emplace();
     overlay_->draw(annotations, viewport, ink, line_program(), colormaps_);
   }
-  glUseProgram(0);  // who remembers what was in use may find it deleted
+  glUseProgram(0);  // a program that a caller remembers as used may be deleted
   check_gl();
 }
 
@@ -264,7 +266,7 @@ void Renderer::draw_depths(std::span<const PlacedMesh> items, Program& program, 
   end_faces();
 }
 
-/// Passes after the first add light to what is in front.
+/// Passes after the first add light to the nearest surfaces.
 void Renderer::draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                              int line_width, const Look& look) {
   start_faces(line_width, look);
@@ -343,7 +345,7 @@ void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
   }
 }
 
-/// Fainter than what is written about it.
+/// Fainter than its labels.
 void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                         const Viewport& viewport, const dvec3& ink) {
   const GpuMesh box(mesh_of_lines(edges));

@@ -12,29 +12,20 @@
 #include "mesh/model/mesh.h"
 #include "render/gl/gpu_mesh.h"
 #include "render/gl/program.h"
+#include "render/gl/viewport.h"
 #include "render/overlay/overlay_drawer.h"
 #include "render/picture/layers.h"
 #include "render/picture/placed_mesh.h"
-#include "render/picture/tiles.h"
 #include "render/shading/colormap_textures.h"
 #include "render/shading/shader_lights.h"
-#include "render/shading/surface_shader.h"
+#include "render/shading/shader_text.h"
 #include "scene/model/camera.h"
 #include "scene/model/color_scale.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
 
-/// The part of a picture that is drawn. Its lower left is that of the framebuffer.
-struct Viewport {
-  int width = 0;  ///< of the whole picture, in pixels
-  int height = 0;
-  PixelRect rect;    ///< of the part
-  int margin = 0;    ///< pixels around it that are drawn too
-  int per_side = 1;  ///< samples per pixel and side
-};
-
-/// What a viewer can change about a picture without changing the scene.
+/// Settings of a picture that are not part of the scene: the viewer's.
 struct Look {
   bool lines = true;       ///< the surfaces' grid lines
   bool wireframe = false;  ///< the edges of the triangles in place of the triangles
@@ -65,7 +56,7 @@ class Renderer {
   void draw(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
             const Look& look = {});
 
-  /// In which ways the pictures so far are not what was asked for.
+  /// Differences of the pictures so far from what was asked for.
   std::vector<std::string> warnings() const;
 
   /// The sources of all programs that were made to draw surfaces, for people to read.

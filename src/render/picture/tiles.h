@@ -1,16 +1,16 @@
-// Pictures larger than what GL or a sane amount of memory holds are drawn in tiles.
+// Pictures that exceed GL's limits or a sensible amount of memory are drawn in tiles.
 #pragma once
 
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 
-#include "render/gl/average.h"
+#include "render/gl/viewport.h"
 
 namespace saddle {
 
-/// Longest side of what is drawn at once, in samples. Colour and depth of 4096 x 4096 take 200 MB;
-/// a picture of 1920x1080 at antialias 2 is still one piece. GL allows 16384.
+/// Longest side of a tile in samples. Colour and depth of 4096 x 4096 take 200 MB; a picture of
+/// 1920x1080 at antialias 2 is still one piece. GL allows 16384.
 inline constexpr int kTileSamples = 4096;
 
 /// Pixels drawn around each tile and thrown away: GL drops a wide line whose middle is outside, and

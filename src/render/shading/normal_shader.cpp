@@ -24,8 +24,8 @@ bool uses(std::string_view text, std::string_view name) {
   return false;
 }
 
-/// What a definition of shaders/functions.glsl defines: "#define NAME", "const float NAME" and
-/// "float NAME(" have it last before a space or bracket. Empty: it is a comment.
+/// The name that a definition of shaders/functions.glsl defines: after "#define", "const float" or
+/// "float", up to a space or bracket. Empty for a comment.
 std::string_view defined_name(std::string_view definition) {
   for (const std::string_view start : {"#define ", "const float ", "float "}) {
     const std::size_t at = definition.find(start);

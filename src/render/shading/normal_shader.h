@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "render/shading/surface_shader.h"
+#include "render/shading/shader_text.h"
 #include "scene/model/shader_normal.h"
 
 namespace saddle {

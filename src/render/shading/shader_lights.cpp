@@ -17,7 +17,7 @@ namespace {
 /// float's precision, and the square of its distance must not overflow.
 constexpr double kFarthestLight = 1e9;
 
-/// Bounds of what floats multiply: a light brighter than this is white at any angle that counts.
+/// Bounds of factors in floats: a light brighter than this is white at any angle that counts.
 constexpr double kBrightest = 1e6;
 /// An exponent whose highlight is narrower than any pixel's.
 constexpr double kLargestExponent = 1e9;
@@ -82,65 +82,6 @@ dvec3 spot_edge(const Spot& spot) {
   return {cutoff, 1 / width, std::min(spot.exponent.value, kLargestExponent)};
 }
 
-bool is_weaker_from_afar(const ShaderLight& uniforms) {
-  return uniforms.attenuation != dvec3(1, 0, 0);
-}
-
-/// A light that shines to all sides, equally far.
-bool is_plain_point(const Light& light, const ShaderLight& uniforms) {
-  return !light.directional && !light.spot && !is_weaker_from_afar(uniforms);
-}
-
-bool is_at_eye(const ShaderLight& uniforms, bool perspective) {
-  return perspective && uniforms.position == dvec3(0);
-}
-
-bool is_spot(const Light& light) {
-  return !light.directional && light.spot;
-}
-
-/// A hard edge looks the same with either falloff.
-bool is_smooth(const Spot& spot) {
-  return spot.falloff == Spot::Falloff::Smooth && spot.inner;
-}
-
-constexpr auto kLightKinds = std::to_array<LightKind>({
-    {.name = "DIRECTIONAL",
-     .function = "directional_light",
-     .has = [](const Light& light, const ShaderLight&, bool) { return light.directional; }},
-    {.name = "AT_EYE",
-     .function = "light_at_eye",
-     .has =
-         [](const Light& light, const ShaderLight& uniforms, bool perspective) {
-           return is_plain_point(light, uniforms) && is_at_eye(uniforms, perspective);
-         }},
-    {.name = "POINT",
-     .function = "point_light",
-     .has =
-         [](const Light& light, const ShaderLight& uniforms, bool perspective) {
-           return is_plain_point(light, uniforms) && !is_at_eye(uniforms, perspective);
-         }},
-    {.name = "ATTENUATED",
-     .function = "attenuated_light",
-     .reads_attenuation = true,
-     .has =
-         [](const Light& light, const ShaderLight& uniforms, bool) {
-           return !light.directional && !light.spot && is_weaker_from_afar(uniforms);
-         }},
-    {.name = "SPOT",
-     .function = "spot_light",
-     .reads_attenuation = true,
-     .is_cone = true,
-     .has = [](const Light& light, const ShaderLight&,
-               bool) { return is_spot(light) && !is_smooth(*light.spot); }},
-    {.name = "SMOOTH_SPOT",
-     .function = "smooth_spot_light",
-     .reads_attenuation = true,
-     .is_cone = true,
-     .has = [](const Light& light, const ShaderLight&,
-               bool) { return is_spot(light) && is_smooth(*light.spot); }},
-});
-
 /// A uniform array of shaders/lighting.glsl with an entry for each light.
 struct LightUniform {
   const char* name;
@@ -183,10 +124,11 @@ ShaderLight shader_light(const Light& light, const Frames& frames, double unit, 
     result.spot_direction = frames.direction(light.frame, light.spot->direction);
     result.spot_edge = spot_edge(*light.spot);
   }
-  const auto* const kind = std::ranges::find_if(
-      kLightKinds, [&](const LightKind& k) { return k.has(light, result, perspective); });
-  assert(kind != kLightKinds.end());
-  result.kind = kind;
+  const std::span<const LightKind> kinds = light_kinds();
+  const auto kind = std::ranges::find_if(
+      kinds, [&](const LightKind& k) { return k.has(light, result, perspective); });
+  assert(kind != kinds.end());
+  result.kind = &*kind;
   return result;
 }
 
@@ -213,10 +155,6 @@ void set_greys(Program& program, const LightUniform& uniform, std::span<const Sh
 
 }  // namespace
 
-std::span<const LightKind> light_kinds() {
-  return kLightKinds;
-}
-
 bool has_cone(const ShaderNeeds& needs) {
   return std::ranges::any_of(needs.lights, &LightKind::is_cone);
 }
@@ -240,7 +178,7 @@ void add_light_needs(std::span<const ShaderLight> lights, ShaderNeeds& needs) {
   for (const ShaderLight& light : lights) {
     needs.lights.push_back(light.kind);
     needs.grey &= is_grey(light.color) && is_grey(light.highlight) && is_grey(light.ambient);
-    needs.attenuation |= light.kind->reads_attenuation && is_weaker_from_afar(light);
+    needs.attenuation |= light.kind->reads_attenuation && is_attenuated(light);
     needs.focus |= light.kind->is_cone && light.spot_edge.z > 0;
     needs.ambient |= !is_black(light.ambient);
     needs.highlights |= light.highlight != light.color;

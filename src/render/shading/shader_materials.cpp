@@ -30,7 +30,7 @@ bool same(const Material& a, const Material& b) {
   return same(a.diffuse, b.diffuse) && same(ambient(a), ambient(b)) && same_but_for_colors(a, b);
 }
 
-/// One side's part of what the program was made for.
+/// Sets the uniforms of one side's material that the program was made for.
 void set_material(Program& program, const std::string& side, const Material& material,
                   const ShaderNeeds& needs) {
   const bool lit = !needs.lights.empty();

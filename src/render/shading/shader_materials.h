@@ -1,15 +1,14 @@
-// The materials of a surface as its shaders want them.
+// The materials of a surface as uniforms of its shaders.
 #pragma once
 
 #include "render/gl/program.h"
-#include "render/shading/surface_shader.h"
+#include "render/shading/shader_needs.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
 
-/// What the surface's materials need of the shader, where `needs` says which sides are seen and
-/// whether it is coloured. `emission`: whether it may shine, which it does once, whatever the
-/// lights.
+/// Adds the parts of the shader that the surface's materials need; `needs` says which sides are
+/// seen and whether it is coloured. `emission`: it may shine, which it does in one pass of several.
 void add_material_needs(const SurfaceSpec& surface, bool emission, ShaderNeeds& needs);
 
 /// Sets the uniforms of the materials that the program was made for.

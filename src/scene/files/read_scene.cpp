@@ -174,7 +174,7 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
   return scene;
 }
 
-/// What only the whole scene tells: formulas, ranges, nodes.
+/// Checks what depends on the whole scene: formulas, ranges, nodes.
 void check_scene(const TomlReader& reader, const Scene& scene) {
   // Numbers may use x, y and z of the last surface.
   const std::string last = surface_prefix(scene.surfaces.size() - 1);

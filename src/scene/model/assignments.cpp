@@ -1,5 +1,5 @@
-// Splits NAME=EXPRESSION and NAME(ARGUMENTS)=EXPRESSION and files the parts into a Scene. What the
-// expressions mean is not looked at here.
+// Splits NAME=EXPRESSION and NAME(ARGUMENTS)=EXPRESSION and files the parts into a Scene. The
+// expressions are not parsed here.
 #include "scene/model/assignments.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ bool is_name(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, is_word) && (text[0] < '0' || text[0] > '9');
 }
 
-/// The name that `span` of the argument holds. Throws Error (Input) if it is none.
+/// The name that `span` of the argument holds. Throws Error (Input) if it is not a name.
 std::string checked_name(const std::string& assignment, Span span) {
   span = trim(assignment, span);
   std::string name = cut(assignment, span);

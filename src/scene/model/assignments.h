@@ -8,7 +8,8 @@
 namespace saddle {
 
 /// The parts of `NAME=EXPRESSION` or `NAME(ARGUMENTS)=EXPRESSION`. Throws Error (Input) with the
-/// place "argument": no `=`, a name that is none or cannot be a function's, an empty expression.
+/// place "argument": no `=`, an invalid name or one that cannot be a function's, an empty
+/// expression.
 Definition parse_definition(const std::string& assignment);
 
 /// It is `NAME=MIN:MAX`.
@@ -17,9 +18,8 @@ bool is_range(const Definition& definition);
 /// Puts one assignment into `scene`: `x=`, `y=`, `z=` and the ranges `u=MIN:MAX`, `v=MIN:MAX` into
 /// its (last) surface, `t=VALUE` and `t=MIN:MAX` into its time, anything else into its definitions;
 /// a name that is there already is replaced. The text splits at its first `=`, a range at its first
-/// `:` outside of brackets that no `?` owns. Throws Error (Input): no `=`, a name that is none,
-/// `u=` without a
-/// `:`, an empty expression.
+/// `:` outside of brackets that no `?` owns. Throws Error (Input): no `=`, an invalid name, `u=`
+/// without a `:`, an empty expression.
 void assign(Scene& scene, const std::string& assignment);
 
 /// Like assign(), but the name must be there already: a parameter, function or range of the scene.

@@ -31,8 +31,8 @@ constexpr double kDistancePadding = 1e-12;
 /// end.
 constexpr double kLeastNearOverFar = 1e-3;
 
-/// But nothing is cut away that is farther from the eye than this share of the target's distance:
-/// an eye that is close to what it looks at sees the rest of a large surface less exactly.
+/// The bound never moves the near plane beyond this share of the target's distance: an eye close to
+/// its target sees the rest of a large surface less exactly.
 constexpr double kLeastNearOverDistance = 0.1;
 
 /// std::hypot neither overflows nor underflows where the squares would.

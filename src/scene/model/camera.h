@@ -25,7 +25,7 @@ struct FittedCamera {
 struct Room {
   double across = 1;  ///< shares of the width and the height, in the middle
   double down = 1;
-  bool holds_box = false;  ///< the whole bounding box is to be in there
+  bool holds_box = false;  ///< the whole bounding box must be in there
 };
 
 /// Fits `camera` to what is in `bounds` (not empty) in a picture of width/height `aspect`. Without

@@ -1,4 +1,4 @@
-// What numbers have which colours. Surfaces with the same formula and colormap share a scale.
+// Scales from numbers to colours. Surfaces with the same formula and colormap share a scale.
 #pragma once
 
 #include <optional>

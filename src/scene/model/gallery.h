@@ -29,7 +29,7 @@ const GalleryEntry* find_gallery_entry(std::string_view name);
 /// The entry as a scene; scene and surface have the entry's name.
 Scene gallery_scene(const GalleryEntry& entry);
 
-/// The error for a name that is none of the gallery's, with the nearest one and all of them.
+/// The error for a name that is not in the gallery, with the nearest one and all of them.
 Error unknown_gallery_name(const std::string& name);
 
 }  // namespace saddle

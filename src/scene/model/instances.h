@@ -38,7 +38,7 @@ struct Instance {
 std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec);
 std::vector<glm::dmat4> places(const Scene& scene, const SurfaceSpec& spec);
 
-/// Those of a resolved scene, in the order of its surfaces.
+/// All instances of a resolved scene, in the order of its surfaces.
 std::vector<Instance> instances(const Scene& scene);
 
 /// The box around a transformed box; empty for an empty one.

@@ -46,8 +46,8 @@ struct PreparedSurface {
 PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec,
                                 Order order = Order::First);
 
-/// What constant expressions of the scene may use: its definitions, which may use x, y and z of its
-/// (last) surface.
+/// The names that constant expressions of the scene may use: its definitions, which may use x, y
+/// and z of its (last) surface.
 std::vector<Definition> constant_names(const Scene& scene);
 
 /// The value of a constant expression that may use the scene's parameters; `name` stands for it in

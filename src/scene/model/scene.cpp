@@ -1,4 +1,4 @@
-// What a scene has when it says nothing else.
+// The defaults of a scene.
 #include "scene/model/scene.h"
 
 namespace saddle {

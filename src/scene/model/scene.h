@@ -1,5 +1,5 @@
-// What to draw, as plain data with defaults. The command line, the scene file and the viewer
-// produce a Scene; meshing, rendering and writing consume it.
+// A scene as plain data with defaults. The command line, the scene file and the viewer produce a
+// Scene; meshing, rendering and writing consume it.
 #pragma once
 
 #include <optional>
@@ -113,7 +113,7 @@ struct Attenuation {
   std::optional<Number> range;  ///< in place of the three: how far the light reaches
 };
 
-/// What makes a point light a spot light. Angles are between axis and edge, in degrees.
+/// The cone of a spot light. Angles are between axis and edge, in degrees.
 struct Spot {
   enum class Falloff { Linear, Smooth };
   Vector direction{0, 0, -1};         ///< along the light, any length but 0
@@ -184,7 +184,7 @@ inline constexpr int kMaxAntialias = 16;
 /// from the corners'; or there with the formula's.
 enum class Shading { Vertex, Pixel, Exact };
 
-/// What a highlight's angle is measured from: the mirrored light, or the half vector.
+/// The direction that a highlight's angle is measured from: the mirrored light, or the half vector.
 enum class Specular { Phong, Blinn };
 
 /// How the picture is made.
@@ -216,8 +216,8 @@ struct Animation {
   }
 };
 
-/// No display shows more frames per second; a picture for a hundred seconds is none that moves, and
-/// no format of videos knows pauses much longer.
+/// No display shows more frames per second. A frame of a hundred seconds shows no movement, and no
+/// video format has pauses much longer.
 inline constexpr double kMinFps = 0.01;
 inline constexpr double kMaxFps = 1000;
 

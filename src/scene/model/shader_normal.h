@@ -23,8 +23,9 @@ struct ShaderNormal {
   std::optional<std::string> obstacle;
 };
 
-/// Of surface `spec` of a resolved scene, at its moment. The code is the same whatever values t and
-/// the parameters have, but for exponents that are whole. Throws Error (Input) as bind_surface().
+/// The formula of surface `spec` of a resolved scene, at its moment. The code is the same whatever
+/// values t and the parameters have, but for exponents that are whole. Throws Error (Input) as
+/// bind_surface().
 ShaderNormal shader_normal(const Scene& scene, const SurfaceSpec& spec);
 
 }  // namespace saddle

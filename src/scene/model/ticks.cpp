@@ -16,7 +16,7 @@ namespace {
 constexpr int kLongExponent = 5;
 /// More significant digits than this in a tick are too long to read: an offset is taken out.
 constexpr int kMostDigits = 5;
-/// What all doubles of a decimal number have in common.
+/// Decimal digits that every double keeps.
 constexpr int kOffsetDigits = 15;
 /// A tick this much of a step outside is on the end but for rounding.
 constexpr double kOnEnd = 1e-9;

@@ -23,7 +23,7 @@ std::string format_number(double value);
 /// A number's expression, or its value.
 std::string expression_of(const Number& number);
 
-/// What a number may be, the ends included unless `open`.
+/// The range of a number, the ends included unless `open`.
 struct Limits {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

@@ -64,17 +64,13 @@ constexpr auto kRows = std::to_array<Option>({
      .section = Section::Camera,
      .help = "direction from the target toward the eye",
      .table = Table::Camera,
-     .scene = [](Scene& s) -> kinds::Slot {
-       return kinds::Point{&s.camera.view, true};
-     }},
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::direction(&s.camera.view); }},
     {.name = "up",
      .value = "X,Y,Z",
      .section = Section::Camera,
      .help = "direction that points up",
      .table = Table::Camera,
-     .scene = [](Scene& s) -> kinds::Slot {
-       return kinds::Point{&s.camera.up, true};
-     }},
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::direction(&s.camera.up); }},
     {.name = "target",
      .value = "X,Y,Z",
      .section = Section::Camera,
@@ -249,9 +245,7 @@ constexpr auto kRows = std::to_array<Option>({
      .section = Section::Look,
      .help = "swap front and back",
      .table = Table::Surface,
-     .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Flag{&s.flip, true};
-     }},
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::toggle(&s.flip); }},
     {.name = "opacity",
      .value = "A",
      .section = Section::Look,

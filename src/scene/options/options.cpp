@@ -7,7 +7,8 @@
 namespace saddle {
 namespace {
 
-// What a kind cannot do it leaves alone: an option without a key, a key without an option.
+// A kind without the function leaves the value alone: an option without a key, a key without an
+// option.
 
 void parse_slot(const kinds::Slot& slot, const kinds::Given& given) {
   std::visit(
@@ -75,7 +76,7 @@ std::string line(const Option& option, const kinds::Slot& slot, const kinds::Slo
   return key_of(option) + " = " + text + "\n";
 }
 
-/// What messages call a key.
+/// The name of a key in messages.
 std::string subject(const Option& option) {
   return option.subject.empty() ? key_of(option) : std::string(option.subject);
 }

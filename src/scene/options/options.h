@@ -18,7 +18,7 @@ enum class Section { Output, Camera, Look, Mesh, Time, Run };
 /// Where a key stands in a scene file.
 enum class Table { None, Scene, Surface, Camera, Animation };
 
-/// What the first word of a command line makes of the rest.
+/// The command that the first word of a command line names.
 enum class Command { Graph, Check, Chart, List, Show };
 
 /// Commands that take an option, as bits.
@@ -70,7 +70,7 @@ std::string dashed(const Option& option);
 /// The default as text, "" if there is none to tell.
 std::string default_text(const Option& option);
 
-/// What its number may be: "more than 0", "1 to 16"; "" for others.
+/// The limits of an option that takes a number, "more than 0" or "1 to 16"; "" for others.
 std::string limits_text(const Option& option);
 
 /// The words of a choice.
@@ -103,7 +103,7 @@ std::string write_keys(const SurfaceSpec& surface);
 void resolve_keys(Resolver& resolver, Table table, Scene& scene);
 void resolve_keys(Resolver& resolver, const std::string& prefix, SurfaceSpec& surface);
 
-/// An option with the text that sets it to what a scene of one surface has.
+/// An option with the text that sets it to the value of a scene of one surface.
 struct Setting {
   const Option* option;
   std::string text;

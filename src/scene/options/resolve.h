@@ -24,7 +24,7 @@ class Timeline {
 
   /// As it was written, with its moment and its range of time filled in.
   const Scene& scene() const { return scene_; }
-  /// What resolve() makes of the scene with this moment.
+  /// The resolved scene at this moment.
   Scene at(double t);
   /// One of its numbers, other than those of formulas, has used t. After at().
   bool moves() const;
@@ -36,7 +36,7 @@ class Timeline {
   std::unique_ptr<Parsed> parsed_;
 };
 
-/// What a part of the scene is called in messages, and before the name of each of its numbers.
+/// The name of a part of the scene in messages, before the name of each of its numbers.
 std::string surface_prefix(std::size_t index);   // "surface 1: "
 std::string light_prefix(std::size_t index);     // "light 1: "
 std::string node_prefix(const SceneNode& node);  // "node wheel: "

@@ -1,4 +1,4 @@
-// What a run does with its scene, as the command line says it.
+// The settings of a run that are not part of its scene, from the command line.
 #pragma once
 
 #include <optional>

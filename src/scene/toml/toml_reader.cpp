@@ -12,7 +12,7 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-/// What a value should be, for messages.
+/// Descriptions of values, for messages.
 constexpr const char* kVector = "three numbers, such as [2, -3, 1.5]";
 constexpr const char* kColor = "a colour such as \"#ffff80\", \"tomato\" or [1, 1, 0.5]";
 

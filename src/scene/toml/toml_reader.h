@@ -81,7 +81,7 @@ class TomlReader {
   /// The items of an array of tables.
   const std::vector<TomlValue>& tables(const std::string& key, const TomlValue& value) const;
 
-  /// What `action` returns; its errors get their place in the file.
+  /// Returns the result of `action`; its errors get their place in the file.
   template <typename Action>
   auto in_place(const Action& action, const std::string& prefix = {}) const {
     try {

@@ -9,7 +9,7 @@
 
 namespace saddle {
 
-/// A basic string with everything escaped that TOML wants escaped.
+/// A basic string with everything escaped that TOML requires to be escaped.
 std::string toml_string(std::string_view text);
 
 /// A number, or its expression in quotes; with a point where TOML would see an integer of more than
@@ -26,8 +26,8 @@ std::string toml_color(const Color& color);
 /// One name alone, several as an array.
 std::string toml_names(const std::vector<std::string>& names);
 
-/// A number of the formula language means the same in TOML, which wants digits on both sides of a
-/// point and no leading zeros.
+/// A number of the formula language is one of TOML, too: with digits on both sides of a point and
+/// no leading zeros.
 bool is_toml_number(std::string_view text);
 
 /// An inline table.

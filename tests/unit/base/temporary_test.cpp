@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/file.h"
+#include "base/temporary.h"
 #include "temporary_folder.h"
 #include "wait_for_child.h"
 

@@ -1,0 +1,59 @@
+#include "render/picture/picture_in_tiles.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "base/bounds.h"
+#include "render/gl/target.h"
+#include "render/overlay/annotations.h"
+#include "render/picture/placed_mesh.h"
+#include "scene/model/color_scale.h"
+#include "scene/model/instances.h"
+
+namespace saddle {
+namespace {
+
+/// The ranges of the numbers that the meshes are coloured by.
+std::vector<std::optional<ColorRange>> ranges_of(std::span<const Mesh> meshes) {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const Mesh& mesh : meshes) ranges.push_back(color_range_of(mesh));
+  return ranges;
+}
+
+}  // namespace
+
+FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, const dvec2& size) {
+  const std::vector<Instance> all = instances(scene);
+  Bounds bounds;
+  for (const Instance& instance : all) {
+    bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
+  }
+  if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
+  if (scene.camera.distance) return fit_camera(scene.camera, bounds, size.x / size.y);
+  const dvec3 target = camera_target(scene.camera, bounds);
+  double radius = 0;  // much less than the box's for a torus, say
+  for (const Instance& instance : all) {
+    radius = std::max(radius, farthest_vertex(target, meshes[instance.surface], instance.to_world));
+  }
+  return fit_camera(
+      scene.camera, bounds, size.x / size.y, radius,
+      room_for_annotations(scene, bounds, color_scales(scene, ranges_of(meshes)), size));
+}
+
+Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
+                 const PictureSettings& options, int tile_samples) {
+  const int n = options.antialias;
+  const Tiling tiling = split_picture(options.width, options.height, n, tile_samples);
+  const Target target(n * (tiling.tile_width + 2 * kTileMargin),
+                      n * (tiling.tile_height + 2 * kTileMargin));
+  const bool opaque = scene.background.a >= 1;  // no sample is see-through
+  Image image(options.width, options.height);
+  for (const PixelRect& tile : tiling.tiles) {
+    renderer.draw(scene, camera, {options.width, options.height, tile, kTileMargin, n});
+    target.read(kTileMargin * n, kTileMargin * n, n, opaque, tile, image);
+  }
+  return image;
+}
+
+}  // namespace saddle

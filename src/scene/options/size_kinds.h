@@ -1,0 +1,62 @@
+// Sizes as values of options and scene keys: of pictures, grids, distances, boxes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/model/scene.h"
+#include "scene/options/value_source.h"
+
+namespace saddle::kinds {
+
+/// WxH: the size of a picture.
+struct PictureSize {
+  PictureSettings* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
+/// MxN lines, or off.
+struct GridLines {
+  SurfaceSpec* surface;
+
+  void parse(const Given& given) const;
+  std::string format() const;
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
+/// MxN cells.
+struct Cells {
+  std::optional<GridSize>* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
+/// 0.5px, or a share of the bounding box's diagonal.
+struct Length {
+  std::optional<ToleranceValue>* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
+/// X0:X1,Y0:Y1,Z0:Z1, auto or off.
+struct ClipBox {
+  Clip* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;  ///< nothing for auto
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
+}  // namespace saddle::kinds

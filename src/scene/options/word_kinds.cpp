@@ -1,0 +1,98 @@
+#include "scene/options/word_kinds.h"
+
+#include <string>
+
+#include "scene/model/values.h"
+#include "scene/toml/toml_writer.h"
+
+namespace saddle::kinds {
+
+void Flag::parse(const Given& /*given*/) const {
+  *value = toggles ? !*value : true;
+}
+
+std::string Flag::format() const {
+  return *value ? "true" : "";
+}
+
+void Flag::read(const InFile& in) const {
+  *value = in.reader.boolean(in.subject, in.value);
+}
+
+std::string Flag::write() const {
+  return *value ? "true" : "false";
+}
+
+void Text::parse(const Given& given) const {
+  *value = given.text;
+}
+
+void Text::read(const InFile& in) const {
+  *value = in.reader.text(in.subject, in.value, wanted);
+}
+
+std::string Text::write() const {
+  return toml_string(*value);
+}
+
+void Texts::parse(const Given& given) const {
+  value->push_back(given.text);
+}
+
+void Formula::parse(const Given& given) const {
+  *value = given.text == "off" ? std::string() : given.text;
+}
+
+void Formula::read(const InFile& in) const {
+  *value = in.reader.formula(in.subject, in.value);
+}
+
+std::string Formula::write() const {
+  return toml_string(*value);
+}
+
+void Names::read(const InFile& in) const {
+  constexpr const char* kWanted = "a name, or an array of names";
+  value->clear();
+  if (in.value.kind != TomlValue::Kind::Array) {
+    value->push_back(in.reader.text(in.subject, in.value, kWanted));
+    return;
+  }
+  if (in.value.items.empty()) {
+    throw in.reader.source().error(in.subject, "there is no node in it", in.value.span,
+                                   "leave it out, and the surface is in the world");
+  }
+  for (const TomlValue& item : in.value.items) {
+    value->push_back(in.reader.text(in.subject, item, kWanted));
+  }
+}
+
+std::string Names::write() const {
+  return value->empty() ? "" : toml_names(*value);
+}
+
+void Choice::parse(const Given& given) const {
+  set(parse_choice(given.option, given.text, words));
+}
+
+void Choice::read(const InFile& in) const {
+  std::string wanted;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) wanted += i + 1 < words.size() ? ", " : " or ";
+    wanted += toml_string(words[i]);
+  }
+  const std::string text = in.reader.text(in.subject, in.value, wanted.c_str());
+  in.reader.in_place([&] { set(parse_choice(in.subject, text, words)); });
+}
+
+std::string Choice::format() const {
+  const std::optional<std::size_t> place = get();
+  return place ? words[*place] : "";
+}
+
+std::string Choice::write() const {
+  const std::string word = format();
+  return word.empty() ? "" : toml_string(word);
+}
+
+}  // namespace saddle::kinds
