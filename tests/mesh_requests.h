@@ -1,8 +1,7 @@
 // What tests ask of meshes within a tolerance.
 #pragma once
 
-#include "mesh/mesher/adaptive_mesh.h"
-#include "mesh/mesher/sampled_mesh.h"
+#include "mesh/mesher/mesher.h"
 
 namespace saddle {
 

@@ -106,6 +106,7 @@ Banks banks_of(const Tape& tape) {
 
 void evaluate_points(const Tape& tape, std::span<const double> u, std::span<const double> v,
                      std::span<double* const> outputs, unsigned threads) {
+  if (tape.count) tape.count->add(u.size());
   assert(u.size() == v.size());
   parallel_chunks(u.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
     const Slots memory((tape.slots_u + tape.slots_v + tape.slots_both) * kBlock);
@@ -155,6 +156,7 @@ struct GridBanks {
 
 void evaluate_grid(const Tape& tape, std::span<const double> u, std::span<const double> v,
                    std::span<double* const> outputs, unsigned threads) {
+  if (tape.count) tape.count->add(u.size() * v.size());
   const GridBanks grid(tape, u, v);
   const std::size_t rows_per_chunk =
       std::max<std::size_t>(1, kChunk / std::max<std::size_t>(1, u.size()));
@@ -231,6 +233,7 @@ bool TileRows::next() {
 void evaluate_tiles(const Tape& tape, std::span<const double> u, std::span<const double> v,
                     const GridTiling& tiling, unsigned threads,
                     const std::function<void(TileRows&)>& work) {
+  if (tape.count) tape.count->add(u.size() * v.size());
   const GridBanks grid(tape, u, v);
   parallel_chunks(tiling.count(), 1, threads, [&](std::size_t index, std::size_t) {
     TileRows rows(tape, grid, tiling.tile(index));

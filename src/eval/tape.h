@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "eval/point_count.h"
 #include "formula/graph.h"
 #include "formula/lower.h"
 
@@ -40,6 +42,8 @@ struct Tape {
   std::uint32_t slots_v = 1;
   std::uint32_t slots_both = 0;
   std::vector<Slot> outputs;
+  /// Counts the points that are computed, together with other tapes; none: they are not counted.
+  std::shared_ptr<PointCount> count = nullptr;
 };
 
 /// Compiles the outputs, sharing what they have in common, sine and cosine of the same argument in

@@ -263,7 +263,6 @@ ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Su
   options.max_triangles = most_triangles(scene);
   options.threads = threads;
   const ColorReport report = color_mesh(surface, options, mesh.mesh);
-  mesh.report.evaluations += report.evaluations;
   return report;
 }
 
@@ -330,6 +329,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
     result.color = color_as_asked(scene, spec, surface, result.mesh, threads);
   }
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
+  report.evaluations = surface.evaluations();
   result.tessellate_ms = passed.count();
   result.is_clipped = scene.clip.box || report.clip;
   if (result.is_clipped) report.least_triangles = 0;  // it is of the whole

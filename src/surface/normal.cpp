@@ -203,7 +203,7 @@ std::vector<NormalLimit> limit_normals(const Surface& surface, std::span<const A
     const std::vector<SurfacePoint> points = evaluate(surface, paths(block), threads);
     for (std::size_t i = 0; i < block.size(); ++i) {
       const auto normal = extrapolate(std::span(points).subspan(i * kSteps, kSteps));
-      NormalLimit& limit = limits.emplace_back(NormalLimit{normal, kSteps});
+      NormalLimit& limit = limits.emplace_back(NormalLimit{normal});
       if (normal && surface.flip) limit.normal = -*normal;
     }
   }

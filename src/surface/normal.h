@@ -37,7 +37,6 @@ double safe_length(const dvec3& a);
 /// A limit found by extrapolation.
 struct NormalLimit {
   std::optional<dvec3> normal;  ///< nothing: no limit exists, or none was found
-  int evaluations = 0;          ///< points that were evaluated for it
 };
 
 /// The limit of the unit normal when `corner` is approached along the straight line from `inside`

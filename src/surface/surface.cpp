@@ -100,6 +100,8 @@ Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain&
     surface.curvatures = compile(graph, curvature_outputs(graph, tangents));
     surface.bounds = compile(graph, second_order_outputs(graph, tangents), Powers::Whole);
   }
+  surface.tangents.count = std::make_shared<PointCount>();
+  surface.normals.count = surface.curvatures.count = surface.tangents.count;
   return surface;
 }
 

@@ -40,6 +40,10 @@ struct Surface {
   Tape bounds;        ///< r, r_u, r_v, r_uu, r_uv, r_vv for enclosures; the same holds
   Tape v;             ///< v at (u, s); without outputs where v is its own
   Tape color;         ///< the number it is coloured by; without outputs where it is not
+
+  /// The points at which tangents, normals, curvatures or colours were computed so far, for this
+  /// surface and its copies.
+  std::size_t evaluations() const { return tangents.count ? tangents.count->total() : 0; }
 };
 
 /// x, y, z: nodes that depend on u and v alone. The derivatives come from the formulas.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "meshing/tessellate.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"
@@ -90,7 +90,7 @@ void measure(const std::string& name, Mean& mean) {
     options.clip = subject.clip;
     options.lines_u = 0;
     options.lines_v = 0;
-    const auto mesh = mesh_within_tolerance(subject.surface, options);
+    const auto mesh = try_mesh(subject.surface, options);
     if (!mesh) throw Error(Status::Nothing, name + " has no mesh");
     const auto triangles = static_cast<double>(mesh->mesh.triangles.size());
     const double ratio = triangles / mesh->report.least_triangles;

@@ -6,7 +6,9 @@ written to files of all kinds, drawn by itself, and meshed with --samples.
 
     hashes.py PROGRAM [WORD...]                    prints them, or those whose name has a WORD
     hashes.py PROGRAM --against OTHER [WORD...]    prints those that differ from OTHER's: a program,
-                                                   or a file with the lines that one printed"""
+                                                   or a file with the lines that one printed
+
+With --without KEY first, reports are hashed without this key of surfaces."""
 import concurrent.futures
 import hashlib
 import json
@@ -53,6 +55,7 @@ FEATURES = [
 # Keys of the report that differ from run to run.
 VOLATILE = ("times", "peak_memory_bytes")
 SIZE = "240x180"
+WITHOUT = sys.argv[2] if sys.argv[1:2] == ["--without"] else None
 
 
 def gallery(program):
@@ -88,6 +91,8 @@ def content(path):
     report = json.loads(data)
     for key in VOLATILE:
         report.pop(key, None)
+    for surface in report.get("surfaces", []):
+        surface.pop(WITHOUT, None)
     return json.dumps(report, sort_keys=True).encode()
 
 
@@ -130,7 +135,7 @@ def lines_of(other, words):
 
 
 def main():
-    program, *words = sys.argv[1:]
+    program, *words = sys.argv[3:] if WITHOUT else sys.argv[1:]
     if words[:1] != ["--against"]:
         print("\n".join(all_hashes(program, words)))
         return

@@ -11,7 +11,7 @@
 #include "base/heap.h"
 #include "base/image_png.h"
 #include "eval/batch.h"
-#include "mesh/mesher/choose.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "render/gl/context.h"
 #include "render/picture/picture.h"
@@ -69,7 +69,7 @@ MeshRequest within(double share, unsigned threads) {
 }
 
 std::optional<MeshResult> mesh_of(double share, unsigned threads) {
-  return mesh_within_tolerance(torus_surface(), within(share, threads));
+  return try_mesh(torus_surface(), within(share, threads));
 }
 
 void mesh(benchmark::State& state, double share, unsigned threads) {
@@ -80,9 +80,10 @@ void mesh(benchmark::State& state, double share, unsigned threads) {
 
 /// By the method that costs least.
 void chosen_mesh(benchmark::State& state, double share) {
-  const MeshRequest options = within(share, 1);
+  MeshRequest request = within(share, 1);
+  request.method = MeshRequest::Method::LeastCost;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(mesh_at_least_cost(torus_surface(), options));
+    benchmark::DoNotOptimize(try_mesh(torus_surface(), request));
   }
 }
 

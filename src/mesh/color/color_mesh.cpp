@@ -107,7 +107,6 @@ class ColorMesher {
   }
 
   std::vector<double> evaluate(std::span<const dvec2> uv) {
-    report_.evaluations += uv.size();
     return evaluate_color(surface_, uv, options_.threads);
   }
 

@@ -26,7 +26,6 @@ struct ColorReport {
   bool is_clamped = false;  ///< the numbers go to infinity: most of them have a colour of their own
   bool reached_limit = false;  ///< more triangles were not allowed
   double undefined_share = 0;  ///< of the area
-  std::size_t evaluations = 0;
 };
 
 /// Gives `mesh`, of a surface that has a colour, its numbers and their range. Triangles are halved

@@ -60,7 +60,6 @@ class CornerBuilder {
     grid_.for_cells_around(vertex, [&](std::size_t cell, std::size_t slot) {
       const NormalLimit& limit = limits.front();
       if (!limit.normal) mark_without_limit(report_);
-      report_.evaluations += static_cast<std::size_t>(limit.evaluations);
       const dvec3 normal = limit.normal ? *limit.normal : face_normal(grid_, cell);
       find(cell).corners[slot] = static_cast<std::uint32_t>(corners_.find_or_add(normal));
       limits = limits.subspan(1);

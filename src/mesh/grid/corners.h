@@ -46,8 +46,8 @@ struct OpenCell {
 
 /// Lists the open cells. A singular vertex takes the limits of its cells, or the normal of a cell's
 /// face where the cell has no limit: the first is the vertex's own, others are new corners at the
-/// end of grid.mesh (zero if the cell has no area either). Adds the singular points and the
-/// evaluations to `report`.
+/// end of grid.mesh (zero if the cell has no area either). Adds the singular points to
+/// `report`.
 std::vector<OpenCell> open_cells(const Surface& surface, unsigned threads, Grid& grid,
                                  MeshReport& report);
 

@@ -10,7 +10,7 @@
 namespace saddle {
 
 /// Welds a grid with kept cells and cuts those that the pass over it left open. Adds how edges
-/// meet, singular points, evaluations and triangles without area to `report`. Returns the cells
+/// meet, singular points and triangles without area to `report`. Returns the cells
 /// that were open. Throws Error (Nothing) if the surface is a point or a curve, or no cell has any
 /// area.
 std::vector<std::size_t> cut_grid(const Surface& surface, unsigned threads, Grid& grid,

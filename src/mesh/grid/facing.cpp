@@ -94,7 +94,7 @@ std::vector<std::optional<dvec3>> normals_within(const Surface& surface, unsigne
 
 }  // namespace
 
-std::size_t face_own_triangles(const Surface& surface, unsigned threads, Mesh& mesh) {
+void face_own_triangles(const Surface& surface, unsigned threads, Mesh& mesh) {
   const std::vector<Opposed> opposed = opposed_corners(mesh);
   const std::vector<std::optional<dvec3>> within = normals_within(surface, threads, mesh, opposed);
   std::uint32_t first_new = 0;  // of the corners that were added for the same one
@@ -114,7 +114,6 @@ std::size_t face_own_triangles(const Surface& surface, unsigned threads, Mesh& m
     }
     t[slot] = other < mesh.position.size() ? other : add_corner(mesh, corner, *normal);
   }
-  return within.size();
 }
 
 }  // namespace saddle

@@ -13,8 +13,7 @@ namespace saddle {
 /// own at the same point, as at a crease: with the surface's normal from within the triangle, at
 /// the place nearest to the corner from which it faces as the triangle does. Neighbours share it.
 /// Triangles that all corners oppose alike, or that the surface faces nowhere, are slivers thinner
-/// than what may be missing, whose planes tell nothing: they keep their corners. Returns the
-/// evaluations.
-std::size_t face_own_triangles(const Surface& surface, unsigned threads, Mesh& mesh);
+/// than what may be missing, whose planes tell nothing: they keep their corners.
+void face_own_triangles(const Surface& surface, unsigned threads, Mesh& mesh);
 
 }  // namespace saddle

@@ -260,11 +260,11 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   name_singular(singular, surface.domain, report);
   halving.complete(report);
   Grid& grid = halving.grid();
-  report.evaluations += halving.reach_extremes();
+  halving.reach_extremes();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =
       leaf_lines(grid, halving.tree(), halving.measured().leaves, request.lines_u, request.lines_v);
-  report.evaluations += face_own_triangles(surface, request.threads, grid.mesh);
+  face_own_triangles(surface, request.threads, grid.mesh);
   if (request.clip) {
     clip_mesh(*request.clip, grid.mesh);
     keep_singular_points_within(*request.clip, surface, request.threads, report);

@@ -113,11 +113,11 @@ LeafTriangles AdaptiveMesher::triangulate(MeshReport& report) {
   return triangles;
 }
 
-std::size_t AdaptiveMesher::reach_extremes() {
-  if (!oscillates_) return 0;
+void AdaptiveMesher::reach_extremes() {
+  if (!oscillates_) return;
   const Oscillation unresolvable = oscillation();
   const auto oscillates = [&](const Leaf& leaf) { return unresolvable.contains(leaf, tree_); };
-  return saddle::reach_extremes(surface_, mesh_.leaves, oscillates, request_.threads, tree_, grid_);
+  saddle::reach_extremes(surface_, mesh_.leaves, oscillates, request_.threads, tree_, grid_);
 }
 
 /// Whether a leaf would be cut into the same triangles as when it was measured.
@@ -151,7 +151,6 @@ void AdaptiveMesher::complete(MeshReport& report) {
   report_seams(seams_, report);
   report.work.leaf_samples += grid_.vertex_count() + tree_.evaluations() + validator_.evaluations();
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
-  report.evaluations += report.work.leaf_samples;
   report.work.searches += tree_.effort().looks();
 }
 

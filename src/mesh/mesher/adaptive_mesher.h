@@ -56,8 +56,8 @@ class AdaptiveMesher {
   double width(const Leaf& leaf) const;
 
   /// Has vertices where the surface oscillates too fast reach its extremes, once nothing is
-  /// measured any more. Returns how many places of the surface that took.
-  std::size_t reach_extremes();
+  /// measured any more.
+  void reach_extremes();
 
   /// What is to be said of the way here.
   void complete(MeshReport& report);

@@ -62,7 +62,6 @@ class Chooser {
   /// Fills in what was chosen.
   void complete(MeshReport& report) const {
     report.choice = choice_;
-    report.evaluations += work_.grid_samples;
     report.work.add(work_);
   }
 

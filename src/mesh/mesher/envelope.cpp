@@ -93,12 +93,12 @@ int main_axis(std::span<const SurfacePoint> points) {
 
 }  // namespace
 
-std::size_t reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
-                           const std::function<bool(const Leaf&)>& oscillates, unsigned threads,
-                           const CellTree& tree, Grid& grid) {
+void reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
+                    const std::function<bool(const Leaf&)>& oscillates, unsigned threads,
+                    const CellTree& tree, Grid& grid) {
   Mesh& mesh = grid.mesh;
   const std::vector<Movable> movable = movable_vertices(leaves, oscillates, tree, grid);
-  if (movable.empty()) return 0;
+  if (movable.empty()) return;
   const std::size_t tries = std::clamp(kAllTries / movable.size(), kLeastTries, kMostTries);
   std::vector<dvec2> places;
   for (std::size_t first = 0; first < movable.size(); first += kVertexBlock) {
@@ -128,7 +128,6 @@ std::size_t reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
       }
     }
   }
-  return tries * movable.size();
 }
 
 }  // namespace saddle

@@ -46,7 +46,6 @@ MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options) {
       even_lines(d.v0, d.v1, static_cast<std::size_t>(options.cells_v)), options.threads);
   require_defined_cells(grid);
   report.cells = grid.cell_count() - grid.left_out_count;
-  report.evaluations = grid.vertex_count();
   report.undefined_fraction =
       static_cast<double>(grid.left_out_count) / static_cast<double>(grid.cell_count());
   const std::vector<std::size_t> opened = cut_grid(surface, options.threads, grid, report);
@@ -54,7 +53,6 @@ MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options) {
   const MeasuredError error = measure_error(surface, grid, opened, options.threads);
   report.max_error = error.distance;
   report.max_normal_error = error.normal_degrees;
-  report.evaluations += error.evaluations;
 
   const bool plain = opened.empty() && grid.left_out_count == 0;
   result.mesh =
@@ -64,6 +62,7 @@ MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options) {
 }
 
 MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request) {
+  const std::size_t before = surface.evaluations();
   GridOptions grid = request.grid;
   MeshResult result = mesh_on_grid(surface, grid);
   int stagnation = 0;  // halvings in a row that did not help
@@ -73,7 +72,6 @@ MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request)
     grid.cells_u *= 2;
     grid.cells_v *= 2;
     MeshResult finer = mesh_on_grid(surface, grid);
-    finer.report.evaluations += result.report.evaluations;
     const bool helped = finer.report.max_error <= kWorthHalving * result.report.max_error;
     result = std::move(finer);
     stagnation = helped ? 0 : stagnation + 1;
@@ -84,6 +82,7 @@ MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request)
     keep_used_corners(result.mesh);
   }
   if (request.share) result.report.tolerance = *request.share * result.mesh.bounds.diagonal();
+  result.report.evaluations = surface.evaluations() - before;
   return result;
 }
 

@@ -122,7 +122,6 @@ GridTrial try_grid(const Surface& surface, const MeshRequest& request, const Mes
   name_singular(plan.singular, surface.domain, report);
   report.cells = grid.cell_count();
   report.work = trial.work;
-  report.evaluations += trial.work.grid_samples;
   const auto none = std::vector<std::size_t>();
   result.mesh = finish_grid(std::move(grid), opened.empty(), request.lines_u > 1 ? columns : none,
                             request.lines_v > 1 ? rows : none);

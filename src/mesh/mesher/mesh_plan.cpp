@@ -155,7 +155,6 @@ MeshReport report_of(const MeshPlan& plan) {
   report.reached_limit = plan.is_limited;
   report.tolerance = plan.tolerance(bounds.centre(), bounds.diagonal());
   report.least_triangles = plan.probe.least_triangles(plan.tolerance);
-  report.evaluations = plan.probe.evaluations();
   return report;
 }
 

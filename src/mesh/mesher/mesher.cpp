@@ -8,7 +8,9 @@
 
 namespace saddle {
 
-std::optional<MeshResult> try_mesh(const Surface& surface, const MeshRequest& request) {
+namespace {
+
+std::optional<MeshResult> mesh_by_method(const Surface& surface, const MeshRequest& request) {
   switch (request.method) {
     case MeshRequest::Method::FewestTriangles:
       break;
@@ -19,6 +21,15 @@ std::optional<MeshResult> try_mesh(const Surface& surface, const MeshRequest& re
   }
   std::optional<MeshResult> mesh = mesh_within_tolerance(surface, request);
   if (mesh) mesh->report.choice = MeshChoice();
+  return mesh;
+}
+
+}  // namespace
+
+std::optional<MeshResult> try_mesh(const Surface& surface, const MeshRequest& request) {
+  const std::size_t before = surface.evaluations();
+  std::optional<MeshResult> mesh = mesh_by_method(surface, request);
+  if (mesh) mesh->report.evaluations = surface.evaluations() - before;
   return mesh;
 }
 

@@ -20,7 +20,8 @@ namespace saddle {
 /// Meshes a surface of second order by the method of the request. Nothing where there is no such
 /// mesh: the surface's size is no normal number, it would take more lines than can be numbered, no
 /// cell is defined, or no triangle has any area. Throws Error (Nothing) if the surface is undefined
-/// everywhere, a point or a curve; the message says which.
+/// everywhere, a point or a curve; the message says which. `report.evaluations` counts every point
+/// of the surface that was computed meanwhile.
 std::optional<MeshResult> try_mesh(const Surface& surface, const MeshRequest& request);
 
 /// try_mesh(), or the uniform mesh where that has none.

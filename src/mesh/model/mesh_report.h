@@ -58,7 +58,7 @@ struct MeshChoice {
 /// What meshing found out and what it cost.
 struct MeshReport {
   std::size_t cells = 0;             ///< cells of the grid that are covered
-  std::size_t evaluations = 0;       ///< points of the surface that were computed
+  std::size_t evaluations = 0;       ///< points at which the surface was computed
   MeshWork work;                     ///< with that of grids that came to nothing
   std::optional<MeshChoice> choice;  ///< nothing: there was none
   double undefined_fraction = 0;     ///< share of the domain's cells that were left out

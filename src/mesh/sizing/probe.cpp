@@ -185,7 +185,6 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
     return dvec3(first[column][i], first[column + 1][i], first[column + 2][i]);
   };
   const GridColumns second(surface.curvatures, u_, v_, threads);
-  evaluations_ += u_.size() * v_.size();
   for (std::size_t i = 0; i < u_.size() * v_.size(); ++i) {
     const dvec3 normal = vector(kNormalColumn, i);
     Sample sample{};
@@ -215,7 +214,6 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
   const auto sample = [&](std::span<const double> u, std::span<const double> v, bool along_u) {
     const GridColumns first(surface.tangents, u, v, threads);
     const GridColumns second(surface.curvatures, u, v, threads);
-    evaluations_ += u.size() * v.size();
     const std::size_t axis = along_u ? 0 : 1;
     for (std::size_t i = 0; i < u.size() * v.size(); ++i) {
       const dvec3 position = first.vector(0, i);

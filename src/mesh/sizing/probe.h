@@ -55,7 +55,6 @@ class Probe {
   const std::optional<SmallComponent>& component() const { return component_; }
   /// The largest distance of a finite position from `centre`.
   double radius(const dvec3& centre) const;
-  std::size_t evaluations() const { return evaluations_; }
 
   /// The lines that a tensor grid must have: those that are drawn, those at which the surface is
   /// singular, if they are few, and those that these meet across a seam.
@@ -149,7 +148,6 @@ class Probe {
   Seams seams_;
   Bounds bounds_;
   std::optional<SmallComponent> component_;
-  std::size_t evaluations_ = 0;
 };
 
 }  // namespace saddle

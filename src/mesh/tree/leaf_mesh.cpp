@@ -305,7 +305,6 @@ SingularCorners::SingularCorners(std::span<const Leaf> leaves, const CellTree& t
     for (end = k; end < views.size() && views[end].vertex == vertex; ++end) {
       const View& view = views[end];
       const NormalLimit& limit = limits[end];
-      report.evaluations += static_cast<std::size_t>(limit.evaluations);
       const std::size_t corner = corners.find_or_add(limit.normal.value_or(view.face));
       corners_[key_of(view.leaf, view.sub_polygon, vertex)] = static_cast<std::uint32_t>(corner);
       has_limits = has_limits && limit.normal;

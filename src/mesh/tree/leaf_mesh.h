@@ -51,7 +51,7 @@ class SingularCorners {
   SingularCorners() = default;
   /// Gives each singular vertex of each piece of a leaf the limit of the normal from inside the
   /// piece, or the normal of its face where there is none. Adds corners to grid.mesh, singular
-  /// points and evaluations to `report`.
+  /// points to `report`.
   SingularCorners(std::span<const Leaf> leaves, const CellTree& tree, unsigned threads,
                   LastLimits& last, Grid& grid, MeshReport& report);
 

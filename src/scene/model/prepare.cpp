@@ -173,7 +173,10 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
   PreparedSurface result;
   result.surface = make_surface(bound.graph, bound.r, bound.domain, bound.flip, order);
   result.moves = bound.moves;
-  if (bound.color) result.surface.color = compile(bound.graph, std::array{*bound.color});
+  if (bound.color) {
+    result.surface.color = compile(bound.graph, std::array{*bound.color});
+    result.surface.color.count = result.surface.tangents.count;
+  }
   if (bound.v) result.surface.v = compile(bound.graph, std::array{*bound.v});
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_requests.h"
 #include "scene/model/assignments.h"
@@ -31,7 +31,7 @@ inline Scene scene_of(const std::string& name, const std::vector<std::string>& o
 inline MeshResult mesh_of(const Surface& surface, const Scene& scene, double share) {
   MeshRequest options = within_share(share);
   options.clip = scene.clip.box;
-  return mesh_within_tolerance(surface, options).value();
+  return try_mesh(surface, options).value();
 }
 
 inline std::vector<double> spread(double low, double high, int count) {

@@ -140,7 +140,7 @@ TEST_P(GalleryTable, HasNoNormalThatOpposesItsTriangle) {
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
   MeshRequest options = within_share(1e-3, 3);
   options.clip = scene.clip.box;
-  const MeshResult mesh = mesh_within_tolerance(surface, options).value();
+  const MeshResult mesh = try_mesh(surface, options).value();
   EXPECT_EQ(count_opposed(mesh.mesh, mesh.report.tolerance.value()), 0U);
 }
 

@@ -1,5 +1,5 @@
 // Meshes within a tolerance: they keep it, everywhere, without cracks and without waste.
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ Surface surface_of(const Case& c) {
 }
 
 MeshResult mesh_of(const Case& c, double share, double normal_tolerance = 180) {
-  return mesh_within_tolerance(surface_of(c), within_share(share, normal_tolerance)).value();
+  return try_mesh(surface_of(c), within_share(share, normal_tolerance)).value();
 }
 
 /// Finds the triangle above a point of the (u, v) plane.
@@ -175,14 +175,13 @@ TEST(AdaptiveMesh, IsAsCoarseAsASaddleAllows) {
   // Where a surface bends to both sides its errors along u and along v do not add up.
   const Case catenoid = {
       "catenoid", "cosh(v)*cos(u)", "cosh(v)*sin(u)", "v", {0, 2 * kPi, -1.2, 1.2}};
-  const MeshResult result =
-      mesh_within_tolerance(surface_of(catenoid), without_lines(1e-3)).value();
+  const MeshResult result = try_mesh(surface_of(catenoid), without_lines(1e-3)).value();
   EXPECT_LT(static_cast<double>(result.mesh.triangles.size()), 1.9 * result.report.least_triangles);
 }
 
 TEST(AdaptiveMesh, IsHalvedNoFurtherThanAPeakNeeds) {
   const Case maximum = {"peak", "u", "v", "exp(-40*((u-0.3)^2+(v+0.2)^2))", {-1, 1, -1, 1}};
-  const MeshResult result = mesh_within_tolerance(surface_of(maximum), without_lines(1e-2)).value();
+  const MeshResult result = try_mesh(surface_of(maximum), without_lines(1e-2)).value();
   EXPECT_GT(result.mesh.bounds.high.z, 0.95);
   EXPECT_LT(result.mesh.triangles.size(), 250U);
 }
@@ -267,7 +266,7 @@ TEST(AdaptiveMesh, MakesTwoTrianglesOfAPlane) {
   MeshRequest options = within_share(1e-3, 3);
   options.lines_u = options.lines_v = 0;
   const Surface plane = surface_from_text("u+v", "v", "2*u-3*v", {}, {}, Order::Second);
-  EXPECT_EQ(mesh_within_tolerance(plane, options)->mesh.triangles.size(), 2U);
+  EXPECT_EQ(try_mesh(plane, options)->mesh.triangles.size(), 2U);
 }
 
 TEST(AdaptiveMesh, FollowsTheEdgeOfTheDomainWhateverTheSurfaceDoesInside) {
@@ -283,16 +282,16 @@ TEST(AdaptiveMesh, IsTheSameForAnyNumberOfThreads) {
   MeshRequest options = within_share(1e-3, 3);
   const Surface surface = surface_of(cases().back());
   options.threads = 1;
-  const MeshResult one = mesh_within_tolerance(surface, options).value();
+  const MeshResult one = try_mesh(surface, options).value();
   options.threads = 3;
-  const MeshResult three = mesh_within_tolerance(surface, options).value();
+  const MeshResult three = try_mesh(surface, options).value();
   EXPECT_EQ(one.mesh.position, three.mesh.position);
   EXPECT_EQ(one.mesh.triangles, three.mesh.triangles);
 }
 
 TEST(AdaptiveMesh, LeavesToTheUniformGridWhatIsDefinedNowhere) {
   const Surface nowhere = height_field("sqrt(-1-u^2)");
-  EXPECT_FALSE(mesh_within_tolerance(nowhere, within_share(1e-3)).has_value());
+  EXPECT_FALSE(try_mesh(nowhere, within_share(1e-3)).has_value());
 }
 
 TEST(AdaptiveMesh, NeedsFewTrianglesBesideTheLeastPossible) {

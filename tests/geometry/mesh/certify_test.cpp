@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/gallery/samples.h"
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_requests.h"
 #include "surface_from_text.h"
@@ -11,7 +11,7 @@ namespace saddle {
 namespace {
 
 MeshReport report_on(const Surface& surface, double share = 1e-3) {
-  return mesh_within_tolerance(surface, within_share(share))->report;
+  return try_mesh(surface, within_share(share))->report;
 }
 
 MeshReport report_on_gallery(const char* name, double share) {
@@ -48,8 +48,7 @@ TEST(Proofs, FindPeaksThatNoSampleMeets) {
   for (const char* const z :
        {"exp(-1e7*((u-0.123)^2+(v+0.321)^2))", "exp(-1e8*((u-0.123)^2+(v+0.321)^2))",
         "-1/(1+1e9*((u-0.6)^2+v^2))"}) {
-    const MeshResult found =
-        mesh_within_tolerance(height_field(z, {-1, 1, -1, 1}), within_share(1e-3)).value();
+    const MeshResult found = try_mesh(height_field(z, {-1, 1, -1, 1}), within_share(1e-3)).value();
     EXPECT_GT(found.mesh.bounds.size().z, 0.99) << z;
     EXPECT_LE(found.report.max_error, found.report.tolerance) << z;
     EXPECT_LT(found.report.work.boxes, 6000U) << z;

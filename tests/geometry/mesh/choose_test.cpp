@@ -50,12 +50,11 @@ class InGallery {
 
   std::optional<MeshResult> choose(double times = 1) const {
     MeshRequest request = options_;
+    request.method = MeshRequest::Method::LeastCost;
     request.draws = times;
-    return mesh_at_least_cost(subject_.surface, request);
+    return try_mesh(subject_.surface, request);
   }
-  std::optional<MeshResult> halve() const {
-    return mesh_within_tolerance(subject_.surface, options_);
-  }
+  std::optional<MeshResult> halve() const { return try_mesh(subject_.surface, options_); }
 
   /// The cheapest of some grids that keep the tolerance.
   std::optional<MeshResult> best_grid() const {
@@ -153,8 +152,9 @@ MeshRequest half_a_thousandth() {
   return within_share(5e-4, 3);
 }
 
-MeshResult chosen(const Surface& surface, const MeshRequest& options = half_a_thousandth()) {
-  return mesh_at_least_cost(surface, options).value();
+MeshResult chosen(const Surface& surface, MeshRequest request = half_a_thousandth()) {
+  request.method = MeshRequest::Method::LeastCost;
+  return try_mesh(surface, request).value();
 }
 
 Why why(const MeshResult& mesh) {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_checks.h"
@@ -21,7 +21,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 MeshResult clipped(const Surface& surface, const Bounds& box) {
   MeshRequest options = within_length(4e-3);
   options.clip = box;
-  return mesh_within_tolerance(surface, options).value();
+  return try_mesh(surface, options).value();
 }
 
 double smallest_area(const Mesh& mesh) {
@@ -78,7 +78,7 @@ TEST(Clip, CutsAlongTheBox) {
                                            {0, 2 * kPi, -kPi / 2, kPi / 2}, {}, Order::Second);
   MeshRequest options = within_share(1e-3, 3);
   options.clip = Bounds{dvec3(-2, -2, -0.3), dvec3(2, 0.5, 2)};
-  const Mesh mesh = mesh_within_tolerance(sphere, options)->mesh;
+  const Mesh mesh = try_mesh(sphere, options)->mesh;
   EXPECT_EQ(mesh.bounds.low.z, -0.3);
   EXPECT_EQ(mesh.bounds.high.y, 0.5);
   EXPECT_EQ(euler_number(mesh), 1);  // a disc: both cuts are one loop
@@ -104,7 +104,7 @@ TEST(Clip, NeedsNoDenseLinesForWhatItLeavesOut) {
   const Surface funnel = height_field("1/((u-0.4)^2+(v-0.1)^2)");
   MeshRequest options = within_length(2e-3);
   options.clip = Bounds{dvec3(-1, -1, 0), dvec3(1, 1, 3)};
-  const MeshResult mesh = mesh_within_tolerance(funnel, options).value();
+  const MeshResult mesh = try_mesh(funnel, options).value();
   EXPECT_LE(mesh.report.max_error, 2e-3);
   EXPECT_LT(mesh.mesh.triangles.size(), 4000);
 }
@@ -127,7 +127,7 @@ TEST(Clip, KeepsTheToleranceBesidePoles) {
     options.normal_tolerance = 3;
     options.clip = box;
     const Surface surface = height_field(z, {-half, half, -half, half});
-    const MeshResult result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = try_mesh(surface, options).value();
     EXPECT_LE(result.report.max_error, tolerance) << z;
   }
 }
@@ -149,7 +149,7 @@ TEST(Clip, FollowsPolesAtZeroToTheLeastOfDoubles) {
     options.normal_tolerance = 3;
     options.clip = Bounds{dvec3(-10, -10, -half), dvec3(10, 10, half)};
     const Surface surface = height_field(z, domain);
-    const MeshResult result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = try_mesh(surface, options).value();
     EXPECT_LE(result.report.max_error, tolerance) << z << ' ' << domain.u0;
   }
 }
@@ -160,7 +160,7 @@ TEST(Clip, FindsNoOscillationAlongAPole) {
   options.normal_tolerance = 3;
   options.clip = Bounds{dvec3(-5, -5, -5.007), dvec3(5, 5, 5.007)};
   const Surface surface = height_field("u/v", {-5, 5, -5, 5});
-  const MeshResult result = mesh_within_tolerance(surface, options).value();
+  const MeshResult result = try_mesh(surface, options).value();
   EXPECT_FALSE(result.report.oscillates);
   EXPECT_LE(result.report.max_error, 0.0116);
 }
@@ -174,7 +174,7 @@ TEST(Clip, EndsWhatGoesToInfinityAtARimOnTheFace) {
   for (const auto& [z, parts] : cases) {
     MeshRequest options = within_length(1e-2);
     options.clip = Bounds{dvec3(-1, -1, -7.8), dvec3(1, 1, 9)};
-    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = try_mesh(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 1e-2) << z;
     EXPECT_EQ(topology(result.mesh).components, parts) << z;
     EXPECT_EQ(result.mesh.bounds.low.z, -7.8) << z;
@@ -196,7 +196,7 @@ TEST(Clip, EndsBothSidesOfAPoleOnTheFace) {
   for (const auto& [z, parts, triangles] : cases) {
     MeshRequest options = within_length(1e-2);
     options.clip = Bounds{dvec3(-1, -1, -kHalf), dvec3(1, 1, kHalf)};
-    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = try_mesh(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 1e-2) << z;
     EXPECT_EQ(topology(result.mesh).components, parts) << z;
     EXPECT_EQ(result.mesh.bounds.low.z, -kHalf) << z;
@@ -211,7 +211,7 @@ TEST(Clip, KeepsTheLimitOfTrianglesWherePolesEndOnFaces) {
   options.clip = Bounds{dvec3(-3, -3, -5), dvec3(3, 3, 5)};
   options.max_triangles = 10'000;
   const Surface surface = height_field("tan(3*u*v)", {-3, 3, -3, 3});
-  const MeshResult result = mesh_within_tolerance(surface, options).value();
+  const MeshResult result = try_mesh(surface, options).value();
   EXPECT_TRUE(result.report.reached_limit);
   EXPECT_LE(result.mesh.triangles.size(), options.max_triangles);
   EXPECT_GT(result.mesh.triangles.size(), options.max_triangles / 2);

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "mesh/features/discontinuities.h"
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
@@ -21,7 +21,7 @@ constexpr double kThousandthDegree = 1e-3 * kPi / 180;
 
 MeshResult mesh_of(const char* x, const char* y, const char* z, const Domain& domain) {
   const Surface surface = surface_from_text(x, y, z, domain, {}, Order::Second);
-  return mesh_within_tolerance(surface, within_share(kTolerance, 3)).value();
+  return try_mesh(surface, within_share(kTolerance, 3)).value();
 }
 
 MeshResult mesh_of(const char* z) {
@@ -90,7 +90,7 @@ TEST(Jumps, ThatSamplesDoNotTellApartAreAllCut) {
     for (const int lines : {0, 7, 16}) {
       MeshRequest options = within_share(tolerance);
       options.lines_u = options.lines_v = lines;
-      const MeshResult result = mesh_within_tolerance(surface, options).value();
+      const MeshResult result = try_mesh(surface, options).value();
       EXPECT_NEAR(area(result.mesh), 120, 1e-6) << tolerance << ' ' << lines;
       EXPECT_GE(result.report.jump_count, 30U) << tolerance << ' ' << lines;
     }
@@ -187,7 +187,7 @@ TEST(Creases, OnLinesOfTheMeshLeaveNoCracks) {
     MeshRequest options = within_share(share, 3);
     options.lines_u = options.lines_v = lines;
     const Surface surface = height_field(z, {-half, half, -half, half});
-    const MeshResult result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = try_mesh(surface, options).value();
     EXPECT_EQ(euler_number(result.mesh), 1) << z;
     EXPECT_NEAR(area_in_uv(result.mesh), 4 * half * half, 1e-9) << z;
   }
@@ -199,7 +199,7 @@ TEST(Creases, ThatEndWhereNobodySeesThemTakeNoTriangles) {
   const Surface surface =
       surface_from_text(r + "*sin(v)*cos(u)", r + "*cos(v)", r + "*sin(v)*sin(u)",
                         {0, 2 * kPi, 0, kPi}, {}, Order::Second);
-  const MeshResult result = mesh_within_tolerance(surface, within_share(0.01)).value();
+  const MeshResult result = try_mesh(surface, within_share(0.01)).value();
   const auto& p = result.mesh.position;
   const auto is_small = [&](const Triangle& t) {
     const double longest =

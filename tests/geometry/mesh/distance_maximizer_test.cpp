@@ -11,7 +11,7 @@
 
 #include "mesh/error/crease_distance.h"
 #include "mesh/error/newton_step.h"
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"
 #include "scene/options/resolve.h"
@@ -125,7 +125,7 @@ TEST_P(WithinTolerance, BothWaysBetweenSamples) {
       return [&length](const dvec3&) { return length; };
     };
     options.lines_u = options.lines_v = 0;
-    const auto mesh = mesh_within_tolerance(subject.surface, options);
+    const auto mesh = try_mesh(subject.surface, options);
     ASSERT_TRUE(mesh) << share;
     EXPECT_LE(mesh->report.max_error, length) << share;
     const double distance = distance_of(mesh->mesh);

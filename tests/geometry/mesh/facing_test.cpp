@@ -40,7 +40,7 @@ TEST(Facing, GivesTrianglesBeyondARidgeOneCornerOfTheirOwn) {
   Mesh mesh = mesh_of(roof(), {{-1, -1}, {1e-3, 0}, {-1, 0}, {-1, 1}}, {{0, 1, 2}, {2, 1, 3}});
   ASSERT_TRUE(is_opposed(mesh, mesh.triangles[0], 1));
   ASSERT_TRUE(is_opposed(mesh, mesh.triangles[1], 1));
-  EXPECT_GT(face_own_triangles(roof(), 1, mesh), 0U);
+  face_own_triangles(roof(), 1, mesh);
   ASSERT_EQ(mesh.position.size(), 5U) << "the two share it";
   EXPECT_EQ(mesh.triangles[0], (Triangle{0, 4, 2}));
   EXPECT_EQ(mesh.triangles[1], (Triangle{2, 4, 3}));

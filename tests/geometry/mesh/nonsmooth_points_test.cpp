@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_requests.h"
 #include "surface/normal.h"
@@ -45,7 +45,7 @@ TEST(NonsmoothPoints, AreNoLimitsOfWaysThatLeadElsewhere) {
     EXPECT_TRUE(find_nonsmooth_points(height_field(z), 3, 1).without_limit.empty()) << z;
   }
   // Beside a line of the grid, too, which is 0.008 away here.
-  const MeshResult mesh = mesh_within_tolerance(without_limit, within_length(3e-3)).value();
+  const MeshResult mesh = try_mesh(without_limit, within_length(3e-3)).value();
   EXPECT_LE(mesh.report.max_error, 3e-3);
   ASSERT_EQ(mesh.report.without_limit.size(), 1U);
   EXPECT_EQ(mesh.report.without_limit[0], dvec2(0.125, -0.375));
@@ -55,7 +55,7 @@ TEST(NonsmoothPoints, AreNoLimitsOfWaysThatLeadElsewhere) {
 /// Normals of a cone of 45 degrees are as exact beside its apex as elsewhere.
 TEST(NonsmoothPoints, AreVerticesWithTheNormalOfEachSide) {
   const Surface surface = height_field("hypot(u-0.1,v+0.3)");
-  const MeshResult mesh = mesh_within_tolerance(surface, within_length(1e-2)).value();
+  const MeshResult mesh = try_mesh(surface, within_length(1e-2)).value();
   EXPECT_EQ(mesh.report.singular_point_count, 1U);
   std::size_t corners = 0;
   for (std::size_t k = 0; k < mesh.mesh.uv.size(); ++k) {

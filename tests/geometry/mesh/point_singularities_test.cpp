@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_checks.h"
@@ -58,7 +58,7 @@ MeshResult mesh_of(const Surface& surface, double tolerance,
                    const std::optional<Bounds>& clip = {}) {
   MeshRequest options = within_length(tolerance);
   options.clip = clip;
-  return mesh_within_tolerance(surface, options).value();
+  return try_mesh(surface, options).value();
 }
 
 TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
@@ -87,7 +87,7 @@ TEST(Holes, WithoutALimitOnALineThatBoundsDoubtAreNamedAndLeftOut) {
     for (const int lines : {16, 17}) {
       MeshRequest options = within_share(1e-3, 3);
       options.lines_u = options.lines_v = lines;
-      const MeshReport report = mesh_within_tolerance(height_field(z), options).value().report;
+      const MeshReport report = try_mesh(height_field(z), options).value().report;
       EXPECT_LE(report.max_error, *report.tolerance) << z << ' ' << lines;
       ASSERT_EQ(report.without_limit.size(), 1U) << z << ' ' << lines;
       EXPECT_LT(glm::length(report.without_limit[0]), 1e-12) << z << ' ' << lines;
@@ -107,7 +107,7 @@ TEST(Holes, AreNoneAlongLinesOfJumps) {
 
 TEST(Holes, ThatArePolesFromSomeSidesAreNamed) {
   const MeshReport report =
-      mesh_within_tolerance(height_field("u*v/(u^2+v^2)^2"), within_share(1e-3)).value().report;
+      try_mesh(height_field("u*v/(u^2+v^2)^2"), within_share(1e-3)).value().report;
   EXPECT_GT(report.pole_count, 0U);
   EXPECT_TRUE(report.without_limit.empty());
 }
@@ -116,7 +116,7 @@ TEST(Holes, ThatArePolesAreNamedAndWithinTolerance) {
   const Bounds box{{-1, -1, -3}, {1, 1, 3}};
   for (const char* z : {"u/(u^2+v^2)", "(u^2-v^2)/(u^2+v^2)^2", "1/u+1/v", "1/(u^2-v^2)"}) {
     const Surface surface = height_field(z);
-    const MeshReport whole = mesh_within_tolerance(surface, within_share(1e-3)).value().report;
+    const MeshReport whole = try_mesh(surface, within_share(1e-3)).value().report;
     EXPECT_GT(whole.pole_count, 0U) << z;
     EXPECT_GT(whole.beside_poles.high.z, 1e3) << z;
     EXPECT_LT(whole.beside_poles.low.z, -1e3) << z;
@@ -132,7 +132,7 @@ TEST(Holes, OfACircleOfLimitsAreNotCutAcross) {
   const Surface surface = surface_from_text("u/hypot(u,v)", "v/hypot(u,v)", "hypot(u,v)",
                                             {-1, 1, -1, 1}, {}, Order::Second);
   constexpr double kTolerance = 3e-3;
-  const auto mesh = mesh_within_tolerance(surface, within_length(kTolerance));
+  const auto mesh = try_mesh(surface, within_length(kTolerance));
   ASSERT_TRUE(mesh);
   EXPECT_LE(mesh->report.max_error, kTolerance);
   const auto& p = mesh->mesh.position;
@@ -166,8 +166,7 @@ TEST(Holes, ThatAreRoundingInPlaceOf0Over0AreFilled) {
     for (const double end : {0.7, 1.0}) {
       MeshRequest options = within_share(1e-3, 3);
       options.lines_u = options.lines_v = 15;
-      const MeshResult result =
-          mesh_within_tolerance(height_field(z, {0, end, 0, 2 * end}), options).value();
+      const MeshResult result = try_mesh(height_field(z, {0, end, 0, 2 * end}), options).value();
       EXPECT_LE(result.report.max_error, *result.report.tolerance) << z << ' ' << end;
       EXPECT_EQ(result.report.jump_count, 0U) << z << ' ' << end;
     }
@@ -178,9 +177,7 @@ TEST(Holes, ThatHaveALimitAreFilled) {
   MeshRequest options = within_share(1e-3, 3);
   options.lines_u = options.lines_v = 17;  // one each through the middle
   const MeshResult result =
-      mesh_within_tolerance(height_field("sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", {-9, 9, -9, 9}),
-                            options)
-          .value();
+      try_mesh(height_field("sin(sqrt(u^2+v^2))/sqrt(u^2+v^2)", {-9, 9, -9, 9}), options).value();
   EXPECT_EQ(result.report.undefined_fraction, 0);
   EXPECT_NEAR(result.mesh.bounds.high.z, 1, 1e-9);
   EXPECT_EQ(euler_number(result.mesh), 1);

@@ -9,8 +9,7 @@
 
 #include "base/random.h"
 #include "mesh/features/approach.h"
-#include "mesh/mesher/adaptive_mesh.h"
-#include "mesh/mesher/sampled_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
@@ -64,7 +63,7 @@ std::size_t walls(const Mesh& mesh, Denominator denominator) {
 
 TEST(Poles, AslantOrCurvedAreCutWithoutABox) {
   for (const PoleCase& c : kAslant) {
-    const MeshResult result = mesh_within_tolerance(height_field(c.z), options()).value();
+    const MeshResult result = try_mesh(height_field(c.z), options()).value();
     EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z;
     EXPECT_GT(result.report.pole_count, 0U) << c.z;
     EXPECT_GT(area_in_uv(result.mesh), 0.85 * 4) << c.z;
@@ -78,7 +77,7 @@ TEST(Poles, AslantOrCurvedAreCutOutOfSamples) {
   for (const PoleCase& c : kAslant) {
     for (const Cells cells : {Cells{20, 20}, Cells{10, 10}, Cells{7, 9}}) {
       const MeshResult result =
-          mesh_of_samples(height_field(c.z), with_samples(options(), cells.u, cells.v)).value();
+          try_mesh(height_field(c.z), with_samples(options(), cells.u, cells.v)).value();
       EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << cells.u;
       // The poles are no longer than 4.5, and cross each row and column in at most two cells.
       const double crossed = 4.0 / static_cast<double>(cells.u * cells.v);
@@ -93,7 +92,7 @@ TEST(Poles, AreCutWhereTheLimitOfTrianglesEndsTheMesh) {
     MeshRequest limited = options();
     limited.max_triangles = most;
     for (const PoleCase& c : kAslant) {
-      const MeshResult result = mesh_within_tolerance(height_field(c.z), limited).value();
+      const MeshResult result = try_mesh(height_field(c.z), limited).value();
       EXPECT_EQ(walls(result.mesh, c.denominator), 0U) << c.z << ' ' << most;
     }
   }
@@ -107,10 +106,10 @@ TEST(Poles, ThatMeetARimAreCutThere) {
   for (const PoleCase& c : kBesideRims) {
     const Surface surface = height_field(c.z);
     const std::vector<MeshResult> meshes = {
-        mesh_within_tolerance(surface, options()).value(),
-        mesh_within_tolerance(surface, clipped).value(),
-        mesh_of_samples(surface, with_samples(options(), 20, 20)).value(),
-        mesh_of_samples(surface, with_samples(clipped, 20, 20)).value(),
+        try_mesh(surface, options()).value(),
+        try_mesh(surface, clipped).value(),
+        try_mesh(surface, with_samples(options(), 20, 20)).value(),
+        try_mesh(surface, with_samples(clipped, 20, 20)).value(),
     };
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       EXPECT_EQ(walls(meshes[k].mesh, c.denominator), 0U) << c.z << ' ' << k;
@@ -146,23 +145,20 @@ TEST(Poles, AreToldFromJumpsWhereRoundingEndsTheWayToThem) {
   const Line to_peak = {dvec2(0, 0.1), dvec2(0.3, 0.1)};
   EXPECT_FALSE(diverge(height_field("1/(u^2+1e-8)"), std::span(&to_peak, 1), 1e-2, 1)[0]);
   MeshRequest options = within_share(1e-3, 3);
-  const MeshResult result =
-      mesh_within_tolerance(height_field("1/(1+cos(u)*cos(v))", domain), options).value();
+  const MeshResult result = try_mesh(height_field("1/(1+cos(u)*cos(v))", domain), options).value();
   EXPECT_GT(result.report.pole_count, 0U);
   EXPECT_EQ(result.report.jump_count, 0U);
 }
 
 TEST(Poles, AreLeftOut) {
-  const MeshResult result =
-      mesh_within_tolerance(height_field("ln(u)"), within_share(1e-3)).value();
+  const MeshResult result = try_mesh(height_field("ln(u)"), within_share(1e-3)).value();
   EXPECT_GT(result.mesh.bounds.low.z, -50);
   EXPECT_NEAR(result.report.undefined_fraction, 0.5, 0.02);
 }
 
 TEST(Poles, AtARimTakeNoEndlessWork) {
   const MeshResult result =
-      mesh_within_tolerance(height_field("ln(cos(v)/cos(u))", {-5, 5, -5, 5}), within_share(1e-3))
-          .value();
+      try_mesh(height_field("ln(cos(v)/cos(u))", {-5, 5, -5, 5}), within_share(1e-3)).value();
   EXPECT_GT(result.report.pole_count, 0U);
   EXPECT_LT(result.mesh.triangles.size(), 100'000U);
 }
@@ -171,7 +167,7 @@ TEST(Poles, OnCurvesTakeNoEndlessWork) {
   for (const char* z : {"1/(u-v)", "1/(u^2+v^2-0.5)"}) {
     MeshRequest options = within_share(1e-3, 3);
     options.clip = Bounds{dvec3(-2, -2, -9), dvec3(2, 2, 9)};
-    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = try_mesh(height_field(z), options).value();
     EXPECT_GT(result.report.pole_count, 0U) << z;
     EXPECT_LT(result.mesh.triangles.size(), 50'000U) << z;
   }
@@ -179,7 +175,7 @@ TEST(Poles, OnCurvesTakeNoEndlessWork) {
 
 TEST(Poles, AreCutWhereTheyAre) {
   const MeshResult result =
-      mesh_within_tolerance(height_field("tan(u)", {-3, 3, -1, 1}), within_share(1e-3)).value();
+      try_mesh(height_field("tan(u)", {-3, 3, -1, 1}), within_share(1e-3)).value();
   EXPECT_GT(result.report.pole_count, 0U);
   for (const dvec2& pole : result.report.poles) EXPECT_NEAR(std::fabs(pole.x), kPi / 2, 1e-12);
   for (const Triangle& t : result.mesh.triangles) {
@@ -192,9 +188,7 @@ TEST(Poles, AreCutWhereTheyAre) {
 
 TEST(Poles, ThatAreTheSameFromAllSidesAreNoLimits) {
   for (const char* z : {"1/(u^2+v^2)", "-1/hypot(u,v)", "ln(u^2+v^2)"}) {
-    EXPECT_GT(mesh_within_tolerance(height_field(z), within_share(1e-3)).value().report.pole_count,
-              0U)
-        << z;
+    EXPECT_GT(try_mesh(height_field(z), within_share(1e-3)).value().report.pole_count, 0U) << z;
   }
 }
 
@@ -204,7 +198,7 @@ TEST(Poles, NeedlesToThemAreLeftOut) {
   for (const char* z : {"1/(u+v)", "1/(u-v^2)", "1/(u-v)^2"}) {
     MeshRequest options = within_length(10);
     options.lines_u = options.lines_v = 31;  // at -0.2 and 0.2, where sums have rounding left
-    const MeshResult result = mesh_within_tolerance(height_field(z), options).value();
+    const MeshResult result = try_mesh(height_field(z), options).value();
     EXPECT_LE(result.report.max_error, 10) << z;
     EXPECT_LT(result.mesh.bounds.diagonal(), 1e13) << z;
   }

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "mesh/mesher/adaptive_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
@@ -22,7 +22,7 @@ MeshResult mesh_of(const char* z, double tolerance, int lines = 0) {
   options.lines_u = lines;
   options.lines_v = lines;
   const Surface surface = height_field(z);
-  return mesh_within_tolerance(surface, options).value();
+  return try_mesh(surface, options).value();
 }
 
 /// The largest distance of a point of the unit hemisphere from a mesh.
@@ -127,8 +127,7 @@ TEST(Islands, BesideWhatIsFoundAnywayAreFound) {
 
 TEST(Rims, AreCirclesAroundAHemisphere) {
   const MeshResult result =
-      mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)", {-1.5, 1.5, -1.5, 1.5}),
-                            within_share(1e-3, 3))
+      try_mesh(height_field("sqrt(1-u^2-v^2)", {-1.5, 1.5, -1.5, 1.5}), within_share(1e-3, 3))
           .value();
   const Mesh& mesh = result.mesh;
   const double eps = *result.report.tolerance;
@@ -153,8 +152,7 @@ TEST(Rims, AreCirclesAroundAHemisphere) {
 }
 
 TEST(Rims, AreWhereLinesEnd) {
-  const Mesh mesh =
-      mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)"), within_share(1e-3)).value().mesh;
+  const Mesh mesh = try_mesh(height_field("sqrt(1-u^2-v^2)"), within_share(1e-3)).value().mesh;
   const std::map<PointEdge, int> edges = edge_counts(mesh);
   for (const auto& line : mesh.lines) {
     for (const std::uint32_t end : {line.front(), line.back()}) {
@@ -174,7 +172,7 @@ TEST(Rims, AlongALineOfConstantVAreHalved) {
   const Surface polar = surface_from_text("cos(u)*v", "sin(u)*v", "sqrt(1-v^2)",
                                           {0, 2 * std::numbers::pi, 0, 1.3}, {}, Order::Second);
   for (const double share : {3e-3, 1e-3, 3e-4}) {
-    const MeshResult mesh = mesh_within_tolerance(polar, within_share(share)).value();
+    const MeshResult mesh = try_mesh(polar, within_share(share)).value();
     EXPECT_LE(mesh.report.max_error, mesh.report.tolerance) << share;
     EXPECT_LE(off_hemisphere(mesh.mesh), *mesh.report.tolerance) << share;
     EXPECT_LT(static_cast<double>(mesh.mesh.triangles.size()), 5 * mesh.report.least_triangles)
@@ -185,7 +183,7 @@ TEST(Rims, AlongALineOfConstantVAreHalved) {
 TEST(Rims, ThatCrossEndInACorner) {
   for (const char* z : {"sqrt(4-u^2)+sqrt(4-v^2)", "asin(u/2)+acos(v/2)"}) {
     const Surface surface = height_field(z, {-3, 3, -3, 3});
-    const MeshResult result = mesh_within_tolerance(surface, within_length(4e-3)).value();
+    const MeshResult result = try_mesh(surface, within_length(4e-3)).value();
     EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
   }
 }
@@ -193,8 +191,7 @@ TEST(Rims, ThatCrossEndInACorner) {
 /// Of a cell on the other side of such a line no more is defined than the side that they share.
 TEST(Rims, OnLinesOfTheMeshTakeNoTrianglesBeyondThem) {
   const auto mesh_over = [](double u0) {
-    return mesh_within_tolerance(height_field("sqrt(u)", {u0, 2, -1, 1}), within_length(2e-3))
-        .value();
+    return try_mesh(height_field("sqrt(u)", {u0, 2, -1, 1}), within_length(2e-3)).value();
   };
   const MeshResult half = mesh_over(0);
   const MeshResult whole = mesh_over(-1);
@@ -208,7 +205,7 @@ TEST(Rims, OnLinesOfTheMeshTakeNoTrianglesBeyondThem) {
 /// Second derivatives are endless beside the rim, which is no reason for lines across the surface.
 TEST(Rims, ThatComeNearALineOfSamplesDrawNoDenseLines) {
   const Surface surface = height_field("sqrt(9-u^2-v^2)", {-5, 5, -5, 5});
-  const MeshResult result = mesh_within_tolerance(surface, within_length(4.4e-3)).value();
+  const MeshResult result = try_mesh(surface, within_length(4.4e-3)).value();
   EXPECT_LE(result.report.max_error, *result.report.tolerance);
   EXPECT_FALSE(result.report.oscillates);
   EXPECT_LT(result.mesh.triangles.size(), 10'000U);
@@ -216,8 +213,7 @@ TEST(Rims, ThatComeNearALineOfSamplesDrawNoDenseLines) {
 
 TEST(Rims, KeepTheToleranceWhereAJumpMeetsThem) {
   const MeshResult result =
-      mesh_within_tolerance(height_field("sqrt(1-u^2-v^2)*sign(u-v)"), within_length(1.4e-3))
-          .value();
+      try_mesh(height_field("sqrt(1-u^2-v^2)*sign(u-v)"), within_length(1.4e-3)).value();
   EXPECT_LE(result.report.max_error, 1.4e-3);
 }
 

@@ -1,5 +1,4 @@
 // Uniform grids of surfaces that a plain grid would bridge, tear or leave jagged.
-#include "mesh/mesher/sampled_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +20,7 @@ namespace saddle {
 namespace {
 
 MeshResult sampled(const Surface& surface, std::size_t cells = 20) {
-  return mesh_of_samples(surface, with_samples(within_share(1e-3), cells, cells)).value();
+  return try_mesh(surface, with_samples(within_share(1e-3), cells, cells)).value();
 }
 
 MeshResult sampled(const std::string& z, const Domain& domain = {-1, 1, -1, 1}) {
@@ -61,7 +60,7 @@ TEST(SampledMesh, OfWhatIsSmoothHasTwoTrianglesInEachCell) {
 
 TEST(SampledMesh, IsLeftToThePlainGridWhereLinesCannotBeNumbered) {
   const Surface rough = height_field("abs(u)");
-  EXPECT_FALSE(mesh_of_samples(rough, with_samples(within_length(1e-3), 100000, 2)));
+  EXPECT_FALSE(try_mesh(rough, with_samples(within_length(1e-3), 100000, 2)));
 }
 
 TEST(SampledMesh, EndsOnTheRim) {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
@@ -185,7 +185,7 @@ TEST(Seams, OfAFoldedEdgeJoinTheHalvesOfAMeshWithinATolerance) {
   for (const int lines : {0, 16, 17}) {
     MeshRequest options = within_length(5e-3);
     options.lines_u = options.lines_v = lines;
-    const MeshResult result = mesh_within_tolerance(pillow(Order::Second), options).value();
+    const MeshResult result = try_mesh(pillow(Order::Second), options).value();
     EXPECT_EQ(result.report.folded_u, (std::array{true, true}));
     EXPECT_EQ(euler_number(result.mesh), 2);
     const std::size_t corners = static_cast<std::size_t>(
@@ -202,7 +202,7 @@ TEST(Seams, HaveNoGapsWhereOneSideIsHalvedMoreOftenThanTheOther) {
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003}) {
     MeshRequest options = within_length(tolerance);
     options.lines_u = options.lines_v = 0;
-    const MeshResult result = mesh_within_tolerance(surface, options).value();
+    const MeshResult result = try_mesh(surface, options).value();
     EXPECT_EQ(result.report.closed_u, "join");
     EXPECT_EQ(euler_number(result.mesh), 0) << tolerance;
     for (const auto& [edge, count] : edge_counts(result.mesh)) ASSERT_EQ(count, 2) << tolerance;

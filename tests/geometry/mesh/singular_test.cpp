@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "geometry/gallery/samples.h"
-#include "mesh/mesher/sampled_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
 #include "mesh_requests.h"
@@ -90,7 +89,7 @@ TEST(Singular, AreCountedAsMathematicsDoes) {
 MeshResult mesh_with(const Surface& surface, double share, int lines) {
   MeshRequest options = within_share(share);
   options.lines_u = options.lines_v = lines;
-  return mesh_within_tolerance(surface, options).value();
+  return try_mesh(surface, options).value();
 }
 
 std::size_t count_at(const MeshReport& report, const dvec2& uv) {
@@ -129,8 +128,7 @@ TEST(Singular, PinchesAreOnePointWhateverLinesAreDrawn) {
 TEST(Singular, AreNamedWhereNoVertexMeetsThem) {
   const Surface surface =
       surface_from_text("u*(v-0.1)", "u", "(v-0.1)^2", {-1, 1, -1, 1}, {}, Order::Second);
-  const MeshResult mesh =
-      mesh_of_samples(surface, with_samples(within_length(1e-3), 21, 17)).value();
+  const MeshResult mesh = try_mesh(surface, with_samples(within_length(1e-3), 21, 17)).value();
   EXPECT_EQ(count_at(mesh.report, {0, 0.1}), 1U);
   EXPECT_EQ(mesh.report.singular_point_count, 1U);
 }

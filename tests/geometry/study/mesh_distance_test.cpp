@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh/mesher/mesher.h"
 #include "mesh_requests.h"
 #include "study_subject.h"
 
@@ -70,7 +70,7 @@ TEST(MeshDistance, FindsTheWayToARimWhereTheSurfaceStandsUpright) {
   constexpr double kTolerance = 0.09;
   MeshRequest options = within_length(kTolerance);
   options.lines_u = options.lines_v = 0;
-  const auto mesh = mesh_within_tolerance(subject.surface, options);
+  const auto mesh = try_mesh(subject.surface, options);
   ASSERT_TRUE(mesh);
   const double distance = MeshDistance(subject)(mesh->mesh);
   EXPECT_GT(distance, 0.2 * kTolerance);

@@ -191,7 +191,6 @@ TEST(LimitNormals, AreThoseOfEachApproach) {
     const NormalLimit alone =
         limit_normal(double_cone(), approaches[k].corner, approaches[k].inside);
     EXPECT_EQ(limits[k].normal, alone.normal) << k;
-    EXPECT_GT(limits[k].evaluations, 1) << k;
   }
 }
 

@@ -62,6 +62,20 @@ bool close(double a, double b) {
   return a == b || std::fabs(a - b) <= kPowerRounding * (1 + std::fabs(a));
 }
 
+TEST(Batch, CountsPoints) {
+  Graph graph;
+  Tape tape = compile(graph, std::array{testing::parse(graph, "u*v")});
+  const Tape copy = [&tape] {
+    tape.count = std::make_shared<PointCount>();
+    return tape;
+  }();
+  const Grid grid = {steps(0, 1, 9), steps(0, 1, 8)};
+  on_grid(tape, grid, 3);
+  EXPECT_EQ(tape.count->total(), 72U);
+  on_points(copy, grid, 3);
+  EXPECT_EQ(tape.count->total(), 2 * 72U) << "copies share the count";
+}
+
 TEST(Batch, ComputesWhatTheGraphSays) {
   testing::RandomFormula random(3);
   const Grid grid = {steps(-2.9, 0.61, 9), steps(-1.7, 0.43, 8)};
