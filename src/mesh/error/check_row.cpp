@@ -4,14 +4,15 @@
 // eval/kernel_loops.cpp).
 #include <math.h>
 
+#include "mesh/error/triangle_error.h"
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/loop_vectors.h"
+#include "surface/degenerate_cross.h"
 
 namespace saddle {
 namespace {
 
-/// The square of kDegenerateCross of surface/normal.h.
-constexpr double kDegenerate = 1e-14;
+constexpr double kDegenerate = kDegenerateCross * kDegenerateCross;
 /// A triangle's point is straight above the surface's if it is not farther aside than this part of
 /// the triangle's side: curvature then takes no more than a twentieth of the distance.
 constexpr double kBeside = 0.1;
@@ -20,14 +21,10 @@ struct Vertex {
   LoopVector position, normal;
 };
 static inline Vertex vertex(const Strip& strip, size_t i) {
-  return {{strip.x[i], strip.y[i], strip.z[i]}, {strip.n_x[i], strip.n_y[i], strip.n_z[i]}};
+  return {position_at(strip, i), normal_at(strip, i)};
 }
 static inline Vertex choose(double condition, const Vertex& yes, const Vertex& no) {
   return {choose(condition, yes.position, no.position), choose(condition, yes.normal, no.normal)};
-}
-static inline LoopVector mix(double a, LoopVector v, double b, LoopVector w, double c,
-                             LoopVector x) {
-  return plus(plus(times(a, v), times(b, w)), times(c, x));
 }
 
 }  // namespace
@@ -49,26 +46,24 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& place
     const double is_first = p - q;
     const Vertex first = choose(is_first, a, c), next = choose(is_first, b, d);
     const Vertex last = choose(is_first, c, a);
-    const double of_first = choose(is_first, 1 - p, p);
-    const double of_next = fabs(p - q);
-    const double of_last = choose(is_first, q, 1 - q);
+    const LoopVector weights = {choose(is_first, 1 - p, p), fabs(p - q),
+                                choose(is_first, q, 1 - q)};
 
     const LoopVector point =
         times(places.scale, LoopVector{column[0][i], column[1][i], column[2][i]});
     const LoopVector normal =
         times(places.front, LoopVector{column[3][i], column[4][i], column[5][i]});
     const LoopVector off =
-        minus(mix(of_first, first.position, of_next, next.position, of_last, last.position), point);
+        minus(mix({first.position, next.position, last.position}, weights), point);
     const double height = dot(off, normal);
     const double beside = dot(off, off) - height * height;
     const LoopVector along = minus(next.position, first.position);
     const LoopVector across = minus(last.position, first.position);
     const double square = smaller_of(dot(along, along), dot(across, across));
-    const LoopVector mean = mix(of_first, first.normal, of_next, next.normal, of_last, last.normal);
+    const LoopVector mean = mix({first.normal, next.normal, last.normal}, weights);
     const double square_mean = dot(mean, mean);
-    const LoopVector chord = minus(times(1 / sqrt(square_mean), mean), normal);
     sampled_errors.distance[i] = fabs(height);
-    sampled_errors.chord[i] = dot(chord, chord);
+    sampled_errors.chord[i] = square_of_chord(mean, square_mean, normal);
 
     const double area = column[8][i];
     const double squares = column[6][i] * column[7][i];

@@ -8,60 +8,19 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/error/chord_error.h"
 #include "mesh/error/sampled_error.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/grid/vertex_columns.h"
 #include "mesh/model/clip.h"
 
 namespace saddle {
 
 namespace {
 
-/// A chord's sample that is farther away than this part of the chord is no small arc: its distance
-/// along the normal says nothing.
-constexpr double kSmallArc = 0.3;
 /// A leaf on the boundary that is so many times as long as wide, in cells of the root grid, is
 /// halved along the boundary: what is off is a chord, not where the boundary is.
 constexpr std::uint32_t kSlender = 32;
-
-/// An arc of the surface above a chord, from its normals at both ends and about the middle.
-struct Arc {
-  dvec3 chord;
-  dvec3 first, last;  ///< normals at the ends
-  dvec3 normal;       ///< along which heights are taken
-
-  /// The largest height of the polynomial of fourth order that has the arc's slopes at its ends and
-  /// `height` above the part `share` of the chord: of an arc that turns, its middle tells little.
-  double largest_height(double share, double height) const {
-    constexpr double kSteep = 0.5;  // slopes beyond 60 degrees are no small ones
-    constexpr double kAside = 0.2;  // the sample is not about the middle
-    const double facing = std::min(glm::dot(first, normal), glm::dot(last, normal));
-    if (!(facing > kSteep) || !(std::fabs(share - 0.5) < kAside)) return std::fabs(height);
-    // s (1 - s) (a + b s + c s^2), s the share of the chord.
-    const double a = -glm::dot(first, chord) / glm::dot(first, normal);
-    const double end = glm::dot(last, chord) / glm::dot(last, normal);  // a + b + c
-    const double middle = height / (share * (1 - share)) - a;           // b s + c s^2
-    const double c = ((end - a) * share - middle) / (share * (1 - share));
-    const double b = end - a - c;
-    double largest = std::fabs(height);
-    for (const double s : {0.25, 0.375, 0.625, 0.75}) {
-      largest = std::max(largest, std::fabs(s * (1 - s) * (a + s * (b + s * c))));
-    }
-    return largest;
-  }
-};
-
-/// The largest height of a quadratic function above a triangle, from those at the middles of its
-/// sides: where it curves to one side, at the centre of the circle through the corners in the
-/// metric of the curvature. 0 if that is outside: one of the sides has the largest height.
-double bulge(double a, double b, double c) {
-  if (!(a * b > 0) || !(b * c > 0)) return 0;
-  const double x = std::fabs(a);
-  const double y = std::fabs(b);
-  const double z = std::fabs(c);
-  const bool is_acute = x < y + z && y < z + x && z < x + y;
-  const double area = 2 * (x * y + y * z + z * x) - x * x - y * y - z * z;  // squared
-  return is_acute && area > 0 ? 4 * x * y * z / area : 0;
-}
 
 /// Around the first of some points, as far as the others; points that are not finite are nowhere.
 class Ball {
@@ -382,8 +341,9 @@ double ErrorIndicator::distance_of_sample(const ChordSample& arc,
   const bool is_far = far_ && !std::ranges::all_of(vertices, is_near);
   if (border || is_far || !is_regular(sample)) return arc.distance_of_line();
   const dvec3& normal = mesh_.normal[sample];
-  return Arc{arc.chord, mesh_.normal[a], mesh_.normal[b], normal}.largest_height(
-      0.5 + arc.from_middle(), glm::dot(arc.off, normal));
+  const ChordNormals chord = {loop_vector(arc.chord), loop_vector(mesh_.normal[a]),
+                              loop_vector(mesh_.normal[b]), loop_vector(normal)};
+  return largest_height(chord, arc.from_middle(), glm::dot(arc.off, normal));
 }
 
 /// The corner, 0 or 1, that the diagonal with the smaller arc starts from: along it cut_cell() of
@@ -397,15 +357,11 @@ std::size_t ErrorIndicator::cut_from(const Corners& corner) const {
   return is_smaller(arc(1, 3), arc(0, 2)) ? 1 : 0;
 }
 
-/// Of the angle between two lines, along a sample's normal and along the mean of those at the ends
-/// of its chord.
 double ErrorIndicator::square_of_tangent(std::uint32_t a, std::uint32_t b,
                                          std::uint32_t sample) const {
   if (!is_regular(a) || !is_regular(b) || !is_regular(sample)) return 0;
-  const dvec3 sum = mesh_.normal[a] + mesh_.normal[b];
-  const dvec3 sine = glm::cross(sum, mesh_.normal[sample]);
-  const double cosine = glm::dot(sum, mesh_.normal[sample]);
-  return glm::dot(sine, sine) / (cosine * cosine);
+  return saddle::square_of_tangent(loop_vector(mesh_.normal[a]), loop_vector(mesh_.normal[b]),
+                                   loop_vector(mesh_.normal[sample]));
 }
 
 double ErrorIndicator::turn_ratio(double square_of_tangent) const {

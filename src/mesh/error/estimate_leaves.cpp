@@ -4,31 +4,13 @@
 // eval/kernel_loops.cpp).
 #include <math.h>
 
+#include "mesh/error/chord_error.h"
 #include "mesh/error/leaf_loops.h"
+#include "mesh/grid/cell_diagonal.h"
 #include "mesh/grid/loop_vectors.h"
 
 namespace saddle {
 namespace {
-
-/// kSmallArc of mesh/error/error_indicator.cpp; an arc of less is an arc, the surface is smooth
-/// there.
-constexpr double kSmallArc = 0.3;
-/// Those of Arc there: slopes that a polynomial is good for, and how far a sample is from the
-/// middle.
-constexpr double kSteep = 0.5;
-constexpr double kAside = 0.2;
-/// kTie of mesh/grid/triangulate.h.
-constexpr double kNearlyOne = 1 - 1e-6;
-
-static inline LoopVector position(const LeafVertices& of, size_t i) {
-  return {of.x[i], of.y[i], of.z[i]};
-}
-static inline LoopVector normal(const LeafVertices& of, size_t i) {
-  return {of.n_x[i], of.n_y[i], of.n_z[i]};
-}
-static inline double magnitude(double a) {
-  return fabs(a);
-}
 
 /// A chord's ends and its sample.
 struct Chord {
@@ -44,54 +26,34 @@ struct Said {
   double is_plain;
 };
 
-/// Height of the polynomial of Arc::largest_height() above the part s of the chord.
-static inline double height_at(double s, double a, double b, double c) {
-  return magnitude(s * (1 - s) * (a + s * (b + s * c)));
-}
-
 static inline Said test(const Chord& chord, double seen, double turn_counts) {
   const LoopVector along = minus(chord.b, chord.a);
   const LoopVector off = minus(chord.sample, times(0.5, plus(chord.a, chord.b)));
   const double square = dot(along, along);
   const double square_off = dot(off, off);
   const double part = dot(off, along) / square;
-  const double height = dot(off, chord.n);
   const double first = dot(chord.n_a, chord.n);
   const double last = dot(chord.n_b, chord.n);
-  // The polynomial s (1 - s) (a + b s + c s^2), s the share of the chord.
-  const double share = 0.5 + part;
-  const double weight = share * (1 - share);
-  const double a = -dot(chord.n_a, along) / first;
-  const double end = dot(chord.n_b, along) / last;
-  const double middle = height / weight - a;
-  const double c = ((end - a) * share - middle) / weight;
-  const double b = end - a - c;
-  const double outer = larger_of(height_at(0.25, a, b, c), height_at(0.75, a, b, c));
-  const double inner = larger_of(height_at(0.375, a, b, c), height_at(0.625, a, b, c));
-  const double bulge = larger_of(outer, inner);
-  const double facing = smaller_of(smaller_of(first, last) - kSteep, kAside - magnitude(part));
-  const double along_normal = larger_of(magnitude(height), choose(facing, bulge, 0.0));
+  const double along_normal =
+      largest_height({along, chord.n_a, chord.n_b, chord.n}, part, dot(off, chord.n));
   const LoopVector aside = minus(off, times(part, along));
   const double beside = sqrt(dot(aside, aside));
-  const LoopVector sum = plus(chord.n_a, chord.n_b);
-  const LoopVector sine = cross(sum, chord.n);
-  const double cosine = dot(sum, chord.n);
-  const double square_of_tangent = dot(sine, sine) / (cosine * cosine);
   const double is_small = kSmallArc * kSmallArc * square - square_off;
-  return {choose(seen, beside, along_normal), choose(turn_counts, square_of_tangent, 0.0),
+  return {choose(seen, beside, along_normal),
+          choose(turn_counts, square_of_tangent(chord.n_a, chord.n_b, chord.n), 0.0),
           smaller_of(is_small, smaller_of(first, last))};
 }
 
 static inline Chord side(const LeafSamples& leaves, size_t k, size_t i) {
   const LeafVertices& a = leaves.corner[k];
   const LeafVertices& b = leaves.corner[(k + 1) % 4];
-  return {position(a, i), position(b, i), position(leaves.side[k], i),
-          normal(a, i),   normal(b, i),   normal(leaves.side[k], i)};
+  return {position_at(a, i), position_at(b, i), position_at(leaves.side[k], i),
+          normal_at(a, i),   normal_at(b, i),   normal_at(leaves.side[k], i)};
 }
 
 static inline double square_of_side(const LeafSamples& leaves, size_t k, size_t i) {
   const LoopVector along =
-      minus(position(leaves.corner[(k + 1) % 4], i), position(leaves.corner[k], i));
+      minus(position_at(leaves.corner[(k + 1) % 4], i), position_at(leaves.corner[k], i));
   return dot(along, along);
 }
 
@@ -111,45 +73,31 @@ static void test_side(const LeafSamples& leaves, size_t k, size_t count, LeafErr
   }
 }
 
-/// bulge() of mesh/error/error_indicator.cpp.
-static inline double bulge(double a, double b, double c) {
-  const double x = magnitude(a);
-  const double y = magnitude(b);
-  const double z = magnitude(c);
-  const double acute = smaller_of(smaller_of(y + z - x, z + x - y), x + y - z);
-  const double area = 2 * (x * y + y * z + z * x) - x * x - y * y - z * z;  // squared
-  const double same_side = smaller_of(a * b, b * c);
-  const double inside = smaller_of(smaller_of(acute, area), same_side);
-  return choose(inside, 4 * x * y * z / area, 0.0);
-}
-
 /// The diagonal along which the cell would be cut, and the largest height above its triangles.
 static void test_middle(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
   const LeafVertices* const side = leaves.side.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
-    const LoopVector p0 = position(corner[0], i), p1 = position(corner[1], i);
-    const LoopVector p2 = position(corner[2], i), p3 = position(corner[3], i);
-    const LoopVector n0 = normal(corner[0], i), n1 = normal(corner[1], i);
-    const LoopVector n2 = normal(corner[2], i), n3 = normal(corner[3], i);
-    const LoopVector c = position(leaves.centre, i);
-    const LoopVector n = normal(leaves.centre, i);
-    const double first = magnitude(dot(minus(n2, n0), minus(p2, p0)));
-    const double other = magnitude(dot(minus(n3, n1), minus(p3, p1)));
-    const double second = other < first * kNearlyOne ? 1.0 : 0.0;
+    const LoopVector p0 = position_at(corner[0], i), p1 = position_at(corner[1], i);
+    const LoopVector p2 = position_at(corner[2], i), p3 = position_at(corner[3], i);
+    const LoopVector n0 = normal_at(corner[0], i), n1 = normal_at(corner[1], i);
+    const LoopVector n2 = normal_at(corner[2], i), n3 = normal_at(corner[3], i);
+    const LoopVector c = position_at(leaves.centre, i);
+    const LoopVector n = normal_at(leaves.centre, i);
+    const double second = is_smaller(sagitta(p1, n1, p3, n3), sagitta(p0, n0, p2, n2)) ? 1.0 : 0.0;
     const Chord diagonal = {choose(second, p1, p0), choose(second, p3, p2), c,
                             choose(second, n1, n0), choose(second, n3, n2), n};
     const Said said = test(diagonal, 0, errors.turn_counts_at_centre[i]);
-    const double h0 = dot(minus(position(side[0], i), times(0.5, plus(p0, p1))), n);
-    const double h1 = dot(minus(position(side[1], i), times(0.5, plus(p1, p2))), n);
-    const double h2 = dot(minus(position(side[2], i), times(0.5, plus(p2, p3))), n);
-    const double h3 = dot(minus(position(side[3], i), times(0.5, plus(p3, p0))), n);
+    const double h0 = dot(minus(position_at(side[0], i), times(0.5, plus(p0, p1))), n);
+    const double h1 = dot(minus(position_at(side[1], i), times(0.5, plus(p1, p2))), n);
+    const double h2 = dot(minus(position_at(side[2], i), times(0.5, plus(p2, p3))), n);
+    const double h3 = dot(minus(position_at(side[3], i), times(0.5, plus(p3, p0))), n);
     const double middle = dot(minus(c, times(0.5, plus(diagonal.a, diagonal.b))), n);
     const double one = bulge(choose(second, h1, h0), choose(second, h2, h1), middle);
     const double two = bulge(choose(second, h3, h2), choose(second, h0, h3), middle);
     double least = said.is_plain;
-    for (size_t k = 0; k < 4; ++k) least = smaller_of(least, dot(normal(side[k], i), n));
+    for (size_t k = 0; k < 4; ++k) least = smaller_of(least, dot(normal_at(side[k], i), n));
     errors.gap_at_centre[i] = said.distance;
     errors.distance.centre[i] = larger_of(said.distance, larger_of(one, two));
     errors.square_of_tangent.centre[i] = said.square_of_tangent;
@@ -163,11 +111,11 @@ static void begin(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const side = leaves.side.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
-    const LoopVector n = normal(leaves.centre, i);
+    const LoopVector n = normal_at(leaves.centre, i);
     double least = dot(n, n);
     for (size_t k = 0; k < 4; ++k) {
-      const LoopVector at_corner = normal(corner[k], i);
-      const LoopVector on_side = normal(side[k], i);
+      const LoopVector at_corner = normal_at(corner[k], i);
+      const LoopVector on_side = normal_at(side[k], i);
       least = smaller_of(least, smaller_of(dot(at_corner, at_corner), dot(on_side, on_side)));
     }
     errors.distance.along_u[i] = errors.distance.along_v[i] = 0;
@@ -182,8 +130,8 @@ static void look_at_turns(const LeafSamples& leaves, size_t count, LeafErrors& e
   const LeafVertices* const corner = leaves.corner.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
-    const LoopVector area = cross(minus(position(corner[2], i), position(corner[0], i)),
-                                  minus(position(corner[3], i), position(corner[1], i)));
+    const LoopVector area = cross(minus(position_at(corner[2], i), position_at(corner[0], i)),
+                                  minus(position_at(corner[3], i), position_at(corner[1], i)));
     const double one = larger_of(square_of_side(leaves, 0, i), square_of_side(leaves, 2, i));
     const double other = larger_of(square_of_side(leaves, 1, i), square_of_side(leaves, 3, i));
     const double seen = leaves.seen_turn[i] * leaves.seen_turn[i];

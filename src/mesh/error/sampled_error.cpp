@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "mesh/error/newton_step.h"
+#include "mesh/error/triangle_error.h"
 #include "mesh/grid/triangulate.h"
 #include "surface/normal.h"
 
@@ -104,23 +105,12 @@ double distance(const Grid& grid, std::span<const Triangle> triangles, const dve
 /// units: along its normal, since what is along the surface is no distance. 0 where the two are too
 /// far apart for that, or (u, v) is not in the triangle.
 double height_above(const Grid& grid, const Below& below, const dvec3& p, const dvec3& normal) {
-  constexpr double kBeside = 0.3;  // of the longest side: then curvature adds a third at most
-  constexpr double kFlat = 0.1;    // of it: beyond, the triangle bridges a front that is nearer
   const auto& [triangle, weights] = below;
   const Triangle& t = *triangle;
   if (!(std::min({weights.x, weights.y, weights.z}) >= -kRounding)) return 0;
-  const std::array<dvec3, 3> at = {grid.local(t[0]), grid.local(t[1]), grid.local(t[2])};
-  const dvec3 off = weights.x * at[0] + weights.y * at[1] + weights.z * at[2] - p;
-  const double height = std::fabs(glm::dot(off, normal));
-  const double longest = std::max(
-      {glm::distance(at[0], at[1]), glm::distance(at[1], at[2]), glm::distance(at[2], at[0])});
-  const double aside = glm::dot(off, off) - height * height;
-  if (!(height <= kFlat * longest)) return 0;
-  return aside <= kBeside * kBeside * longest * longest ? height : 0;
-}
-
-LoopVector loop_vector(const dvec3& v) {
-  return {v.x, v.y, v.z};
+  const LoopTriangle corners = {loop_vector(grid.local(t[0])), loop_vector(grid.local(t[1])),
+                                loop_vector(grid.local(t[2]))};
+  return height_above(corners, loop_vector(weights), loop_vector(p), loop_vector(normal));
 }
 
 class SampleMeasurer {

@@ -6,39 +6,20 @@
 
 #include "mesh/error/leaf_loops.h"
 #include "mesh/error/newton_step.h"
+#include "mesh/error/triangle_error.h"
 #include "mesh/grid/loop_vectors.h"
+#include "surface/degenerate_cross.h"
 
 namespace saddle {
 namespace {
 
-/// The square of kDegenerateCross of surface/normal.h, and squares of lengths from whose products
-/// no digit is lost to the ends of the range of doubles.
-constexpr double kDegenerate = 1e-14;
+constexpr double kDegenerate = kDegenerateCross * kDegenerateCross;
+/// Squares of lengths from whose products no digit is lost to the ends of the range of doubles.
 constexpr double kSmallest = 1e-100;
 constexpr double kLargest = 1e+100;
-/// kBeside and kFlat of height_above() in mesh/error/sampled_error.cpp.
-constexpr double kBeside = 0.3;
-constexpr double kFlat = 0.1;
 
-static inline LoopVector position(const LeafVertices& of, size_t i) {
-  return {of.x[i], of.y[i], of.z[i]};
-}
-static inline LoopVector normal(const LeafVertices& of, size_t i) {
-  return {of.n_x[i], of.n_y[i], of.n_z[i]};
-}
 static inline LoopVector vector_at(const LeafPlaces& places, size_t column, size_t i) {
   return {places.surface[column][i], places.surface[column + 1][i], places.surface[column + 2][i]};
-}
-
-struct Corners {
-  LoopVector a, b, c;
-};
-static inline Corners choose(double condition, const Corners& yes, const Corners& no) {
-  return {choose(condition, yes.a, no.a), choose(condition, yes.b, no.b),
-          choose(condition, yes.c, no.c)};
-}
-static inline LoopVector mix(const Corners& t, LoopVector weights) {
-  return plus(plus(times(weights.x, t.a), times(weights.y, t.b)), times(weights.z, t.c));
 }
 
 /// The foot of a point on a triangle's plane.
@@ -48,7 +29,7 @@ struct Foot {
   LoopVector weights;
   double inside;  ///< the least weight
 };
-static inline Foot foot_on(const Corners& t, LoopVector p) {
+static inline Foot foot_on(const LoopTriangle& t, LoopVector p) {
   const LoopVector normal = cross(minus(t.b, t.a), minus(t.c, t.a));
   const double square = dot(normal, normal);
   const LoopVector from_a = minus(t.a, p), from_b = minus(t.b, p), from_c = minus(t.c, p);
@@ -60,23 +41,6 @@ static inline Foot foot_on(const Corners& t, LoopVector p) {
           smaller_of(smaller_of(a, b), weights.z)};
 }
 
-static inline double square_of_longest(const Corners& t) {
-  const LoopVector ab = minus(t.b, t.a), bc = minus(t.c, t.b), ca = minus(t.a, t.c);
-  return larger_of(larger_of(dot(ab, ab), dot(bc, bc)), dot(ca, ca));
-}
-
-/// height_above() of mesh/error/sampled_error.cpp.
-static inline double height_above(const Corners& t, LoopVector weights, LoopVector p,
-                                  LoopVector normal) {
-  const LoopVector off = minus(mix(t, weights), p);
-  const double height = fabs(dot(off, normal));
-  const double longest = square_of_longest(t);
-  const double aside = dot(off, off) - height * height;
-  const double flat = kFlat * kFlat * longest - height * height;
-  const double beside = kBeside * kBeside * longest - aside;
-  return smaller_of(flat, beside) >= 0 ? height : 0.0;
-}
-
 }  // namespace
 
 void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t count,
@@ -84,10 +48,10 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
   const LeafVertices* const corner = leaves.corner.data();
 #pragma GCC ivdep  // what is written overlaps nothing that is read
   for (size_t i = 0; i < count; ++i) {
-    const LoopVector p0 = position(corner[0], i), p1 = position(corner[1], i);
-    const LoopVector p2 = position(corner[2], i), p3 = position(corner[3], i);
-    const LoopVector n0 = normal(corner[0], i), n1 = normal(corner[1], i);
-    const LoopVector n2 = normal(corner[2], i), n3 = normal(corner[3], i);
+    const LoopVector p0 = position_at(corner[0], i), p1 = position_at(corner[1], i);
+    const LoopVector p2 = position_at(corner[2], i), p3 = position_at(corner[3], i);
+    const LoopVector n0 = normal_at(corner[0], i), n1 = normal_at(corner[1], i);
+    const LoopVector n2 = normal_at(corner[2], i), n3 = normal_at(corner[3], i);
     const double p = places.p[i];
     const double q = places.q[i];
     const LoopVector point = times(leaves.scale, vector_at(places, 0, i));
@@ -100,11 +64,11 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
 
     // The triangle that (p, q) is in, and the other one.
     const double lower = p - q;
-    const Corners first = {p0, p1, p2};
-    const Corners second = {p2, p3, p0};
-    const Corners own = choose(lower, first, second);
+    const LoopTriangle first = {p0, p1, p2};
+    const LoopTriangle second = {p2, p3, p0};
+    const LoopTriangle own = choose(lower, first, second);
     const Foot on_own = foot_on(own, point);
-    const Corners other = choose(lower, second, first);
+    const LoopTriangle other = choose(lower, second, first);
     const Foot on_other = foot_on(other, point);
     const LoopVector in_first = {1 - p, p - q, q};
     const LoopVector in_second = {p, q - p, 1 - q};
@@ -113,14 +77,15 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     const double is_on_own = on_own.inside >= 0 ? 1.0 : 0.0;
     const double on_first = lower > 0 ? is_on_own : 1 - is_on_own;
     const LoopVector weights = choose(is_on_own, on_own.weights, on_other.weights);
-    const Corners normals = choose(on_first, Corners{n0, n1, n2}, Corners{n2, n3, n0});
+    const LoopTriangle normals =
+        choose(on_first, LoopTriangle{n0, n1, n2}, LoopTriangle{n2, n3, n0});
     const LoopVector interpolated = mix(normals, weights);
     const double square_normal = dot(interpolated, interpolated);
-    const LoopVector chord = minus(times(1 / sqrt(square_normal), interpolated), exact);
+    const double chord = square_of_chord(interpolated, square_normal, exact);
     const double distance = sqrt(choose(is_on_own, on_own.square, on_other.square));
     sampled_errors.distance[i] = larger_of(sampled_errors.distance[i], larger_of(distance, height));
     // On from there, above the triangle that the point is above.
-    const Corners above = choose(is_on_own, own, other);
+    const LoopTriangle above = choose(is_on_own, own, other);
     const LoopVector ab = minus(above.b, above.a), ac = minus(above.c, above.a);
     const double up = choose(is_on_own, on_own.height, on_other.height);
     const StepShape shape =
@@ -128,7 +93,7 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     const NewtonStep newton_step =
         newton_step_from(shape, dot(exact, cross(ab, ac)) > 0 ? up : -up, weights.y, weights.z);
     sampled_errors.predicted[i] = larger_of(sampled_errors.predicted[i], newton_step.height);
-    sampled_errors.chord[i] = larger_of(sampled_errors.chord[i], dot(chord, chord));
+    sampled_errors.chord[i] = larger_of(sampled_errors.chord[i], chord);
 
     const double regular = smaller_of(
         smaller_of(square_area - kDegenerate * squares, squares - kSmallest), kLargest - squares);

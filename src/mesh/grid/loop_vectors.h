@@ -2,6 +2,8 @@
 // function that such files shared would be one of them, for CPUs that may not have it.
 #pragma once
 
+#include <stddef.h>
+
 namespace saddle {
 
 struct LoopVector {
@@ -23,6 +25,17 @@ static inline double dot(LoopVector a, LoopVector b) {
 static inline LoopVector cross(LoopVector a, LoopVector b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+
+/// The i-th position and unit normal of LeafVertices or a Strip.
+template <class Columns>
+static inline LoopVector position_at(const Columns& columns, size_t i) {
+  return {columns.x[i], columns.y[i], columns.z[i]};
+}
+template <class Columns>
+static inline LoopVector normal_at(const Columns& columns, size_t i) {
+  return {columns.n_x[i], columns.n_y[i], columns.n_z[i]};
+}
+
 /// `yes` where `condition` is more than 0.
 static inline double choose(double condition, double yes, double no) {
   return condition > 0 ? yes : no;

@@ -92,12 +92,11 @@ SlotTriangles slot_triangles(const CellCorners& cell, bool mirrored) {
 /// triangles that are equally good.
 bool second_diagonal_is_nearer(const CellCorners& cell) {
   const auto& [p, n, point] = cell;
-  const double first = sagitta(p[0], n[0], p[2], n[2]);
-  const double second = sagitta(p[1], n[1], p[3], n[3]);
-  if (is_smaller(second, first)) return true;
-  if (is_smaller(first, second)) return false;
-  const auto square = [](const dvec3& a) { return glm::dot(a, a); };
-  return is_smaller(square(p[3] - p[1]), square(p[2] - p[0]));
+  const auto diagonal = [&](std::size_t a, std::size_t b) {
+    const dvec3 along = p[b] - p[a];
+    return Diagonal{sagitta(p[a], n[a], p[b], n[b]), glm::dot(along, along)};
+  };
+  return is_nearer(diagonal(1, 3), diagonal(0, 2));
 }
 
 CellCut cut_cell(const CellCorners& cell, bool mirrored) {

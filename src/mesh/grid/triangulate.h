@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "mesh/grid/cell_diagonal.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/grid.h"
+#include "mesh/grid/vertex_columns.h"
 
 namespace saddle {
 
@@ -27,17 +29,8 @@ std::size_t triangles_between(std::vector<std::uint32_t>& points);
 /// Whether a triangle of corners has no area: two are one point, or it is flat within rounding.
 bool is_collapsed(const Grid& grid, const Triangle& triangle);
 
-/// The height of a surface's arc above the chord from a to b, from the normals at its ends, for a
-/// parabolic arc: |(n_b - n_a) . (p_b - p_a)| / 8.
 inline double sagitta(const dvec3& p_a, const dvec3& n_a, const dvec3& p_b, const dvec3& n_b) {
-  return 0.125 * glm::abs(glm::dot(n_b - n_a, p_b - p_a));
-}
-
-/// Sagittas, and squares of lengths, that differ by less, relatively, are equal: on surfaces of
-/// revolution those of both diagonals are, and rounding must not choose between them.
-inline constexpr double kTie = 1e-6;
-inline bool is_smaller(double a, double b) {
-  return a < b * (1 - kTie);
+  return sagitta(loop_vector(p_a), loop_vector(n_a), loop_vector(p_b), loop_vector(n_b));
 }
 
 }  // namespace saddle

@@ -4,8 +4,13 @@
 #include <cstddef>
 
 #include "base/vec.h"
+#include "mesh/grid/loop_vectors.h"
 
 namespace saddle {
+
+inline LoopVector loop_vector(const dvec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 /// Makes a position and its unit normal the i-th of `columns`, which are LeafVertices or a Strip.
 template <class Columns>

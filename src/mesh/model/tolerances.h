@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 namespace saddle {
 
@@ -11,5 +12,9 @@ inline constexpr std::size_t kMaxListed = 1000;
 /// Normals that differ by no more, in degrees, are one normal. A smaller angle is no visible
 /// crease, and one corner in place of four keeps smooth poles smooth.
 inline constexpr double kCreaseDegrees = 1;
+
+/// What is lost to rounding in a coordinate, as a part of it: a few operations' worth. Differences
+/// up to this are none.
+inline constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
 }  // namespace saddle
