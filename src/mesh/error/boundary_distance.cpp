@@ -42,12 +42,13 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
                            std::span<const Triangle> triangles) {
   if (!leaf.on_boundary || leaf.is_split) return;
   if (!triangles.empty()) return add_chords(leaf, number, triangles);
-  singularities_.push_back(number);
+  omitted_.push_back(number);
   const dvec2 low = tree_.parameters(leaf.low);
   const dvec2 size = tree_.parameters(leaf.high) - low;
   for (const dvec2& place : kLeafPlaces) {
-    in_holes_.push_back(low + size * place);
-    for (const dvec2& way : kLeafDirections) in_holes_.push_back(low + size * border(place, way));
+    places_in_omitted_.push_back(low + size * place);
+    for (const dvec2& way : kLeafDirections)
+      places_in_omitted_.push_back(low + size * border(place, way));
   }
 }
 
@@ -79,21 +80,11 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   }
 }
 
-std::vector<BoundaryDistance::LocatedDiscontinuity> BoundaryDistance::measure() {
-  std::vector<LocatedDiscontinuity> found;
-  if (!chords_.empty()) validate_chords(found);
-  if (!singularities_.empty()) validate_singularities(found);
+std::vector<BoundaryDistance::LeafDistance> BoundaryDistance::measure() {
+  std::vector<LeafDistance> found;
+  if (!chords_.empty()) measure_chords(found);
+  if (!omitted_.empty()) measure_omitted(found);
   return found;
-}
-
-double BoundaryDistance::distance_from_chord(const Chord& chord, const dvec3& position) const {
-  if (!is_finite(position)) return 0;
-  const dvec3 first = grid_.local(chord.ends[0]);
-  const dvec3 edge = grid_.local(chord.ends[1]) - first;
-  const dvec3 off = grid_.local_scale * position - first;
-  const double square = glm::dot(edge, edge);
-  if (!(square > 0)) return 0;
-  return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
 }
 
 /// The part of the way from one vertex to another at which a third is straight above it.
@@ -130,7 +121,7 @@ std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoin
   std::vector<Line> ways;
   std::size_t next = 0;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const Chord& chord = chords_[k];
+    const BoundaryChord& chord = chords_[k];
     if (is_seen(at_middle[k].position)) {
       ways.push_back({chord.middle, chord.beyond});
     } else {
@@ -143,15 +134,15 @@ std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoin
 
 /// The surface's boundary may be on either side of its chord: on this side the mesh has too much,
 /// on the other too little, and all that is between chord and boundary is off.
-void BoundaryDistance::validate_chords(std::vector<LocatedDiscontinuity>& found) {
+void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   std::vector<dvec2> middles;
-  for (const Chord& chord : chords_) middles.push_back(chord.middle);
+  for (const BoundaryChord& chord : chords_) middles.push_back(chord.middle);
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
   const std::vector<dvec2> boundary = ends_of(ways_to_boundary(at_middle));
   const std::vector<SurfacePoint> at_boundary = evaluate(surface_, boundary, threads_);
   evaluations_ += chords_.size() * (2 + kWayHalvings);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const Chord& chord = chords_[k];
+    const BoundaryChord& chord = chords_[k];
     const auto off = [&](const dvec2& uv, const SurfacePoint& point) {
       return distance_from(grid_, chord.triangles, uv, point.position);
     };
@@ -159,7 +150,8 @@ void BoundaryDistance::validate_chords(std::vector<LocatedDiscontinuity>& found)
       found.push_back({chord.leaf, off(chord.middle, at_middle[k])});
       found.push_back({chord.leaf, off(boundary[k], at_boundary[k])});
     } else {
-      found.push_back({chord.leaf, distance_from_chord(chord, at_boundary[k].position)});
+      found.push_back(
+          {chord.leaf, distance_from_chord(grid_, chord.ends, at_boundary[k].position)});
     }
   }
 }
@@ -167,8 +159,8 @@ void BoundaryDistance::validate_chords(std::vector<LocatedDiscontinuity>& found)
 /// Of leaves that are defined in places but not at their corners, as beside the point where a
 /// boundary touches the edge of the domain: what is missing there is as far off as from the leaf's
 /// border, where neighbours are.
-void BoundaryDistance::validate_singularities(std::vector<LocatedDiscontinuity>& found) {
-  const std::vector<SurfacePoint> points = evaluate(surface_, in_holes_, threads_);
+void BoundaryDistance::measure_omitted(std::vector<LeafDistance>& found) {
+  const std::vector<SurfacePoint> points = evaluate(surface_, places_in_omitted_, threads_);
   evaluations_ += points.size();
   for (std::size_t k = 0; k < points.size(); k += kPlaceGroup) {
     if (!is_seen(points[k].position)) continue;
@@ -177,7 +169,7 @@ void BoundaryDistance::validate_singularities(std::vector<LocatedDiscontinuity>&
       const dvec3& beside = points[k + way].position;
       if (is_finite(beside)) nearest = std::min(nearest, glm::distance(beside, points[k].position));
     }
-    found.push_back({singularities_[k / (kPlaceGroup * kLeafPlaces.size())], nearest});
+    found.push_back({omitted_[k / (kPlaceGroup * kLeafPlaces.size())], nearest});
   }
 }
 

@@ -22,18 +22,18 @@ class BoundaryDistance {
   void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
 
   /// A distance that was found at the leaf of some number, in units of length.
-  struct LocatedDiscontinuity {
+  struct LeafDistance {
     std::size_t leaf;
     double distance;
   };
   /// The distances at the leaves that were added; of one there may be several.
-  std::vector<LocatedDiscontinuity> measure();
+  std::vector<LeafDistance> measure();
 
   std::size_t evaluations() const { return evaluations_; }
 
  private:
   /// A chord of the boundary, and where that is looked for.
-  struct Chord {
+  struct BoundaryChord {
     std::size_t leaf;
     std::span<const Triangle> triangles;
     std::array<std::uint32_t, 2> ends;
@@ -47,21 +47,20 @@ class BoundaryDistance {
   double foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const;
   std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
-  void validate_chords(std::vector<LocatedDiscontinuity>& found);
-  void validate_singularities(std::vector<LocatedDiscontinuity>& found);
+  void measure_chords(std::vector<LeafDistance>& found);
+  void measure_omitted(std::vector<LeafDistance>& found);
   bool is_seen(const dvec3& position) const {
     return is_finite(position) && (!clip_ || clip_->contains(position));
   }
-  double distance_from_chord(const Chord& chord, const dvec3& position) const;
 
   const Surface& surface_;
   const Grid& grid_;
   const CellTree& tree_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  std::vector<Chord> chords_;
-  std::vector<std::size_t> singularities_;  ///< leaves that have no triangles
-  std::vector<dvec2> in_holes_;  ///< of each, places and what is beside them on its border
+  std::vector<BoundaryChord> chords_;
+  std::vector<std::size_t> omitted_;      ///< leaves that have no triangles
+  std::vector<dvec2> places_in_omitted_;  ///< of each, places and what is beside them on its border
   std::size_t evaluations_ = 0;
 };
 

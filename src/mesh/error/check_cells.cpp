@@ -10,7 +10,8 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
-#include "mesh/grid/cell_loops.h"
+#include "mesh/error/error_loops.h"
+#include "mesh/error/sampled_error.h"
 #include "mesh/grid/vertex_columns.h"
 #include "surface/normal.h"
 
@@ -147,11 +148,15 @@ struct AxisPlaces {
 };
 
 /// The vertices at the ends of a cell's side.
-using SideEnds = std::array<std::size_t, 2>;
+using SideEnds = Chord;
 
-class Checker {
+SideEnds side_between(std::size_t a, std::size_t b) {
+  return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
+}
+
+class CellChecker {
  public:
-  Checker(const Surface& surface, const Grid& grid, unsigned threads)
+  CellChecker(const Surface& surface, const Grid& grid, unsigned threads)
       : surface_(surface), grid_(grid), threads_(threads) {
     diagonals_.reserve(grid.cell_count());
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
@@ -170,22 +175,22 @@ class Checker {
     const std::vector<PlaceStretch> stretches = stretches_of(u);
     std::vector<Largest> of_rows(v.at.size());
     parallel_chunks(v.at.size(), kRowChunk, threads_, [&](std::size_t begin, std::size_t end) {
-      const auto sampled_errors = std::make_unique_for_overwrite<RowErrors>();
+      const auto row_errors = std::make_unique_for_overwrite<RowErrors>();
       for (const PlaceStretch& stretch : stretches) {
         RowStrips strips(grid_, stretch);
         for (std::size_t j = begin; j < end; ++j) {
           strips.go_to(v.cell[j]);
-          check_row(places, stretch, j, strips, *sampled_errors);
+          check_row(places, stretch, j, strips, *row_errors);
           for (std::size_t k = 0; k < stretch.count; ++k) {
             const std::size_t i = stretch.first + k;
             const SideEnds ends = side(i, j);
-            if (sampled_errors->is_known[k] > 0) {
-              of_rows[j].add({sampled_errors->distance[k], sampled_errors->chord[k]});
+            if (row_errors->is_known[k] > 0) {
+              of_rows[j].add({row_errors->distance[k], row_errors->chord[k]});
             } else if (!is_pole(ends)) {
-              of_rows[j].add(measure(places, i, j));
+              of_rows[j].add(check_place(places, i, j));
             }
             if (is_seen(i, j) && !is_pole(ends)) {
-              of_rows[j].add({from_chord(ends, position(places, i, j)), 0});
+              of_rows[j].add({distance_from_line(grid_, ends, position(places, i, j)), 0});
             }
           }
         }
@@ -199,7 +204,7 @@ class Checker {
  private:
   /// Checks the places of a stretch in the j-th row of them.
   void check_row(const AxisPlaces& places, const PlaceStretch& stretch, std::size_t j,
-                 const RowStrips& strips, RowErrors& sampled_errors) const {
+                 const RowStrips& strips, RowErrors& row_errors) const {
     RowPlaces row{places.u.part.data() + stretch.first,
                   places.v.part[j],
                   diagonals_.data() + grid_.cell(stretch.cell, places.v.cell[j]),
@@ -210,19 +215,12 @@ class Checker {
     for (std::size_t k = 0; k < row.surface.size(); ++k) {
       row.surface[k] = &places.columns[k][first];
     }
-    check_loop(cpu_level())(strips.lower(), strips.upper(), row, stretch.count, sampled_errors);
+    check_loop(cpu_level())(strips.lower(), strips.upper(), row, stretch.count, row_errors);
   }
 
   /// A side that is a single point: there is no normal, and nothing to be off by.
   bool is_pole(const SideEnds& ends) const {
     return ends[0] != ends[1] && grid_.mesh.point[ends[0]] == grid_.mesh.point[ends[1]];
-  }
-
-  /// The distance of a position from the chord between two vertices, in local units.
-  double from_chord(const SideEnds& ends, const dvec3& p) const {
-    const dvec3 edge = grid_.local(ends[1]) - grid_.local(ends[0]);
-    const dvec3 off = p - grid_.local(ends[0]);
-    return glm::length(off - glm::dot(off, edge) / glm::dot(edge, edge) * edge);
   }
 
   /// In local units.
@@ -233,7 +231,7 @@ class Checker {
   }
 
   /// A closer look at one place.
-  Largest measure(const AxisPlaces& places, std::size_t i, std::size_t j) const {
+  Largest check_place(const AxisPlaces& places, std::size_t i, std::size_t j) const {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     const NormalColumns& columns = places.columns;
     const std::size_t k = places.number(i, j);
@@ -270,19 +268,19 @@ MeasuredError check_cells(const Surface& surface, const Grid& grid, const SeenLi
   const Axis middles_v = inside(grid.v, kMiddles, cells);
   const Axis quarters_u = inside(grid.u, kQuarters, 2 * cells);
   const Axis quarters_v = inside(grid.v, kQuarters, 4 * cells);
-  Checker checker(surface, grid, threads);
+  CellChecker checker(surface, grid, threads);
   Largest largest = checker.check(quarters_u, quarters_v, inside_cell, unseen);
   largest.add(checker.check(middles_u, middles_v, inside_cell, unseen));
   largest.add(checker.check(
       middles_u, on(grid.v),
       [&](std::size_t i, std::size_t j) {
-        return SideEnds{grid.vertex(i, j), grid.vertex(i + 1, j)};
+        return side_between(grid.vertex(i, j), grid.vertex(i + 1, j));
       },
       [&](std::size_t, std::size_t j) { return seen.rows[j] != 0; }));
   largest.add(checker.check(
       on(grid.u), middles_v,
       [&](std::size_t i, std::size_t j) {
-        return SideEnds{grid.vertex(i, j), grid.vertex(i, j + 1)};
+        return side_between(grid.vertex(i, j), grid.vertex(i, j + 1));
       },
       [&](std::size_t i, std::size_t) { return seen.columns[i] != 0; }));
   return {largest.distance / grid.local_scale, degrees_of_chord(std::sqrt(largest.chord)),

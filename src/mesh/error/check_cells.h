@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/error/sampled_error.h"
+#include "mesh/error/measure_grid.h"
 
 namespace saddle {
 

@@ -4,8 +4,8 @@
 // eval/kernel_loops.cpp).
 #include <math.h>
 
+#include "mesh/error/error_loops.h"
 #include "mesh/error/triangle_error.h"
-#include "mesh/grid/cell_loops.h"
 #include "mesh/grid/loop_vectors.h"
 #include "surface/degenerate_cross.h"
 
@@ -30,7 +30,7 @@ static inline Vertex choose(double condition, const Vertex& yes, const Vertex& n
 }  // namespace
 
 void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& places, size_t count,
-                  RowErrors& sampled_errors) {
+                  RowErrors& errors) {
   const double* const* const column = places.surface.data();
 #pragma GCC ivdep  // what is written overlaps nothing that is read
   for (size_t i = 0; i < count; ++i) {
@@ -62,15 +62,15 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& place
     const double square = smaller_of(dot(along, along), dot(across, across));
     const LoopVector mean = mix({first.normal, next.normal, last.normal}, weights);
     const double square_mean = dot(mean, mean);
-    sampled_errors.distance[i] = fabs(height);
-    sampled_errors.chord[i] = square_of_chord(mean, square_mean, normal);
+    errors.distance[i] = fabs(height);
+    errors.chord[i] = square_of_chord(mean, square_mean, normal);
 
     const double area = column[8][i];
     const double squares = column[6][i] * column[7][i];
     const double is_straight = beside <= kBeside * kBeside * square ? 1.0 : 0.0;  // not NaN
     const double is_regular = area * area > kDegenerate * squares ? is_straight : 0.0;
     const double has_normal = square_mean > 0 ? is_regular : 0.0;
-    sampled_errors.is_known[i] = second >= 0 ? has_normal : 0.0;
+    errors.is_known[i] = second >= 0 ? has_normal : 0.0;
   }
 }
 

@@ -12,7 +12,7 @@ namespace saddle {
 
 /// Whether a leaf that was found to be near enough may be too far off where so much is foreseen:
 /// more than is allowed, or nearly as much and more than its tests know of.
-bool is_worth_a_look(const ValidatedMesh& mesh, std::size_t leaf, double predicted);
+bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted);
 
 class DistanceMaximizer {
  public:
@@ -23,7 +23,7 @@ class DistanceMaximizer {
 
   /// A place from where more is foreseen, in a leaf with these triangles, which must outlive this.
   void add(std::size_t leaf, std::span<const Triangle> triangles, const dvec2& uv) {
-    maximizer_.push_back({leaf, triangles, uv, -1, {0, uv}});
+    maxima_.push_back({leaf, triangles, uv, -1, {0, uv}});
   }
 
   /// Follows what is foreseen until no more is, a leaf is found to be too far off, or a few steps
@@ -33,20 +33,20 @@ class DistanceMaximizer {
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  struct DistanceMaximum {
+  struct Ascent {
     std::size_t leaf;
     std::span<const Triangle> triangles;
     dvec2 uv;
     double distance;  ///< there; negative: not known yet
     Predicted predicted;
   };
-  void look(ValidatedMesh& mesh);
+  void evaluate_predicted(ValidatedMesh& mesh);
 
   const Surface& surface_;
   const Grid& grid_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  std::vector<DistanceMaximum> maximizer_;
+  std::vector<Ascent> maxima_;
   std::size_t evaluations_ = 0;
 };
 

@@ -157,11 +157,11 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
   // Between opposed normals a tip may be hidden that sticks out of a sliver.
   const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
   const bool is_visible = diameter(corner) > kVisible * eps;
-  const std::size_t first_corner = cut_from(corner);  // of the diagonal
+  const std::size_t first_corner = first_of_diagonal(corner);  // of the diagonal
   CellError error;
   ErrorRatios turn;  // squares of tangents yet
-  const auto judge = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
-                         double ErrorRatios::*part) {
+  const auto add_chord = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
+                             double ErrorRatios::*part) {
     const dvec3 first = seen_position(a);
     const dvec3 last = seen_position(b);
     const ChordSample arc(first, last, seen_position(sample));
@@ -181,10 +181,10 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
   };
   for (std::size_t k = 0; k < 4; ++k) {
     if (tree_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
-    judge(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
-          k % 2 == 0 ? &ErrorRatios::along_u : &ErrorRatios::along_v);
+    add_chord(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
+              k % 2 == 0 ? &ErrorRatios::along_u : &ErrorRatios::along_v);
   }
-  judge(corner[first_corner], corner[first_corner + 2], centre, false, &ErrorRatios::centre);
+  add_chord(corner[first_corner], corner[first_corner + 2], centre, false, &ErrorRatios::centre);
   error.distance.centre =
       std::max(error.distance.centre, bulge_of_triangles(leaf.samples, first_corner) / eps);
   error.turn = turn_ratios(turn);
@@ -349,7 +349,7 @@ double ErrorIndicator::distance_of_sample(const ChordSample& arc,
 /// The corner, 0 or 1, that the diagonal with the smaller arc starts from: along it cut_cell() of
 /// mesh/grid/triangulate cuts most cells. What else that looks at is left to it, as the lengths of
 /// arcs that are equal.
-std::size_t ErrorIndicator::cut_from(const Corners& corner) const {
+std::size_t ErrorIndicator::first_of_diagonal(const Corners& corner) const {
   const auto arc = [&](std::size_t a, std::size_t b) {
     return sagitta(mesh_.position[corner[a]], mesh_.normal[corner[a]], mesh_.position[corner[b]],
                    mesh_.normal[corner[b]]);

@@ -105,7 +105,7 @@ class ErrorIndicator {
   /// `vertices`: the chord's ends and the sample.
   double distance_of_sample(const ChordSample& arc, const std::array<std::uint32_t, 3>& vertices,
                             bool border) const;
-  std::size_t cut_from(const Corners& corner) const;
+  std::size_t first_of_diagonal(const Corners& corner) const;
   double distance_from_triangles(const Leaf& leaf, std::size_t first) const;
   double bulge_of_triangles(const SampleVertices& samples, std::size_t first) const;
   double square_of_tangent(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;

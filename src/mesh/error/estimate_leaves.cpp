@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "mesh/error/chord_error.h"
-#include "mesh/error/leaf_loops.h"
+#include "mesh/error/error_loops.h"
 #include "mesh/grid/cell_diagonal.h"
 #include "mesh/grid/loop_vectors.h"
 
@@ -20,13 +20,13 @@ struct Chord {
 
 /// What a chord's sample says: its distance, how far its normal is from between those of the ends
 /// and, at least 0, that the arc is a small one whose normals face the same way.
-struct Said {
+struct ChordError {
   double distance;
   double square_of_tangent;
   double is_plain;
 };
 
-static inline Said test(const Chord& chord, double seen, double turn_counts) {
+static inline ChordError error_of(const Chord& chord, double seen, double turn_counts) {
   const LoopVector along = minus(chord.b, chord.a);
   const LoopVector off = minus(chord.sample, times(0.5, plus(chord.a, chord.b)));
   const double square = dot(along, along);
@@ -57,7 +57,7 @@ static inline double square_of_side(const LeafSamples& leaves, size_t k, size_t 
   return dot(along, along);
 }
 
-static void test_side(const LeafSamples& leaves, size_t k, size_t count, LeafErrors& errors) {
+static void estimate_side(const LeafSamples& leaves, size_t k, size_t count, LeafErrors& errors) {
   LeafNumbers& farthest = k % 2 == 0 ? errors.distance.along_u : errors.distance.along_v;
   LeafNumbers& largest =
       k % 2 == 0 ? errors.square_of_tangent.along_u : errors.square_of_tangent.along_v;
@@ -65,16 +65,16 @@ static void test_side(const LeafSamples& leaves, size_t k, size_t count, LeafErr
   for (size_t i = 0; i < count; ++i) {
     const double is_long = square_of_side(leaves, k, i) - leaves.seen_turn[i] * leaves.seen_turn[i];
     const double turn_counts = smaller_of(is_long, errors.turn_counts_on_sides[i]);
-    const Said said = test(side(leaves, k, i), leaves.seen[k][i], turn_counts);
+    const ChordError error = error_of(side(leaves, k, i), leaves.seen[k][i], turn_counts);
     const double counts = leaves.counts[k][i];
-    farthest[i] = larger_of(farthest[i], choose(counts, said.distance, 0.0));
-    largest[i] = larger_of(largest[i], choose(counts, said.square_of_tangent, 0.0));
-    errors.is_plain[i] = said.is_plain >= 0 ? errors.is_plain[i] : 0.0;
+    farthest[i] = larger_of(farthest[i], choose(counts, error.distance, 0.0));
+    largest[i] = larger_of(largest[i], choose(counts, error.square_of_tangent, 0.0));
+    errors.is_plain[i] = error.is_plain >= 0 ? errors.is_plain[i] : 0.0;
   }
 }
 
 /// The diagonal along which the cell would be cut, and the largest height above its triangles.
-static void test_middle(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
+static void estimate_centre(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
   const LeafVertices* const side = leaves.side.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
@@ -88,7 +88,7 @@ static void test_middle(const LeafSamples& leaves, size_t count, LeafErrors& err
     const double second = is_smaller(sagitta(p1, n1, p3, n3), sagitta(p0, n0, p2, n2)) ? 1.0 : 0.0;
     const Chord diagonal = {choose(second, p1, p0), choose(second, p3, p2), c,
                             choose(second, n1, n0), choose(second, n3, n2), n};
-    const Said said = test(diagonal, 0, errors.turn_counts_at_centre[i]);
+    const ChordError error = error_of(diagonal, 0, errors.turn_counts_at_centre[i]);
     const double h0 = dot(minus(position_at(side[0], i), times(0.5, plus(p0, p1))), n);
     const double h1 = dot(minus(position_at(side[1], i), times(0.5, plus(p1, p2))), n);
     const double h2 = dot(minus(position_at(side[2], i), times(0.5, plus(p2, p3))), n);
@@ -96,17 +96,17 @@ static void test_middle(const LeafSamples& leaves, size_t count, LeafErrors& err
     const double middle = dot(minus(c, times(0.5, plus(diagonal.a, diagonal.b))), n);
     const double one = bulge(choose(second, h1, h0), choose(second, h2, h1), middle);
     const double two = bulge(choose(second, h3, h2), choose(second, h0, h3), middle);
-    double least = said.is_plain;
+    double least = error.is_plain;
     for (size_t k = 0; k < 4; ++k) least = smaller_of(least, dot(normal_at(side[k], i), n));
-    errors.gap_at_centre[i] = said.distance;
-    errors.distance.centre[i] = larger_of(said.distance, larger_of(one, two));
-    errors.square_of_tangent.centre[i] = said.square_of_tangent;
+    errors.gap_at_centre[i] = error.distance;
+    errors.distance.centre[i] = larger_of(error.distance, larger_of(one, two));
+    errors.square_of_tangent.centre[i] = error.square_of_tangent;
     errors.is_plain[i] = least >= 0 ? errors.is_plain[i] : 0.0;
   }
 }
 
 /// Samples without a normal, or without a position, are for others to judge.
-static void begin(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
+static void reset(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
   const LeafVertices* const side = leaves.side.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
@@ -126,7 +126,7 @@ static void begin(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
 
 /// Whether normals' turn counts: across a thin leaf it is not seen. The sides of one that is narrow
 /// run along it, those of a sliver across.
-static void look_at_turns(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
+static void decide_which_turns_count(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
 #pragma GCC ivdep  // the verdicts overlap no samples
   for (size_t i = 0; i < count; ++i) {
@@ -144,10 +144,10 @@ static void look_at_turns(const LeafSamples& leaves, size_t count, LeafErrors& e
 }  // namespace
 
 void SADDLE_LEVEL(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
-  begin(leaves, count, errors);
-  look_at_turns(leaves, count, errors);
-  for (size_t k = 0; k < 4; ++k) test_side(leaves, k, count, errors);
-  test_middle(leaves, count, errors);
+  reset(leaves, count, errors);
+  decide_which_turns_count(leaves, count, errors);
+  for (size_t k = 0; k < 4; ++k) estimate_side(leaves, k, count, errors);
+  estimate_centre(leaves, count, errors);
 }
 
 }  // namespace saddle

@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "mesh/error/leaf_loops.h"
+#include "mesh/error/error_loops.h"
 #include "mesh/grid/vertex_columns.h"
 
 namespace saddle {
@@ -18,7 +18,7 @@ void take(const Mesh& mesh, std::uint32_t vertex, std::size_t i, LeafVertices& t
 }
 
 /// Takes a leaf in as the i-th.
-void take_leaf(const Leaf& leaf, const ErrorIndicator& judge, const CellTree& tree, double eps,
+void take_leaf(const Leaf& leaf, const ErrorIndicator& indicator, const CellTree& tree, double eps,
                std::size_t i, LeafSamples& to) {
   const SampleVertices& samples = leaf.samples;
   const Mesh& mesh = tree.mesh();
@@ -26,7 +26,7 @@ void take_leaf(const Leaf& leaf, const ErrorIndicator& judge, const CellTree& tr
     take(mesh, samples.corner[k], i, to.corner[k]);
     take(mesh, samples.side[k], i, to.side[k]);
     to.counts[k][i] = tree.is_used(samples.side[k]) ? 0 : 1;
-    to.seen[k][i] = judge.is_seen(leaf, k) ? 1 : 0;
+    to.seen[k][i] = indicator.is_seen(leaf, k) ? 1 : 0;
   }
   take(mesh, samples.centre, i, to.centre);
   to.seen_turn[i] = kSeenTurn * eps;
@@ -49,7 +49,7 @@ ErrorRatios in_tolerances(const ErrorRatios& distances, double tolerance) {
 }
 
 /// The square of a tangent whose angle has the score 1.
-double square_of_tangent(double degrees) {
+double squared_tangent_of(double degrees) {
   if (!(degrees < 90)) return std::numeric_limits<double>::infinity();
   const double tangent = std::tan(degrees * std::numbers::pi / 180);
   return tangent * tangent;
@@ -58,16 +58,16 @@ double square_of_tangent(double degrees) {
 }  // namespace
 
 FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& options,
-                             const ErrorIndicator& judge, const CellTree& tree) {
+                             const ErrorIndicator& indicator, const CellTree& tree) {
   FastCellErrors result{std::vector<FastCellError>(leaves.size()), {}};
   const auto block = std::make_unique_for_overwrite<LeafSamples>();
   const auto errors = std::make_unique_for_overwrite<LeafErrors>();
   const EstimateLeaves loop = estimate_loop(cpu_level());
-  const double allowed_turn = square_of_tangent(options.normal_tolerance);
+  const double allowed_turn = squared_tangent_of(options.normal_tolerance);
   std::array<std::size_t, kLeafBlock> which;
   LeafNumbers tolerance;
   std::size_t count = 0;
-  const auto file = [&](std::size_t i) {
+  const auto put_result = [&](std::size_t i) {
     const Leaf& leaf = leaves[which[i]];
     FastCellError& fast = result.leaves[which[i]];
     const ErrorRatios distance = take(errors->distance, i);
@@ -75,7 +75,7 @@ FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& 
     const double safety = leaf.normal_safety;
     const double allowed = safety == 1
                                ? allowed_turn
-                               : square_of_tangent(options.normal_tolerance / std::sqrt(safety));
+                               : squared_tangent_of(options.normal_tolerance / std::sqrt(safety));
     const double worst = distance.worst() / tolerance[i];
     if (worst * leaf.safety <= 1 && turn.worst() <= allowed) {
       fast.is_known = fast.passes = true;
@@ -89,12 +89,12 @@ FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& 
     error.distance = in_tolerances(distance, tolerance[i]);
     error.gap = error.distance;
     error.gap.centre = errors->gap_at_centre[i] / tolerance[i];
-    error.turn = judge.turn_ratios(turn);
+    error.turn = indicator.turn_ratios(turn);
   };
   const auto flush = [&] {
     loop(*block, count, *errors);
     for (std::size_t i = 0; i < count; ++i) {
-      if (errors->is_plain[i] > 0) file(i);
+      if (errors->is_plain[i] > 0) put_result(i);
     }
     count = 0;
   };
@@ -102,8 +102,8 @@ FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& 
     const Leaf& leaf = leaves[k];
     if (leaf.on_boundary || leaf.is_split || leaf.leads_to_pole) continue;
     which[count] = k;
-    tolerance[count] = judge.allowed(leaf);
-    take_leaf(leaf, judge, tree, tolerance[count], count, *block);
+    tolerance[count] = indicator.allowed(leaf);
+    take_leaf(leaf, indicator, tree, tolerance[count], count, *block);
     if (++count == kLeafBlock) flush();
   }
   if (count > 0) flush();

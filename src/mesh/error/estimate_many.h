@@ -29,6 +29,6 @@ struct FastCellErrors {
 /// Judges leaves whose samples are known. Not known is what folds, bends too much for arcs or is
 /// not smooth, what something cuts or a pole is beside; with a clip box, all that does not pass.
 FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& options,
-                             const ErrorIndicator& judge, const CellTree& tree);
+                             const ErrorIndicator& indicator, const CellTree& tree);
 
 }  // namespace saddle

@@ -51,10 +51,10 @@ static inline NewtonStep newton_step_from(StepShape shape, double height, double
   const double room_c = way_c < 0 ? -weight_c / way_c : 1e9;
   const double room_a = way_a < 0 ? -weight_a / way_a : 1e9;
   const double step = smaller_of(-slope / bend, smaller_of(room_a, smaller_of(room_b, room_c)));
-  const double newton_step = step * (slope + 0.5 * step * bend);
-  const double is_uphill = smaller_of(smaller_of(x, determinant), smaller_of(-bend, newton_step));
+  const double rise = step * (slope + 0.5 * step * bend);
+  const double is_uphill = smaller_of(smaller_of(x, determinant), smaller_of(-bend, rise));
   const double taken = is_uphill > 0 ? step : 0.0;
-  return {fabs(height) + (is_uphill > 0 ? newton_step : 0.0), taken * way_b, taken * way_c};
+  return {fabs(height) + (is_uphill > 0 ? rise : 0.0), taken * way_b, taken * way_c};
 }
 
 }  // namespace saddle

@@ -1,7 +1,9 @@
 // How far a mesh is from the surface it stands for, measured on fresh points.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -60,21 +62,16 @@ Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position);
 
+using Chord = std::array<std::uint32_t, 2>;  ///< from corner to corner
+
+/// The distance of a position, in local units, from the line through two corners: along the chord
+/// is none. Not a number if they are at one place.
+double distance_from_line(const Grid& grid, const Chord& chord, const dvec3& p);
+/// The same in units of length; 0 if they are at one place or `position` is not finite.
+double distance_from_chord(const Grid& grid, const Chord& chord, const dvec3& position);
+
 /// The angle between unit vectors whose ends are so far apart, 0 to 180 degrees, and the other way.
 double degrees_of_chord(double chord);
 double chord_of_degrees(double degrees);
-
-struct MeasuredError {
-  double distance = 0;        ///< largest, from a point of the surface to the triangles of its cell
-  double normal_degrees = 0;  ///< largest angle of exact and interpolated normal at such a point
-  std::size_t evaluations = 0;
-};
-
-/// Evaluates the surface inside and on two edges of cells: of all cells if they are few, else of
-/// those whose triangles look worst and of as many spread over the domain. The points are off the
-/// cells' middles by up to a tenth of a cell, at random: a surface that oscillates in step with the
-/// grid is found out. `opened`: the cells that were not plain.
-MeasuredError measure_error(const Surface& surface, const Grid& grid,
-                            std::span<const std::size_t> opened, unsigned threads);
 
 }  // namespace saddle

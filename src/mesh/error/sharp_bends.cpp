@@ -13,7 +13,7 @@ namespace saddle {
 
 namespace {
 
-/// A bend is sharp where normals are off by so much, or turn from corner to corner by so much that
+/// A leaf is sharp where normals are off by so much, or turn from corner to corner by so much that
 /// an arc is no parabola any more: then no height foresees how far the surface is elsewhere.
 constexpr double kSharpDegrees = 20;
 constexpr double kSharpCosine = 0.5;
@@ -30,7 +30,7 @@ constexpr std::array kWithin = {0.0, 0.25, 0.5, 0.75, 1.0};
 /// From the farthest of those, if it is off by this part of what is allowed, a search leads to
 /// farther ones: steps as shares of the leaf's sides, each tried to all four sides. Of sides whose
 /// middles are nearer than that to what is at their parameters nobody asks what is nearest.
-constexpr double kWorthASearch = 0.85;
+constexpr double kSearched = 0.85;
 constexpr std::array kStepShares = {0.2, 0.1, 0.05};
 
 bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
@@ -83,32 +83,32 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
                      std::span<const Triangle> triangles) {
   if (!mesh.is_near(number) || triangles.empty()) return;
   const Leaf& leaf = mesh.leaves[number];
-  const std::optional<Looks> looks = looks_at(mesh, number, triangles);
-  if (!looks) return;
-  bends_.push_back(
-      {number, tree_.parameters(leaf.low), tree_.parameters(leaf.high), triangles, *looks});
+  const std::optional<Targets> targets = targets_of(mesh, number, triangles);
+  if (!targets) return;
+  leaves_.push_back(
+      {number, tree_.parameters(leaf.low), tree_.parameters(leaf.high), triangles, *targets});
 }
 
-std::optional<SharpBends::Looks> SharpBends::looks_at(const ValidatedMesh& mesh, std::size_t number,
-                                                      std::span<const Triangle> triangles) const {
+std::optional<SharpBends::Targets> SharpBends::targets_of(
+    const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
-  const Looks looks{mesh.off(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
-  if (!looks.at_places && !looks.at_sides) return std::nullopt;
-  if (turns_sharply(grid_.mesh, leaf.samples.corner)) return looks;
+  const Targets targets{mesh.off(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
+  if (!targets.places && !targets.sides) return std::nullopt;
+  if (turns_sharply(grid_.mesh, leaf.samples.corner)) return targets;
   if (mesh.sampled_errors[number].degrees > kSharpDegrees) {
-    return Looks{looks.at_places, looks.at_sides, true};
+    return Targets{targets.places, targets.sides, true};
   }
   if (leaf.known_error <= kNearlyOff || triangles.size() != 2) return std::nullopt;
   const double distance = distance_of_diagonal(grid_.mesh, leaf.samples, diagonal_of(triangles));
-  return distance > mesh.allowed[number] ? std::optional(Looks{false, true}) : std::nullopt;
+  return distance > mesh.allowed[number] ? std::optional(Targets{false, true}) : std::nullopt;
 }
 
 void SharpBends::append_places(std::size_t number, std::vector<Place>& places) const {
-  const SecondForm& bend = bends_[number];
+  const SharpLeaf& leaf = leaves_[number];
   const auto append = [&](const dvec2& part) {
-    places.push_back({number, glm::mix(bend.low, bend.high, part)});
+    places.push_back({number, glm::mix(leaf.low, leaf.high, part)});
   };
-  if (bend.looks.everywhere) {
+  if (leaf.targets.everywhere) {
     for (const double u : kWithin) {
       for (const double v : kWithin) append({u, v});
     }
@@ -122,7 +122,7 @@ void SharpBends::append_places(std::size_t number, std::vector<Place>& places) c
 
 /// The middles of triangles' sides, each once.
 void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) const {
-  const std::span<const Triangle> triangles = bends_[number].triangles;
+  const std::span<const Triangle> triangles = leaves_[number].triangles;
   const auto& uv = grid_.mesh.uv;
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -134,20 +134,20 @@ void SharpBends::append_middles(std::size_t number, std::vector<Place>& places) 
   }
 }
 
-void SharpBends::validate_at(const dvec2& uv, const dvec3& position, SecondForm& bend,
+void SharpBends::validate_at(const dvec2& uv, const dvec3& position, SharpLeaf& leaf,
                              ValidatedMesh& mesh) const {
-  const double distance = distance_from(grid_, bend.triangles, uv, position);
-  if (!(distance > bend.distance)) return;
-  bend.distance = distance;
-  bend.farthest = uv;
-  mesh.add(bend.leaf, distance);
+  const double distance = distance_from(grid_, leaf.triangles, uv, position);
+  if (!(distance > leaf.distance)) return;
+  leaf.distance = distance;
+  leaf.farthest = uv;
+  mesh.add(leaf.number, distance);
 }
 
-void SharpBends::look(ValidatedMesh& mesh) {
+void SharpBends::sample(ValidatedMesh& mesh) {
   std::vector<Place> places;
-  for (std::size_t k = 0; k < bends_.size(); ++k) {
-    if (bends_[k].looks.at_places) append_places(k, places);
-    if (bends_[k].looks.at_sides) append_middles(k, places);
+  for (std::size_t k = 0; k < leaves_.size(); ++k) {
+    if (leaves_[k].targets.places) append_places(k, places);
+    if (leaves_[k].targets.sides) append_middles(k, places);
   }
   std::vector<dvec2> uv(places.size());
   std::ranges::transform(places, uv.begin(), &Place::uv);
@@ -158,56 +158,56 @@ void SharpBends::look(ValidatedMesh& mesh) {
   std::vector<std::size_t> leaves;  // of those
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto& [number, at, side] = places[k];
-    SecondForm& bend = bends_[number];
-    const double allowed = mesh.allowed[bend.leaf];
-    if (!mesh.is_near(bend.leaf)) continue;
+    SharpLeaf& leaf = leaves_[number];
+    const double allowed = mesh.allowed[leaf.number];
+    if (!mesh.is_near(leaf.number)) continue;
     if (!side) {
-      validate_at(at, points[k].position, bend, mesh);
+      validate_at(at, points[k].position, leaf, mesh);
       continue;
     }
     const auto& [a, b] = *side;
     MiddleOfChord chord{{of.position[a], of.position[b]},
                         {of.uv[a], of.uv[b]},
-                        glm::abs(bend.high - bend.low),
+                        glm::abs(leaf.high - leaf.low),
                         allowed};
-    if (glm::distance(chord.middle(), points[k].position) <= kWorthASearch * allowed) continue;
-    validate_at(at, points[k].position, bend, mesh);
-    chord.known = mesh.sampled_errors[bend.leaf].distance;
-    if (!mesh.is_near(bend.leaf)) continue;
+    if (glm::distance(chord.middle(), points[k].position) <= kSearched * allowed) continue;
+    validate_at(at, points[k].position, leaf, mesh);
+    chord.known = mesh.sampled_errors[leaf.number].distance;
+    if (!mesh.is_near(leaf.number)) continue;
     chords.push_back(chord);
-    leaves.push_back(bend.leaf);
+    leaves.push_back(leaf.number);
   }
   const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
   for (std::size_t k = 0; k < chords.size(); ++k) mesh.add(leaves[k], distances[k]);
 }
 
 /// Compass search, from the farthest place of each.
-void SharpBends::climb(ValidatedMesh& mesh) {
+void SharpBends::search(ValidatedMesh& mesh) {
   constexpr std::array kWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
   std::vector<dvec2> uv;
   for (const double step : kStepShares) {
-    std::erase_if(bends_, [&](const SecondForm& bend) {
-      return !mesh.is_near(bend.leaf) || bend.distance < kWorthASearch * mesh.allowed[bend.leaf];
+    std::erase_if(leaves_, [&](const SharpLeaf& leaf) {
+      return !mesh.is_near(leaf.number) || leaf.distance < kSearched * mesh.allowed[leaf.number];
     });
     uv.clear();
-    for (const SecondForm& bend : bends_) {
+    for (const SharpLeaf& leaf : leaves_) {
       for (const dvec2& way : kWays) {
-        const dvec2 there = bend.farthest + step * way * (bend.high - bend.low);
+        const dvec2 there = leaf.farthest + step * way * (leaf.high - leaf.low);
         uv.push_back(
-            glm::clamp(there, glm::min(bend.low, bend.high), glm::max(bend.low, bend.high)));
+            glm::clamp(there, glm::min(leaf.low, leaf.high), glm::max(leaf.low, leaf.high)));
       }
     }
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
     evaluations_ += points.size();
     for (std::size_t k = 0; k < points.size(); ++k) {
-      validate_at(uv[k], points[k].position, bends_[k / kWays.size()], mesh);
+      validate_at(uv[k], points[k].position, leaves_[k / kWays.size()], mesh);
     }
   }
 }
 
 void SharpBends::measure(ValidatedMesh& mesh) {
-  look(mesh);
-  climb(mesh);
+  sample(mesh);
+  search(mesh);
 }
 
 }  // namespace saddle

@@ -31,38 +31,38 @@ class SharpBends {
 
  private:
   /// What is to be looked at.
-  struct Looks {
-    bool at_places, at_sides;
+  struct Targets {
+    bool places, sides;
     bool everywhere = false;  ///< corners do not tell where it turns
   };
-  struct SecondForm {
-    std::size_t leaf;
+  struct SharpLeaf {
+    std::size_t number;
     dvec2 low, high;
     std::span<const Triangle> triangles;
-    Looks looks;
+    Targets targets;
     dvec2 farthest{0};    ///< the place that was found to be farthest off
     double distance = 0;  ///< there
   };
-  /// A place to look at, and the triangle's side whose middle is there.
+  /// A place to sample at, and the triangle's side whose middle is there.
   struct Place {
-    std::size_t bend;
+    std::size_t leaf;
     dvec2 uv;
     std::optional<std::array<std::uint32_t, 2>> side = {};
   };
-  std::optional<Looks> looks_at(const ValidatedMesh& mesh, std::size_t number,
-                                std::span<const Triangle> triangles) const;
+  std::optional<Targets> targets_of(const ValidatedMesh& mesh, std::size_t number,
+                                    std::span<const Triangle> triangles) const;
   void append_places(std::size_t number, std::vector<Place>& places) const;
   void append_middles(std::size_t number, std::vector<Place>& places) const;
-  void look(ValidatedMesh& mesh);
-  void climb(ValidatedMesh& mesh);
-  void validate_at(const dvec2& uv, const dvec3& position, SecondForm& bend,
+  void sample(ValidatedMesh& mesh);
+  void search(ValidatedMesh& mesh);
+  void validate_at(const dvec2& uv, const dvec3& position, SharpLeaf& leaf,
                    ValidatedMesh& mesh) const;
 
   const Surface& surface_;
   const Grid& grid_;
   const CellTree& tree_;
   unsigned threads_;
-  std::vector<SecondForm> bends_;
+  std::vector<SharpLeaf> leaves_;
   std::size_t evaluations_ = 0;
 };
 

@@ -4,7 +4,7 @@
 // eval/kernel_loops.cpp).
 #include <math.h>
 
-#include "mesh/error/leaf_loops.h"
+#include "mesh/error/error_loops.h"
 #include "mesh/error/newton_step.h"
 #include "mesh/error/triangle_error.h"
 #include "mesh/grid/loop_vectors.h"
@@ -44,7 +44,7 @@ static inline Foot foot_on(const LoopTriangle& t, LoopVector p) {
 }  // namespace
 
 void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t count,
-                  LeafSampledErrors& sampled_errors) {
+                  LeafSampledErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
 #pragma GCC ivdep  // what is written overlaps nothing that is read
   for (size_t i = 0; i < count; ++i) {
@@ -83,24 +83,24 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     const double square_normal = dot(interpolated, interpolated);
     const double chord = square_of_chord(interpolated, square_normal, exact);
     const double distance = sqrt(choose(is_on_own, on_own.square, on_other.square));
-    sampled_errors.distance[i] = larger_of(sampled_errors.distance[i], larger_of(distance, height));
+    errors.distance[i] = larger_of(errors.distance[i], larger_of(distance, height));
     // On from there, above the triangle that the point is above.
     const LoopTriangle above = choose(is_on_own, own, other);
     const LoopVector ab = minus(above.b, above.a), ac = minus(above.c, above.a);
     const double up = choose(is_on_own, on_own.height, on_other.height);
     const StepShape shape =
         step_shape(ab, ac, minus(normals.b, normals.a), minus(normals.c, normals.a), exact);
-    const NewtonStep newton_step =
+    const NewtonStep step =
         newton_step_from(shape, dot(exact, cross(ab, ac)) > 0 ? up : -up, weights.y, weights.z);
-    sampled_errors.predicted[i] = larger_of(sampled_errors.predicted[i], newton_step.height);
-    sampled_errors.chord[i] = larger_of(sampled_errors.chord[i], chord);
+    errors.predicted[i] = larger_of(errors.predicted[i], step.height);
+    errors.chord[i] = larger_of(errors.chord[i], chord);
 
     const double regular = smaller_of(
         smaller_of(square_area - kDegenerate * squares, squares - kSmallest), kLargest - squares);
     const double inside = larger_of(on_own.inside, on_other.inside);
-    const double is_known = inside >= 0 ? sampled_errors.is_known[i] : 0.0;
+    const double is_known = inside >= 0 ? errors.is_known[i] : 0.0;
     const double is_regular = regular > 0 ? is_known : 0.0;
-    sampled_errors.is_known[i] = square_normal > 0 ? is_regular : 0.0;
+    errors.is_known[i] = square_normal > 0 ? is_regular : 0.0;
   }
 }
 

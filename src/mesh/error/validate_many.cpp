@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "eval/batch.h"
-#include "mesh/error/leaf_loops.h"
+#include "mesh/error/error_loops.h"
 #include "mesh/error/sampled_error.h"
 #include "mesh/grid/vertex_columns.h"
 
@@ -129,7 +129,7 @@ void for_parts(std::size_t count, std::size_t length, Function f) {
 /// Measures all of some leaves: batch by batch, whose columns are computed together, and in those
 /// block by block. `uv`: the parameters of place s of a leaf; `corners`: those of a leaf; `place`:
 /// files where its places are in the columns, under its number there.
-struct Loops {
+struct BatchedLoops {
   const Surface& surface;
   const Grid& grid;
   unsigned threads;
@@ -172,7 +172,7 @@ std::vector<std::optional<LeafError>> validate_many(const Surface& surface, cons
       columns.set_place(s, i, leaf.places[s], turned);
     }
   };
-  return Loops{surface, grid, threads}.measure(leaves, kPlacesInLeaf, uv, corners, place);
+  return BatchedLoops{surface, grid, threads}.measure(leaves, kPlacesInLeaf, uv, corners, place);
 }
 
 std::vector<std::optional<LeafError>> validate_places(const Surface& surface, const Grid& grid,
@@ -183,7 +183,7 @@ std::vector<std::optional<LeafError>> validate_places(const Surface& surface, co
   const auto place = [](const PlaceOnTriangle& at, std::size_t i, Columns& columns) {
     columns.set_place(0, i, place_of(at.weights), false);
   };
-  return Loops{surface, grid, threads}.measure(places, 1, uv, corners, place);
+  return BatchedLoops{surface, grid, threads}.measure(places, 1, uv, corners, place);
 }
 
 }  // namespace saddle

@@ -66,8 +66,8 @@ PlacesInLeaf validation_places(const Leaf& leaf) {
           dvec2(0.25 + jitter(4), 0.75 + jitter(5)), dvec2(0.75 + jitter(6), 0.75 + jitter(7))};
 }
 
-void Sampler::append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-                     std::vector<ValidationPoint>& samples) const {
+void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
+                         std::vector<ValidationPoint>& samples) const {
   const dvec2 low = tree_.parameters(leaf.low);
   const dvec2 high = tree_.parameters(leaf.high);
   // Of a leaf that is off by whole waves nobody needs to know where most.
@@ -84,8 +84,8 @@ void Sampler::append(std::size_t number, const Leaf& leaf, std::span<const Trian
 }
 
 /// On the sides of triangles, beside their corners.
-void Sampler::append_sides(std::size_t number, std::span<const Triangle> triangles,
-                           std::vector<ValidationPoint>& samples) const {
+void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> triangles,
+                               std::vector<ValidationPoint>& samples) const {
   const auto& uv = grid_.mesh.uv;
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -96,9 +96,9 @@ void Sampler::append_sides(std::size_t number, std::span<const Triangle> triangl
   }
 }
 
-void Sampler::append_chords(std::size_t number, const Leaf& leaf,
-                            std::span<const Triangle> triangles,
-                            std::vector<ValidationPoint>& samples) const {
+void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
+                                std::span<const Triangle> triangles,
+                                std::vector<ValidationPoint>& samples) const {
   const bool is_creased = leaf.is_split && count_features(leaf, tree_).only_creases;
   if (triangles.size() <= 2 && !is_creased) return;
   // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
@@ -135,8 +135,9 @@ void Sampler::append_chords(std::size_t number, const Leaf& leaf,
 
 /// On sides between singular vertices: a cusp that is a line of constant u or v has no normals from
 /// which an arc above its chord would follow.
-void Sampler::append_singular_sides(const ValidatedMesh& mesh, std::span<const std::size_t> which,
-                                    std::vector<ValidationPoint>& samples) const {
+void PointPlacer::append_singular_sides(const ValidatedMesh& mesh,
+                                        std::span<const std::size_t> which,
+                                        std::vector<ValidationPoint>& samples) const {
   if (!tree_.has_singular()) return;
   const CellMarks& cells = tree_.singular_cells();
   const auto& at = grid_.mesh.uv;

@@ -1,7 +1,6 @@
 // Where leaves are measured: places that nobody has looked at before.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,8 +12,6 @@
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {
-
-using Chord = std::array<std::uint32_t, 2>;  ///< from corner to corner
 
 /// A place at which a leaf is measured.
 struct ValidationPoint {
@@ -29,22 +26,22 @@ struct ValidationPoint {
 /// Where a leaf is measured: always the same for the same leaf.
 PlacesInLeaf validation_places(const Leaf& leaf);
 
-class Sampler {
+class PointPlacer {
  public:
-  Sampler(const Grid& grid, const CellTree& tree) : grid_(grid), tree_(tree) {}
+  PointPlacer(const Grid& grid, const CellTree& tree) : grid_(grid), tree_(tree) {}
 
-  /// The samples of a leaf of any triangles, which must outlive them.
+  /// The points of a leaf of any triangles, which must outlive them.
   void append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-              std::vector<ValidationPoint>& samples) const;
+              std::vector<ValidationPoint>& points) const;
   /// Those of the leaves of a mesh with these numbers that are on their singular sides.
   void append_singular_sides(const ValidatedMesh& mesh, std::span<const std::size_t> which,
-                             std::vector<ValidationPoint>& samples) const;
+                             std::vector<ValidationPoint>& points) const;
 
  private:
   void append_sides(std::size_t number, std::span<const Triangle> triangles,
-                    std::vector<ValidationPoint>& samples) const;
+                    std::vector<ValidationPoint>& points) const;
   void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-                     std::vector<ValidationPoint>& samples) const;
+                     std::vector<ValidationPoint>& points) const;
 
   const Grid& grid_;
   const CellTree& tree_;
@@ -53,7 +50,6 @@ class Sampler {
 /// Samples on chords of cusps, and of creases at which the surface is upright, go to where those
 /// are: they run beside their chords, and how far the surface is from them makes up for that in
 /// part.
-void move_onto_creases(const Surface& surface, std::span<ValidationPoint> samples,
-                       unsigned threads);
+void move_onto_creases(const Surface& surface, std::span<ValidationPoint> points, unsigned threads);
 
 }  // namespace saddle

@@ -93,16 +93,6 @@ bool Validator::crosses_box(std::span<const Triangle> triangles) const {
          });
 }
 
-/// Of a point that is as good as on a crease, from the crease's chord: along the chord is none.
-double Validator::distance_from_chord(const Chord& chord, const SurfacePoint& point) const {
-  const dvec3 first = grid_.local(chord[0]);
-  const dvec3 edge = grid_.local(chord[1]) - first;
-  const dvec3 off = grid_.local_scale * point.position - first;
-  const double square = glm::dot(edge, edge);
-  if (!(square > 0) || !is_finite(off)) return 0;
-  return glm::length(off - glm::dot(off, edge) / square * edge) / grid_.local_scale;
-}
-
 std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
                                                    std::span<const std::size_t> which,
                                                    const LeafTriangles& triangles,
@@ -136,7 +126,7 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
       continue;
     }
     mesh.sampled_errors[leaf] = sampled_errors[i]->worst;
-    if (!is_worth_a_look(mesh, leaf, sampled_errors[i]->predicted)) continue;
+    if (!may_be_missed(mesh, leaf, sampled_errors[i]->predicted)) continue;
     for (const dvec2& part : plain[i].places) {
       maxima.add(leaf, triangles.of(number), glm::mix(plain[i].low, plain[i].high, part));
     }
@@ -158,7 +148,7 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     const Leaf& leaf = mesh.leaves[which[k]];
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.sampled_errors[which[k]] = {};
-    sampler_.append(k, leaf, of_leaf, samples);
+    placer_.append(k, leaf, of_leaf, samples);
     const bool is_special = clip_ || leaf.on_boundary || of_leaf.empty();
     if (is_special || leaf.is_split) {
       const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
@@ -186,7 +176,7 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     SampledError& worst = mesh.sampled_errors[leaf];
     worst.distance = std::max(worst.distance, found[s]->worst.distance);
     if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->worst.degrees);
-    if (!mesh.leaves[leaf].is_split && is_worth_a_look(mesh, leaf, found[s]->predicted)) {
+    if (!mesh.leaves[leaf].is_split && may_be_missed(mesh, leaf, found[s]->predicted)) {
       maxima.add(leaf, triangles.of(sample.number), sample.uv);
     }
   }
@@ -207,8 +197,9 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     const auto of_leaf = triangles.of(k);
     const Seen seen = seen_at(clip_, grid_, of_leaf, place, points[s].position);
     if (!seen.surface && !seen.triangles) continue;
-    SampledError d = crease ? SampledError{distance_from_chord(*crease, points[s]), 0, true}
-                            : sampled_error_of(leaf, of_leaf, place, points[s], worst.distance);
+    SampledError d =
+        crease ? SampledError{distance_from_chord(grid_, *crease, points[s].position), 0, true}
+               : sampled_error_of(leaf, of_leaf, place, points[s], worst.distance);
     // Triangles that are cut away there are beside the surface elsewhere.
     if (!seen.triangles && !crease) {
       d.distance = distance_from(grid_, of_leaf, place, points[s].position);
@@ -219,8 +210,8 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
 }
 
 /// Leaves that nothing cuts, once more where the surface turns sharply in them.
-void Validator::measure_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                              const LeafTriangles& triangles) {
+void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                                     const LeafTriangles& triangles) {
   SharpBends bends(surface_, grid_, tree_, threads_);
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
@@ -266,8 +257,8 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
 
 /// Corners of triangles without area, which are left out: what they stood for has an end that may
 /// stick out of the others.
-void Validator::add_left_out(ValidatedMesh& mesh, std::size_t number,
-                             std::span<const Triangle> triangles) const {
+void Validator::validate_omitted_corners(ValidatedMesh& mesh, std::size_t number,
+                                         std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
   if (leaf.on_boundary || leaf.is_split || triangles.empty()) return;
   if (triangles.size() + 2 >= leaf.polygon_size) return;
@@ -300,13 +291,13 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
     rest.insert(rest.end(), more.begin(), more.end());
   }
   move_onto_creases(surface_, rest, threads_);
-  sampler_.append_singular_sides(mesh, which, rest);
+  placer_.append_singular_sides(mesh, which, rest);
   validate_one_by_one(mesh, which, triangles, rest);
   maxima.climb(mesh);
   evaluations_ += maxima.evaluations();
-  measure_bends(mesh, which, triangles);
+  validate_sharp_bends(mesh, which, triangles);
   validate_beside_creases(mesh, which, triangles, others);
-  for (const std::size_t k : others) add_left_out(mesh, which[k], triangles.of(k));
+  for (const std::size_t k : others) validate_omitted_corners(mesh, which[k], triangles.of(k));
   BoundaryDistance boundaries(surface_, grid_, tree_, clip_, threads_);
   for (const std::size_t k : others) {
     if (!crosses_box(triangles.of(k)))

@@ -22,7 +22,7 @@ class Validator {
       : surface_(surface),
         grid_(grid),
         tree_(tree),
-        sampler_(grid, tree),
+        placer_(grid, tree),
         clip_(options.clip),
         normal_tolerance_(options.normal_tolerance),
         threads_(options.threads) {}
@@ -52,21 +52,20 @@ class Validator {
   void validate_one_by_one(ValidatedMesh& mesh, std::span<const std::size_t> which,
                            const LeafTriangles& triangles,
                            std::span<const ValidationPoint> samples);
-  void measure_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                     const LeafTriangles& triangles);
+  void validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                            const LeafTriangles& triangles);
   void validate_beside_creases(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                const LeafTriangles& triangles, std::span<const std::size_t> others);
-  void add_left_out(ValidatedMesh& mesh, std::size_t number,
-                    std::span<const Triangle> triangles) const;
+  void validate_omitted_corners(ValidatedMesh& mesh, std::size_t number,
+                                std::span<const Triangle> triangles) const;
   bool crosses_box(std::span<const Triangle> triangles) const;
-  double distance_from_chord(const Chord& chord, const SurfacePoint& point) const;
   SampledError sampled_error_of(const Leaf& leaf, std::span<const Triangle> triangles,
                                 const dvec2& uv, const SurfacePoint& point, double known) const;
 
   const Surface& surface_;
   const Grid& grid_;
   const CellTree& tree_;
-  Sampler sampler_;
+  PointPlacer placer_;
   const std::optional<Bounds>& clip_;
   double normal_tolerance_;
   unsigned threads_;

@@ -1,5 +1,4 @@
-// Loops over the cells between two rows of vertices, compiled for each CPU level: one cuts them,
-// one tells how far off they are.
+// The loop that cuts the cells between two rows of vertices, compiled once for each CPU level.
 #pragma once
 
 #include <array>
@@ -34,29 +33,7 @@ struct Cuts {
 using CutCells = void (*)(const Strip& lower, const Strip& upper, std::size_t cells, double front,
                           Cuts& cuts);
 
-/// One place of the surface in each cell, all as far along v, or on the cells' border.
-struct RowPlaces {
-  const double* along_u;  ///< where it is in its cell: 0 to 1
-  double along_v;
-  /// How its cell is cut: as Cuts::second tells, or less than 0 where that is not known.
-  const double* second;
-  std::array<const double*, 9> surface;  ///< NormalColumns
-  double scale;                          ///< local units, those of the strips, per unit of length
-  double front;                          ///< 1: vertices' normals are along r_u x r_v; or -1
-};
-
-struct RowErrors {
-  TileNumbers distance;  ///< of the triangle from the surface, straight below it, in local units
-  TileNumbers chord;     ///< between unit normals, exact and interpolated: its square
-  TileNumbers is_known;  ///< 1; 0: a closer look is to be taken
-};
-
-/// Checks the places in the cells [0, count) between two strips.
-using CheckRow = void (*)(const Strip& lower, const Strip& upper, const RowPlaces& places,
-                          std::size_t count, RowErrors& sampled_errors);
-
-/// The loops of a level; all give the same bits.
+/// The loop of a level; all give the same bits.
 CutCells cell_loop(CpuLevel level);
-CheckRow check_loop(CpuLevel level);
 
 }  // namespace saddle

@@ -37,9 +37,7 @@ dvec3 face_normal(const Grid& grid, std::size_t cell) {
     const dvec3 at_corner = glm::cross(p[(k + 1) % 4] - p[k], p[(k + 3) % 4] - p[k]);
     if (glm::length(at_corner) > glm::length(area)) area = at_corner;
   }
-  const double length = glm::length(area);
-  if (!(length > 0)) return dvec3(0);
-  return (grid.mirrored ? -area : area) / length;
+  return front_normal(grid, area);
 }
 
 class CornerBuilder {
@@ -80,6 +78,12 @@ class CornerBuilder {
 };
 
 }  // namespace
+
+dvec3 front_normal(const Grid& grid, const dvec3& area) {
+  const double length = glm::length(area);
+  if (!(length > 0)) return dvec3(0);
+  return (grid.mirrored ? -area : area) / length;
+}
 
 void VertexCorners::begin(std::size_t vertex) {
   vertex_ = vertex;

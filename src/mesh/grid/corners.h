@@ -33,6 +33,10 @@ class VertexCorners {
 /// A new corner of the same point as another one, with a normal of its own: its number.
 std::uint32_t add_corner(Mesh& mesh, std::size_t like, const dvec3& normal);
 
+/// The unit normal on the front of a face with this vector area, by the order of the cells' slots;
+/// zero if it has none.
+dvec3 front_normal(const Grid& grid, const dvec3& area);
+
 /// limit_normals() within cells. To a corner at which the surface is not defined the way is aslant:
 /// 0/0 may run along the cell's diagonal, and beside it nothing but rounding is left of it.
 std::vector<NormalLimit> limits_in_cells(const Surface& surface, std::vector<Approach> approaches,

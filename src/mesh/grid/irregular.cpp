@@ -133,7 +133,7 @@ class Summaries {
 };
 
 /// Looks at each vertex of a window.
-Irregular look_at(const Surface& surface, const Window& window, Grid& grid) {
+Irregular inspect(const Surface& surface, const Window& window, Grid& grid) {
   Irregular found;
   const Neighbourhood around(surface, grid, window);
   for (std::size_t j = window.row; j < window.end_row; ++j) {
@@ -164,7 +164,7 @@ Irregular look_at(const Surface& surface, const Window& window, Grid& grid) {
 }
 
 /// Decides which of the doubtful vertices are singular.
-void decide(const Surface& surface, unsigned threads, Irregular& found, Grid& grid) {
+void settle_doubtful(const Surface& surface, unsigned threads, Irregular& found, Grid& grid) {
   std::vector<dvec2> uv;
   for (const std::size_t vertex : found.doubtful) uv.push_back(grid.uv(vertex));
   const std::vector<bool> are = are_singular(surface, uv, threads);
@@ -205,9 +205,9 @@ void find_irregular(const Surface& surface, const GridTiling& tiling,
   }
   std::vector<Irregular> found(all.size());
   parallel_chunks(all.size(), 1, threads,
-                  [&](std::size_t k, std::size_t) { found[k] = look_at(surface, all[k], grid); });
+                  [&](std::size_t k, std::size_t) { found[k] = inspect(surface, all[k], grid); });
 
-  for (Irregular& part : found) decide(surface, threads, part, grid);
+  for (Irregular& part : found) settle_doubtful(surface, threads, part, grid);
   for (const Irregular& part : found) {
     for (const std::size_t vertex : part.undefined) {
       grid.for_cells_around(vertex, [&grid](std::size_t cell, std::size_t) {

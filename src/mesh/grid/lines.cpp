@@ -4,31 +4,33 @@ namespace saddle {
 
 namespace {
 
-using Chain = std::vector<std::uint32_t>;
-
-/// Follows `line` edge by edge and appends its chains. `exists(k)`: edge k, k + 1 is in the mesh.
+/// Follows `line` edge by edge. `exists(k)`: edge k, k + 1 is in the mesh.
 template <class Exists>
-void append_chains(const Grid& grid, const GridLine& line, Exists exists,
-                   std::vector<Chain>& chains) {
-  Chain chain;
-  const auto finish = [&] {
-    if (chain.size() > 1) chains.push_back(chain);
-    chain.clear();
-  };
+void append_chains(const Grid& grid, const GridLine& line, Exists exists, ChainBuilder& chains) {
   for (std::size_t k = 0; k + 1 < line.count; ++k) {
-    const std::size_t a = line[k];
-    const std::size_t b = line[k + 1];
+    const auto a = static_cast<std::uint32_t>(line[k]);
+    const auto b = static_cast<std::uint32_t>(line[k + 1]);
     if (!exists(k)) {
-      finish();
+      chains.interrupt();
     } else if (grid.mesh.point[a] != grid.mesh.point[b]) {
-      if (chain.empty()) chain.push_back(static_cast<std::uint32_t>(a));
-      chain.push_back(static_cast<std::uint32_t>(b));
+      chains.append(a);
+      chains.append(b);
     }
   }
-  finish();
+  chains.interrupt();
 }
 
 }  // namespace
+
+void ChainBuilder::append(std::uint32_t vertex) {
+  const bool repeats = !chain_.empty() && point_[chain_.back()] == point_[vertex];
+  if (!repeats) chain_.push_back(vertex);
+}
+
+void ChainBuilder::interrupt() {
+  if (chain_.size() > 1) chains_.push_back(chain_);
+  chain_.clear();
+}
 
 std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid,
                                                    const std::vector<std::size_t>& columns,
@@ -36,7 +38,7 @@ std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid,
   const auto has_triangles = [&](std::size_t i, std::size_t j) {
     return i < grid.cells_u && j < grid.cells_v && grid.triangle_count(grid.cell(i, j)) > 0;
   };
-  std::vector<Chain> chains;
+  ChainBuilder chains(grid.mesh);
   for (const std::size_t i : columns) {
     // Left of column 0 is column -1, which wraps around to a huge number and is no cell.
     const auto exists = [&](std::size_t j) {
@@ -50,7 +52,7 @@ std::vector<std::vector<std::uint32_t>> grid_lines(const Grid& grid,
     };
     append_chains(grid, grid.row(j), exists, chains);
   }
-  return chains;
+  return chains.take();
 }
 
 }  // namespace saddle

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/error/sampled_error.h"
+#include "mesh/error/measure_grid.h"
 #include "mesh/grid/cut_grid.h"
 #include "mesh/grid/grid.h"
 #include "mesh/grid/sample_grid.h"

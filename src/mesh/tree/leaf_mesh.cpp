@@ -7,6 +7,7 @@
 
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/corners.h"
+#include "mesh/grid/lines.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
 #include "mesh/model/parameter_box.h"
@@ -32,9 +33,7 @@ dvec3 face_normal(const Grid& grid, std::span<const PolygonCorner> polygon) {
     area += glm::cross(grid.local(polygon[k].corner) - first,
                        grid.local(polygon[k + 1].corner) - first);
   }
-  const double length = glm::length(area);
-  if (!(length > 0)) return dvec3(0);
-  return (grid.mirrored ? -area : area) / length;
+  return front_normal(grid, area);
 }
 
 dvec2 middle(const Grid& grid, std::span<const PolygonCorner> polygon) {
@@ -200,7 +199,7 @@ class PlainCutter {
 class Chains {
  public:
   Chains(const Grid& grid, const CellTree& tree, std::span<const Leaf> leaves)
-      : point_(grid.mesh.point), tree_(tree) {
+      : tree_(tree), chains_(grid.mesh) {
     for (const Leaf& leaf : leaves) {
       if (!leaf.oscillates) continue;
       for_sides(leaf, tree,
@@ -211,46 +210,35 @@ class Chains {
   /// Goes on to the next vertex of a line, defined or not.
   void go_to(std::uint32_t vertex) {
     if (before_) cross(*before_, vertex);
-    if (before_ && oscillating_.contains(pair_of(*before_, vertex))) interrupt();
+    if (before_ && oscillating_.contains(pair_of(*before_, vertex))) chains_.interrupt();
     if (tree_.is_defined(vertex)) {
-      append(vertex);
+      chains_.append(vertex);
     } else {
-      interrupt();
+      chains_.interrupt();
     }
     before_ = vertex;
   }
   void end_line() {
-    interrupt();
+    chains_.interrupt();
     before_.reset();
   }
-  std::vector<std::vector<std::uint32_t>> take() { return std::move(chains_); }
+  std::vector<std::vector<std::uint32_t>> take() { return chains_.take(); }
 
  private:
   /// Goes to the next vertex by way of what is between.
   void cross(std::uint32_t from, std::uint32_t to) {
     const std::optional<EdgeFeature> feature = tree_.feature(from, to);
     if (!feature) return;
-    if (leaves_out(feature->kind)) return interrupt();
-    append(feature->beside(from));
-    if (feature->kind == FeatureKind::Jump) interrupt();
-    append(feature->beside(to));
+    if (leaves_out(feature->kind)) return chains_.interrupt();
+    chains_.append(feature->beside(from));
+    if (feature->kind == FeatureKind::Jump) chains_.interrupt();
+    chains_.append(feature->beside(to));
   }
 
-  void append(std::uint32_t vertex) {
-    const bool repeats = !chain_.empty() && point_[chain_.back()] == point_[vertex];
-    if (!repeats) chain_.push_back(vertex);
-  }
-  void interrupt() {
-    if (chain_.size() > 1) chains_.push_back(chain_);
-    chain_.clear();
-  }
-
-  const Array<std::uint32_t>& point_;
   const CellTree& tree_;
   PairTable oscillating_;  ///< sides of leaves
   std::optional<std::uint32_t> before_;
-  std::vector<std::uint32_t> chain_;
-  std::vector<std::vector<std::uint32_t>> chains_;
+  ChainBuilder chains_;
 };
 
 /// Index of each of the even lines among the grid's, or of the nearest one, once each.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "mesh/grid/cell_loops.h"
+#include "mesh/error/error_loops.h"
 #include "mesh/grid/grid.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/grid/vertex_columns.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "mesh/error/error_loops.h"
 #include "mesh/error/estimate_many.h"
-#include "mesh/error/leaf_loops.h"
 #include "mesh/error/validate_many.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/mesher/subdivide.h"

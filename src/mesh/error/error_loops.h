@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "eval/kernels.h"
+#include "mesh/grid/cell_loops.h"
 
 namespace saddle {
 
@@ -75,10 +76,32 @@ struct LeafSampledErrors {
 
 /// Adds what one point of each of the leaves [0, count) tells.
 using ValidateLeaves = void (*)(const LeafPoints& leaves, const LeafPlaces& places,
-                                std::size_t count, LeafSampledErrors& sampled_errors);
+                                std::size_t count, LeafSampledErrors& errors);
+
+/// One place of the surface in each cell, all as far along v, or on the cells' border.
+struct RowPlaces {
+  const double* along_u;  ///< where it is in its cell: 0 to 1
+  double along_v;
+  /// How its cell is cut: as Cuts::second tells, or less than 0 where that is not known.
+  const double* second;
+  std::array<const double*, 9> surface;  ///< NormalColumns
+  double scale;                          ///< local units, those of the strips, per unit of length
+  double front;                          ///< 1: vertices' normals are along r_u x r_v; or -1
+};
+
+struct RowErrors {
+  TileNumbers distance;  ///< of the triangle from the surface, straight below it, in local units
+  TileNumbers chord;     ///< between unit normals, exact and interpolated: its square
+  TileNumbers is_known;  ///< 1; 0: a closer look is to be taken
+};
+
+/// Checks the places in the cells [0, count) between two strips.
+using CheckRow = void (*)(const Strip& lower, const Strip& upper, const RowPlaces& places,
+                          std::size_t count, RowErrors& errors);
 
 /// The loops of a level; all give the same bits.
 EstimateLeaves estimate_loop(CpuLevel level);
 ValidateLeaves validate_loop(CpuLevel level);
+CheckRow check_loop(CpuLevel level);
 
 }  // namespace saddle
