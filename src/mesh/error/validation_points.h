@@ -30,18 +30,18 @@ class PointPlacer {
  public:
   PointPlacer(const Grid& grid, const CellTree& tree) : grid_(grid), tree_(tree) {}
 
-  /// The points of a leaf of any triangles, which must outlive them.
+  /// The samples of a leaf of any triangles, which must outlive them.
   void append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-              std::vector<ValidationPoint>& points) const;
+              std::vector<ValidationPoint>& samples) const;
   /// Those of the leaves of a mesh with these numbers that are on their singular sides.
   void append_singular_sides(const ValidatedMesh& mesh, std::span<const std::size_t> which,
-                             std::vector<ValidationPoint>& points) const;
+                             std::vector<ValidationPoint>& samples) const;
 
  private:
   void append_sides(std::size_t number, std::span<const Triangle> triangles,
-                    std::vector<ValidationPoint>& points) const;
+                    std::vector<ValidationPoint>& samples) const;
   void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
-                     std::vector<ValidationPoint>& points) const;
+                     std::vector<ValidationPoint>& samples) const;
 
   const Grid& grid_;
   const CellTree& tree_;
@@ -50,6 +50,7 @@ class PointPlacer {
 /// Samples on chords of cusps, and of creases at which the surface is upright, go to where those
 /// are: they run beside their chords, and how far the surface is from them makes up for that in
 /// part.
-void move_onto_creases(const Surface& surface, std::span<ValidationPoint> points, unsigned threads);
+void move_onto_creases(const Surface& surface, std::span<ValidationPoint> samples,
+                       unsigned threads);
 
 }  // namespace saddle
