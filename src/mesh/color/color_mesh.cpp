@@ -1,6 +1,6 @@
-// Generation by generation: sample the sides and the middles of triangles, halve the sides that the
-// numbers bend on. Which sides are halved is decided for the points that they join, whichever
-// corners those have, so that no gap opens along a seam.
+// Generation by generation: samples the sides and the middles of triangles, and halves the sides on
+// which the numbers bend. Sides between the same points are halved alike, whichever corners they
+// have, so that no gap opens along a seam.
 #include "mesh/color/color_mesh.h"
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/color/color_limit.h"
 #include "mesh/color/drawn_colors.h"
 #include "mesh/model/pair_table.h"
 
@@ -21,48 +22,16 @@ namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
-/// Sides are halved at first until none is longer than this share of the ranges of u and v: samples
-/// on them are then close enough to find what most formulas do.
+/// Sides are first halved until none is longer than 1/24 of the ranges of u and v: samples on them
+/// are then close enough for most formulas.
 constexpr double kFirstSide = 1.0 / 24;
 
 /// Where a side is sampled: not evenly, so that waves as long as the mesh's cells are found. The
-/// second is where it would be halved.
+/// second place is that of the new corner.
 constexpr std::array kOnSide = {0.27, 0.5, 0.77};
 
-/// Most often that a triangle is halved each way: from the first side to a thousandth of a pixel.
+/// Generations at most: from the first sides to a thousandth of a pixel.
 constexpr int kGenerations = 24;
-
-// The limit at a point without a number, as that of normals: see surface/normal.h.
-constexpr double kFirstTau = 0.2;
-constexpr std::size_t kLimitSteps = 12;
-constexpr std::size_t kHighestPower = 6;
-/// An extrapolation whose best entry changes by more than this share of it has found no limit.
-constexpr double kSettled = 1e-4;
-
-/// Numbers along a path to where they are not defined: their limit by Richardson's extrapolation.
-std::optional<double> extrapolated(std::span<const double> path) {
-  double best = 0;
-  double best_change = std::numeric_limits<double>::infinity();
-  std::array<double, kHighestPower + 1> previous{};
-  std::array<double, kHighestPower + 1> row{};
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    if (!std::isfinite(path[i])) break;
-    row[0] = path[i];
-    for (std::size_t k = 1; k <= std::min(i, kHighestPower); ++k) {
-      const double power = static_cast<double>(1U << k);
-      row[k] = row[k - 1] + (row[k - 1] - previous[k - 1]) / (power - 1);
-      const double change =
-          std::max(std::abs(row[k] - row[k - 1]), std::abs(row[k] - previous[k - 1]));
-      if (change < best_change) {
-        best = row[k];
-        best_change = change;
-      }
-    }
-    previous = row;
-  }
-  if (!(best_change <= kSettled * std::abs(best))) return std::nullopt;
-  return best;
-}
 
 class ColorMesher {
  public:
@@ -97,7 +66,7 @@ class ColorMesher {
     }
   }
 
-  /// Sets the range of the colours; nothing if there are no numbers.
+  /// Sets the range of the colours. Returns nothing if there are no numbers.
   std::optional<DrawnColors> find_range() {
     const auto drawn = drawn_colors(surface_, mesh_, options_.rounding, options_.clip);
     if (!drawn) return std::nullopt;
@@ -110,7 +79,7 @@ class ColorMesher {
     return evaluate_color(surface_, uv, options_.threads);
   }
 
-  /// Corners from the `first` on that have no number get its limit, from inside of a triangle.
+  /// Corners from `first` on without a number take its limit from inside of a triangle.
   void take_limits(std::size_t first) {
     const auto isnan = [](double number) { return std::isnan(number); };
     if (std::none_of(mesh_.color.begin() + static_cast<std::ptrdiff_t>(first), mesh_.color.end(),
@@ -127,16 +96,15 @@ class ColorMesher {
         if (corner < first || !std::isnan(mesh_.color[corner]) || done[corner - first]) continue;
         done[corner - first] = true;
         corners.push_back(corner);
-        double tau = kFirstTau;
-        for (std::size_t i = 0; i < kLimitSteps; ++i, tau /= 2) {
-          paths.push_back(mesh_.uv[corner] + (middle - mesh_.uv[corner]) * (tau * tau));
-        }
+        const auto path = limit_path(mesh_.uv[corner], middle);
+        paths.insert(paths.end(), path.begin(), path.end());
       }
     }
     if (corners.empty()) return;
     const std::vector<double> numbers = evaluate(paths);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const auto limit = extrapolated(std::span(numbers).subspan(k * kLimitSteps, kLimitSteps));
+      const auto limit =
+          extrapolated_limit(std::span(numbers).subspan(k * kLimitSteps, kLimitSteps));
       if (limit) mesh_.color[corners[k]] = *limit;
     }
   }
@@ -344,9 +312,9 @@ class ColorMesher {
     line = std::move(result);
   }
 
-  // --- what has no number ------------------------------------------------------------------------
+  // --- corners without a number ------------------------------------------------------------------
 
-  /// Triangles that have a corner without a number get three of them, corners of their own.
+  /// Gives triangles with a corner without a number three such corners of their own.
   void separate_undefined() {
     std::unordered_map<std::uint32_t, std::uint32_t> twins;
     double area = 0;
@@ -364,7 +332,7 @@ class ColorMesher {
     report_.undefined_share = area > 0 ? undefined / area : 0;
   }
 
-  /// A corner like another one, but without a number.
+  /// A copy of a corner without a number.
   std::uint32_t twin(std::uint32_t corner,
                      std::unordered_map<std::uint32_t, std::uint32_t>& twins) {
     if (std::isnan(mesh_.color[corner])) return corner;

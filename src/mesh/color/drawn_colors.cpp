@@ -14,26 +14,24 @@
 namespace saddle {
 namespace {
 
-/// Shares of the area that are left outside where the numbers go to infinity: as many below as
-/// above.
+/// Part of the area outside of the range, at each end where the numbers go to infinity.
 constexpr double kLeftOut = 0.05;
 
-/// A climb begins with steps of this share of the ranges of u and v, and halves them so many times,
-/// to the last digits of the parameters. Two steps of each length reach any place that is within
-/// four of the first: a cell of the mesh away.
+/// A search begins with steps of 1/32 of the ranges of u and v, and halves them 40 times, to the
+/// last digits of the parameters. Two steps of each length reach any place within four first steps,
+/// as far as a cell of the mesh.
 constexpr double kFirstStep = 1.0 / 32;
 constexpr int kClimbHalvings = 40;
 constexpr int kStepsOfALength = 2;
-/// A top is a pole if numbers at this share of the ranges on both sides of it, one way or another,
-/// are lower by this share of the whole range, however far down the climb began. A logarithm's fall
-/// by a third.
+/// A maximum is a pole if numbers fall on two opposite sides of it, at 1e-8 of the ranges, by 0.1
+/// of its height above the lowest number. A logarithm falls by a third there.
 constexpr double kBesideTop = 1e-8;
 constexpr double kFalls = 0.1;
 
-/// Numbers whose differences are this share of them are the same but for what rounding adds up to.
+/// Numbers are equal if their differences are at most this part of them: accumulated rounding.
 constexpr double kRoundedNumbers = 1e-9;
 
-/// Where numbers go to infinity few triangles have most of the range: there each counts as so many
+/// If numbers go to infinity, few triangles hold most of the range. Each is then cut into this many
 /// parts a side.
 constexpr int kParts = 6;
 
@@ -91,14 +89,13 @@ std::vector<Sample> fine_samples_of(const Surface& surface, const Mesh& mesh) {
   return samples;
 }
 
-/// Goes uphill from a corner, over what is drawn of the surface.
+/// A compass search uphill from a corner, within the drawn part of the surface.
 class Climber {
  public:
   Climber(const Surface& surface, const std::optional<Bounds>& clip, double sign)
       : surface_(surface), clip_(clip), sign_(sign) {}
 
-  /// The number at the top, nothing if that is a pole; `spread`: how far the lowest number is
-  /// below.
+  /// The maximum, nothing if it is a pole. `spread`: the difference to the lowest number.
   std::optional<double> climb(dvec2 start, double number, double spread) {
     place_ = start;
     height_ = sign_ * number;
@@ -131,7 +128,7 @@ class Climber {
     return places;
   }
 
-  /// One step to the highest of the places around.
+  /// Steps to the highest of the places around.
   bool go_up(const dvec2& step) {
     const std::array<dvec2, 8> places = around(step);
     const std::vector<double> numbers = evaluate_color(surface_, places, 1);
@@ -168,7 +165,7 @@ class Climber {
   double height_ = 0;
 };
 
-/// The corners with the lowest and the highest number, and these.
+/// The lowest and the highest number, and their corners.
 struct Ends {
   ColorRange range{std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
@@ -183,7 +180,7 @@ struct Ends {
   }
 };
 
-/// They differ by no more than rounding.
+/// Whether all numbers are equal within rounding.
 bool are_one_number(const ColorRange& all, const ColorRange& most, double rounding) {
   const double size = std::max(std::abs(all.low), std::abs(all.high));
   const bool is_rounding = rounding > 0 && most.high - most.low <= rounding;

@@ -1,4 +1,4 @@
-// From which to which number the colours of a mesh run.
+// The range of the numbers that a surface is coloured by.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ struct DrawnColors {
   bool is_clamped = false;  ///< the numbers go to infinity
 };
 
-/// The range of the numbers on what is drawn of a surface: from the best of its mesh's corners a
-/// search goes on to the lowest and the highest one. Toward an end at which they go to infinity the
-/// range stops where nine tenths of the area are inside. Where nine tenths of the area differ by no
-/// more than `rounding`, or all of it by no more than doubles do, it is a single number. `clip`:
-/// the box that the mesh was cut along. Nothing if no number is finite.
+/// The range of the numbers on the drawn surface, by a compass search from the mesh's corners with
+/// the least and the largest number. At an end where numbers go to infinity, the range leaves out 5
+/// % of the area. It is a single number if numbers differ by at most `rounding` over 90 % of the
+/// area, or by rounding of doubles over all of it. `clip`: the box that the mesh was cut along.
+/// Nothing if no number is finite.
 std::optional<DrawnColors> drawn_colors(const Surface& surface, const Mesh& mesh, double rounding,
                                         const std::optional<Bounds>& clip = {});
 

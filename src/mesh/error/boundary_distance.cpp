@@ -13,20 +13,20 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of the way across a leaf to its boundary: a millionth of it is enough for a distance.
+/// Halvings of the way across a leaf to its boundary: 1e-6 of it is enough for a distance.
 constexpr int kWayHalvings = 20;
-/// To a face of the box beside a pole, where a millionth of the way is as far off as the first
-/// half: as many as there are in doubles.
+/// Halvings to a face of the clip box beside a pole: down to the last double, since there 1e-6 of
+/// the way moves the surface as far as the first half.
 constexpr int kFaceHalvings = 1100;
 
-/// Where a leaf without triangles is looked at, in sides of the leaf, and in which directions from
-/// there its border is.
+/// Where a leaf without triangles is sampled, in sides of the leaf, and the directions from there
+/// to its border.
 constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
                                     dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
 constexpr std::array kLeafDirections = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
 constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
 
-/// The end of the way from `from`, inside of the unit square, along `way`, on the square's border.
+/// Where the ray from `from`, inside of the unit square, along `way` meets the square's border.
 dvec2 border(const dvec2& from, const dvec2& way) {
   double steps = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 2; ++k) {
@@ -109,8 +109,8 @@ std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
   return ends;
 }
 
-/// Ways across chords on which the boundary is: outward where the surface is seen in the middle of
-/// the chord, and else from inside to there.
+/// Ways across chords that cross the boundary: outward if the surface is seen at the chord's
+/// middle, else from inside to the middle.
 std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoint> at_middle) {
   std::vector<dvec2> across;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
@@ -132,8 +132,8 @@ std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoin
   return ways;
 }
 
-/// The surface's boundary may be on either side of its chord: on this side the mesh has too much,
-/// on the other too little, and all that is between chord and boundary is off.
+/// The surface's boundary may be on either side of its chord: the mesh covers too much or too
+/// little. All that is between chord and boundary is an error.
 void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   std::vector<dvec2> middles;
   for (const BoundaryChord& chord : chords_) middles.push_back(chord.middle);
@@ -156,9 +156,9 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   }
 }
 
-/// Of leaves that are defined in places but not at their corners, as beside the point where a
-/// boundary touches the edge of the domain: what is missing there is as far off as from the leaf's
-/// border, where neighbours are.
+/// Leaves may be defined in places but not at their corners, as beside the point where a boundary
+/// touches the edge of the domain. The missing part is measured from the leaf's border, where
+/// neighbours are.
 void BoundaryDistance::measure_omitted(std::vector<LeafDistance>& found) {
   const std::vector<SurfacePoint> points = evaluate(surface_, places_in_omitted_, threads_);
   evaluations_ += points.size();

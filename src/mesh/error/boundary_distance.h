@@ -1,5 +1,5 @@
-// How far the boundary of the mesh is from that of the surface, and from what of it leaves on the
-// boundary miss.
+// Distances between the boundaries of the mesh and of the surface, and of the surface in leaves on
+// the boundary that have no triangles.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ namespace saddle {
 
 class BoundaryDistance {
  public:
-  /// What is outside of `clip` does not count.
+  /// Errors outside of `clip` do not count.
   BoundaryDistance(const Surface& surface, const Grid& grid, const CellTree& tree,
                    const std::optional<Bounds>& clip, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
 
-  /// Adds a leaf with its triangles, which must outlive this; one off the boundary is left out.
+  /// Adds a leaf with its triangles, which must outlive this. Skips leaves off the boundary.
   void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
 
   /// A distance that was found at the leaf of some number, in units of length.
@@ -26,13 +26,13 @@ class BoundaryDistance {
     std::size_t leaf;
     double distance;
   };
-  /// The distances at the leaves that were added; of one there may be several.
+  /// Distances at the leaves that were added; several for some.
   std::vector<LeafDistance> measure();
 
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  /// A chord of the boundary, and where that is looked for.
+  /// A chord of the boundary, and where the boundary is looked for.
   struct BoundaryChord {
     std::size_t leaf;
     std::span<const Triangle> triangles;

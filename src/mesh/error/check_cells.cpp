@@ -18,22 +18,23 @@
 namespace saddle {
 namespace {
 
-/// Where a cell's error is largest: at its centre and the middles of its sides, and where an arc
-/// turns that its middle does not show.
+/// Where a cell's error is largest: at its centre and the middles of its sides; in the quarters, if
+/// an arc has a turning point in its middle.
 constexpr std::array kMiddles = {0.5};
 constexpr std::array kQuarters = {0.25, 0.75};
-/// Random offset from there, in cells: as large as that of measure_error().
+/// Random offset from there, in cells; as large as in measure_error().
 constexpr double kCellJitter = 0.1;
 constexpr std::size_t kRowChunk = 8;
 
-/// Places along one parameter, the cells that they are in and where in those: 0 to 1.
+/// Places along one parameter, their cells, and their parts of these: 0 to 1.
 struct Axis {
   std::vector<double> at;
   std::vector<std::size_t> cell;
   std::vector<double> part;
 };
 
-/// In each cell at these parts of it, jittered: in all cells at the first part, then at the next.
+/// Places in each cell at these parts of it, jittered: in all cells at the first part, then at the
+/// next.
 Axis inside(const std::vector<double>& lines, std::span<const double> parts, std::uint64_t key) {
   Axis axis;
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -47,7 +48,7 @@ Axis inside(const std::vector<double>& lines, std::span<const double> parts, std
   return axis;
 }
 
-/// On each line: that of the cell after it, or before the last one.
+/// A place on each line, in the cell after it; on the last line, in the cell before it.
 Axis on(const std::vector<double>& lines) {
   Axis axis{lines, std::vector<std::size_t>(lines.size()), std::vector<double>(lines.size(), 0.0)};
   std::iota(axis.cell.begin(), axis.cell.end(), std::size_t{0});
@@ -56,7 +57,7 @@ Axis on(const std::vector<double>& lines) {
   return axis;
 }
 
-/// Places of an axis, one after the other, in cells that are, too.
+/// Consecutive places of an axis in consecutive cells.
 struct PlaceStretch {
   std::size_t first, cell, count;
 };
@@ -73,8 +74,8 @@ std::vector<PlaceStretch> stretches_of(const Axis& axis) {
   return stretches;
 }
 
-/// The largest of what has been found, in local units; unit normals by the square of their
-/// difference's length.
+/// The largest distance, in local units, and the largest square of the difference between unit
+/// normals.
 struct Largest {
   double distance = 0;
   double chord = 0;
@@ -85,8 +86,8 @@ struct Largest {
   }
 };
 
-/// The slot, 0 or 1, that the diagonal of a cell starts from, if it is cut as the pass over the
-/// grid cuts the plain ones; -1 of all others.
+/// The slot, 0 or 1, at which the diagonal of a cell starts, if the cell is cut as the pass over
+/// the grid cuts plain ones; -1 for others.
 double diagonal_of(const Grid& grid, std::size_t cell) {
   if (grid.cells[cell] != GridCell::Two) return -1;
   const auto vertices = grid.vertices(cell);
@@ -117,7 +118,7 @@ class RowStrips {
   const Strip& upper() const { return (*strips_)[(row_ + 1) % 2]; }
 
  private:
-  /// Unless it is there: the upper vertices of one row of cells are the lower ones of the next.
+  /// Loads a row of vertices, unless it is there as the upper row of the cells before.
   void load(std::size_t row) {
     std::size_t& loaded = rows_[row % 2];
     if (loaded == row) return;
@@ -167,7 +168,7 @@ class CellChecker {
   std::size_t evaluations() const { return evaluations_; }
 
   /// Checks the places u x v. side(i, j): the ends of the cell's side that place (i, j) is on, or
-  /// the same vertex twice inside; is_seen(i, j): whether the side is seen.
+  /// the same vertex twice if it is inside; is_seen(i, j): whether the side is a visible line.
   template <class Side, class Seen>
   Largest check(const Axis& u, const Axis& v, Side side, Seen is_seen) {
     const AxisPlaces places{u, v, evaluate_normals_on_grid(surface_, u.at, v.at, threads_)};
@@ -218,7 +219,7 @@ class CellChecker {
     check_loop(cpu_level())(strips.lower(), strips.upper(), row, stretch.count, row_errors);
   }
 
-  /// A side that is a single point: there is no normal, and nothing to be off by.
+  /// Whether a side is a single point: it has no normal and no error.
   bool is_pole(const SideEnds& ends) const {
     return ends[0] != ends[1] && grid_.mesh.point[ends[0]] == grid_.mesh.point[ends[1]];
   }
@@ -230,7 +231,7 @@ class CellChecker {
     return grid_.local_scale * dvec3(columns[0][k], columns[1][k], columns[2][k]);
   }
 
-  /// A closer look at one place.
+  /// Checks one place by sampled_error().
   Largest check_place(const AxisPlaces& places, std::size_t i, std::size_t j) const {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     const NormalColumns& columns = places.columns;

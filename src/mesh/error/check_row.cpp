@@ -1,7 +1,7 @@
-// How far the triangles of cells are from places of the surface, one in each cell of a row, as
-// check_cells.cpp tells one by one. This file is compiled once for each CPU level, with
-// SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic (see
-// eval/kernel_loops.cpp).
+// The errors of the triangles of a row of cells, at one place of the surface in each cell;
+// check_cells.cpp has the scalar code for single places. This file is compiled once for each CPU
+// level, with SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic
+// (see eval/kernel_loops.cpp).
 #include <math.h>
 
 #include "mesh/error/error_loops.h"
@@ -13,8 +13,8 @@ namespace saddle {
 namespace {
 
 constexpr double kDegenerate = kDegenerateCross * kDegenerateCross;
-/// A triangle's point is straight above the surface's if it is not farther aside than this part of
-/// the triangle's side: curvature then takes no more than a twentieth of the distance.
+/// A triangle's point counts as straight above the surface's if it is at most this part of the
+/// triangle's shorter side aside. Curvature then changes the distance by at most a twentieth.
 constexpr double kBeside = 0.1;
 
 struct Vertex {
@@ -32,7 +32,7 @@ static inline Vertex choose(double condition, const Vertex& yes, const Vertex& n
 void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& places, size_t count,
                   RowErrors& errors) {
   const double* const* const column = places.surface.data();
-#pragma GCC ivdep  // what is written overlaps nothing that is read
+#pragma GCC ivdep  // errors overlap no input
   for (size_t i = 0; i < count; ++i) {
     const Vertex v0 = vertex(lower, i), v1 = vertex(lower, i + 1);
     const Vertex v3 = vertex(upper, i), v2 = vertex(upper, i + 1);

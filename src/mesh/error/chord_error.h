@@ -1,5 +1,5 @@
-// What the error indicator takes from a chord and a sample above it: for the loops that are
-// compiled once for each CPU level, as mesh/grid/loop_vectors.h says, and for single leaves.
+// Error estimates from a chord and the sample above it: for the loops that are compiled once for
+// each CPU level, as mesh/grid/loop_vectors.h says, and for single leaves.
 #pragma once
 
 #include <math.h>
@@ -23,10 +23,10 @@ static inline double height_at(double s, double a, double b, double c) {
   return fabs(s * (1 - s) * (a + s * (b + s * c)));
 }
 
-/// The largest height, along the sample's normal, of the polynomial of fourth order that has the
-/// arc's slopes at its ends and `height` at the part 0.5 + `from_middle` of the chord: the middle
-/// of an arc with a turning point tells little. |height| of an arc that is too steep for a
-/// polynomial, or whose sample is not about the middle.
+/// The largest height of an arc along its sample's normal. The arc is taken for the polynomial of
+/// fourth order with the slopes at its ends and `height` at the part 0.5 + `from_middle` of the
+/// chord: the middle of an arc with a turning point tells little. |height| of an arc that is too
+/// steep for a polynomial, or whose sample is not about the middle.
 static inline double largest_height(ChordNormals chord, double from_middle, double height) {
   constexpr double kSteep = 0.5;  // cosine; slopes beyond 60 degrees are no small ones
   constexpr double kAside = 0.2;  // of the chord
@@ -45,8 +45,8 @@ static inline double largest_height(ChordNormals chord, double from_middle, doub
   return larger_of(fabs(height), choose(is_gentle, larger_of(outer, inner), 0.0));
 }
 
-/// Of the angle between two lines, along a sample's normal and along the mean of those at the ends
-/// of its chord.
+/// The square of the tangent of the angle between two lines, along a sample's normal and along the
+/// mean of those at the ends of its chord.
 static inline double square_of_tangent(LoopVector at_a, LoopVector at_b, LoopVector at_sample) {
   const LoopVector sum = plus(at_a, at_b);
   const LoopVector sine = cross(sum, at_sample);

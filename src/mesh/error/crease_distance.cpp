@@ -12,21 +12,20 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a line on the way to where it crosses a crease: a four thousandth of it is enough
-/// for a distance that is of second order. Where the surface is upright it moves far while its
-/// parameters hardly do: there it is to have moved by no more than that part, too, or to be as near
-/// as the mesh's vertices are, which are found by kAllHalvings.
+/// Halvings of a line towards its crossing with a crease. 1/4096 of the line is enough for a
+/// distance of second order. An upright surface moves far while its parameters hardly change:
+/// bisection goes on until its image is shorter than 1/4096 of the first, too, or for kAllHalvings.
 constexpr int kCreaseHalvings = 12;
 constexpr double kArrived = 1.0 / 4096;
-/// Across a cusp normals are opposite, but for how they turn on the way: their cosine is less. They
-/// turn by more than 60 degrees to where the surface is upright.
+/// Cosines of the normals at a line's ends. Across a cusp they are nearly opposite, below -0.7.
+/// They turn by more than 60 degrees towards an upright surface.
 constexpr double kAcrossCusp = -0.7;
 constexpr double kUpright = 0.5;
-/// It is not upright if those halvings have it move by no more than this part of what it did: a
-/// root moves by a 64th, what has slopes on both sides by little more than kArrived.
+/// The surface is not upright if 12 halvings shorten a line's image to 1/512. The image of a root
+/// shortens to 1/64, that of a crease with finite slopes to little more than kArrived.
 constexpr double kPlain = 1.0 / 512;
-/// Steps to the nearest point; and the share of the normal equations' diagonal that is added to it
-/// at first, and is ten times as much after a step in vain, a tenth after another.
+/// Steps to the nearest point, and the first damping: the part of the normal equations' diagonal
+/// that is added to it. A step that comes no nearer multiplies it by 10, another one by 0.1.
 constexpr int kNearestSteps = 12;
 constexpr double kDamping = 1e-4;
 
@@ -50,18 +49,18 @@ bool has_no_middle(const Line& line) {
   return middle == line[0] || middle == line[1];
 }
 
-/// A line across a crease on its way there.
+/// A line across a crease during bisection.
 struct CreaseSearch {
   std::size_t number;             ///< of the line
-  Line left;                      ///< what is left of it
+  Line left;                      ///< the part that holds the crease
   std::array<dvec3, 2> position;  ///< of its ends
   std::array<dvec3, 2> normal;    ///< at the ends of the line
   bool is_cusp;
-  double first_way = 0;  ///< by how much the surface moves along the line
-  double way = 0;        ///< by how much along what is left
+  double first_way = 0;  ///< length of the whole line's image
+  double way = 0;        ///< length of the image of `left`
   int halvings = 0;
 
-  /// Neither a cusp, nor is the surface upright.
+  /// Whether there is no cusp, and the surface is not upright.
   bool is_plain() const {
     return !is_cusp && halvings == kCreaseHalvings && way <= kPlain * first_way;
   }
@@ -86,7 +85,7 @@ std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Li
   return searches;
 }
 
-/// Goes on with the half that the crease is in.
+/// Keeps the half that holds the crease.
 void narrow(CreaseSearch& search, const dvec2& middle, const SurfacePoint& at_middle) {
   search.way = glm::distance(search.position[0], at_middle.position) +
                glm::distance(at_middle.position, search.position[1]);
@@ -100,7 +99,7 @@ void narrow(CreaseSearch& search, const dvec2& middle, const SurfacePoint& at_mi
   ++search.halvings;
 }
 
-/// A point of the mesh on its way down to the surface.
+/// The descent of a point of the mesh to the surface.
 struct Descent {
   dvec2 uv;
   SurfacePoint at;
@@ -118,7 +117,7 @@ dvec2 step(const Descent& d, const dvec3& from) {
   return std::isfinite(way.x + way.y) ? way : dvec2(0);
 }
 
-/// Stays at a place, if it is nearer, or is to take a shorter step.
+/// Takes a place if it is nearer; else raises the damping.
 void arrive(const dvec2& uv, const SurfacePoint& there, const dvec3& from, Descent& d) {
   const double distance = glm::distance(there.position, from);
   if (distance < d.distance) {
@@ -134,11 +133,11 @@ dvec2 next_place(const Descent& d, const MiddleOfChord& chord) {
   return begin + glm::clamp(off, -chord.reach, chord.reach);
 }
 
-/// Goes down to the surface from its places at some parameters.
+/// Distances from the surface by descents that start at these places.
 std::vector<double> distances_from(std::span<const dvec2> places, const Surface& surface,
                                    std::span<const MiddleOfChord> chords, unsigned threads) {
   std::vector<Descent> descents;
-  std::vector<std::size_t> active;  // numbers of those that are still on their way
+  std::vector<std::size_t> active;  // numbers of descents
   for (const dvec2& place : places) {
     active.push_back(descents.size());
     descents.push_back({place, {}, std::numeric_limits<double>::infinity()});
@@ -159,7 +158,7 @@ std::vector<double> distances_from(std::span<const dvec2> places, const Surface&
   return distances;
 }
 
-/// Where the surface is straight above the middles, on the way from one end to the other.
+/// Where, on the lines between the chords' ends, the surface is straight above their middles.
 std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOfChord> chords,
                                 unsigned threads) {
   struct Search {

@@ -1,5 +1,5 @@
-// How far triangles beside creases and cusps are from the surface: there what is nearest to a point
-// is not what is at its parameters.
+// Distances of triangles beside creases and cusps from the surface, where the nearest point is not
+// the one at the same parameters.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> l
 struct MiddleOfChord {
   std::array<dvec3, 2> positions;  ///< of the chord's ends
   Line ends;                       ///< their parameters
-  dvec2 reach;                     ///< how far away the nearest point of the surface is looked for
-  double allowed;                  ///< no second way is tried to come nearer than that
-  double known = 0;                ///< nor is any, to come nearer than that
+  dvec2 reach;                     ///< how far from their middle the nearest point is searched
+  double allowed;                  ///< skip the second start below this distance
+  double known = 0;                ///< abandon any descent below this distance
 
   dvec3 middle() const { return 0.5 * (positions[0] + positions[1]); }
 };

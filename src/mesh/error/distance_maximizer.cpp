@@ -6,12 +6,11 @@ namespace saddle {
 
 namespace {
 
-/// What is foreseen is worth a evaluate_predicted if it is more than is allowed: of a smooth
-/// surface it is right to a few hundredths, and tests know as much; or if it is this much of that
-/// and more than so many times what tests know.
+/// A predicted distance is evaluated above the tolerance, or above 0.95 of it and 1.02 times the
+/// error estimate. On a smooth surface, prediction and estimate are right to a few per cent.
 constexpr double kLeastShare = 0.95;
 constexpr double kMoreThanKnown = 1.02;
-/// Looks at most, the first one where the climb begins.
+/// Evaluations of a place at most; the first is where the climb starts.
 constexpr int kMostSteps = 5;
 
 }  // namespace
@@ -22,14 +21,14 @@ bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted
   return mesh.off(leaf) <= 1 && predicted > share * mesh.allowed[leaf];
 }
 
-/// Goes on from where a leaf is farther off, and half of the way back from where it is not.
+/// Moves on to a predicted place that is farther from the surface; half of the way back else.
 void DistanceMaximizer::evaluate_predicted(ValidatedMesh& mesh) {
   std::vector<dvec2> uv;
-  for (const Ascent& ascent : maxima_) uv.push_back(ascent.predicted.uv);
+  for (const Ascent& ascent : ascents_) uv.push_back(ascent.predicted.uv);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += points.size();
   for (std::size_t k = 0; k < points.size(); ++k) {
-    Ascent& ascent = maxima_[k];
+    Ascent& ascent = ascents_[k];
     const dvec3& p = points[k].position;
     const auto& t = ascent.triangles;
     const Seen seen = seen_at(clip_, grid_, t, uv[k], p);
@@ -54,8 +53,8 @@ void DistanceMaximizer::climb(ValidatedMesh& mesh) {
            (ascent.distance >= 0 && !may_be_missed(mesh, ascent.leaf, ascent.predicted.distance));
   };
   for (int step = 0; step < kMostSteps; ++step) {
-    std::erase_if(maxima_, is_done);
-    if (maxima_.empty()) return;
+    std::erase_if(ascents_, is_done);
+    if (ascents_.empty()) return;
     evaluate_predicted(mesh);
   }
 }

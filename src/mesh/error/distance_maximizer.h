@@ -1,4 +1,5 @@
-// Looks for places where leaves are farther off than where they were measured.
+// Climbs from validation points to places where leaves are predicted to be farther from the
+// surface.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +11,24 @@
 
 namespace saddle {
 
-/// Whether a leaf that was found to be near enough may be too far off where so much is foreseen:
-/// more than is allowed, or nearly as much and more than its tests know of.
+/// Whether a leaf within its tolerance may be above it where `predicted` is predicted: above 1.02
+/// times the error estimate, that threshold clamped to 0.95 to 1 tolerances.
 bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted);
 
 class DistanceMaximizer {
  public:
-  /// What is outside of `clip` does not count.
+  /// Errors outside of `clip` do not count.
   DistanceMaximizer(const Surface& surface, const Grid& grid, const std::optional<Bounds>& clip,
                     unsigned threads)
       : surface_(surface), grid_(grid), clip_(clip), threads_(threads) {}
 
-  /// A place from where more is foreseen, in a leaf with these triangles, which must outlive this.
+  /// Adds a place to climb from, in a leaf with these triangles, which must outlive this.
   void add(std::size_t leaf, std::span<const Triangle> triangles, const dvec2& uv) {
-    maxima_.push_back({leaf, triangles, uv, -1, {0, uv}});
+    ascents_.push_back({leaf, triangles, uv, -1, {0, uv}});
   }
 
-  /// Follows what is foreseen until no more is, a leaf is found to be too far off, or a few steps
-  /// are done, and adds the distances that are found to the mesh.
+  /// Follows predictions until none is higher, a leaf is above its tolerance, or for five steps.
+  /// Adds the distances found to the mesh.
   void climb(ValidatedMesh& mesh);
 
   std::size_t evaluations() const { return evaluations_; }
@@ -46,7 +47,7 @@ class DistanceMaximizer {
   const Grid& grid_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  std::vector<Ascent> maxima_;
+  std::vector<Ascent> ascents_;
   std::size_t evaluations_ = 0;
 };
 

@@ -18,11 +18,12 @@ namespace saddle {
 
 namespace {
 
-/// A leaf on the boundary that is so many times as long as wide, in cells of the root grid, is
-/// halved along the boundary: what is off is a chord, not where the boundary is.
+/// A leaf on the boundary over 32 times as long as wide, in cells of the root grid, is halved along
+/// its length: its error is that of a chord, not of the boundary's place.
 constexpr std::uint32_t kSlender = 32;
 
-/// Around the first of some points, as far as the others; points that are not finite are nowhere.
+/// The ball around the first of some points that holds the others. Points that are not finite are
+/// skipped.
 class Ball {
  public:
   void add(const dvec3& p) {
@@ -40,7 +41,7 @@ class Ball {
   double reach_ = 0;
 };
 
-/// The longer one of the shorter two opposite sides.
+/// The longer side of the pair of opposite sides that is shorter.
 double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
   const auto length = [&](std::size_t a, std::size_t b) {
     return glm::distance(mesh.position[corner[a]], mesh.position[corner[b]]);
@@ -65,9 +66,9 @@ struct ErrorIndicator::ChordSample {
   double distance_of_middle;
   bool is_small_arc;
 
-  /// Where along the chord the sample is: 0 above its middle, -0.5 and 0.5 above its ends.
+  /// The sample's foot on the chord: 0 at its middle, -0.5 and 0.5 at its ends.
   double from_middle() const { return square > 0 ? glm::dot(off, chord) / square : 0; }
-  /// Of the sample from the chord, and from the line that it is on.
+  /// The distances of the sample from the chord and from the chord's line.
   double distance() const {
     return glm::length(off - std::clamp(from_middle(), -0.5, 0.5) * chord);
   }
@@ -120,7 +121,7 @@ int count_defined(const CellTree& tree, const Leaf& leaf) {
   return count;
 }
 
-/// The distance of the leaf's triangles from the surface in their midst.
+/// The largest height of the surface above the inside of the leaf's two triangles.
 double ErrorIndicator::bulge_of_triangles(const SampleVertices& samples, std::size_t first) const {
   const auto& [corner, side, centre] = samples;
   const auto is_far = [&](std::uint32_t vertex) {
@@ -139,8 +140,8 @@ double ErrorIndicator::bulge_of_triangles(const SampleVertices& samples, std::si
                   bulge(sides[first + 2], sides[(first + 3) % 4], diagonal));
 }
 
-/// Of a leaf's centre, which may be far off the diagonal that starts from corner `first`, but near
-/// the triangles: where the surface is upright they are a wall, as it is.
+/// The distance of a leaf's centre from its two triangles, cut from corner `first`. At an upright
+/// front the centre may be far from the diagonal, but near the triangles.
 double ErrorIndicator::distance_from_triangles(const Leaf& leaf, std::size_t first) const {
   const SampleVertices& samples = leaf.samples;
   const auto at = [&](std::size_t k) { return samples.corner[(first + k) % 4]; };
@@ -154,12 +155,12 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
   const double seen_turn = kSeenTurn * eps;
   const bool is_wide = narrow_side(mesh_, corner) > seen_turn;
   const bool is_opposed = has_opposed(leaf.samples);
-  // Between opposed normals a tip may be hidden that sticks out of a sliver.
+  // A tip between opposed normals may stick out of a sliver.
   const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
   const bool is_visible = diameter(corner) > kVisible * eps;
   const std::size_t first_corner = first_of_diagonal(corner);  // of the diagonal
   CellError error;
-  ErrorRatios turn;  // squares of tangents yet
+  ErrorRatios turn;  // squares of tangents
   const auto add_chord = [&](std::uint32_t a, std::uint32_t b, std::uint32_t sample, bool border,
                              double ErrorRatios::*part) {
     const dvec3 first = seen_position(a);
@@ -180,7 +181,7 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
     }
   };
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tree_.is_used(side[k])) continue;  // the side is no edge of the mesh: its halves are
+    if (tree_.is_used(side[k])) continue;  // a hanging vertex: the halves are the mesh's edges
     add_chord(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
               k % 2 == 0 ? &ErrorRatios::along_u : &ErrorRatios::along_v);
   }
@@ -229,7 +230,7 @@ bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexa
 
 bool ErrorIndicator::splits_u(const Leaf& leaf, const ErrorRatios& ratios) const {
   const auto& corner = leaf.samples.corner;
-  // A twisted leaf has straight sides; its longer ones are halved.
+  // The sides of a twisted leaf are straight; the longer ones are halved.
   constexpr double kStraight = 0.1;
   if (std::max(ratios.along_u, ratios.along_v) > kStraight * ratios.centre) {
     return ratios.along_u >= ratios.along_v;
@@ -308,8 +309,8 @@ bool ErrorIndicator::is_seen(const Leaf& leaf, std::size_t side) const {
   }
 }
 
-/// Whether the normals of two neighbours among the samples that have one are opposed: a smooth
-/// surface may well turn as much from corner to corner.
+/// Whether the normals of two neighbouring regular samples are over 90 degrees apart. From corner
+/// to corner, a smooth surface may turn as much.
 bool ErrorIndicator::has_opposed(const SampleVertices& samples) const {
   const auto& n = mesh_.normal;
   const auto is_opposed = [&](std::uint32_t a, std::uint32_t middle, std::uint32_t b) {
@@ -323,15 +324,15 @@ bool ErrorIndicator::has_opposed(const SampleVertices& samples) const {
   return is_opposed(side[0], centre, side[2]) || is_opposed(side[1], centre, side[3]);
 }
 
-/// How far beyond the box a surface goes does not matter.
+/// The position, clamped to the clip box and its margin.
 dvec3 ErrorIndicator::seen_position(std::uint32_t vertex) const {
   const dvec3& p = mesh_.position[vertex];
   return far_ ? glm::clamp(p, far_->low, far_->high) : p;
 }
 
-/// The distance of a sample from the chord of a and b, which would be an edge of the mesh: along
-/// the normal, since the triangles go on beside the edge; at the domain's border in any direction.
-/// A steep front within a cell is near the chord, though far from its middle.
+/// The distance of a sample from the chord of a and b, an edge of the mesh. It is taken along the
+/// normal, since triangles continue beside the edge; on a visible line in any direction. The sample
+/// of a steep front is near the chord, but far from its middle.
 double ErrorIndicator::distance_of_sample(const ChordSample& arc,
                                           const std::array<std::uint32_t, 3>& vertices,
                                           bool border) const {
@@ -346,9 +347,8 @@ double ErrorIndicator::distance_of_sample(const ChordSample& arc,
   return largest_height(chord, arc.from_middle(), glm::dot(arc.off, normal));
 }
 
-/// The corner, 0 or 1, that the diagonal with the smaller arc starts from: along it cut_cell() of
-/// mesh/grid/triangulate cuts most cells. What else that looks at is left to it, as the lengths of
-/// arcs that are equal.
+/// The corner, 0 or 1, at which the diagonal with the smaller sagitta starts. cut_cell() of
+/// mesh/grid/triangulate chooses it for most cells; the indicator ignores its other criteria.
 std::size_t ErrorIndicator::first_of_diagonal(const Corners& corner) const {
   const auto arc = [&](std::size_t a, std::size_t b) {
     return sagitta(mesh_.position[corner[a]], mesh_.normal[corner[a]], mesh_.position[corner[b]],

@@ -1,4 +1,8 @@
-// How good a leaf of a refined grid is as it stands: from the middles of its sides and its centre.
+// The error indicator: estimates how far a leaf's two triangles would be from the surface, and how
+// far their normals, from nine samples: its corners, the middles of its sides and its centre. A
+// leaf above its tolerance is split. Validation (mesh/error/validator) measures the error
+// elsewhere. Source of the terms: R. Verfuerth, "A posteriori error estimation techniques for
+// finite element methods", 2013.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +15,9 @@
 
 namespace saddle {
 
-/// How bad a leaf is along u, along v and at its centre; 1 is just good enough. Errors fall with
-/// the square of a leaf's size and angles with the size itself: the square of an angle's share is
-/// comparable.
+/// Errors of a leaf along u, along v and at its centre, as parts of its tolerance. Distances fall
+/// with the square of a leaf's size, angles with the size itself. The ratio of an angle is
+/// therefore the square of its part of the normal tolerance.
 struct ErrorRatios {
   double along_u = 0;
   double along_v = 0;
@@ -21,13 +25,13 @@ struct ErrorRatios {
   double worst() const { return std::max({along_u, along_v, centre}); }
 };
 
-/// The scores of distances and of normals.
+/// The error ratios of distances and of normals.
 struct CellError {
   ErrorRatios distance;
-  ErrorRatios gap;  ///< distances from the middles of chords: of a wall, its height
+  ErrorRatios gap;  ///< from the middle of each chord; the height of a steep front
   ErrorRatios turn;
-  bool is_folded = false;  ///< the normals at two neighbouring samples face opposite ways
-  bool may_jump = false;   ///< a sample is far from the middle of its chord
+  bool is_folded = false;  ///< normals of two neighbouring samples are over 90 degrees apart
+  bool may_jump = false;   ///< a sample is farther from its chord's middle than kSmallArc
 };
 
 inline ErrorRatios worse(const ErrorRatios& a, const ErrorRatios& b) {
@@ -35,20 +39,20 @@ inline ErrorRatios worse(const ErrorRatios& a, const ErrorRatios& b) {
           std::max(a.centre, b.centre)};
 }
 
-/// Asks the cell tree for those samples of a leaf that are not known.
+/// Requests the samples of a leaf that are not known from the cell tree.
 void request_samples(Leaf& leaf, CellTree& tree);
 
-/// What is allowed of a leaf, by its corners.
+/// The tolerance in the ball around a leaf's corners.
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const CellTree& tree);
 
-/// How wide a leaf with these corners is in the direction in which it is narrow: of a parallelogram
-/// its smaller height. Not finite where a corner is not.
+/// The width of a leaf with these corners across its longest side; of a parallelogram, its smaller
+/// height. Not finite where a corner is not.
 double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner);
 
-/// How many of the nine samples of a leaf are defined.
+/// The number of a leaf's nine samples that are defined.
 int count_defined(const CellTree& tree, const Leaf& leaf);
 
-/// Judges leaves whose samples are known.
+/// Estimates the errors of leaves whose samples are known.
 class ErrorIndicator {
  public:
   ErrorIndicator(const RefineOptions& options, const Grid& grid, const CellTree& tree)
@@ -58,39 +62,39 @@ class ErrorIndicator {
     far_ = Bounds{options.clip->low - margin, options.clip->high + margin};
   }
 
-  /// What is allowed of a leaf.
+  /// The tolerance in the ball around a leaf's nine samples.
   double allowed(const Leaf& leaf) const;
-  /// Whether a side is on a line that is seen: then its distance counts in any direction.
+  /// Whether a side is on a drawn line or the domain's end. Its distance then counts in any
+  /// direction.
   bool is_seen(const Leaf& leaf, std::size_t side) const;
 
-  /// Of a leaf all of whose samples are defined.
+  /// The errors of a leaf whose nine samples are all defined.
   CellError estimate(const Leaf& leaf) const;
 
-  /// Of angles, by the squares of their tangents.
+  /// The error ratios of angles that are given by the squares of their tangents.
   ErrorRatios turn_ratios(const ErrorRatios& squares_of_tangents) const;
 
-  /// Whether the samples of a leaf are all within what may be missing of each other: whatever cuts
-  /// it, nobody sees how.
+  /// Whether the box around a leaf's samples has a diagonal within the tolerance. An edge feature
+  /// in such a leaf is not visible.
   bool is_too_small_to_see(const Leaf& leaf) const;
 
-  /// Whether a leaf that passes its tests misses the surface at a counterexample, or a hole there.
+  /// Whether a leaf that passes the estimate misses the surface, or a hole, at a counterexample.
   bool misses(const Leaf& leaf, const Counterexample& counterexample) const;
-  /// Which way to halve it then: the one along which the surface bends more at the counterexample.
+  /// Whether to halve such a leaf along u: where the surface bends more along u there.
   bool splits_u(const Leaf& leaf, const Counterexample& counterexample) const;
 
-  /// Which way to halve a leaf that failed.
+  /// Whether to halve a leaf that failed along u.
   bool splits_u(const Leaf& leaf, const ErrorRatios& ratios) const;
 
-  /// Which way to halve a leaf that the boundary crosses: the one along which samples cease to be
-  /// defined more often, so that halves are on one side of it; else, and where that has made it a
-  /// sliver along the boundary, the longer one.
+  /// Whether to halve a leaf on the boundary along u: along the direction with more changes between
+  /// defined and undefined samples. In a tie, and in a slender leaf, along the longer direction.
   bool splits_boundary_u(const Leaf& leaf) const;
 
-  /// Whether nothing of a leaf will be left; samples that are not defined do not count.
+  /// Whether all defined samples of a leaf are beyond one face of the clip box.
   bool is_clipped(const Leaf& leaf) const;
 
-  /// Whether all samples are clipped, if not by the same face: nothing will be left of a leaf that
-  /// a pole goes through.
+  /// Whether each defined sample is beyond some face of the clip box. Nothing is left of such a
+  /// leaf if a pole goes through it.
   bool is_outside(const Leaf& leaf) const;
 
  private:
@@ -113,7 +117,7 @@ class ErrorIndicator {
 
   const RefineOptions& options_;
   const Grid& grid_;
-  std::optional<Bounds> far_;  ///< beyond it nothing matters
+  std::optional<Bounds> far_;  ///< the clip box and a margin; positions are clamped to it
   const Mesh& mesh_;
   const CellTree& tree_;
 };

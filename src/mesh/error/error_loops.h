@@ -1,5 +1,6 @@
-// Loops over leaves that are as most are, compiled for each CPU level: they tell at little cost
-// that a leaf is good enough, or that somebody has to look closer.
+// Vector loops of the error estimates, compiled once for each CPU level: over leaves and their nine
+// samples, over leaves and validation points, and over the cells of a grid's row. Each also reports
+// for which items its result holds; for others the scalar code applies.
 #pragma once
 
 #include <array>
@@ -10,11 +11,11 @@
 
 namespace saddle {
 
-/// Leaves per round: what is known of them stays in the first or second-level cache.
+/// Leaves per round: their columns stay in the first or second-level cache.
 inline constexpr std::size_t kLeafBlock = 128;
 
-/// One cache line more than a block has: columns that are a power of two apart share a few sets of
-/// the first-level cache, and what is written leaf by leaf to 60 of them drives the others out.
+/// One cache line more than a block. Columns a power of two apart share a few sets of the
+/// first-level cache, and writing leaf by leaf to 60 of them would evict the others.
 using LeafNumbers = std::array<double, kLeafBlock + 8>;
 
 /// One vertex of each leaf.
@@ -23,19 +24,18 @@ struct LeafVertices {
   LeafNumbers n_x, n_y, n_z;  ///< unit normals; zero where there is none
 };
 
-/// Leaves that are to be judged by the nine samples of mesh/error/error_indicator.h, of which
-/// `side` k is between corners k and k + 1.
+/// Leaves and the nine samples of mesh/error/error_indicator.h. `side` k is between corners k and
+/// k + 1.
 struct LeafSamples {
   std::array<LeafVertices, 4> corner;
   std::array<LeafVertices, 4> side;
   LeafVertices centre;
   std::array<LeafNumbers, 4> counts;  ///< 1: a side is an edge of the mesh; 0: its halves are
   std::array<LeafNumbers, 4> seen;    ///< 1: its distance counts in any direction
-  LeafNumbers seen_turn;              ///< how normals turn along no more than this does not count
+  LeafNumbers seen_turn;              ///< turns of normals along shorter chords do not count
 };
 
-/// What is found along u, along v and at the centre, as ErrorRatios of mesh/error/error_indicator.h
-/// are.
+/// Errors along u, along v and at the centre, as in ErrorRatios of mesh/error/error_indicator.h.
 struct LeafRatios {
   LeafNumbers along_u, along_v, centre;
 };
@@ -43,13 +43,13 @@ struct LeafRatios {
 struct LeafErrors {
   LeafRatios distance;           ///< in units of length
   LeafNumbers gap_at_centre;     ///< the distance from the diagonal alone
-  LeafRatios square_of_tangent;  ///< of the angle that normals are off
-  LeafNumbers is_plain;          ///< 1: that holds; 0: a closer look is to be taken
-  /// More than 0: how normals turn there counts.
+  LeafRatios square_of_tangent;  ///< of the angle between normals
+  LeafNumbers is_plain;          ///< 1: the errors hold; 0: ErrorIndicator::estimate() applies
+  /// More than 0: turns of normals count.
   LeafNumbers turn_counts_on_sides, turn_counts_at_centre;
 };
 
-/// Judges leaves [0, count).
+/// Estimates the errors of leaves [0, count).
 using EstimateLeaves = void (*)(const LeafSamples& leaves, std::size_t count, LeafErrors& errors);
 
 /// Leaves of two triangles, corners 0, 1, 2 and 2, 3, 0, in local units, and a point of the surface
@@ -59,30 +59,29 @@ struct LeafPoints {
   double scale;  ///< local units per unit of length
   double front;  ///< 1: normals are along r_u x r_v; -1: the other way
 };
-/// Points, one for each leaf: where they are in the leaf, p from corner 0 to 1 and q from 1 to 2,
-/// and the columns of tangent_outputs(). Without numbers p and q they are beside 2 3 0, outside.
+/// A point for each leaf: its place in the leaf, p from corner 0 to 1 and q from 1 to 2, and the
+/// columns of tangent_outputs(). If p and q are NaN, the point is outside of triangle 2 3 0.
 struct LeafPlaces {
   const double* p;
   const double* q;
   std::array<const double*, 9> surface;
 };
 struct LeafSampledErrors {
-  LeafNumbers distance;  ///< the largest, in local units
-  LeafNumbers
-      predicted;         ///< the largest beside the points, as mesh/error/newton_step.h foresees it
-  LeafNumbers chord;     ///< between unit normals, exact and interpolated: its largest square
-  LeafNumbers is_known;  ///< 1; 0: somebody has to look closer
+  LeafNumbers distance;   ///< the largest, in local units
+  LeafNumbers predicted;  ///< the largest beside the points, by mesh/error/newton_step.h
+  LeafNumbers chord;      ///< between unit normals, exact and interpolated: its largest square
+  LeafNumbers is_known;   ///< 1: the errors hold; 0: sampled_error() applies
 };
 
-/// Adds what one point of each of the leaves [0, count) tells.
+/// Takes the largest of the errors so far and those at one point of each of the leaves [0, count).
 using ValidateLeaves = void (*)(const LeafPoints& leaves, const LeafPlaces& places,
                                 std::size_t count, LeafSampledErrors& errors);
 
-/// One place of the surface in each cell, all as far along v, or on the cells' border.
+/// One place in each cell of a row, all at the same part along v.
 struct RowPlaces {
   const double* along_u;  ///< where it is in its cell: 0 to 1
   double along_v;
-  /// How its cell is cut: as Cuts::second tells, or less than 0 where that is not known.
+  /// How its cell is cut: as Cuts::second, or less than 0 if neither way.
   const double* second;
   std::array<const double*, 9> surface;  ///< NormalColumns
   double scale;                          ///< local units, those of the strips, per unit of length
@@ -90,9 +89,9 @@ struct RowPlaces {
 };
 
 struct RowErrors {
-  TileNumbers distance;  ///< of the triangle from the surface, straight below it, in local units
+  TileNumbers distance;  ///< of the triangle from the surface along its normal, in local units
   TileNumbers chord;     ///< between unit normals, exact and interpolated: its square
-  TileNumbers is_known;  ///< 1; 0: a closer look is to be taken
+  TileNumbers is_known;  ///< 1: the errors hold; 0: sampled_error() applies
 };
 
 /// Checks the places in the cells [0, count) between two strips.

@@ -1,5 +1,5 @@
-// Judges many leaves as mesh/error/error_indicator.cpp does one, and tells of which that holds:
-// they are smooth, and far from folded. This file is compiled once for each CPU level, with
+// The error indicator of mesh/error/error_indicator.cpp for many leaves, and for which of them it
+// holds: smooth ones, far from folded. This file is compiled once for each CPU level, with
 // SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic (see
 // eval/kernel_loops.cpp).
 #include <math.h>
@@ -18,12 +18,11 @@ struct Chord {
   LoopVector n_a, n_b, n;
 };
 
-/// What a chord's sample says: its distance, how far its normal is from between those of the ends
-/// and, at least 0, that the arc is a small one whose normals face the same way.
+/// The error of a chord by its sample.
 struct ChordError {
   double distance;
-  double square_of_tangent;
-  double is_plain;
+  double square_of_tangent;  ///< between the sample's normal and the mean of those at the ends
+  double is_plain;           ///< at least 0: a small arc whose normals face the same way
 };
 
 static inline ChordError error_of(const Chord& chord, double seen, double turn_counts) {
@@ -61,7 +60,7 @@ static void estimate_side(const LeafSamples& leaves, size_t k, size_t count, Lea
   LeafNumbers& farthest = k % 2 == 0 ? errors.distance.along_u : errors.distance.along_v;
   LeafNumbers& largest =
       k % 2 == 0 ? errors.square_of_tangent.along_u : errors.square_of_tangent.along_v;
-#pragma GCC ivdep  // the verdicts overlap no samples
+#pragma GCC ivdep  // errors overlap no samples
   for (size_t i = 0; i < count; ++i) {
     const double is_long = square_of_side(leaves, k, i) - leaves.seen_turn[i] * leaves.seen_turn[i];
     const double turn_counts = smaller_of(is_long, errors.turn_counts_on_sides[i]);
@@ -73,11 +72,11 @@ static void estimate_side(const LeafSamples& leaves, size_t k, size_t count, Lea
   }
 }
 
-/// The diagonal along which the cell would be cut, and the largest height above its triangles.
+/// The errors along the diagonal that the cell would be cut along, and above its triangles.
 static void estimate_centre(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
   const LeafVertices* const side = leaves.side.data();
-#pragma GCC ivdep  // the verdicts overlap no samples
+#pragma GCC ivdep  // errors overlap no samples
   for (size_t i = 0; i < count; ++i) {
     const LoopVector p0 = position_at(corner[0], i), p1 = position_at(corner[1], i);
     const LoopVector p2 = position_at(corner[2], i), p3 = position_at(corner[3], i);
@@ -105,11 +104,11 @@ static void estimate_centre(const LeafSamples& leaves, size_t count, LeafErrors&
   }
 }
 
-/// Samples without a normal, or without a position, are for others to judge.
+/// Sets errors to 0. Leaves with a sample without a normal or a position are not plain.
 static void reset(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
   const LeafVertices* const side = leaves.side.data();
-#pragma GCC ivdep  // the verdicts overlap no samples
+#pragma GCC ivdep  // errors overlap no samples
   for (size_t i = 0; i < count; ++i) {
     const LoopVector n = normal_at(leaves.centre, i);
     double least = dot(n, n);
@@ -124,11 +123,12 @@ static void reset(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   }
 }
 
-/// Whether normals' turn counts: across a thin leaf it is not seen. The sides of one that is narrow
-/// run along it, those of a sliver across.
+/// Decides whether turns of normals count: they are not visible across a thin leaf. At the centre
+/// they count in leaves thicker than `seen_turn`. On sides they also count in narrow leaves, whose
+/// long sides run along them; the sides of other slivers run across.
 static void decide_which_turns_count(const LeafSamples& leaves, size_t count, LeafErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
-#pragma GCC ivdep  // the verdicts overlap no samples
+#pragma GCC ivdep  // errors overlap no samples
   for (size_t i = 0; i < count; ++i) {
     const LoopVector area = cross(minus(position_at(corner[2], i), position_at(corner[0], i)),
                                   minus(position_at(corner[3], i), position_at(corner[1], i)));

@@ -17,7 +17,7 @@ void take(const Mesh& mesh, std::uint32_t vertex, std::size_t i, LeafVertices& t
   put_vertex(mesh.position[vertex], mesh.normal[vertex], i, to);
 }
 
-/// Takes a leaf in as the i-th.
+/// Stores the samples of a leaf in the i-th place of the columns.
 void take_leaf(const Leaf& leaf, const ErrorIndicator& indicator, const CellTree& tree, double eps,
                std::size_t i, LeafSamples& to) {
   const SampleVertices& samples = leaf.samples;
@@ -32,7 +32,7 @@ void take_leaf(const Leaf& leaf, const ErrorIndicator& indicator, const CellTree
   to.seen_turn[i] = kSeenTurn * eps;
 }
 
-/// Whether normals of samples are limits, which say nothing of the leaf.
+/// Whether normals of samples are limits: they tell nothing about the leaf's errors.
 bool has_limits(const SampleVertices& samples, const CellTree& tree) {
   const auto is_limit = [&](std::uint32_t vertex) { return !tree.is_regular(vertex); };
   return is_limit(samples.centre) || std::ranges::any_of(samples.corner, is_limit) ||
@@ -48,7 +48,7 @@ ErrorRatios in_tolerances(const ErrorRatios& distances, double tolerance) {
           distances.centre / tolerance};
 }
 
-/// The square of a tangent whose angle has the score 1.
+/// The square of the tangent of an angle; infinite from 90 degrees on.
 double squared_tangent_of(double degrees) {
   if (!(degrees < 90)) return std::numeric_limits<double>::infinity();
   const double tangent = std::tan(degrees * std::numbers::pi / 180);

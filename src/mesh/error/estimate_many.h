@@ -1,4 +1,4 @@
-// Many leaves judged at a time: most of them are smooth and near enough.
+// The error indicator of many leaves at a time, by vector loops. Most leaves are smooth and pass.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,26 @@
 
 namespace saddle {
 
-/// What is seen of a leaf at a glance.
+/// The error of a leaf, as far as the loops know it.
 struct FastCellError {
-  bool is_known = false;    ///< else ErrorIndicator::score() is to be asked, which may say anything
-  bool passes = false;      ///< all tests, by the leaf's strictness
-  float distance = 0;       ///< how far off it is at most, in tolerances, if it passes
-  std::uint32_t error = 0;  ///< the number of what ErrorIndicator::score() says, if it does not
+  bool is_known = false;    ///< false: only ErrorIndicator::estimate() applies
+  bool passes = false;      ///< distance and normals, by the leaf's safety factors
+  float distance = 0;       ///< the largest error ratio of distances, if it passes
+  std::uint32_t error = 0;  ///< number of its CellError, if it does not pass
 };
 struct FastCellErrors {
   std::vector<FastCellError> leaves;
   std::vector<CellError> errors;  ///< of the few that fail
 
-  /// What is known of a leaf that does not pass; nullptr of others.
+  /// The error of a leaf that is known not to pass; nullptr for others.
   const CellError* error(const FastCellError& fast) const {
     return fast.is_known && !fast.passes ? &errors[fast.error] : nullptr;
   }
 };
 
-/// Judges leaves whose samples are known. Not known is what folds, bends too much for arcs or is
-/// not smooth, what something cuts or a pole is beside; with a clip box, all that does not pass.
+/// Estimates leaves whose samples are known. The loops do not know leaves that fold, bend too much
+/// for arcs or are not smooth, have edge features or are beside a pole. With a clip box they know
+/// only leaves that pass.
 FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& options,
                              const ErrorIndicator& indicator, const CellTree& tree);
 

@@ -1,4 +1,4 @@
-// The limits that a mesh keeps, and the sizes below which errors do not count.
+// The limits that a mesh must keep, and sizes below which errors do not count.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,16 @@
 
 namespace saddle {
 
-/// A leaf that is no larger than so many tolerances is smaller than what may be missing: nobody
-/// looks for jumps and folds in it.
+/// Jumps and folds are not looked for in a leaf with a diameter of at most 2 tolerances.
 inline constexpr double kVisible = 2;
 
-/// How normals turn along what is no longer than so many tolerances, a pixel of a picture, does not
-/// matter, nor across what is no thicker. At a point where sheets meet they turn however often a
-/// leaf is halved, and at the shoulder of a front within a width that no picture shows. Of waves
-/// that are five pixels long a picture shows no more with half as much.
+/// Turns of normals along chords of at most 2 tolerances, a pixel of a picture, do not count, nor
+/// across leaves as thin. Where sheets meet at a point, normals turn however often a leaf is
+/// halved; at the shoulder of a front they turn within less than a pixel.
 inline constexpr double kSeenTurn = 2;
 
-/// An angle between normals but for their signs: across a cusp the normal jumps to its opposite
-/// while the tangent plane goes on, and no halving mends that.
+/// The angle between normals without their signs. Across a cusp the normal jumps to its opposite
+/// while the tangent plane is continuous; halving does not reduce that angle.
 inline double turn_of_line(double degrees) {
   return std::min(degrees, 180 - degrees);
 }
@@ -40,8 +38,8 @@ struct RefineOptions {
   double share = 1e-3;  ///< the tolerance as a share of the surface's diagonal
 };
 
-/// Triangles up to which leaves are halved for their normals alone: half as many as a picture of
-/// 800 x 600 has pixels, or a share of those that are allowed if that is more.
+/// Leaves are halved for their normals alone up to this many triangles: 250,000, about half the
+/// pixels of an 800 x 600 picture, or 1/16 of the limit if that is more.
 inline std::size_t allowed_for_normals(std::size_t max_triangles) {
   constexpr std::size_t kEnough = 250'000;
   constexpr std::size_t kShare = 16;

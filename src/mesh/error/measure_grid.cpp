@@ -15,13 +15,13 @@ namespace saddle {
 
 namespace {
 
-/// Cells that are measured at most, three points each: a sixth of the points of a default grid.
+/// Cells that are measured at most, at three points each: a sixth of the points of a default grid.
 constexpr std::size_t kMostMeasuredCells = 2048;
 /// Places in a cell where an error is largest: its middle and the middles of two edges (the other
 /// two belong to the neighbours).
 constexpr std::array<dvec2, 3> kWorstPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(0, 0.5)};
-/// Random offset from the middle, in cells. An error that is a parabola over the cell is seen to
-/// 1 - (2 * 0.1)^2 = 96 % at least.
+/// Random offset from the middle, in cells. Of an error that is a parabola over the cell at least
+/// 1 - (2 * 0.1)^2 = 96 % are measured.
 constexpr double kMiddleJitter = 0.1;
 constexpr std::size_t kCellChunk = 256;
 
@@ -69,8 +69,8 @@ class GridMeasurement {
     return largest;
   }
 
-  /// All cells with triangles, if they are few; else as many spread over the domain as chosen from
-  /// the worst.
+  /// All cells with triangles, if they are few; else half of the cells spread over the domain and
+  /// half with the largest sagittas.
   std::vector<std::size_t> choose_cells() const {
     if (grid_.cell_count() <= kMostMeasuredCells) return spread_cells(grid_.cell_count());
     const std::size_t half = kMostMeasuredCells / 2;
@@ -91,8 +91,8 @@ class GridMeasurement {
     return cells;
   }
 
-  /// From each of `count` stretches of equal length of the grid's cells one at random, or the next
-  /// one in the stretch that has triangles.
+  /// A random cell of each of `count` equally long stretches of the grid's cells, or the next one
+  /// in the stretch that has triangles.
   std::vector<std::size_t> spread_cells(std::size_t count) const {
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < count; ++k) {

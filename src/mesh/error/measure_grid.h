@@ -1,5 +1,5 @@
 // How far the mesh of a grid is from its surface, measured at random points of some cells. These
-// are samples of the error: nothing is known of what is between them.
+// are samples of the error: it may be larger between them.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ struct MeasuredError {
   std::size_t evaluations = 0;
 };
 
-/// Evaluates the surface inside and on two edges of cells: of all cells if they are few, else of
-/// those whose triangles look worst and of as many spread over the domain. The points are off the
-/// cells' middles by up to a tenth of a cell, at random: a surface that oscillates in step with the
-/// grid is found out. `opened`: the cells that were not plain.
+/// Evaluates the surface inside and on two edges of at most 2,048 cells: all of a small grid; else
+/// the half with the largest sagittas, and as many spread over the domain. Points are randomly off
+/// the middles by up to a tenth of a cell, so that oscillations in step with the grid are found.
+/// `opened`: the cells that were not plain.
 MeasuredError measure_error(const Surface& surface, const Grid& grid,
                             std::span<const std::size_t> opened, unsigned threads);
 

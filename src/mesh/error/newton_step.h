@@ -1,6 +1,6 @@
-// Where a surface is highest above a triangle, foreseen from one point of it: its height and slope
-// there are known, and how slopes change from the normals at the triangle's corners. For loops that
-// are compiled once for each CPU level, as mesh/grid/loop_vectors.h says, and for single points.
+// Predicts where a surface is highest above a triangle, from its height and slope at one point and
+// the normals at the triangle's corners: a damped step of Newton's method. For loops that are
+// compiled once for each CPU level, as mesh/grid/loop_vectors.h says, and for single points.
 #pragma once
 
 #include <math.h>
@@ -9,29 +9,29 @@
 
 namespace saddle {
 
-/// The shape of the surface above a triangle in the coordinates of its plane that are 0 at the
-/// first corner and 1 at the second, or third: slopes at a point, and how they change.
+/// Slopes of the surface above a triangle at a point, and its second derivatives, in coordinates of
+/// the triangle's plane: 0 at the first corner and 1 at the second (b) or third (c).
 struct StepShape {
   double slope_b, slope_c;
   double bend_bb, bend_bc, bend_cc;
 };
 
 struct NewtonStep {
-  double height;      ///< that is foreseen; the point's own, where it goes no higher
-  double to_b, to_c;  ///< how far away in the plane's coordinates that is
+  double height;      ///< predicted; that of the point, if there is no step uphill
+  double to_b, to_c;  ///< the step, in the plane's coordinates
 };
 
-/// The sides from the first corner to the others, how much the unit normal at the first one turns
-/// on the way, and the unit normal at the point.
+/// From the sides from the first corner to the others, the differences of unit normals along them,
+/// and the unit normal at the point.
 static inline StepShape step_shape(LoopVector to_second, LoopVector to_third, LoopVector turn_b,
                                    LoopVector turn_c, LoopVector at_point) {
   return {-dot(at_point, to_second), -dot(at_point, to_third), -dot(turn_b, to_second),
           -0.5 * (dot(turn_b, to_third) + dot(turn_c, to_second)), -dot(turn_c, to_third)};
 }
 
-/// From a point of some height, on the side that normals are on, above a point of the triangle with
-/// these weights of the second and the third corner. A step of Newton's method, damped so that it
-/// leads uphill along a cylinder, and shortened so that it stays in the triangle.
+/// A step from a point at a height along the normals, above the triangle's point with these weights
+/// of the second and third corner. The step is damped, so that it leads uphill on a cylinder, and
+/// shortened to stay within the triangle.
 static inline NewtonStep newton_step_from(StepShape shape, double height, double weight_b,
                                           double weight_c) {
   const double up = height < 0 ? -1.0 : 1.0;

@@ -23,7 +23,7 @@ struct Nearest {
   bool inside = false;  ///< the triangle, straight below `p`
 };
 
-/// The nearest place on the edge from corner a to corner b.
+/// The nearest point on the edge from corner a to corner b.
 struct OnEdge {
   double square = std::numeric_limits<double>::infinity();  ///< of the distance
   double share = 0;                                         ///< from a
@@ -40,7 +40,7 @@ OnEdge nearest_on_edge(const dvec3& a, const dvec3& b, const dvec3& p) {
 Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double square = glm::dot(normal, normal);
-  // Twice the area of p and two corners, beside that of the triangle: what the third one weighs.
+  // The weight of a corner is the area of p and the other two, as a part of the triangle's.
   const dvec3 weights = dvec3(glm::dot(glm::cross(t[1] - p, t[2] - p), normal),
                               glm::dot(glm::cross(t[2] - p, t[0] - p), normal),
                               glm::dot(glm::cross(t[0] - p, t[1] - p), normal));
@@ -50,7 +50,7 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   OnEdge best;
   int from = 0;
   for (int k = 0; k < 3; ++k) {
-    // Only an edge that p is beyond can be nearest, unless rounding has it on the inside of all.
+    // Only an edge that p is beyond can be nearest, unless by rounding p is inside of all.
     if (square > 0 && weights[(k + 2) % 3] > 0) continue;
     const OnEdge edge = nearest_on_edge(t[static_cast<std::size_t>(k)],
                                         t[static_cast<std::size_t>((k + 1) % 3)], p);
@@ -64,7 +64,7 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   return nearest;
 }
 
-/// What the corners of a triangle weigh at (u, v); negative outside.
+/// Weights of a triangle's corners at (u, v); some are negative outside.
 dvec3 weights_at(const Grid& grid, const Triangle& t, const dvec2& uv) {
   const auto& at = grid.mesh.uv;
   const auto area = [](const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; };
@@ -79,7 +79,8 @@ Nearest nearest_on(const Grid& grid, const Triangle& t, const dvec3& p) {
   return nearest_on_triangle({grid.local(t[0]), grid.local(t[1]), grid.local(t[2])}, p);
 }
 
-/// Of a point, in local units, from triangles, one of which is thought to be the nearest.
+/// The distance of a point, in local units, from triangles. `on_own`: its nearest point on the
+/// first triangle to try.
 double distance(const Grid& grid, std::span<const Triangle> triangles, const dvec3& p,
                 const Nearest& on_own) {
   double distance = on_own.distance;
@@ -89,9 +90,8 @@ double distance(const Grid& grid, std::span<const Triangle> triangles, const dve
   return distance;
 }
 
-/// The distance of a triangle's point at (u, v) from the surface, which is at `p` there, in local
-/// units: along its normal, since what is along the surface is no distance. 0 where the two are too
-/// far apart for that, or (u, v) is not in the triangle.
+/// height_above() of a triangle's point at (u, v), in local units; 0 if (u, v) is not in the
+/// triangle.
 double height_of_triangle(const Grid& grid, const Below& below, const dvec3& p,
                           const dvec3& normal) {
   const auto& [triangle, weights] = below;
@@ -194,7 +194,7 @@ Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const d
       newton_step_from(shape, above * facing < 0 ? -on_own.distance : on_own.distance,
                        on_own.weights.y, on_own.weights.z);
   const auto& at = grid.mesh.uv;
-  // The surface goes on from the place itself as the triangle does from the point below it.
+  // A step on the surface is taken for the same step on the triangle.
   return {step.height / grid.local_scale,
           uv + step.to_b * (at[own[1]] - at[own[0]]) + step.to_c * (at[own[2]] - at[own[0]])};
 }

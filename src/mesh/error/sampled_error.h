@@ -1,4 +1,5 @@
-// How far a mesh is from the surface it stands for, measured on fresh points.
+// The error of triangles at one point of the surface: its distance from them, the angle between
+// normals, and where the distance is predicted to be larger.
 #pragma once
 
 #include <array>
@@ -11,46 +12,46 @@
 
 namespace saddle {
 
-/// Of a point of the surface from triangles that stand for it.
+/// The error of triangles at a point of their surface.
 struct SampledError {
-  double distance = 0;     ///< in units of length; 0 where the surface is undefined
-  double degrees = 0;      ///< of exact and interpolated normal; 0 where there is none
-  bool on_crease = false;  ///< of a point of a crease from its chord
+  double distance = 0;     ///< in units of length; 0 if the surface is undefined
+  double degrees = 0;      ///< between the exact and the interpolated normal; 0 without one
+  bool on_crease = false;  ///< measured from a crease's chord
 };
-/// `point` is at (u, v). Its distance is from the triangle that (u, v) is in, if it is straight
-/// above it, else from the nearest one; or that triangle's point at (u, v) from the surface, if
-/// that is larger, as at an edge that sticks out. Its normal is compared with that triangle's,
-/// since near a cusp the other sheet may be as near. Whoever knows of a larger distance already
-/// need not be told a smaller one exactly: nobody looks for a nearer triangle than one within
-/// `known`. The triangles do not overlap in (u, v).
+/// The error at `point`, which is at (u, v). The distance is that from the triangle around (u, v)
+/// if the point is straight above it, else from the nearest triangle. The distance of the
+/// triangle's point at (u, v) from the surface counts if it is larger, as at an edge that sticks
+/// out. The normal is compared within the triangle around (u, v): near a cusp the other sheet may
+/// be as near. `known`: the error found so far. If the first triangle is within it, others are not
+/// searched. The triangles do not overlap in (u, v).
 SampledError sampled_error(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                            const SurfacePoint& point, bool flip, double known = 0);
-/// The same of a position with its unit normal, if it has one.
+/// The same for a position and its unit normal, if it has one.
 SampledError sampled_error(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                            const dvec3& position, const std::optional<dvec3>& normal,
                            double known = 0);
 
-/// A triangle, and what its corners weigh at a place in (u, v).
+/// A triangle, and the weights of its corners at a place in (u, v).
 struct Below {
   const Triangle* triangle;
   dvec3 weights;
 };
 
-/// The triangle that (u, v) is in, or is least outside of: then a weight is negative. There is one
-/// triangle at least.
+/// The triangle around (u, v), or else the one that (u, v) is least outside of, with a negative
+/// weight. `triangles` is not empty.
 Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);
-/// A place in a triangle above which the surface may be farther away than it is at another.
+/// A place above which the surface may be farther from its triangle.
 struct Predicted {
-  double distance = 0;  ///< as mesh/error/newton_step.h foresees it
+  double distance = 0;  ///< by mesh/error/newton_step.h
   dvec2 uv{0};
 };
-/// From the point at (u, v), above the triangle that it is straight above, or else the nearest one.
-/// Nothing if it has no regular normal.
+/// Predicts from the point at (u, v), above the triangle that it is straight above, or else the
+/// nearest one. The distance is 0 if the point has no regular normal.
 Predicted predict(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                   const SurfacePoint& point, bool flip);
 
-/// Whether a surface, which is at `position` at (u, v), and its triangles are seen there: what is
-/// outside of a box is cut away. Of no triangles nothing is.
+/// Whether the surface at (u, v), which is at `position`, and the triangles there are within the
+/// clip box. Without triangles, none are.
 struct Seen {
   bool surface = true;
   bool triangles = true;
@@ -58,7 +59,7 @@ struct Seen {
 Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
              std::span<const Triangle> triangles, const dvec2& uv, const dvec3& position);
 
-/// Its distance alone.
+/// The distance alone of a position from the triangles.
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position);
 
@@ -70,7 +71,7 @@ double distance_from_line(const Grid& grid, const Chord& chord, const dvec3& p);
 /// The same in units of length; 0 if they are at one place or `position` is not finite.
 double distance_from_chord(const Grid& grid, const Chord& chord, const dvec3& position);
 
-/// The angle between unit vectors whose ends are so far apart, 0 to 180 degrees, and the other way.
+/// The angle, 0 to 180 degrees, between unit vectors whose difference has this length; the inverse.
 double degrees_of_chord(double chord);
 double chord_of_degrees(double degrees);
 

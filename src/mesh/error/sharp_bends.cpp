@@ -13,23 +13,23 @@ namespace saddle {
 
 namespace {
 
-/// A leaf is sharp where normals are off by so much, or turn from corner to corner by so much that
-/// an arc is no parabola any more: then no height foresees how far the surface is elsewhere.
+/// A bend is sharp if interpolated normals are off by over 20 degrees, or if normals at opposite
+/// corners are over 60 degrees apart. An arc is no parabola then, and predictions fail.
 constexpr double kSharpDegrees = 20;
 constexpr double kSharpCosine = 0.5;
-/// What is measured to be nearer than this part of what is allowed is not too far off elsewhere, as
-/// it seems; nor sides from whose middles the surface is nearer along its normals.
+/// Assumption: a leaf validated below 0.5 tolerances needs no more points, and a leaf estimated
+/// below 0.75 tolerances none on its sides.
 constexpr double kDoubtful = 0.5;
 constexpr double kDoubtfulSides = 0.75;
-/// A diagonal may be too far off though the surface is as near along its normal.
+/// From this error estimate on, a diagonal may be above the tolerance.
 constexpr double kNearlyOff = 0.9;
-/// Places on a leaf's middle lines, as shares of its sides: random samples are at 0.15 to 0.35.
+/// Places on a leaf's middle lines, as parts of its sides. Random points are at 0.15 to 0.35.
 constexpr std::array kOnLines = {0.1, 0.9};
-/// Places each way in a leaf that turns sharply where its corners do not tell.
+/// Places each way in a leaf that turns sharply between its corners.
 constexpr std::array kWithin = {0.0, 0.25, 0.5, 0.75, 1.0};
-/// From the farthest of those, if it is off by this part of what is allowed, a search leads to
-/// farther ones: steps as shares of the leaf's sides, each tried to all four sides. Of sides whose
-/// middles are nearer than that to what is at their parameters nobody asks what is nearest.
+/// A compass search starts at the farthest place, if its distance is at least 0.85 tolerances:
+/// steps as parts of the leaf's sides, each tried in four directions. For sides whose middles are
+/// nearer to the surface at their parameters, the nearest point is not searched.
 constexpr double kSearched = 0.85;
 constexpr std::array kStepShares = {0.2, 0.1, 0.05};
 
@@ -49,8 +49,8 @@ std::array<std::uint32_t, 2> diagonal_of(std::span<const Triangle> two) {
   return {t[(at + 1) % 3], t[(at + 2) % 3]};
 }
 
-/// How far the middle of a leaf's diagonal is from the surface, to second order: from the plane at
-/// the leaf's centre, and how the surface turns away from that on the way aside to the middle.
+/// The distance of the middle of a leaf's diagonal from the surface, to second order: from the
+/// tangent plane at the leaf's centre and the change of normals towards the middle.
 double distance_of_diagonal(const Mesh& mesh, const SampleVertices& samples,
                             const std::array<std::uint32_t, 2>& diagonal) {
   const auto& position = mesh.position;
@@ -181,7 +181,7 @@ void SharpBends::sample(ValidatedMesh& mesh) {
   for (std::size_t k = 0; k < chords.size(); ++k) mesh.add(leaves[k], distances[k]);
 }
 
-/// Compass search, from the farthest place of each.
+/// Compass search from the farthest place of each leaf.
 void SharpBends::search(ValidatedMesh& mesh) {
   constexpr std::array kWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
   std::vector<dvec2> uv;

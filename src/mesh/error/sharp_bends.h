@@ -1,6 +1,7 @@
-// How far leaves are off in which the surface turns as sharply as at an edge: a few places tell
-// little of the others there, and what is nearest to a point is not what is at its parameters. That
-// is so, too, where parameters are so skew that the middle of a leaf is not near its diagonal's.
+// More validation points for leaves in which the surface turns as sharply as at an edge. A few
+// points tell little about the others there, and the surface's nearest point is not the one at the
+// same parameters. The same holds where parameters are so skew that the middles of a leaf and of
+// its diagonal are apart.
 #pragma once
 
 #include <array>
@@ -19,31 +20,31 @@ class SharpBends {
   SharpBends(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
 
-  /// A leaf that was measured, and that nothing cuts, with its triangles, which must outlive this.
-  /// Nothing is done if it is known to be too far off, or if its samples tell enough.
+  /// Adds a validated leaf without edge features, with its triangles, which must outlive this.
+  /// Skips leaves that are above their tolerance, and leaves whose points are enough.
   void add(const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles);
 
-  /// Measures them in more places, and how far triangles are from the surface. Adds the distances
-  /// that are found to the mesh.
+  /// Adds to the mesh the distances of the leaves at more places, and of their triangles' sides
+  /// from the surface.
   void measure(ValidatedMesh& mesh);
 
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  /// What is to be looked at.
+  /// What to sample of a leaf.
   struct Targets {
     bool places, sides;
-    bool everywhere = false;  ///< corners do not tell where it turns
+    bool everywhere = false;  ///< at a lattice of places: corners do not show the turn
   };
   struct SharpLeaf {
     std::size_t number;
     dvec2 low, high;
     std::span<const Triangle> triangles;
     Targets targets;
-    dvec2 farthest{0};    ///< the place that was found to be farthest off
+    dvec2 farthest{0};    ///< the place with the largest distance so far
     double distance = 0;  ///< there
   };
-  /// A place to sample at, and the triangle's side whose middle is there.
+  /// A place to sample, and the triangle's side whose middle it is.
   struct Place {
     std::size_t leaf;
     dvec2 uv;

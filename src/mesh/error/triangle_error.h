@@ -41,8 +41,8 @@ static inline double height_above(LoopTriangle t, LoopVector weights, LoopVector
   return smaller_of(flat, beside) >= 0 ? height : 0.0;
 }
 
-/// The square of the difference between an exact unit normal and an interpolated one, of which
-/// `square` is the square of its length.
+/// The square of the difference between an exact unit normal and an interpolated one, made a unit
+/// vector. `square`: the square of the latter's length.
 static inline double square_of_chord(LoopVector interpolated, double square, LoopVector exact) {
   const LoopVector chord = minus(times(1 / sqrt(square), interpolated), exact);
   return dot(chord, chord);

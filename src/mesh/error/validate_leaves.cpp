@@ -1,7 +1,7 @@
-// How far points of the surface are from the two triangles of their leaves, as deviation() of
-// mesh/error/sampled_error.cpp tells one by one. This file is compiled once for each CPU level,
-// with SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic (see
-// eval/kernel_loops.cpp).
+// The errors of leaves of two triangles at validation points, as sampled_error() of
+// mesh/error/sampled_error.cpp has them for one point. This file is compiled once for each CPU
+// level, with SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic
+// (see eval/kernel_loops.cpp).
 #include <math.h>
 
 #include "mesh/error/error_loops.h"
@@ -46,7 +46,7 @@ static inline Foot foot_on(const LoopTriangle& t, LoopVector p) {
 void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t count,
                   LeafSampledErrors& errors) {
   const LeafVertices* const corner = leaves.corner.data();
-#pragma GCC ivdep  // what is written overlaps nothing that is read
+#pragma GCC ivdep  // errors overlap no input
   for (size_t i = 0; i < count; ++i) {
     const LoopVector p0 = position_at(corner[0], i), p1 = position_at(corner[1], i);
     const LoopVector p2 = position_at(corner[2], i), p3 = position_at(corner[3], i);
@@ -84,7 +84,7 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     const double chord = square_of_chord(interpolated, square_normal, exact);
     const double distance = sqrt(choose(is_on_own, on_own.square, on_other.square));
     errors.distance[i] = larger_of(errors.distance[i], larger_of(distance, height));
-    // On from there, above the triangle that the point is above.
+    // The prediction, above the triangle that the point is straight above.
     const LoopTriangle above = choose(is_on_own, own, other);
     const LoopVector ab = minus(above.b, above.a), ac = minus(above.c, above.a);
     const double up = choose(is_on_own, on_own.height, on_other.height);

@@ -48,8 +48,8 @@ class Columns {
     evaluate_points(surface.tangents, u, v, starts, threads);
   }
 
-  /// Where a place is in the triangles of its leaf, which begin at the corner of `low` or, turned,
-  /// at the next.
+  /// Sets a place in the triangles of its leaf, which begin at the corner of `low` or, turned, at
+  /// the next.
   void set_place(std::size_t s, std::size_t i, const dvec2& part, bool turned) {
     p_[s * stride_ + i] = turned ? part.y : part.x;
     q_[s * stride_ + i] = turned ? 1 - part.x : part.y;
@@ -68,7 +68,7 @@ class Columns {
   std::array<Array<double>, 9> columns_;
 };
 
-/// A block of leaves, and what is found at their places.
+/// A block of leaves, validated at their places.
 class Block {
  public:
   Block(const Surface& surface, const Grid& grid)
@@ -84,7 +84,7 @@ class Block {
     }
   }
 
-  /// Measures leaves whose first has the number `begin` in the columns.
+  /// Validates leaves. The first has the number `begin` in the columns.
   void measure(const Columns& columns, std::size_t begin, std::size_t places,
                std::span<std::optional<LeafError>> result) const {
     const std::size_t count = result.size();
@@ -110,8 +110,8 @@ class Block {
   std::unique_ptr<LeafPoints> points_;
 };
 
-/// Where a place with such weights is: in the triangle 2 3 0. Outside of it the triangle is at no
-/// height above the surface, and that is what places that are no numbers have.
+/// The place in triangle 2 3 0 with these weights. A place outside is NaN: then the loop finds no
+/// height of the triangle above the surface.
 dvec2 place_of(const dvec3& weights) {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   if (!(std::min({weights.x, weights.y, weights.z}) >= 0)) return dvec2(kNowhere);
@@ -126,9 +126,9 @@ void for_parts(std::size_t count, std::size_t length, Function f) {
   }
 }
 
-/// Measures all of some leaves: batch by batch, whose columns are computed together, and in those
-/// block by block. `uv`: the parameters of place s of a leaf; `corners`: those of a leaf; `place`:
-/// files where its places are in the columns, under its number there.
+/// Validates leaves batch by batch, with columns that are computed together, and in each batch
+/// block by block. `uv`: the parameters of place s of a leaf; `corners`: a leaf's corners; `place`:
+/// sets its places in the columns, by its number there.
 struct BatchedLoops {
   const Surface& surface;
   const Grid& grid;

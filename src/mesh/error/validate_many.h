@@ -1,4 +1,5 @@
-// Many leaves measured at a time: most of them are two triangles beside a smooth surface.
+// Validates many leaves at a time, by vector loops. Most leaves are two triangles beside a smooth
+// surface.
 #pragma once
 
 #include <array>
@@ -23,11 +24,10 @@ struct TwoTriangles {
 
 struct LeafError {
   SampledError worst;  ///< at its places
-  double predicted;    ///< distance that may be found beside them: mesh/error/newton_step.h
+  double predicted;    ///< largest distance predicted beside them: mesh/error/newton_step.h
 };
 
-/// How far off leaves are; nothing for those that have to be measured
-/// place by place, with deviation().
+/// The errors of leaves; nothing for leaves to which only sampled_error() applies.
 std::vector<std::optional<LeafError>> validate_many(const Surface& surface, const Grid& grid,
                                                     std::span<const TwoTriangles> leaves,
                                                     unsigned threads);
@@ -39,7 +39,7 @@ struct PlaceOnTriangle {
   dvec3 weights;                         ///< of corners 2, 3 and 0; negative: it is outside
 };
 
-/// Deviations at places; nothing for those that are to be measured with deviation().
+/// The errors at places; nothing for places to which only sampled_error() applies.
 std::vector<std::optional<LeafError>> validate_places(const Surface& surface, const Grid& grid,
                                                       std::span<const PlaceOnTriangle> places,
                                                       unsigned threads);

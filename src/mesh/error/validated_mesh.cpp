@@ -4,7 +4,7 @@ namespace saddle {
 
 namespace {
 
-/// Appends the triangles of a range; returns where they are then.
+/// Appends the triangles of a range; returns their new range.
 LeafTriangles::Range append(const LeafTriangles& from, LeafTriangles::Range range,
                             Array<Triangle>& to) {
   const auto first = from.all.begin() + range.first;

@@ -1,4 +1,4 @@
-// The leaves of a mesh and how far off they are.
+// The leaves of a mesh, their triangles and their measured errors.
 #pragma once
 
 #include <cstddef>
@@ -11,31 +11,31 @@
 
 namespace saddle {
 
-/// The leaves of a mesh, what is allowed of them, what they were last found to deviate by and the
-/// triangles that this was of.
+/// The leaves of a mesh, their tolerances, and the triangles and errors that they had when they
+/// were last validated.
 struct ValidatedMesh {
   std::vector<Leaf> leaves;
-  /// As many as leaves, or fewer: the rest is not measured yet.
+  /// As many as leaves, or fewer: the others are not validated yet.
   std::vector<SampledError> sampled_errors;
   std::vector<double> allowed;
-  /// As many ranges as deviations. Triangles that were replaced stay, in no range.
+  /// As many ranges as errors. Replaced triangles stay, in no range.
   LeafTriangles triangles;
-  std::vector<std::uint32_t> made;  ///< when triangles were: CellTree::next_revision()
+  std::vector<std::uint32_t> made;  ///< revisions of the triangles: CellTree::next_revision()
 
-  /// How far off a leaf is, in what is allowed.
+  /// The error ratio of a leaf: its distance, as a part of its tolerance.
   double off(std::size_t leaf) const { return sampled_errors[leaf].distance / allowed[leaf]; }
-  /// Whether no more is known than is allowed.
+  /// Whether the known distance is within the tolerance.
   bool is_near(std::size_t leaf) const { return sampled_errors[leaf].distance <= allowed[leaf]; }
-  /// A distance that was found at a leaf.
+  /// Takes a distance found at a leaf, if it is larger than the known one.
   void add(std::size_t leaf, double distance) {
     double& worst = sampled_errors[leaf].distance;
     worst = distance > worst ? distance : worst;
   }
-  /// Files the triangles of some leaves.
+  /// Stores the triangles of some leaves.
   void put(std::span<const std::size_t> which, const LeafTriangles& newer, std::uint32_t now);
   /// The triangles of all leaves, and no others.
   LeafTriangles all_triangles() const;
-  /// Takes leaves out; `which` ascending. The others stay in their order.
+  /// Removes leaves; `which` is ascending. The others keep their order.
   void remove(std::span<const std::size_t> which);
 };
 

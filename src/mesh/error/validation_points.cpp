@@ -14,31 +14,29 @@ namespace saddle {
 
 namespace {
 
-/// One fresh sample in each quarter of a leaf, up to this part of its sides from the quarter's
-/// middle: there the error of an arc with a turning point is largest, which its middle does not
-/// show.
+/// One point in each quarter of a leaf, up to this part of the leaf's sides from the quarter's
+/// middle. The error of an arc with a turning point is largest there, and 0 in the arc's middle.
 constexpr double kQuarterJitter = 0.1;
 
-/// Samples on a chord. An arc with a turning point is not highest above its middle; but
-/// mesh/error/distance_maximizer goes from there to where more is foreseen, in leaves that nothing
-/// cuts.
+/// Points on a chord. An arc with a turning point is not highest above its middle. In leaves
+/// without edge features one point is enough, since mesh/error/distance_maximizer climbs from it.
 constexpr std::array kChordSamples = {0.36, 0.5, 0.64};
 constexpr std::span<const double> kInMiddle = std::span(kChordSamples).subspan(1, 1);
 
-/// How far from its chord a crease is looked for, in chords.
+/// How far from its chord a crease is looked for, as a part of the chord.
 constexpr double kBesideCrease = 0.3;
 
-/// Samples on the sides of triangles at a boundary: an arc with a vertical tangent at its end, as
-/// sqrt has, is highest above the first quarter of its chord.
+/// Points on the sides of triangles at a boundary. An arc with a vertical tangent at its end, like
+/// a square root's, is highest above the first quarter of its chord.
 constexpr std::array kBesideBoundary = {0.25, 0.75};
 
-/// Whether a place, in sides of a leaf from its low corner, is in it and not on its border.
+/// Whether a place, in sides of a leaf from its low corner, is inside of the leaf.
 bool is_inside(const dvec2& part) {
   return part.x > 0 && part.x < 1 && part.y > 0 && part.y < 1;
 }
 
-/// Whether a chord in a leaf is told of by another triangle: a diagonal is a side of two, and so is
-/// the chord of a crease, of one in each piece with corners of its own.
+/// Whether another triangle lists a chord in a leaf. A diagonal is a side of two triangles. So is a
+/// crease's chord, of one triangle in each sub-polygon, with corners of its own.
 bool is_other_side(const Grid& grid, std::span<const Triangle> triangles, std::uint32_t a,
                    std::uint32_t b, bool on_crease) {
   if (!on_crease) return a > b;
@@ -70,10 +68,10 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
                          std::vector<ValidationPoint>& samples) const {
   const dvec2 low = tree_.parameters(leaf.low);
   const dvec2 high = tree_.parameters(leaf.high);
-  // Of a leaf that is off by whole waves nobody needs to know where most.
+  // The largest error of a leaf that is aliased does not matter.
   const bool has_chords = !leaf.oscillates;
   const bool is_whole = !leaf.is_split && !leaf.on_boundary;
-  // The middles of more triangles, and of the chords between them, are fresh enough.
+  // With more than two triangles, their middles and those of their chords are enough.
   if (!(has_chords && is_whole && triangles.size() > 2)) {
     for (const dvec2& part : validation_places(leaf)) {
       samples.push_back({number, low * (1.0 - part) + high * part});
@@ -83,7 +81,7 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
   if (has_chords) append_chords(number, leaf, triangles, samples);
 }
 
-/// On the sides of triangles, beside their corners.
+/// Points on the sides of triangles, a quarter from their corners.
 void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> triangles,
                                std::vector<ValidationPoint>& samples) const {
   const auto& uv = grid_.mesh.uv;
@@ -101,8 +99,8 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
                                 std::vector<ValidationPoint>& samples) const {
   const bool is_creased = leaf.is_split && count_features(leaf, tree_).only_creases;
   if (triangles.size() <= 2 && !is_creased) return;
-  // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
-  // chords of jumps the surface may be on either level.
+  // The error indicator does not cover the diagonals of leaves with more corners, nor chords of
+  // creases. Beside chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
   const dvec2 low = tree_.parameters(leaf.low);
   const dvec2 size = tree_.parameters(leaf.high) - low;
@@ -133,8 +131,8 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
   }
 }
 
-/// On sides between singular vertices: a cusp that is a line of constant u or v has no normals from
-/// which an arc above its chord would follow.
+/// Points on sides between singular vertices. A cusp along a line of constant u or v has no
+/// normals, from which the error indicator could take an arc above its chord.
 void PointPlacer::append_singular_sides(const ValidatedMesh& mesh,
                                         std::span<const std::size_t> which,
                                         std::vector<ValidationPoint>& samples) const {

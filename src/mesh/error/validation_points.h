@@ -1,4 +1,5 @@
-// Where leaves are measured: places that nobody has looked at before.
+// Validation points: where the errors of leaves are measured, away from the samples of the error
+// indicator.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +14,27 @@
 
 namespace saddle {
 
-/// A place at which a leaf is measured.
+/// A point at which the error of a leaf is measured.
 struct ValidationPoint {
-  std::size_t number;  ///< of the leaf, among those that are measured
+  std::size_t number;  ///< of the leaf, among those validated
   dvec2 uv;
-  const Triangle* triangle = nullptr;  ///< it is in; unknown
-  bool beside_cut = false;             ///< the normal may be that of the other side
-  std::optional<Chord> crease = {};    ///< whose chord it is on
-  dvec2 across{0};                     ///< from there across the chord, where the crease may be
+  const Triangle* triangle = nullptr;  ///< around it; nullptr: unknown
+  bool beside_cut = false;             ///< on an edge feature: the normal may be the other side's
+  std::optional<Chord> crease = {};    ///< the chord that it is on
+  dvec2 across{0};                     ///< as far across the chord a crease is looked for
 };
 
-/// Where a leaf is measured: always the same for the same leaf.
+/// The jittered quarters of a leaf; always the same for the same leaf.
 PlacesInLeaf validation_places(const Leaf& leaf);
 
 class PointPlacer {
  public:
   PointPlacer(const Grid& grid, const CellTree& tree) : grid_(grid), tree_(tree) {}
 
-  /// The samples of a leaf of any triangles, which must outlive them.
+  /// The points of a leaf of any triangles, which must outlive them.
   void append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
               std::vector<ValidationPoint>& samples) const;
-  /// Those of the leaves of a mesh with these numbers that are on their singular sides.
+  /// Points on cusps that are sides of the leaves of a mesh with these numbers.
   void append_singular_sides(const ValidatedMesh& mesh, std::span<const std::size_t> which,
                              std::vector<ValidationPoint>& samples) const;
 

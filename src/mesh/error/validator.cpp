@@ -17,10 +17,10 @@ namespace saddle {
 
 namespace {
 
-/// Leaves of several triangles that are measured together, on some ten samples each: what is known
-/// of these (170 bytes) stays in the second-level cache.
+/// Leaves of several triangles that are validated together, at about ten points of 170 bytes each:
+/// they stay in the second-level cache.
 constexpr std::size_t kAtATime = 400;
-/// Samples of most of them.
+/// Points of most of them.
 constexpr std::size_t kSamples = 8;
 
 bool share_corner(const Triangle& a, const Triangle& b) {
@@ -28,7 +28,7 @@ bool share_corner(const Triangle& a, const Triangle& b) {
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); });
 }
 
-/// Triangles from the front that are connected; those of a leaf's pieces follow each other.
+/// The number of triangles from the first on that are connected: those of one sub-polygon.
 std::size_t count_connected(std::span<const Triangle> triangles) {
   std::size_t count = 1;
   const auto is_connected = [&](const Triangle& t) {
@@ -39,8 +39,8 @@ std::size_t count_connected(std::span<const Triangle> triangles) {
   return count;
 }
 
-/// The triangle that a place is in, and the one beyond its nearest side, if that is one of them.
-/// `known`: the triangle, or nullptr.
+/// The triangle around a place, and the one beyond its nearest side, if there is one. `known`: the
+/// triangle, or nullptr.
 PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangles,
                             const Triangle* known, const dvec2& uv) {
   const auto& [below, weights] =
@@ -64,8 +64,8 @@ PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangle
 
 }  // namespace
 
-/// Where a leaf is cut, its pieces meet along a chord of the true line: what lies between the two
-/// is no farther from the surface than the other piece, and faces as that one does.
+/// The smallest error among a leaf's sub-polygons. They meet along a chord of the true feature
+/// line; a point between chord and line belongs to the other sub-polygon.
 SampledError Validator::sampled_error_of(const Leaf& leaf, std::span<const Triangle> triangles,
                                          const dvec2& uv, const SurfacePoint& point,
                                          double known) const {
@@ -84,7 +84,7 @@ SampledError Validator::sampled_error_of(const Leaf& leaf, std::span<const Trian
   return best;
 }
 
-/// Whether a corner of triangles is beyond a face of the box, where a boundary may go anywhere.
+/// Whether a corner of triangles is beyond a face of the box: a boundary there does not count.
 bool Validator::crosses_box(std::span<const Triangle> triangles) const {
   return clip_ && std::ranges::any_of(triangles, [this](const Triangle& t) {
            return std::ranges::any_of(t, [this](std::uint32_t corner) {
@@ -120,7 +120,7 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const std::size_t number = numbers[i];
     const std::size_t leaf = which[number];
-    // Of what is off there may be nothing in the box.
+    // An error above the tolerance may be outside of the clip box.
     if (!sampled_errors[i] || (clip_ && sampled_errors[i]->worst.distance > mesh.allowed[leaf])) {
       others.push_back(number);
       continue;
@@ -166,7 +166,7 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const ValidationPoint& sample = samples[s];
     const std::size_t leaf = which[sample.number];
-    // Of a leaf that is cut another piece may be nearer.
+    // Another sub-polygon of the leaf may be nearer.
     const bool is_known =
         found[s] && (!mesh.leaves[leaf].is_split || is_good(found[s]->worst, mesh.allowed[leaf]));
     if (!is_known) {
@@ -200,7 +200,7 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     SampledError d =
         crease ? SampledError{distance_from_chord(grid_, *crease, points[s].position), 0, true}
                : sampled_error_of(leaf, of_leaf, place, points[s], worst.distance);
-    // Triangles that are cut away there are beside the surface elsewhere.
+    // Triangles clipped there may be near the surface elsewhere.
     if (!seen.triangles && !crease) {
       d.distance = distance_from(grid_, of_leaf, place, points[s].position);
     }
@@ -209,7 +209,7 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
   }
 }
 
-/// Leaves that nothing cuts, once more where the surface turns sharply in them.
+/// Validates leaves without edge features at more points, if the surface turns sharply in them.
 void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                      const LeafTriangles& triangles) {
   SharpBends bends(surface_, grid_, tree_, threads_);
@@ -222,8 +222,8 @@ void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::s
   evaluations_ += bends.evaluations();
 }
 
-/// How far triangles beside creases are off the surface, from the middles of diagonals: beside a
-/// cusp the surface turns too much for heights along its normals.
+/// Adds the distances of triangles beside creases from the surface, at the middles of diagonals.
+/// Beside a cusp the surface turns too much for heights along its normals.
 void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                         const LeafTriangles& triangles,
                                         std::span<const std::size_t> others) {
@@ -255,8 +255,8 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
   }
 }
 
-/// Corners of triangles without area, which are left out: what they stood for has an end that may
-/// stick out of the others.
+/// Adds the distances of corners that only triangles without area have: these are left out, and the
+/// surface at such a corner may stick out of the other triangles.
 void Validator::validate_omitted_corners(ValidatedMesh& mesh, std::size_t number,
                                          std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];

@@ -1,4 +1,6 @@
-// Leaves measured on points that nobody has looked at before.
+// A posteriori validation: measures the errors of a mesh's leaves at points other than the samples
+// of the error indicator. It climbs to where larger errors are predicted, and adds distances at
+// creases, sharp bends and boundaries. The result is a lower bound; mesh/proof has upper ones.
 #pragma once
 
 #include <array>
@@ -16,7 +18,7 @@ namespace saddle {
 
 class Validator {
  public:
-  /// What is outside of the options' box does not count.
+  /// Errors outside of the options' clip box do not count.
   Validator(const Surface& surface, const Grid& grid, const CellTree& tree,
             const RefineOptions& options)
       : surface_(surface),
@@ -27,20 +29,21 @@ class Validator {
         normal_tolerance_(options.normal_tolerance),
         threads_(options.threads) {}
 
-  /// Measures some leaves of a mesh from their triangles, of which there are as many: the largest
-  /// deviation of each on a few points at random, which are the same whenever it is measured.
+  /// Measures some leaves of a mesh against their triangles, one range for each: the largest error
+  /// of a leaf at a few random points, which are always the same for the same leaf.
   void measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
                const LeafTriangles& triangles);
 
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  /// Measures the leaves that are as most are. Returns the numbers in `which` of the others.
+  /// Validates leaves of two triangles without edge features. Returns the numbers in `which` of the
+  /// others.
   std::vector<std::size_t> validate_plain(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                           const LeafTriangles& triangles,
                                           DistanceMaximizer& maxima);
-  /// The same with leaves of any triangles, of `others`. Returns those of their samples that are
-  /// still to be measured.
+  /// Validates leaves of any triangles, with the numbers `others`. Returns the points to which only
+  /// sampled_error() applies.
   std::vector<ValidationPoint> validate_several(ValidatedMesh& mesh,
                                                 std::span<const std::size_t> which,
                                                 std::span<const std::size_t> others,

@@ -21,7 +21,7 @@ static inline bool is_smaller(double a, double b) {
   return a < b * (1 - kTie);
 }
 
-/// What decides between diagonals.
+/// The measures by which a diagonal is chosen.
 struct Diagonal {
   double sagitta;
   double square;  ///< of the length

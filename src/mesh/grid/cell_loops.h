@@ -8,8 +8,8 @@
 
 namespace saddle {
 
-/// Cells per side of a tile: two rows of positions and normals (25 KB) and the tape's slots stay in
-/// a first or second-level cache, and the vertices that neighbours compute twice are 1 in 128.
+/// Cells per side of a tile. Two rows of positions and normals (25 KB) and the tape's slots stay in
+/// the first or second-level cache; tiles compute 1 in 128 vertices twice.
 inline constexpr std::size_t kTileCells = 256;
 
 using TileNumbers = std::array<double, kTileCells + 1>;
@@ -21,7 +21,7 @@ struct Strip {
   double size = 0;  ///< largest |x|, |y| or |z|
 };
 
-/// What the loop finds out about each cell.
+/// The cuts of cells, and whether they are plain.
 struct Cuts {
   TileNumbers second;   ///< 0: best cut from slot 0 to 2; 1: from slot 1 to 3
   TileNumbers margin;   ///< positive: a plain cell

@@ -11,8 +11,8 @@ namespace saddle {
 
 namespace {
 
-/// From the corner of a cell to its middle, times this, is within the cell, and on no line between
-/// places that cells are divided at.
+/// The way from a cell's corner to its middle, times this, stays within the cell and meets no line
+/// between dyadic points.
 constexpr dvec2 kAslant(1.4142135623730951, 0.6180339887498949);
 
 /// The kept cells around all singular vertices, in order of vertex, then of cell.

@@ -1,5 +1,5 @@
-// The corners of cells that the pass over the grid left open: a regular vertex is one corner; a
-// singular one has a corner for each different one-sided limit among the cells around it.
+// The corners of open cells. A regular vertex is one corner; a singular one has a corner for each
+// different one-sided limit of the normal among the cells around it.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ class VertexCorners {
  public:
   explicit VertexCorners(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Goes on to a vertex, which has no normal yet.
+  /// Starts a vertex, which has no normal yet.
   void begin(std::size_t vertex);
-  /// A corner of the vertex with nearly this normal: its own, if that is still free, or one that is
-  /// there, or a new one at the end of the mesh.
+  /// A corner of the vertex with this normal, to kCreaseDegrees: its own, if that is still free, or
+  /// an earlier one, or a new one at the end of the mesh.
   std::size_t find_or_add(const dvec3& normal);
 
  private:
@@ -30,19 +30,19 @@ class VertexCorners {
   std::size_t first_new_ = 0;
 };
 
-/// A new corner of the same point as another one, with a normal of its own: its number.
+/// Adds a corner at the same point as `like`, with a normal of its own. Returns its number.
 std::uint32_t add_corner(Mesh& mesh, std::size_t like, const dvec3& normal);
 
 /// The unit normal on the front of a face with this vector area, by the order of the cells' slots;
 /// zero if it has none.
 dvec3 front_normal(const Grid& grid, const dvec3& area);
 
-/// limit_normals() within cells. To a corner at which the surface is not defined the way is aslant:
-/// 0/0 may run along the cell's diagonal, and beside it nothing but rounding is left of it.
+/// limit_normals() within cells. A corner at which the surface is not defined is approached aslant:
+/// along a cell's diagonal the formula may be 0/0, and beside it mere rounding.
 std::vector<NormalLimit> limits_in_cells(const Surface& surface, std::vector<Approach> approaches,
                                          unsigned threads);
 
-/// A cell that is to be cut, with the corners of its four slots.
+/// A cell to cut, with the corners of its four slots.
 struct OpenCell {
   std::size_t cell;
   std::array<std::uint32_t, 4> corners;

@@ -1,6 +1,6 @@
-// Cuts all cells between two rows of vertices along the better diagonal, as triangulate.cpp does
-// one by one, and tells which of them are plain. This file is compiled once for each CPU level,
-// with SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic (see
+// Cuts all cells between two rows of vertices along the better diagonal, and finds the plain ones;
+// triangulate.cpp cuts single cells. This file is compiled once for each CPU level, with
+// SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic (see
 // eval/kernel_loops.cpp).
 #include <math.h>
 
@@ -12,16 +12,15 @@
 namespace saddle {
 namespace {
 
-/// The four normals of a plain cell agree: each one's product with their sum is more than this. If
-/// two are the same and the other two are the same, they are less than a right angle apart; a
-/// surface that folds inside the cell turns by more.
+/// The product of each of a plain cell's four normals with their sum exceeds 2. Two pairs of equal
+/// normals are then less than a right angle apart; a surface that folds in the cell turns by more.
 constexpr double kAgreement = 2;
 
 /// Both triangles of a plain cell's best cut face as the sum of its normals does, by more than the
-/// rounding of positions could pretend: twice the area along the sum of the four normals, at most
-/// 4 long, must exceed this times the largest coordinate and the root of the sum of squares of four
-/// edges, of which no other edge is longer than twice. That is 2 * 2 * 2 * 4 * sqrt(3) times
-/// kRounding, rounded up. Needles thinner than a rounding fail it too.
+/// rounding of positions. Twice the area along the sum of the four normals, at most 4 long, exceeds
+/// this times the largest coordinate and the root of the sum of squares of four edges; no other
+/// edge is longer than twice that root. The factor is 2 * 2 * 2 * 4 * sqrt(3) times kRounding,
+/// rounded up. Needles thinner than a rounding fail it too.
 constexpr double kPlain = 64 * kRounding;
 
 }  // namespace

@@ -18,16 +18,16 @@ namespace saddle {
 
 namespace {
 
-/// A surface that is so many times as long as it is wide has no triangles in doubles.
+/// A surface over 1e13 times as long as wide has no triangles in double precision.
 constexpr double kTooLong = 1e13;
 
-/// A range that holds no more doubles is too short for a mesh: rounding is a part of each cell.
+/// A range of at most 1000 doubles is too short for a mesh: rounding is a large part of each cell.
 constexpr double kFewDoubles = 1000;
 
-/// A few triangles happen not to be thinner than rounding: one cell in so many.
+/// One cell in 1000 may have a triangle by chance where all are as thin as rounding.
 constexpr std::size_t kFewCells = 1000;
 
-/// Where all triangles are thinner than rounding.
+/// Throws if all triangles are thinner than rounding.
 [[noreturn]] void throw_too_long(int axis, double times) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.0e", times);
@@ -39,7 +39,7 @@ constexpr std::size_t kFewCells = 1000;
                   " down, or give ranges of u and v in which x, y and z stay in proportion");
 }
 
-/// Where a range of a parameter holds only a few doubles.
+/// Throws if a parameter's range holds only a few doubles.
 void require_doubles(const char* name, double first, double last) {
   const double step =
       std::numeric_limits<double>::epsilon() * std::max(std::fabs(first), std::fabs(last));
@@ -54,7 +54,7 @@ void require_doubles(const char* name, double first, double last) {
                   " = 0 is where they are closest to each other");
 }
 
-/// The triangles without the gaps that cells with fewer than two leave.
+/// Closes the gaps that cells of fewer than two triangles leave.
 void close_gaps(Grid& grid) {
   std::size_t count = 0;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {

@@ -1,4 +1,4 @@
-// The steps from a sampled grid to a mesh that all methods on grids share.
+// From a sampled grid to its mesh: welding, cutting the open cells, closing gaps.
 #pragma once
 
 #include <vector>

@@ -11,10 +11,10 @@ namespace saddle {
 
 namespace {
 
-/// Vertices, then centres of cells, that are tried when all vertices are singular, as those of a
-/// sphere of one cell are.
+/// Vertices, then centres of cells, that are tried if all vertices are singular, as on a sphere of
+/// one cell.
 constexpr std::size_t kMostTried = 1024;
-/// Points this near to a line, as a part of the diagonal, are on it.
+/// Points within this part of the diagonal of a line are on it.
 constexpr double kStraight = 1e-9;
 
 bool has_finite_tangents(const SurfacePoint& point) {
@@ -43,8 +43,8 @@ std::vector<SurfacePoint> probe(const Surface& surface, const Grid& grid, unsign
   return evaluate(surface, uv, threads);
 }
 
-/// Whether the tangents are finite and parallel at all points. That does not depend on the scale of
-/// the axes, but roundoff does: 1e9*u*v is no curve although its sheets are nearly upright.
+/// Whether the tangents are finite and parallel at all points. The axes are scaled first: an
+/// upright sheet is no curve, although its tangents are parallel to rounding.
 bool all_degenerate(std::span<const SurfacePoint> points, const dvec3& scale) {
   for (SurfacePoint point : points) {
     if (!has_finite_tangents(point)) return false;

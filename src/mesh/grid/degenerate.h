@@ -1,4 +1,4 @@
-// Parametrisations that are no surface, told apart so that the message can say which.
+// Parametrisations that are no surface but a straight line or a curve.
 #pragma once
 
 #include "mesh/grid/grid.h"

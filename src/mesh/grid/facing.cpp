@@ -15,14 +15,13 @@ namespace saddle {
 
 namespace {
 
-/// Places on the way from a corner to the middle of its triangle.
+/// Places from a corner to the middle of its triangle, as parts of the way.
 constexpr std::array kShares = {0.0625, 0.25, 0.5, 1.0};
-/// A normal that is within 60 degrees of the triangle's own tells how the surface faces there; one
-/// that is farther off is still on its way around the bend.
+/// Cosine of 60 degrees. A normal nearer to the triangle's is beyond the bend; others are within
+/// it.
 constexpr double kFacing = 0.5;
 
-/// The cosine of 45 degrees, about: normals that are nearer to each other oppose a triangle
-/// together.
+/// Cosine of about 45 degrees, within which normals are alike.
 constexpr double kLike = 0.7;
 
 /// A corner of a triangle that its normal opposes.
@@ -38,8 +37,8 @@ dvec3 area_of(const Mesh& mesh, const Triangle& t) {
   return glm::cross(mesh.position[t[1]] - first, mesh.position[t[2]] - first);
 }
 
-/// Whether the normals of a triangle's corners are so much alike that they oppose it together, if
-/// they do: then they agree, and it is the triangle that is askew, a sliver.
+/// Whether the normals of a triangle's corners are alike. If they oppose the triangle then, it is a
+/// sliver, whose own normal means nothing.
 bool have_like_normals(const Mesh& mesh, const Triangle& t) {
   const dvec3& first = mesh.normal[t[0]];
   return glm::dot(first, mesh.normal[t[1]]) > kLike && glm::dot(first, mesh.normal[t[2]]) > kLike;
@@ -59,8 +58,8 @@ std::vector<Opposed> opposed_corners(const Mesh& mesh) {
   return result;
 }
 
-/// Of unit normals from near to far the first that faces as a triangle does, or else the one that
-/// does so most; nothing if none does at all.
+/// The first of these normals, from near to far, within 60 degrees of the triangle's; else the one
+/// nearest to it; nothing if all oppose it.
 std::optional<dvec3> first_facing(std::span<const std::optional<dvec3>> normals,
                                   const dvec3& front) {
   std::optional<dvec3> best;

@@ -1,5 +1,5 @@
-// Corners whose normals face away from their own triangle: beyond a bend that is sharper than a
-// tolerance, or at the end of several limits.
+// Corners whose normals face away from their own triangle: beyond a bend sharper than the
+// tolerance, or at a point with several limits.
 #pragma once
 
 #include <cstddef>

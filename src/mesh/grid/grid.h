@@ -1,7 +1,10 @@
-// The mesh of a uniform grid while it is being made: vertices and triangles in their final places,
-// and which cells need a closer look. Vertices and cells are numbered with u inner; vertex k is
-// corner k of the mesh, and further corners follow. The corners of cell (i, j) are slots 0 to 3:
-// (i, j), (i+1, j), (i+1, j+1), (i, j+1).
+// A tensor grid of samples and its mesh while it is being made: vertices and triangles in their
+// final places, and the state of each cell. One pass (mesh/grid/tile) samples the surface and cuts
+// plain cells into two triangles; the others stay open until their vertices are welded and given
+// corners.
+// Vertices and cells are numbered with u inner; vertex k is corner k of the mesh, and further
+// corners follow. The corners of cell (i, j) are slots 0 to 3: (i, j), (i+1, j), (i+1, j+1),
+// (i, j+1).
 #pragma once
 
 #include <array>
@@ -16,18 +19,18 @@
 
 namespace saddle {
 
-/// What is lost to rounding. Each coordinate has its own, so that a spike in one does not swallow
-/// the others.
+/// The rounding error of a position. Each coordinate has its own, so that a spike in one does not
+/// swallow the others.
 inline dvec3 rounding_of(const dvec3& position) {
   return kRounding * glm::abs(position);
 }
 
-/// What has become of a cell. The triangles of cell c are mesh.triangles[2c] and [2c + 1].
+/// The state of a cell. The triangles of cell c are mesh.triangles[2c] and [2c + 1].
 enum class GridCell : std::uint8_t {
-  Empty,    ///< covered, but without area: no triangle
+  Empty,    ///< without area: no triangle
   One,      ///< one triangle
   Two,      ///< two
-  Open,     ///< not cut yet: something about it is not plain
+  Open,     ///< not cut yet: not plain
   LeftOut,  ///< a corner's position is not finite
 };
 
@@ -57,7 +60,7 @@ struct Grid {
   std::vector<CellSagitta> worst;     ///< the worst of each few plain cells
   double local_scale = 1;             ///< local units per unit of length
   double diagonal = 0;                ///< of the box around the used vertices, in local units
-  dvec2 range{1};                     ///< of the parameters, or of the island in it
+  dvec2 range{1};                     ///< of the parameters, or of the small component in it
   bool flipped = false;               ///< normals are along r_v x r_u
   bool mirrored = false;              ///< slots 0 to 3 run clockwise seen from the front
 
@@ -87,8 +90,9 @@ struct Grid {
   GridLine column(std::size_t i) const { return {i, cells_u + 1, cells_v + 1}; }
   GridLine row(std::size_t j) const { return {j * (cells_u + 1), 1, cells_u + 1}; }
 
-  /// The position of a corner in local units, in which the diagonal is 1 to 2 and squares and cubes
-  /// of lengths neither overflow nor vanish. A power of two: the conversion is exact.
+  /// The position of a corner in local units. The diagonal is 1 to 2 of them, so that squares and
+  /// cubes of lengths neither overflow nor vanish. The factor is a power of two: conversion is
+  /// exact.
   dvec3 local(std::size_t corner) const { return local_scale * mesh.position[corner]; }
 
   /// Calls f(cell, slot) for each kept cell around a vertex; the vertex is the cell's `slot`.
@@ -106,12 +110,12 @@ struct Grid {
   }
 };
 
-/// Sets the box around the vertices, and the local units. Throws Error (Nothing) where all are one
-/// point, or too far apart for a finite diagonal.
+/// Sets the box around the vertices, and the local units. Throws Error (Nothing) if the box is a
+/// point or has no finite diagonal.
 void set_extent(Grid& grid, const Bounds& bounds);
 
-/// Throws Error (Nothing) if no cell is kept: the surface is undefined, or defined at isolated
-/// samples only.
+/// Throws Error (Nothing) if no cell is kept: the surface is undefined, or defined only at isolated
+/// samples.
 void require_defined_cells(const Grid& grid);
 
 }  // namespace saddle

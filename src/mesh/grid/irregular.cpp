@@ -11,17 +11,17 @@ namespace saddle {
 
 namespace {
 
-/// Rows that are looked at again at a time: 64 x 256 points with their tangents take 1.2 MB.
+/// Rows that are evaluated again together: 64 x 256 points with their tangents take 1.2 MB.
 constexpr std::size_t kMaxRows = 64;
 
-/// |r_u x r_v| that is no more than this part of what there is around it is 0 but for rounding.
+/// |r_u x r_v| of at most this part of its largest terms around a vertex is 0 within rounding.
 constexpr double kRoundedCross = 1e-12;
 
 /// Vertices that are not regular.
 struct Irregular {
   std::vector<std::size_t> undefined;
   std::vector<std::size_t> singular;
-  /// Those that may be regular, beside tangents that are much longer, and then have these normals.
+  /// Vertices beside much longer tangents that may be regular, and their normals if they are.
   std::vector<std::size_t> doubtful;
   std::vector<dvec3> normals;
 };
@@ -35,8 +35,8 @@ struct Window {
   std::size_t rows() const { return end_row - row; }
 };
 
-/// The tangents' lengths around each vertex of a window, from all vertices of the window and next
-/// to it.
+/// The lengths of tangents around each vertex of a window, from the vertices in the window and
+/// beside it.
 class Neighbourhood {
  public:
   Neighbourhood(const Surface& surface, const Grid& grid, const Window& inner)
@@ -101,8 +101,8 @@ class Summaries {
   Summaries(const GridTiling& tiling, std::span<const TileSummary> tiles, const Grid& grid)
       : tiling_(tiling), tiles_(tiles), last_row_(grid.cells_v) {}
 
-  /// Whether the summaries show that every vertex of a tile's row is regular: the least cross
-  /// product against the largest tangents in the rows and tiles around.
+  /// Whether the summaries prove every vertex of a tile's row regular, by the least cross product
+  /// and the largest tangents in the rows and tiles around.
   bool is_regular(std::size_t across, std::size_t row) const {
     const RowSummary& own = at(across, row);
     if (!own.finite) return false;
@@ -132,7 +132,7 @@ class Summaries {
   std::size_t last_row_;
 };
 
-/// Looks at each vertex of a window.
+/// Classifies each vertex of a window.
 Irregular inspect(const Surface& surface, const Window& window, Grid& grid) {
   Irregular found;
   const Neighbourhood around(surface, grid, window);
@@ -177,7 +177,7 @@ void settle_doubtful(const Surface& surface, unsigned threads, Irregular& found,
   }
 }
 
-/// The windows of a column of tiles that need a look: runs of rows.
+/// The windows of a column of tiles that may have irregular vertices: runs of rows.
 std::vector<Window> windows(const Summaries& summaries, const Grid& grid, std::size_t across) {
   std::vector<Window> result;
   const std::size_t column = across * kTileCells;

@@ -1,4 +1,4 @@
-// Which vertices of a grid are not defined or have no regular normal, and which cells that opens.
+// Finds vertices of a grid that are undefined or have no regular normal, and opens their cells.
 #pragma once
 
 #include <span>
@@ -8,10 +8,10 @@
 
 namespace saddle {
 
-/// Looks again at the rows of tiles whose summaries do not show that all of their vertices are
-/// regular (see unit_normal; the scales are those of a vertex and its neighbours). Fills
-/// grid.singular and grid.left_out_count, marks cells Open or LeftOut, and mends the normals of
-/// regular vertices whose lengths overflow.
+/// Evaluates again the rows of tiles whose summaries do not prove that all of their vertices are
+/// regular (see unit_normal; the scales are those of a vertex and its neighbours). Sets
+/// grid.singular and grid.left_out_count, marks cells Open or LeftOut, and sets the normals of
+/// regular vertices whose tangents overflow in the pass over the grid. Adds to grid.evaluations.
 void find_irregular(const Surface& surface, const GridTiling& tiling,
                     std::span<const TileSummary> tiles, unsigned threads, Grid& grid);
 

@@ -1,5 +1,5 @@
-// Vectors in the loops that are compiled once for each CPU level. Everything here is static: a
-// function that such files shared would be one of them, for CPUs that may not have it.
+// Vectors for the loops that are compiled once for each CPU level. Everything here is static: the
+// linker would keep one copy of a shared function, perhaps one for a CPU level that is not there.
 #pragma once
 
 #include <stddef.h>

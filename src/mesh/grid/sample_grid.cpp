@@ -24,8 +24,8 @@ void require_countable(std::size_t cells_u, std::size_t cells_v) {
               {}, "at most " + std::to_string(kMaxCells) + " cells");
 }
 
-/// The mesh's arrays at their sizes, with room for some more corners at singular vertices: memory
-/// that is not touched costs nothing, moving a million vertices does.
+/// Allocates the mesh's arrays, with room for more corners at singular vertices: untouched memory
+/// costs nothing, moving a million vertices does.
 void allocate(Grid& grid) {
   const std::size_t vertices = grid.vertex_count();
   const std::size_t room = vertices + vertices / 8;
@@ -53,7 +53,7 @@ Bounds bounds_of(const Grid& grid, std::span<const TileSummary> tiles) {
   return bounds;
 }
 
-/// What both boxes hold; all of the first if that is nothing.
+/// The intersection of the boxes; the first box if it is empty.
 Bounds common(const Bounds& bounds, const std::optional<Bounds>& clip) {
   if (!clip) return bounds;
   const Bounds both{glm::max(bounds.low, clip->low), glm::min(bounds.high, clip->high)};

@@ -11,11 +11,11 @@ namespace saddle {
 
 namespace {
 
-/// Lanes of the loops that look for extremes, so that the compiler can use vectors: it may not
-/// change the order of comparisons by itself.
+/// Lanes of the loops for extremes: the compiler may not reorder comparisons by itself, and needs
+/// them to use vectors.
 constexpr std::size_t kLanes = 8;
 
-/// fold(x[0], x[1], ...) for a fold that does not mind the order.
+/// fold(x[0], x[1], ...) in any order.
 template <class Fold>
 double reduce(const Operand& numbers, std::size_t count, Fold fold) {
   if (!numbers.varies) return *numbers.data;
@@ -39,7 +39,7 @@ double largest(const Operand& numbers, std::size_t count) {
 }
 
 bool all_finite(const Operand& numbers, std::size_t count) {
-  // 0 times infinity and NaN are NaN, which no sum gets rid of.
+  // 0 times infinity or NaN is NaN, and so is every sum with it.
   return reduce(numbers, count, [](double a, double b) { return a * 0.0 + b * 0.0; }) * 0.0 == 0;
 }
 
@@ -55,7 +55,7 @@ void load(const Operand& from, std::size_t count, TileNumbers& to) {
   }
 }
 
-/// Takes a row's outputs, those of normal_outputs(), into the strip.
+/// Loads a row's outputs, those of normal_outputs(), into the strip.
 RowSummary load(std::span<const Operand> outputs, std::size_t count, bool flipped, Strip& strip,
                 Bounds& bounds) {
   load(outputs[0], count, strip.x);
@@ -84,8 +84,8 @@ RowSummary load(std::span<const Operand> outputs, std::size_t count, bool flippe
   return summary;
 }
 
-/// Writes the vertices of a row that belong to the tile: those on its far sides are the
-/// neighbours', unless there is none.
+/// Writes the vertices of a row that belong to the tile. Vertices on its far sides belong to the
+/// next tiles, if there are any.
 void store(const Strip& strip, const GridTile& tile, std::size_t row, Grid& grid) {
   if (row == tile.row + tile.rows - 1 && row < grid.cells_v) return;
   const bool last = tile.column + tile.columns == grid.u.size();
@@ -102,7 +102,7 @@ void store(const Strip& strip, const GridTile& tile, std::size_t row, Grid& grid
   }
 }
 
-/// Cells of which the worst is remembered.
+/// The cell with the largest sagitta of each 16 is kept.
 constexpr std::size_t kGroup = 16;
 
 /// Writes the triangles of a row of cells, `row` being the one above it.

@@ -1,6 +1,6 @@
-// The one pass over a grid that every vertex and cell goes through: a row of a tile is computed,
-// written where the mesh wants it and made into triangles with the row below, all while it is in
-// the fastest cache. What is not plain is left open for those who look closer.
+// The pass over all vertices and cells of a grid. Each row of a tile is evaluated, written to the
+// mesh and triangulated with the row below while it is in the fastest cache. Cells that are not
+// plain stay open.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace saddle {
 
-/// What all vertices of one row of a tile have in common.
+/// Bounds for all vertices of one row of a tile.
 struct RowSummary {
   bool finite = false;     ///< positions, normals and areas are
   double least_cross = 0;  ///< smallest |r_u x r_v|
@@ -22,11 +22,11 @@ struct RowSummary {
 struct TileSummary {
   std::vector<RowSummary> rows;    ///< from the tile's lowest row
   Bounds bounds;                   ///< of the finite rows
-  std::vector<CellSagitta> worst;  ///< the worst plain cell of each few
+  std::vector<CellSagitta> worst;  ///< the largest sagitta of each 16 plain cells
 };
 
-/// Takes the rows of a tile (tape: Surface::normals) into grid.mesh and grid.cells, whose arrays
-/// have their sizes. Each tile writes its own part.
+/// Writes the rows of a tile (tape: Surface::normals) to grid.mesh and grid.cells, which are
+/// allocated. Each tile writes its own part.
 TileSummary take_tile(TileRows& rows, Grid& grid);
 
 }  // namespace saddle

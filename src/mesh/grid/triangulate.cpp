@@ -27,15 +27,15 @@ struct SlotTriangles {
   std::array<bool, 4> faces_front;  ///< faces as the normals of its corners do
 };
 
-/// What a cell is made of, by slot.
+/// The corners of a cell, by slot.
 struct CellCorners {
   std::array<dvec3, 4> position;  ///< local
   std::array<dvec3, 4> normal;
   std::array<std::uint32_t, 4> point;
 };
 
-/// How far each component of a cross product of two of the edges can be from the truth because of
-/// the rounding of the positions.
+/// A bound on the error of each component of a cross product of two edges, by the rounding of the
+/// positions.
 dvec3 rounding_of_areas(const std::array<dvec3, 4>& p, const std::array<dvec3, 4>& edges) {
   dvec3 reach(0);
   dvec3 size(0);
@@ -48,8 +48,8 @@ dvec3 rounding_of_areas(const std::array<dvec3, 4>& p, const std::array<dvec3, 4
                      least.x * reach.y + least.y * reach.x);
 }
 
-/// A triangle is flat if its area is rounding, or if it is a needle whose width is to its length as
-/// rounding is to 1: the spike over a sample beside a pole.
+/// A triangle is flat if its area is within rounding. So is a needle with a width of kRounding
+/// times its length, like the spike over a sample beside a pole.
 bool is_flat_corner(const dvec3& area, const dvec3& least, const dvec3& edge_a,
                     const dvec3& edge_b) {
   const double needle = kRounding * (glm::dot(edge_a, edge_a) + glm::dot(edge_b, edge_b));
@@ -57,14 +57,13 @@ bool is_flat_corner(const dvec3& area, const dvec3& least, const dvec3& edge_a,
          glm::all(glm::lessThanEqual(glm::abs(area), least));
 }
 
-/// Whether a triangle with a corner at a place is so far from flat that nobody need know its
-/// rounding more exactly.
+/// Whether a triangle with a corner at `place` is not flat, by a coarser bound that costs less.
 bool is_surely_not_flat(const dvec3& place, const dvec3& edge_a, const dvec3& edge_b,
                         const dvec3& area) {
-  // Squares that no edge, or coordinate, is longer than.
+  // Bounds on the squares of edges and of coordinates.
   const double edges = 2 * (glm::dot(edge_a, edge_a) + glm::dot(edge_b, edge_b));
   const double coordinates = 2 * (glm::dot(place, place) + edges);
-  // Of the rounding of an area's components, and of a needle's area.
+  // The larger of the squares of an area's rounding and of a needle's area.
   const double least = std::max(16 * edges * coordinates, edges * edges);
   return glm::dot(area, area) > kRounding * kRounding * 3 * least;
 }

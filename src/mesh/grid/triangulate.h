@@ -1,4 +1,4 @@
-// Cells of a grid into triangles, one by one: those that the pass over the grid left open.
+// Cuts single cells into triangles: the open ones of a grid, and leaves of two triangles.
 #pragma once
 
 #include <array>
@@ -13,20 +13,21 @@
 
 namespace saddle {
 
-/// Cuts each cell along one of its diagonals: the one whose triangles face as their corners'
-/// normals do, then the one with the smaller sagitta, then the shorter one. Triangles without area,
-/// as at poles, are left out. Writes grid.mesh.triangles and grid.cells of these cells.
+/// Cuts each cell along one of its diagonals: first the one with more triangles, then with more
+/// that face as their corners' normals do, then with the smaller sagitta, then the shorter one.
+/// Triangles without area, as at poles, are left out. Writes grid.mesh.triangles and grid.cells of
+/// the cells.
 void triangulate(Grid& grid, std::span<const OpenCell> cells);
 
 /// Appends the triangles of one cell, in the order of slots; at most two.
 void cut_cell(const Grid& grid, const std::array<std::uint32_t, 4>& corners,
               Array<Triangle>& triangles);
 
-/// Triangles of a polygon whose corners are these points of the surface: two fewer than it has
-/// corners at which it goes on to another point. Takes the others out of `points`.
+/// The number of triangles of a polygon whose corners are these points of the surface: two fewer
+/// than it has points, without repetitions of neighbours. Erases these from `points`.
 std::size_t triangles_between(std::vector<std::uint32_t>& points);
 
-/// Whether a triangle of corners has no area: two are one point, or it is flat within rounding.
+/// Whether a triangle has no area: two corners are one point, or it is flat within rounding.
 bool is_collapsed(const Grid& grid, const Triangle& triangle);
 
 inline double sagitta(const dvec3& p_a, const dvec3& n_a, const dvec3& p_b, const dvec3& n_b) {

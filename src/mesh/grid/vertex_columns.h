@@ -1,4 +1,4 @@
-// How the loops over many cells or leaves read vertices: each coordinate in an array of its own.
+// Vertices in the form that vector loops read: each coordinate in an array of its own.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ inline LoopVector loop_vector(const dvec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Makes a position and its unit normal the i-th of `columns`, which are LeafVertices or a Strip.
+/// Stores a position and its unit normal as the i-th of `columns`, LeafVertices or a Strip.
 template <class Columns>
 void put_vertex(const dvec3& position, const dvec3& normal, std::size_t i, Columns& columns) {
   columns.x[i] = position.x;

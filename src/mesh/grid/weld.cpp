@@ -11,15 +11,15 @@ namespace saddle {
 
 namespace {
 
-/// Vertices closer than this part of the extent, in each coordinate, may be one point: some digits
-/// more than sin(2 pi) and its like lose, and far below what a float or a picture shows.
+/// Vertices closer than this part of the extent, in each coordinate, may be one point. It is some
+/// digits above the error of sin(2 pi), and far below what a float or a picture shows.
 constexpr double kJoinFraction = 1e-9;
-/// They are one point only if they are also this much closer than the grid's steps beside them. It
-/// keeps a surface apart whose diagonal is that of a spike (tan near its pole: 1e16).
+/// They are one point only if they are also closer than this part of the grid's steps beside them.
+/// Otherwise the extent of a spike, as of tan near its pole (1e16), would weld all of a surface.
 constexpr double kJoinStep = 1e-3;
 
-/// Whether all of a box (in local units) is one point: by the tolerance, or within rounding. Each
-/// coordinate has its own extent: heights of 1e9 do not make one of what is apart in x.
+/// Whether all of a box (in local units) is one point: by kJoinFraction, or within rounding. Each
+/// coordinate has its own extent: heights of 1e9 do not weld vertices that are apart in x.
 bool is_one_point(const Grid& grid, const Bounds& box) {
   const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
   const dvec3 tolerance = kJoinFraction * grid.local_scale * grid.mesh.bounds.size();
@@ -32,8 +32,8 @@ double distance(const Grid& grid, std::size_t a, std::size_t b) {
   return glm::distance(grid.local(a), grid.local(b));
 }
 
-/// Counts for how many pairs of vertices the gap between them is short beside a step of the grid.
-/// The majority decides, so that neither a spike nor a fold beside a few of them does.
+/// Counts the pairs of vertices with a gap that is short beside a step of the grid. The majority
+/// decides: a spike or a fold beside a few pairs does not.
 class Majority {
  public:
   void add(double gap, double step) {
@@ -125,7 +125,7 @@ void unite(Grid& grid, const EdgePair& edges, const Seam& seam, PointUnion& poin
   }
 }
 
-/// Unites the vertices of two edges that meet; says how they meet.
+/// Unites the vertices of two edges that meet. Returns how they meet.
 Seam join_edges(Grid& grid, const EdgePair& edges, PointUnion& points) {
   for (const Seam& seam : kSeams) {
     if (!edges_meet(grid, edges, seam)) continue;
@@ -135,8 +135,8 @@ Seam join_edges(Grid& grid, const EdgePair& edges, PointUnion& points) {
   return {};
 }
 
-/// Unites the halves of an edge that is folded, and is no point. Its middle is a vertex, or its
-/// middle cell has a side that is one.
+/// Unites the halves of an edge that is folded and no point. Its middle is a vertex, or a side of
+/// its middle cell becomes a point.
 bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, PointUnion& points) {
   Bounds bounds;
   for (std::size_t k = 0; k < edge.count; ++k) {
@@ -167,8 +167,7 @@ void join_equal_neighbours(const Surface& surface, unsigned threads, const Grid&
   for (const auto& [a, b] : collapsed(surface, grid, sides, threads)) points.unite(a, b);
 }
 
-/// Whether two places, in local units, are one but for rounding and what sin(2 pi) and its like
-/// lose.
+/// Whether two places, in local units, are one within rounding and within the error of sin(2 pi).
 bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q) {
   for (int k = 0; k < 3; ++k) {  // most are apart in the first
     const double gap = std::fabs(p[k] - q[k]);
@@ -195,7 +194,7 @@ std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
   std::vector<Neighbours> result;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const dvec3 middle = grid.local_scale * points[k].position;
-    // An undefined middle tells nothing.
+    // An undefined middle does not keep its ends apart.
     const bool stays = !is_finite(middle) || is_one_place(grid, middle, grid.local(sides[k][0]));
     if (stays) result.push_back(sides[k]);
   }

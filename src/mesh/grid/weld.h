@@ -1,4 +1,4 @@
-// Poles and seams: which vertices of a grid are the same point of the surface.
+// Welding: finds vertices of a grid that are the same point of the surface, at poles and seams.
 #pragma once
 
 #include <array>
@@ -10,15 +10,14 @@
 
 namespace saddle {
 
-/// Whether two vertices are at the same place, but for rounding and what sin(2 pi) and its like
-/// lose.
+/// Whether two vertices are at the same place, within rounding and within the error of sin(2 pi).
 bool is_one_point(const Grid& grid, std::size_t a, std::size_t b);
 
 /// Neighbouring vertices.
 using Neighbours = std::array<std::uint32_t, 2>;
 
-/// Of neighbours at the same place, those between which the surface stays there: sides that are
-/// points, not curves that turn back in their middle.
+/// The neighbours at the same place between which the surface stays there: sides that are points,
+/// not curves that return.
 std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
                                   std::span<const Neighbours> sides, unsigned threads);
 
@@ -28,7 +27,7 @@ std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
 /// v0. Opens the cells that this leaves without some of their corners.
 Seams weld(const Surface& surface, unsigned threads, Grid& grid);
 
-/// Says in a report how edges meet.
+/// Writes to a report how edges meet.
 void report_seams(const Seams& seams, MeshReport& report);
 
 }  // namespace saddle

@@ -13,8 +13,8 @@ inline constexpr std::size_t kMaxListed = 1000;
 /// crease, and one corner in place of four keeps smooth poles smooth.
 inline constexpr double kCreaseDegrees = 1;
 
-/// What is lost to rounding in a coordinate, as a part of it: a few operations' worth. Differences
-/// up to this are none.
+/// The rounding error of a coordinate, as a part of it: that of a few operations. Differences up to
+/// it do not count.
 inline constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
 }  // namespace saddle
