@@ -8,8 +8,8 @@
 
 #include <glm/common.hpp>
 
-#include "eval/enclose.h"
 #include "surface/normal.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -42,13 +42,6 @@ double widening(const Line& line) {
   return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, kMost);
 }
 
-/// Of positions in the box between two places.
-std::array<Interval, 3> bounds_between(Enclosure& enclosure, const dvec2& a, const dvec2& b) {
-  std::array<Interval, 3> bounds;
-  enclosure(range_between(a.x, b.x), range_between(a.y, b.y), bounds);
-  return bounds;
-}
-
 /// Whether a surface leaps away on its way, whatever it does at the end of it.
 bool leaps(std::span<const SurfacePoint> points, double delta) {
   double before = 0;
@@ -63,14 +56,17 @@ bool leaps(std::span<const SurfacePoint> points, double delta) {
 /// Whether bounds tell that the surface does not go beyond what it is farther away when it comes
 /// nearer to a line's first end, as cos(1/u) does not, however it moved between some places. What
 /// arrives somewhere may go as far again as it went there.
-bool stays_within(Enclosure& enclosure, const Line& line) {
+bool stays_within(SurfaceEnclosure& enclosure, const Line& line) {
   const double wider = widening(line);
   const auto place = [&](std::size_t i) {
     return line[0] + wider * kApproach[i] * (line[1] - line[0]);
   };
-  const auto outer = bounds_between(enclosure, place(0), place(1));
-  const std::size_t last = kApproach.size() - 1;
-  const auto inner = bounds_between(enclosure, place(last - 1), place(last));
+  const auto bounds_between = [&](std::size_t first, std::size_t last) {
+    const std::span<const Interval> bounds = enclosure.enclose({place(first), place(last)});
+    return std::vector<Interval>(bounds.begin(), bounds.end());
+  };
+  const auto outer = bounds_between(0, 1);
+  const auto inner = bounds_between(kApproach.size() - 2, kApproach.size() - 1);
   const auto is_within = [](const Interval& a, const Interval& b) {
     const double size = b.high - b.low;
     return std::isfinite(size) && a.low >= b.low - size && a.high <= b.high + size;
@@ -89,7 +85,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       uv.push_back(line[0] + wider * share * (line[1] - line[0]));
   }
   const auto points = evaluate(surface, uv, threads);
-  std::optional<Enclosure> enclosure;
+  std::optional<SurfaceEnclosure> enclosure;
   std::vector<bool> result;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::size_t begin = k * kApproach.size();
@@ -107,7 +103,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;
     }
     goes_on = goes_on || leaps(std::span(points).subspan(begin, kApproach.size()), delta);
-    if (goes_on && !enclosure) enclosure.emplace(surface.bounds, 3);
+    if (goes_on && !enclosure) enclosure.emplace(surface, Bounded::Position);
     result.push_back(goes_on && !stays_within(*enclosure, lines[k]));
   }
   return result;

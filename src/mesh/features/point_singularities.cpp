@@ -9,8 +9,9 @@
 
 #include <glm/common.hpp>
 
-#include "eval/enclose.h"
 #include "mesh/features/approach.h"
+#include "surface/box_subdivision.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -130,34 +131,28 @@ constexpr int kMostFollowed = 64;
 class Narrowing {
  public:
   Narrowing(const Surface& surface, std::optional<double> diagonal)
-      : surface_(surface), enclosure_(surface.bounds, 3), diagonal_(diagonal) {}
+      : surface_(surface), enclosure_(surface, Bounded::Position), diagonal_(diagonal) {}
 
   std::optional<dvec2> operator()(const ParameterBox& whole) {
-    std::vector<ParameterBox> parts = {whole};
+    BoxSubdivision<ParameterBox> search({whole});
+    std::vector<ParameterBox>& parts = search.open();
     bool is_followed = false;
-    for (int depth = 0; depth < 2 * kBoxHalvings; ++depth) {
-      std::erase_if(parts, [this](const ParameterBox& part) { return is_proved(part); });
+    while (search.depth() < 2 * kBoxHalvings) {
+      search.test([this](const ParameterBox& part) {
+        return are_continuous(enclosure_.enclose(part)) ? ProofOutcome::Proved : ProofOutcome::Open;
+      });
       if (parts.size() > kMostBoxParts && !is_followed && diagonal_ && followed_ < kMostFollowed) {
         is_followed = true;
         ++followed_;
       }
       if (is_followed) keep_varied(parts);
       if (parts.empty() || parts.size() > kMostBoxParts) return std::nullopt;
-      const dvec2 size = glm::abs(parts[0].high - parts[0].low) / range_of(surface_.domain);
-      const int axis = size.x < size.y ? 1 : 0;
-      std::vector<ParameterBox> halves;
-      for (const ParameterBox& part : parts) {
-        ParameterBox first = part;
-        ParameterBox second = part;
-        first.high[axis] = second.low[axis] = part.middle()[axis];
-        halves.push_back(first);
-        halves.push_back(second);
-      }
-      parts = std::move(halves);
+      const dvec2 size = parts[0].size() / box_of(surface_.domain).size();
+      search.halve(size.x < size.y ? 1 : 0);
     }
     Bounds left;
     for (const ParameterBox& part : parts) left.add(dvec3(part.middle(), 0));
-    const dvec2 most = kOnePoint * glm::abs(whole.high - whole.low);
+    const dvec2 most = kOnePoint * whole.size();
     if (left.size().x > most.x || left.size().y > most.y) return std::nullopt;
     // A place that is 0 as far as digits go is meant to be 0.
     dvec2 place(left.centre());
@@ -168,14 +163,6 @@ class Narrowing {
   }
 
  private:
-  bool is_proved(const ParameterBox& box) {
-    std::array<Interval, 3> position;
-    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
-               position);
-    return std::ranges::all_of(
-        position, [](const Interval& a) { return a.continuous && a.defined == Defined::Yes; });
-  }
-
   /// Keeps the parts in which the surface varies the most; none if it comes to agree in all, nor if
   /// it goes to infinity.
   void keep_varied(std::vector<ParameterBox>& parts) const {
@@ -214,10 +201,8 @@ class Narrowing {
     return sizes;
   }
 
-  static dvec2 range_of(const Domain& d) { return glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)); }
-
   const Surface& surface_;
-  Enclosure enclosure_;
+  SurfaceEnclosure enclosure_;
   std::optional<double> diagonal_;  ///< for more parts
   int followed_ = 0;
 };

@@ -8,7 +8,7 @@
 
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/model/clip.h"
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/parameter_box.h"
 #include "mesh/model/proof_gap.h"
+#include "surface/parameter_box.h"
 #include "surface/surface.h"
 
 namespace saddle {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 #include "surface/surface.h"
 
 namespace saddle {

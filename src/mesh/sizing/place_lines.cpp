@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {

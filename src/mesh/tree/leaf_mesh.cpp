@@ -9,8 +9,8 @@
 #include "mesh/grid/corners.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
-#include "mesh/model/parameter_box.h"
 #include "mesh/tree/polygon.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
