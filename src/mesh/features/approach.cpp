@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <glm/common.hpp>
 
+#include "mesh/features/bisect_together.h"
 #include "surface/normal.h"
 #include "surface/surface_enclosure.h"
 
@@ -112,23 +112,14 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box) {
   std::vector<Line> ends(lines.begin(), lines.end());
-  std::vector<std::size_t> open(lines.size());
-  std::iota(open.begin(), open.end(), std::size_t{0});
-  std::vector<dvec2> middles;
-  for (int halving = 0; halving < halvings && !open.empty(); ++halving) {
-    middles.clear();
-    for (const std::size_t k : open) middles.push_back(0.5 * ends[k][0] + 0.5 * ends[k][1]);
-    const auto points = evaluate(surface, middles, threads);
-    std::vector<std::size_t> rest;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      Line& line = ends[open[i]];
-      const bool is_last = middles[i] == line[0] || middles[i] == line[1];  // no doubles between
-      const dvec3& p = points[i].position;
-      line[is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middles[i];
-      if (!is_last) rest.push_back(open[i]);
-    }
-    open = std::move(rest);
-  }
+  std::vector<std::size_t> open = all_open(lines.size());
+  const auto is_done = [&](Line& line, const dvec2& middle, const SurfacePoint& point) {
+    const bool is_last = middle == line[0] || middle == line[1];  // no doubles between
+    const dvec3& p = point.position;
+    line[is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middle;
+    return is_last;
+  };
+  bisect_together(surface, ends, open, halvings, threads, middle_of, is_done);
   std::vector<dvec2> last(ends.size());
   std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
   return last;

@@ -9,6 +9,7 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/features/bisect_together.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -192,10 +193,10 @@ void look_outward(const Surface& surface, std::span<Search> searches,
   }
 }
 
-/// Finds out the heights at the ends of lines.
-void validate_ends(const Surface& surface, std::span<Search> searches,
-                   std::span<const std::size_t> which, const BisectedVector& bisected,
-                   unsigned threads) {
+/// Evaluates the heights at the ends of lines.
+void evaluate_heights(const Surface& surface, std::span<Search> searches,
+                      std::span<const std::size_t> which, const BisectedVector& bisected,
+                      unsigned threads) {
   std::vector<dvec2> uv;
   for (const std::size_t k : which) {
     uv.insert(uv.end(), searches[k].ends.begin(), searches[k].ends.end());
@@ -227,29 +228,24 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
   for (std::size_t k = 0; k < searches.size(); ++k) {
     if (!searches[k].done) open.push_back(k);
   }
-  std::vector<dvec2> uv;
-  for (int halving = 0; halving < kAllHalvings && !open.empty(); ++halving) {
-    if (bisected.height && halving == bisected.plain) {
-      validate_ends(surface, searches, open, bisected, threads);
-    }
-    uv.clear();
-    for (const std::size_t k : open) {
-      searches[k].share = next_share(searches[k]);
-      const Line& ends = searches[k].ends;
-      uv.push_back(ends[0] + searches[k].share * (ends[1] - ends[0]));
-    }
-    const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
-    work += uv.size();
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      Search& search = searches[open[i]];
-      const SurfacePoint& point = points[i];
-      const dvec2 way = search.ends[1] - search.ends[0];
-      Look look{uv[i], bisected.value(point), kUnknown, std::nullopt};
-      if (bisected.height) look.height = bisected.height(search.at_ends, point);
-      if (bisected.are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
-      advance(search, look, bisected.delta);
-    }
-    std::erase_if(open, [&](std::size_t k) { return searches[k].done; });
+  const auto place = [&work](Search& search) {
+    ++work;
+    search.share = next_share(search);
+    return search.ends[0] + search.share * (search.ends[1] - search.ends[0]);
+  };
+  const auto is_done = [&bisected](Search& search, const dvec2& uv, const SurfacePoint& point) {
+    const dvec2 way = search.ends[1] - search.ends[0];
+    Look look{uv, bisected.value(point), kUnknown, std::nullopt};
+    if (bisected.height) look.height = bisected.height(search.at_ends, point);
+    if (bisected.are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
+    advance(search, look, bisected.delta);
+    return search.done;
+  };
+  const int plain = bisected.height ? bisected.plain : kAllHalvings;
+  bisect_together(surface, searches, open, plain, threads, place, is_done);
+  if (bisected.height) {
+    evaluate_heights(surface, searches, open, bisected, threads);
+    bisect_together(surface, searches, open, kAllHalvings - plain, threads, place, is_done);
   }
   for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], bisected.delta));
   look_outward(surface, searches, bisected, threads);
