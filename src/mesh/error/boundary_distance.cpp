@@ -7,6 +7,7 @@
 #include "mesh/error/sampled_error.h"
 #include "mesh/features/approach.h"
 #include "mesh/model/sides.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
@@ -15,9 +16,6 @@ namespace {
 
 /// Halvings of the way across a leaf to its boundary: a millionth of it is enough for a distance.
 constexpr int kWayHalvings = 20;
-/// To a face of the box beside a pole, where a millionth of the way is as far off as the first
-/// half: as many as there are in doubles.
-constexpr int kFaceHalvings = 1100;
 
 /// Where a leaf without triangles is looked at, in sides of the leaf, and in which directions from
 /// there its border is.
@@ -110,7 +108,7 @@ std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (chords_[k].is_at_face) to_faces.push_back({ends[k], ways[k][1]});
   }
-  const auto faces = last_defined(surface_, to_faces, kFaceHalvings, threads_, clip_);
+  const auto faces = last_defined(surface_, to_faces, kHalvingsToLeast, threads_, clip_);
   std::size_t next = 0;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (chords_[k].is_at_face) ends[k] = faces[next++];

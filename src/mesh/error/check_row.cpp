@@ -6,15 +6,14 @@
 
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
 
-/// The square of kDegenerateCross of surface/normal.h.
-constexpr double kDegenerate = 1e-14;
-/// A triangle's point is straight above the surface's if it is not farther aside than this part of
-/// the triangle's side: curvature then takes no more than a twentieth of the distance.
-constexpr double kBeside = 0.1;
+/// In sides of the triangle: a point of the triangle that is farther aside is not straight above
+/// the surface's. Curvature takes a twentieth of the distance at most.
+constexpr double kMostAsideInRow = 0.1;
 
 struct Vertex {
   LoopVector position, normal;
@@ -72,8 +71,9 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& place
 
     const double area = column[8][i];
     const double squares = column[6][i] * column[7][i];
-    const double is_straight = beside <= kBeside * kBeside * square ? 1.0 : 0.0;  // not NaN
-    const double is_regular = area * area > kDegenerate * squares ? is_straight : 0.0;
+    const double is_straight =
+        beside <= kMostAsideInRow * kMostAsideInRow * square ? 1.0 : 0.0;  // not NaN
+    const double is_regular = area * area > kDegenerateCrossSquare * squares ? is_straight : 0.0;
     const double has_normal = square_mean > 0 ? is_regular : 0.0;
     sampled_errors.is_known[i] = second >= 0 ? has_normal : 0.0;
   }

@@ -25,7 +25,7 @@ constexpr double kAcrossCusp = -0.7;
 constexpr double kUpright = 0.5;
 /// It is not upright if those halvings have it move by no more than this part of what it did: a
 /// root moves by a 64th, what has slopes on both sides by little more than kArrived.
-constexpr double kPlain = 1.0 / 512;
+constexpr double kPlainShare = 1.0 / 512;
 /// Steps to the nearest point; and the share of the normal equations' diagonal that is added to it
 /// at first, and is ten times as much after a step in vain, a tenth after another.
 constexpr int kNearestSteps = 12;
@@ -54,7 +54,7 @@ struct CreaseSearch {
 
   /// Neither a cusp, nor is the surface upright.
   bool is_plain() const {
-    return !is_cusp && halvings == kCreaseHalvings && way <= kPlain * first_way;
+    return !is_cusp && halvings == kCreaseHalvings && way <= kPlainShare * first_way;
   }
   bool is_done() const {
     const bool has_arrived = halvings >= kCreaseHalvings && !(way > kArrived * first_way);

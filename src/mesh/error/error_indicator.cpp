@@ -11,14 +11,12 @@
 #include "mesh/error/sampled_error.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
 namespace {
 
-/// A chord's sample that is farther away than this part of the chord is no small arc: its distance
-/// along the normal says nothing.
-constexpr double kSmallArc = 0.3;
 /// A leaf on the boundary that is so many times as long as wide, in cells of the root grid, is
 /// halved along the boundary: what is off is a chord, not where the boundary is.
 constexpr std::uint32_t kSlender = 32;
@@ -32,10 +30,9 @@ struct Arc {
   /// The largest height of the polynomial of fourth order that has the arc's slopes at its ends and
   /// `height` above the part `share` of the chord: of an arc that turns, its middle tells little.
   double largest_height(double share, double height) const {
-    constexpr double kSteep = 0.5;  // slopes beyond 60 degrees are no small ones
-    constexpr double kAside = 0.2;  // the sample is not about the middle
     const double facing = std::min(glm::dot(first, normal), glm::dot(last, normal));
-    if (!(facing > kSteep) || !(std::fabs(share - 0.5) < kAside)) return std::fabs(height);
+    if (!(facing > kSteepCosine) || !(std::fabs(share - 0.5) < kAsideOfMiddle))
+      return std::fabs(height);
     // s (1 - s) (a + b s + c s^2), s the share of the chord.
     const double a = -glm::dot(first, chord) / glm::dot(first, normal);
     const double end = glm::dot(last, chord) / glm::dot(last, normal);  // a + b + c

@@ -6,19 +6,12 @@
 
 #include "mesh/error/leaf_loops.h"
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
 
-/// kSmallArc of mesh/error/error_indicator.cpp; an arc of less is an arc, the surface is smooth
-/// there.
-constexpr double kSmallArc = 0.3;
-/// Those of Arc there: slopes that a polynomial is good for, and how far a sample is from the
-/// middle.
-constexpr double kSteep = 0.5;
-constexpr double kAside = 0.2;
-/// kTie of mesh/grid/triangulate.h.
-constexpr double kNearlyOne = 1 - 1e-6;
+constexpr double kNearlyOne = 1 - kTie;
 
 static inline LoopVector position(const LeafVertices& of, size_t i) {
   return {of.x[i], of.y[i], of.z[i]};
@@ -69,7 +62,8 @@ static inline Said test(const Chord& chord, double seen, double turn_counts) {
   const double outer = larger_of(height_at(0.25, a, b, c), height_at(0.75, a, b, c));
   const double inner = larger_of(height_at(0.375, a, b, c), height_at(0.625, a, b, c));
   const double bulge = larger_of(outer, inner);
-  const double facing = smaller_of(smaller_of(first, last) - kSteep, kAside - magnitude(part));
+  const double facing =
+      smaller_of(smaller_of(first, last) - kSteepCosine, kAsideOfMiddle - magnitude(part));
   const double along_normal = larger_of(magnitude(height), choose(facing, bulge, 0.0));
   const LoopVector aside = minus(off, times(part, along));
   const double beside = sqrt(dot(aside, aside));

@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "mesh/error/newton_step.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -22,9 +23,6 @@ constexpr std::size_t kMostMeasuredCells = 2048;
 /// Places in a cell where an error is largest: its middle and the middles of two edges (the other
 /// two belong to the neighbours).
 constexpr std::array<dvec2, 3> kWorstPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(0, 0.5)};
-/// Random offset from the middle, in cells. An error that is a parabola over the cell is seen to
-/// 1 - (2 * 0.1)^2 = 96 % at least.
-constexpr double kMiddleJitter = 0.1;
 constexpr std::size_t kCellChunk = 256;
 
 /// The point of a triangle nearest to `p`, as weights of its corners.
@@ -104,8 +102,6 @@ double distance(const Grid& grid, std::span<const Triangle> triangles, const dve
 /// units: along its normal, since what is along the surface is no distance. 0 where the two are too
 /// far apart for that, or (u, v) is not in the triangle.
 double height_above(const Grid& grid, const Below& below, const dvec3& p, const dvec3& normal) {
-  constexpr double kBeside = 0.3;  // of the longest side: then curvature adds a third at most
-  constexpr double kFlat = 0.1;    // of it: beyond, the triangle bridges a front that is nearer
   const auto& [triangle, weights] = below;
   const Triangle& t = *triangle;
   if (!(std::min({weights.x, weights.y, weights.z}) >= -kRounding)) return 0;
@@ -115,8 +111,8 @@ double height_above(const Grid& grid, const Below& below, const dvec3& p, const 
   const double longest = std::max(
       {glm::distance(at[0], at[1]), glm::distance(at[1], at[2]), glm::distance(at[2], at[0])});
   const double aside = glm::dot(off, off) - height * height;
-  if (!(height <= kFlat * longest)) return 0;
-  return aside <= kBeside * kBeside * longest * longest ? height : 0;
+  if (!(height <= kMostAbove * longest)) return 0;
+  return aside <= kMostAside * kMostAside * longest * longest ? height : 0;
 }
 
 LoopVector loop_vector(const dvec3& v) {
@@ -214,7 +210,7 @@ class SampleMeasurer {
     for (std::size_t k = 0; k < kWorstPlaces.size(); ++k) {
       const std::uint64_t key = 2 * (cell * kWorstPlaces.size() + k);
       const dvec2 random(random_unit(key), random_unit(key + 1));
-      const dvec2 off = glm::sign(kWorstPlaces[k]) * (2.0 * random - 1.0) * kMiddleJitter;
+      const dvec2 off = glm::sign(kWorstPlaces[k]) * (2.0 * random - 1.0) * kSampleJitter;
       const dvec2 part = kWorstPlaces[k] + off;
       uv.push_back(low * (1.0 - part) + high * part);
     }

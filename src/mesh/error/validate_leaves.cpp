@@ -7,18 +7,14 @@
 #include "mesh/error/leaf_loops.h"
 #include "mesh/error/newton_step.h"
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
 
-/// The square of kDegenerateCross of surface/normal.h, and squares of lengths from whose products
-/// no digit is lost to the ends of the range of doubles.
-constexpr double kDegenerate = 1e-14;
+/// Squares of lengths whose products keep all digits: they stay within the range of doubles.
 constexpr double kSmallest = 1e-100;
 constexpr double kLargest = 1e+100;
-/// kBeside and kFlat of height_above() in mesh/error/sampled_error.cpp.
-constexpr double kBeside = 0.3;
-constexpr double kFlat = 0.1;
 
 static inline LoopVector position(const LeafVertices& of, size_t i) {
   return {of.x[i], of.y[i], of.z[i]};
@@ -72,8 +68,8 @@ static inline double height_above(const Corners& t, LoopVector weights, LoopVect
   const double height = fabs(dot(off, normal));
   const double longest = square_of_longest(t);
   const double aside = dot(off, off) - height * height;
-  const double flat = kFlat * kFlat * longest - height * height;
-  const double beside = kBeside * kBeside * longest - aside;
+  const double flat = kMostAbove * kMostAbove * longest - height * height;
+  const double beside = kMostAside * kMostAside * longest - aside;
   return smaller_of(flat, beside) >= 0 ? height : 0.0;
 }
 
@@ -130,8 +126,9 @@ void SADDLE_LEVEL(const LeafPoints& leaves, const LeafPlaces& places, size_t cou
     sampled_errors.predicted[i] = larger_of(sampled_errors.predicted[i], newton_step.height);
     sampled_errors.chord[i] = larger_of(sampled_errors.chord[i], dot(chord, chord));
 
-    const double regular = smaller_of(
-        smaller_of(square_area - kDegenerate * squares, squares - kSmallest), kLargest - squares);
+    const double regular =
+        smaller_of(smaller_of(square_area - kDegenerateCrossSquare * squares, squares - kSmallest),
+                   kLargest - squares);
     const double inside = larger_of(on_own.inside, on_other.inside);
     const double is_known = inside >= 0 ? sampled_errors.is_known[i] : 0.0;
     const double is_regular = regular > 0 ? is_known : 0.0;

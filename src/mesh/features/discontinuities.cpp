@@ -26,9 +26,6 @@ constexpr int kProofHalvings = 3;
 constexpr int kPlainHalvings = 8;
 /// The same where there are only cusps: the first one tells most lines.
 constexpr int kPlainHalvingsOfCusps = 1;
-/// Breaks that are this near to each other, beside their line, are one: where a formula has a value
-/// of its own there are two steps.
-constexpr double kSameDiscontinuity = 1e-9;
 
 /// Where normals can only jump to their opposites, unit normals that are nearer to each other have
 /// no cusp between them, unless the surface turns back by as much as 166 degrees.
@@ -116,8 +113,8 @@ void verify(const Surface& surface, std::span<const Line> lines, double delta, u
     if (is_beyond_doubles(surface, threads, ends)) continue;
     const dvec2 middle = near_middle(ends);
     const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
-    const bool is_gap = (middle == ends[0] || middle == ends[1]) &&
-                        length(ends) <= kSameDiscontinuity * length(lines[k]);
+    const bool is_gap =
+        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSameOnLine * length(lines[k]);
     found[k].kind = is_gap ? Discontinuity::Jump : Discontinuity::None;
   }
 }
@@ -157,7 +154,7 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
   const double apart = glm::distance(known.ends[0], more.ends[0]);
   if (known.kind == Discontinuity::None) {
     known = more;
-  } else if (apart > kSameDiscontinuity * glm::distance(line[0], line[1])) {
+  } else if (apart > kSameOnLine * glm::distance(line[0], line[1])) {
     known.has_more = true;
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;

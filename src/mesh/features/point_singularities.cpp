@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/approach.h"
+#include "mesh/model/tolerances.h"
 #include "surface/box_subdivision.h"
 #include "surface/surface_enclosure.h"
 
@@ -31,9 +32,7 @@ constexpr std::size_t kChordsPerBox = 16;
 /// Ways that are taken around a point without a limit: a circle of limits is 2e-5 of its radius
 /// from chords between them.
 constexpr std::size_t kManyWays = 512;
-/// Places that agree to this part of the diagonal are one; what differs by no more than this part
-/// of what it did farther away is on its way to agree.
-constexpr double kAgree = 1e-4;
+/// Places that differ by half as much as farther away are on their way to agree.
 constexpr double kApproaches = 0.5;
 
 /// The ways to one place that are in the domain.
@@ -168,7 +167,7 @@ class Narrowing {
   void keep_varied(std::vector<ParameterBox>& parts) const {
     const std::vector<double> sizes = variations(parts);
     const double most = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
-    const double least = std::max(kAgree * *diagonal_, kVaries * most);
+    const double least = std::max(kLimitsAgree * *diagonal_, kVaries * most);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (most <= *diagonal_ && sizes[k] > least) order.push_back(k);
@@ -264,7 +263,8 @@ std::vector<PointSingularity> classify_points(const Surface& surface, std::span<
   for (const Ways& ways : all) {
     PointSingularity singularity;
     if (ways.is_open && !ways.lines.empty()) {
-      singularity = {kind_of_point(surface, ways, kAgree * diagonal, threads), ways.at_looks[1]};
+      singularity = {kind_of_point(surface, ways, kLimitsAgree * diagonal, threads),
+                     ways.at_looks[1]};
       if (singularity.kind == PointSingularity::Kind::NoLimit && ways.lines.size() == kWays) {
         singularity.around = ClosedCurve(look_around(surface, ways.lines[0][0], threads));
       }

@@ -8,16 +8,16 @@
 #include <numeric>
 
 #include "base/bounds.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
 
-/// It is looked at so near, in ranges of the parameters; what is found must agree to this part of
-/// the diagonal. A smooth surface moves by 1e-6 of its size, and the mean is off by its square.
+/// Distance of the nearest looks, in ranges of the parameters. A smooth surface moves by 1e-6 of
+/// its size, and the mean of opposite looks is off by the square of that.
 constexpr double kNear = 1e-6;
-constexpr double kLimitAgrees = 1e-4;
 
 /// The nearest points around a place: two along u, and two along v.
 constexpr std::size_t kNearest = 4;
@@ -50,7 +50,7 @@ Beside judge(std::span<const NearbyLook> looks, double diagonal) {
     beside.is_defined = beside.is_defined || look.is_defined;
     if (look.known) bounds.add(*look.known);
   }
-  if (!bounds.empty() && bounds.diagonal() <= kLimitAgrees * diagonal) {
+  if (!bounds.empty() && bounds.diagonal() <= kLimitsAgree * diagonal) {
     beside.limit = middle_of_pairs(looks.first<kNearest>());
   }
   return beside;
@@ -61,7 +61,7 @@ Beside judge(std::span<const NearbyLook> looks, double diagonal) {
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
   const double moved =
       safe_length(point.r_u) * std::fabs(uv.x) + safe_length(point.r_v) * std::fabs(uv.y);
-  return std::numeric_limits<double>::epsilon() * moved > kLimitAgrees * diagonal;
+  return std::numeric_limits<double>::epsilon() * moved > kLimitsAgree * diagonal;
 }
 
 std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,

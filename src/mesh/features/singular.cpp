@@ -49,7 +49,7 @@ constexpr std::size_t kFewZeros = 4;
 constexpr std::size_t kOnLine = 32;
 /// How far from a zero descents begin, in ranges, that tell whether there are others beside it, and
 /// the part of that within which they then end if there are none.
-constexpr double kBeside = 1e-3;
+constexpr double kBesideZero = 1e-3;
 constexpr double kBack = 0.1;
 /// How far from each other places on curves of zeros are named, in ranges.
 constexpr double kAlongCurves = 1.0 / 16;
@@ -194,7 +194,7 @@ class ZeroFinder {
   /// Whether derivatives of r_u x r_v tell that there is no zero beside a place.
   std::vector<bool> stand_alone(const Places& places) const {
     Places beside;
-    for (const dvec2& place : places) beside.push_back(clamped(place + kBeside * ways()[0]));
+    for (const dvec2& place : places) beside.push_back(clamped(place + kBesideZero * ways()[0]));
     const std::vector<Area> here = areas_at(places);
     const std::vector<Area> there = areas_at(beside);
     std::vector<bool> do_stand;
@@ -289,7 +289,9 @@ Places distinct(const ZeroFinder& finder, const Places& places) {
   std::ranges::stable_sort(order, {}, [&](std::size_t k) { return sizes[k]; });
   Places result;
   for (const std::size_t k : order) {
-    const auto is_same = [&](const dvec2& other) { return are_near(places[k], other, kBeside); };
+    const auto is_same = [&](const dvec2& other) {
+      return are_near(places[k], other, kBesideZero);
+    };
     if (std::ranges::none_of(result, is_same)) result.push_back(places[k]);
   }
   return result;
@@ -310,11 +312,11 @@ std::vector<double> shared_coordinates(const Places& places, int axis) {
 
 /// The places of which several share their coordinate `axis`, or may once they are at even ones.
 Places places_in_line(Places places, int axis) {
-  constexpr double kReach = 3 * kSame;  // each is moved by less than kSame
+  constexpr double kApartInLine = 3 * kSame;  // each is moved by less than kSame
   std::ranges::sort(places, {}, [axis](const dvec2& place) { return place[axis]; });
   Places result;
   for (std::size_t begin = 0, end = 1; begin < places.size(); begin = end++) {
-    while (end < places.size() && places[end][axis] - places[end - 1][axis] <= kReach) ++end;
+    while (end < places.size() && places[end][axis] - places[end - 1][axis] <= kApartInLine) ++end;
     if (end - begin < kFewZeros) continue;
     result.insert(result.end(), places.begin() + static_cast<std::ptrdiff_t>(begin),
                   places.begin() + static_cast<std::ptrdiff_t>(end));
@@ -351,7 +353,7 @@ Places take_isolated(const ZeroFinder& finder, Places& places) {
   if (places.size() > kMostUnclear) return isolated;
   Places starts;
   for (const dvec2& place : places) {
-    for (const dvec2& way : ZeroFinder::ways()) starts.push_back(place + kBeside * way);
+    for (const dvec2& way : ZeroFinder::ways()) starts.push_back(place + kBesideZero * way);
   }
   const Places ends = finder.descend(std::move(starts), Along::Both);
   const std::vector<bool> are = finder.are_zeros(ends);
@@ -359,7 +361,7 @@ Places take_isolated(const ZeroFinder& finder, Places& places) {
   for (std::size_t k = 0; k < places.size(); ++k) {
     bool is_isolated = true;
     for (std::size_t w = k * kPlacesAround; w < (k + 1) * kPlacesAround; ++w) {
-      is_isolated = is_isolated && (!are[w] || are_near(ends[w], places[k], kBack * kBeside));
+      is_isolated = is_isolated && (!are[w] || are_near(ends[w], places[k], kBack * kBesideZero));
     }
     (is_isolated ? isolated : others).push_back(places[k]);
   }

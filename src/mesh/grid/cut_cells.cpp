@@ -6,6 +6,7 @@
 
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
@@ -19,11 +20,10 @@ constexpr double kAgreement = 2;
 /// rounding of positions could pretend: twice the area along the sum of the four normals, at most
 /// 4 long, must exceed this times the largest coordinate and the root of the sum of squares of four
 /// edges, of which no other edge is longer than twice. That is 2 * 2 * 2 * 4 * sqrt(3) times
-/// kRounding of mesh/grid/grid.h, rounded up. Needles thinner than a rounding fail it too.
-constexpr double kPlain = 64 * 4 * 2.220446049250313e-16;
+/// kRounding, rounded up. Needles thinner than a rounding fail it too.
+constexpr double kPlainArea = 64 * kRounding;
 
-/// kTie of mesh/grid/triangulate.h.
-constexpr double kNearlyOne = 1 - 1e-6;
+constexpr double kNearlyOne = 1 - kTie;
 
 static inline LoopVector position(const Strip& strip, size_t i) {
   return {strip.x[i], strip.y[i], strip.z[i]};
@@ -36,7 +36,7 @@ static inline LoopVector normal(const Strip& strip, size_t i) {
 
 void SADDLE_LEVEL(const Strip& lower, const Strip& upper, size_t cells, double front, Cuts& cuts) {
   const double size = larger_of(lower.size, upper.size);
-  const double least = kPlain * kPlain * size * size;
+  const double least = kPlainArea * kPlainArea * size * size;
 #pragma GCC ivdep  // the cuts overlap no strip
   for (size_t i = 0; i < cells; ++i) {
     const LoopVector p0 = position(lower, i), p1 = position(lower, i + 1);

@@ -11,13 +11,12 @@
 #include <vector>
 
 #include "mesh/model/mesh.h"
+#include "mesh/model/tolerances.h"
 #include "surface/surface.h"
 
 namespace saddle {
 
-/// What is lost to rounding in a coordinate: a few operations' worth. Differences up to this are
-/// none. Each coordinate has its own, so that a spike in one does not swallow the others.
-inline constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+/// The rounding of each coordinate.
 inline dvec3 rounding_of(const dvec3& position) {
   return kRounding * glm::abs(position);
 }

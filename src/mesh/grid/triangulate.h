@@ -8,6 +8,7 @@
 
 #include "mesh/grid/corners.h"
 #include "mesh/grid/grid.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -33,9 +34,7 @@ inline double sagitta(const dvec3& p_a, const dvec3& n_a, const dvec3& p_b, cons
   return 0.125 * glm::abs(glm::dot(n_b - n_a, p_b - p_a));
 }
 
-/// Sagittas, and squares of lengths, that differ by less, relatively, are equal: on surfaces of
-/// revolution those of both diagonals are, and rounding must not choose between them.
-inline constexpr double kTie = 1e-6;
+/// Whether `a` is less than `b` by more than rounding may make of equal ones.
 inline bool is_smaller(double a, double b) {
   return a < b * (1 - kTie);
 }

@@ -6,14 +6,12 @@
 #include <glm/vector_relational.hpp>
 
 #include "mesh/model/point_union.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
 namespace {
 
-/// Vertices closer than this part of the extent, in each coordinate, may be one point: some digits
-/// more than sin(2 pi) and its like lose, and far below what a float or a picture shows.
-constexpr double kJoinFraction = 1e-9;
 /// They are one point only if they are also this much closer than the grid's steps beside them. It
 /// keeps a surface apart whose diagonal is that of a spike (tan near its pole: 1e16).
 constexpr double kJoinStep = 1e-3;
@@ -22,7 +20,7 @@ constexpr double kJoinStep = 1e-3;
 /// coordinate has its own extent: heights of 1e9 do not make one of what is apart in x.
 bool is_one_point(const Grid& grid, const Bounds& box) {
   const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
-  const dvec3 tolerance = kJoinFraction * grid.local_scale * grid.mesh.bounds.size();
+  const dvec3 tolerance = kSamePosition * grid.local_scale * grid.mesh.bounds.size();
   return glm::all(glm::lessThanEqual(box.size(), glm::max(least, tolerance)));
 }
 
@@ -174,7 +172,7 @@ bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q) {
     const double gap = std::fabs(p[k] - q[k]);
     const double least = kRounding * std::max(std::fabs(p[k]), std::fabs(q[k]));
     const double size = grid.mesh.bounds.high[k] - grid.mesh.bounds.low[k];
-    if (gap > std::max(least, kJoinFraction * grid.local_scale * size)) return false;
+    if (gap > std::max(least, kSamePosition * grid.local_scale * size)) return false;
   }
   return true;
 }

@@ -8,6 +8,7 @@
 
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {
@@ -26,8 +27,6 @@ constexpr double kMostRootLines = 0.28;
 constexpr double kCoarser = 1.25;
 constexpr double kMuchCoarser = 4;
 constexpr double kCoarsest = 1e40;
-/// More lines than this each way cannot be numbered by a cell tree.
-constexpr std::size_t kMaxLines = 60000;
 
 FixedLines drawn_lines(const Domain& domain, const MeshRequest& request) {
   const auto lines = [](double first, double last, int count) {
@@ -139,7 +138,7 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& req
   plan.singular = singular_set(surface, request, plan);
   plan.fixed = plan.probe.fixed_lines(plan.drawn, plan.singular);
   place_root_lines(request, plan);
-  if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
+  if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMostCellsEachWay) return std::nullopt;
   return plan;
 }
 

@@ -6,6 +6,7 @@
 #include "mesh/grid/grid.h"
 #include "mesh/mesher/adaptive_mesh.h"
 #include "mesh/mesher/grid_mesh.h"
+#include "mesh/model/tolerances.h"
 #include "surface/box_subdivision.h"
 #include "surface/surface_enclosure.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 /// Boxes that the proof may take. A smooth surface needs a few.
 constexpr std::size_t kBoxes = 1024;
-/// Cells each way that a cell tree can number.
-constexpr std::size_t kMostCells = 60000;
 
 /// Whether bounds prove position and tangents to be defined and continuous everywhere.
 bool is_smooth(const Surface& surface) {
@@ -33,7 +32,7 @@ bool is_smooth(const Surface& surface) {
 std::optional<MeshResult> mesh_of_samples(const Surface& surface, const MeshRequest& request) {
   const auto [cells_u, cells_v] = request.samples.value();
   std::optional<MeshPlan> plan = plan_mesh(surface, request);
-  if (!plan || std::max(cells_u, cells_v) > kMostCells) return std::nullopt;
+  if (!plan || std::max(cells_u, cells_v) > kMostCellsEachWay) return std::nullopt;
   if (!request.clip && is_smooth(surface)) {
     MeshResult mesh = mesh_on_grid(surface, {static_cast<int>(cells_u), static_cast<int>(cells_v),
                                              request.lines_u, request.lines_v, request.threads});

@@ -22,13 +22,13 @@ constexpr std::size_t kFewest = 3;
 
 /// Tetrahedra thinner than this share of their size are thinner than a float's step, and rounding
 /// decides which way out they are.
-constexpr double kFlat = 1e-12;
+constexpr double kFlatTetrahedron = 1e-12;
 
 /// 1 if the tetrahedron of these vectors is the right way out, -1 if not, 0 if it is flat; -1 too
 /// where one is not finite.
 int orientation(const dvec3& a, const dvec3& b, const dvec3& c) {
   const double volume = glm::dot(a, glm::cross(b, c));
-  const double flat = kFlat * glm::length(a) * glm::length(b) * glm::length(c);
+  const double flat = kFlatTetrahedron * glm::length(a) * glm::length(b) * glm::length(c);
   if (std::abs(volume) <= flat) return 0;
   return volume > 0 ? 1 : -1;
 }

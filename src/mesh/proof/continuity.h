@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/model/tolerances.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -24,10 +25,6 @@ struct LinePart {
   /// Which end is known to be beside a break: there is no proof there.
   std::optional<std::size_t> broken_end = {};
 };
-
-/// Doubles between two parameters run out before, except next to 0, where what is left of a line is
-/// then 1e-30 of it.
-inline constexpr int kAllHalvings = 100;
 
 /// Parts of these, apart from each other, on which the surface is proved neither to be continuous
 /// nor to stay within `delta`, so that it jumps by no more: as short as doubles go, or as many as
