@@ -15,6 +15,7 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/sizing/grid_sizing.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {
@@ -285,7 +286,7 @@ std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const Me
                                                 MeshPlan plan) {
   MeshResult result{{}, report_of(plan)};
   std::vector<Counterexample> counterexamples =
-      plan.probe.counterexamples(plan.lines, tolerance_within(request.clip, plan.aim));
+      find_counterexamples(plan.probe, plan.lines, tolerance_within(request.clip, plan.aim));
   AdaptiveMesher halving(surface, request, plan);
   halving.run(std::move(counterexamples));
   return finish(surface, request, plan.singular, halving, std::move(result));

@@ -8,6 +8,11 @@
 
 namespace saddle {
 
+/// Parameters that a grid's lines must include: those of the lines that are drawn and the ends.
+struct FixedLines {
+  std::vector<double> u, v;  ///< at least two each, from the range's first end to its last
+};
+
 /// Lines per unit of parameter, constant on even stretches of a range, integrated.
 class Cumulative {
  public:
