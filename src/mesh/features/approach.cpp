@@ -15,22 +15,20 @@ namespace saddle {
 
 namespace {
 
-/// Where a surface is looked at on its way to a place, in ways.
+/// The places that diverge() evaluates, in parts of the line.
 constexpr std::array<double, kLooksOnTheWay> kApproach = {0x1p-12, 0x1p-16, 0x1p-20,
                                                           0x1p-24, 0x1p-28, 0x1p-32};
-/// From one of those to the next it moves by less than this part of what it did before, or goes to
-/// infinity: a root of order 12 moves by 0.79 of it, ln by all of it.
+/// A surface that moves by less than 0.8 of its last move converges. A root of order 12 moves by
+/// 0.79 of it, ln by all of it.
 constexpr double kArrives = 0.8;
-/// What moves on by the same again and again, as ln does, makes so many of those steps until
-/// doubles run out beside 0.
+/// Steps left, each 16 times as near, until doubles run out beside 0.
 constexpr double kStepsLeft = 256;
-/// A pole whose formula has no digits nearer to it, as 1/(1+cos(u)) beside pi, has leapt by then:
-/// over the first steps, each 16 times as near, by so many times as much each time.
+/// A formula may lose its digits beside a pole, as 1/(1+cos(u)) does at pi. The surface has a pole,
+/// too, if each of the first 3 moves is 8 times the one before.
 constexpr double kLeaps = 8;
 constexpr std::size_t kFirstSteps = 3;
 
-/// What the shares of a short way are multiplied by, so that the nearest place is some digits from
-/// its end.
+/// A factor for kApproach on a short line: its nearest place is then 256 doubles from the end.
 double widening(const Line& line) {
   constexpr double kDigits = 256 * std::numeric_limits<double>::epsilon();
   constexpr double kMost = 0.5 / kApproach.front();
@@ -42,7 +40,7 @@ double widening(const Line& line) {
   return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, kMost);
 }
 
-/// Whether a surface leaps away on its way, whatever it does at the end of it.
+/// Whether the first moves grow as beside a pole.
 bool leaps(std::span<const SurfacePoint> points, double delta) {
   double before = 0;
   for (std::size_t i = 0; i < kFirstSteps; ++i) {
@@ -53,9 +51,8 @@ bool leaps(std::span<const SurfacePoint> points, double delta) {
   return true;
 }
 
-/// Whether bounds tell that the surface does not go beyond what it is farther away when it comes
-/// nearer to a line's first end, as cos(1/u) does not, however it moved between some places. What
-/// arrives somewhere may go as far again as it went there.
+/// Whether bounds near a line's first end stay within the bounds farther away, widened by their own
+/// size: cos(1/u) does, whatever its samples do.
 bool stays_within(SurfaceEnclosure& enclosure, const Line& line) {
   const double wider = widening(line);
   const auto place = [&](std::size_t i) {

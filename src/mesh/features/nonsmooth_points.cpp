@@ -14,14 +14,13 @@ namespace saddle {
 
 namespace {
 
-/// The domain is halved so many times each way: to neighbours in double precision.
+/// Halvings of the domain each way: to neighbours in double precision.
 constexpr int kDomainHalvings = 60;
-/// Boxes that are followed at a time: four meet at a point on their corners. Along a line there are
-/// more.
+/// Open boxes of a level. Four meet at a point on their corners; along a line there are more.
 constexpr std::size_t kMostBoxes = 64;
-/// The search may try one box for so many of proofs.
+/// The search has a third of the budget of proofs.
 constexpr std::size_t kProofsPerBox = 3;
-/// What is this near to 0, in ranges, may be 0.
+/// In ranges: a coordinate this near to 0 may be 0.
 constexpr double kNearZero = 0x1p-50;
 
 /// The smallest boxes in which tangents are not proved to be continuous; none if they are many.
@@ -39,7 +38,7 @@ std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
   return search.open();
 }
 
-/// Coordinates that a point in a box may have.
+/// Candidates for a coordinate of the point in a box.
 std::vector<double> coordinates(double low, double high, double range) {
   std::vector<double> all = {low, high};
   if (std::min(std::fabs(low), std::fabs(high)) <= kNearZero * range) all.push_back(0);

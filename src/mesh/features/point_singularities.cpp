@@ -18,30 +18,29 @@ namespace saddle {
 
 namespace {
 
-/// Ways to a place, all around it. Every other one is aslant to the axes and diagonals along which
-/// formulas like to be undefined, or 0.
+/// Ways to a place, all around it. Every other one is aslant to the axes and diagonals, along which
+/// formulas are often undefined or 0.
 constexpr std::size_t kWays = 16;
 constexpr double kAslantTurn = 0.07;  // of a turn between two ways
-/// How far away the ways begin, in ranges of the parameters; and where on them, as parts, the
-/// surface is looked at: 1e-6 and 1e-12 of the ranges away.
+/// The length of the ways, in ranges of the parameters, and the parts of them at which the surface
+/// is evaluated: 1e-6 and 1e-12 ranges away.
 constexpr double kReach = 0x1p-8;
 constexpr std::array kLooksOnWay = {0x1p-12, 0x1p-32};
-/// Chords of a curve that are looked at together, if a place is near to the box around them.
+/// Chords of a curve with a common box.
 constexpr std::size_t kChordsPerBox = 16;
 
-/// Ways that are taken around a point without a limit: a circle of limits is 2e-5 of its radius
-/// from chords between them.
+/// Ways around an essential point: a circle of limits is 2e-5 of its radius from their chords.
 constexpr std::size_t kManyWays = 512;
 /// Places that differ by half as much as farther away are on their way to agree.
 constexpr double kApproaches = 0.5;
 
-/// The ways to one place that are in the domain.
+/// The ways to one place that lie in the domain.
 struct Ways {
   std::vector<Line> lines;         ///< from the place outward
   std::vector<bool> is_aslant;     ///< of each line
-  bool is_open_aslant = true;      ///< the surface is defined on all that are aslant
-  bool is_open = true;             ///< on all
-  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each look
+  bool is_open_aslant = true;      ///< the surface is defined on all aslant ways
+  bool is_open = true;             ///< the surface is defined on all ways
+  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each of kLooksOnWay
 };
 
 Ways ways_to(const dvec2& place, const Domain& d) {
@@ -97,8 +96,7 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
                                                      : PointSingularity::Kind::Limit;
 }
 
-/// Where the surface is all around a place, as near to it as digits allow; nothing where it is not
-/// defined all around.
+/// Positions all around a place, 1e-12 ranges from it; empty if one of them is undefined.
 std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsigned threads) {
   const Domain& d = surface.domain;
   const dvec2 reach = kReach * kLooksOnWay.back() * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
@@ -116,14 +114,15 @@ std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsig
   return around;
 }
 
-/// A box is halved so many times each way, and so many of its parts are followed: four meet at a
-/// point on their corners.
+/// Halvings of a box each way, and its parts that are followed. Four meet at a point on their
+/// corners.
 constexpr int kBoxHalvings = 40;
 constexpr std::size_t kMostBoxParts = 16;
-/// What is left then is one point if it is no larger than this part of the box.
+/// The remaining parts are one point if they span no more than this part of the box.
 constexpr double kOnePoint = 0x1p-30;
-/// Of more parts those are followed in which the surface varies the most, and this share of that:
-/// around a point without a limit it does however small they are. In so many boxes, at most.
+/// Among more parts, those in which the surface varies by at least half of the most are followed:
+/// around an essential point it varies by the same in parts of any size. At most 64 boxes are
+/// searched in this way.
 constexpr double kVaries = 0.5;
 constexpr int kMostFollowed = 64;
 
@@ -153,7 +152,7 @@ class Narrowing {
     for (const ParameterBox& part : parts) left.add(dvec3(part.middle(), 0));
     const dvec2 most = kOnePoint * whole.size();
     if (left.size().x > most.x || left.size().y > most.y) return std::nullopt;
-    // A place that is 0 as far as digits go is meant to be 0.
+    // A coordinate that is 0 within the search's precision is 0.
     dvec2 place(left.centre());
     for (int k = 0; k < 2; ++k) {
       if (std::fabs(place[k]) <= most[k]) place[k] = 0;
@@ -162,8 +161,8 @@ class Narrowing {
   }
 
  private:
-  /// Keeps the parts in which the surface varies the most; none if it comes to agree in all, nor if
-  /// it goes to infinity.
+  /// Keeps the parts in which the surface varies the most; none if limits agree in all, or if it
+  /// goes to infinity.
   void keep_varied(std::vector<ParameterBox>& parts) const {
     const std::vector<double> sizes = variations(parts);
     const double most = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
@@ -180,7 +179,7 @@ class Narrowing {
     parts = std::move(kept);
   }
 
-  /// How far apart places of the surface are in boxes, by nine of each.
+  /// The diagonals of boxes around nine positions of each box of parameters.
   std::vector<double> variations(std::span<const ParameterBox> boxes) const {
     std::vector<dvec2> uv;
     for (const ParameterBox& box : boxes) {
@@ -202,7 +201,7 @@ class Narrowing {
 
   const Surface& surface_;
   SurfaceEnclosure enclosure_;
-  std::optional<double> diagonal_;  ///< for more parts
+  std::optional<double> diagonal_;  ///< empty: essential points are not searched
   int followed_ = 0;
 };
 

@@ -32,8 +32,8 @@ constexpr double kRankOne = 1e-10;
 /// which are known to 1e-8, have 1e-8 of it.
 constexpr double kAroundZero = 1e-4;
 constexpr double kZero = 1e-6;
-/// Squared sine of the angle between derivatives of r_u x r_v, times their share: above it both
-/// are independent.
+/// |a x b|^2 over (|a|^2 + |b|^2)^2 of the two derivatives of r_u x r_v, above which these are
+/// independent.
 constexpr double kRankTwo = 1e-6;
 /// Squares of derivatives below this part of those kBesideZero away are rounding.
 constexpr double kRoundedDerivative = 1e-8;

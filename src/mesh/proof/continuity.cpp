@@ -15,12 +15,11 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a line until as many parts as these are too many to be narrowed down: so many of
-/// them stand for all.
+/// After 6 halvings of a line, more than 8 open parts end the search: 8 of them stand for all.
 constexpr int kLeastHalvings = 6;
 constexpr std::size_t kMostLineParts = 8;
-/// Beside a break that is known to be there, the part of a line that is left without a proof is so
-/// much of it at each step: what that leaves is halved on where bounds are too wide.
+/// The share of a part that its end beside a known discontinuity gets when it is cut: that end is
+/// never proved, and the rest is halved on where bounds are too wide.
 constexpr double kBesideDiscontinuity = 1.0 / 1024;
 
 ParameterBox box_around(std::span<const LinePart> lines) {
@@ -31,16 +30,17 @@ ParameterBox box_around(std::span<const LinePart> lines) {
   return box;
 }
 
-/// Whether tall boxes around lines are to be cut along u rather than along v: beside the lines
-/// themselves, whose units differ.
+/// Whether a box around lines is wider in u than in v, in mean sizes of the lines: u and v have
+/// units of their own.
 bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
   dvec2 sum(0);
   for (const LinePart& line : lines) sum += glm::abs(line.part[1] - line.part[0]);
   return size.x * sum.y >= size.y * sum.x;
 }
 
-/// Proves many lines at a time where boxes around them do: is_proved(box, how many). Calls
-/// leave(lines) with as many of the others as few(), or fewer. Changes the lines' order.
+/// Proves many lines at a time, by is_proved(box around them, number of lines); without a proof it
+/// goes on with both halves of the lines. Calls leave(lines) of groups of at most few() lines.
+/// Changes the lines' order.
 template <class Few, class IsProved, class Leave>
 void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leave leave) {
   if (lines.size() <= few()) return leave(lines);
@@ -59,10 +59,10 @@ class Prover {
   Prover(const Surface& surface, double delta, int halvings)
       : enclosure_(surface, Bounded::Position), delta_(delta), halvings_(halvings) {}
 
-  /// That were tried.
+  /// Number of boxes tested.
   std::size_t boxes() const { return boxes_; }
 
-  /// Puts the parts of lines that are not proved into `result`. Changes the lines' order.
+  /// Appends the unproved parts of lines to `result`. Changes the lines' order.
   void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
     prove_together(
         lines, [] { return std::size_t{1}; },
@@ -127,8 +127,8 @@ class Prover {
   std::size_t boxes_ = 0;
 };
 
-/// Proves that a surface has a normal all over a box, and no jump of it. A normal that is there by
-/// rounding alone, as on u = 2 pi where u = 0 has none, does not count.
+/// Proves that the normal is defined and continuous in a box. |r_u x r_v| must exceed its rounding:
+/// on u = 2 pi a sphere has a cross product by rounding alone.
 class NormalProver {
  public:
   explicit NormalProver(const Surface& surface) : enclosure_(surface, Bounded::Tangents) {}
@@ -154,7 +154,7 @@ class NormalProver {
   }
 
  private:
-  /// The most that a vector's length may be.
+  /// An upper bound of a vector's length.
   static double longest(std::span<const Interval> vector) {
     dvec3 most;
     for (int k = 0; k < 3; ++k) {
@@ -181,12 +181,11 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
 
 UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
                                  std::size_t& boxes) {
-  /// So few lines are looked at in less time than proofs of each would take; more of them where the
-  /// first look at each tells.
+  /// A search on 4 lines, on 128 where its first step decides, takes less time than proofs.
   constexpr std::size_t kFew = 4;
   constexpr std::size_t kFewIfOnlyCusps = 128;
-  /// Proofs of boxes around ever fewer lines that may be in vain to begin with, and for each line
-  /// that was proved: looking at a line takes twice as long as one.
+  /// Failed proofs that are allowed: 64, and 2 for each proved line. A search on a line takes as
+  /// long as 2 proofs.
   constexpr std::size_t kStagnant = 64;
   constexpr std::size_t kStagnantPerLine = 2;
   UnprovedNormals result;

@@ -14,15 +14,15 @@ namespace {
 /// Halvings of a box, both ways taken together: 1/4096 of each side.
 constexpr int kMaxDepth = 24;
 
-/// An island is looked at closer, tile by tile, until so many of the tiles each way of what is left
-/// are around what of it was found, or so many times.
+/// A zoom divides a box into 8 x 8 tiles, and ends when the component spans 4 of them each way, or
+/// after 6 zooms.
 constexpr int kTiles = 8;
 constexpr int kEnoughTiles = 4;
 constexpr int kMaxZooms = 6;
-/// Cells of the grid, each way, on whose vertices an island is sampled then.
+/// Cells each way of the grid on whose vertices the component is sampled.
 constexpr std::size_t kComponentSamples = 32;
 constexpr std::size_t kBoxesForComponent = 40'000;
-/// Parts of a tile that are followed: along the boundary of a strip there are as many as digits.
+/// Parts of a tile that are followed. Along the boundary of a strip there would be ever more.
 constexpr std::size_t kPartsOfTile = 16;
 
 struct Part {
@@ -142,10 +142,10 @@ std::optional<SmallComponent> find_small_component(const Surface& surface, unsig
       high = glm::max(high, *found);
     }
     if (low.x > high.x) break;
-    // It may reach into the tiles beside those in which it was found.
+    // The component may reach into the tiles beside those in which it was found.
     const dvec2 tile = (whole.high - whole.low) / double{kTiles};
     component.where = {glm::max(whole.low, low - tile), glm::min(whole.high, high + tile)};
-    // A strip is narrow in one way only.
+    // A strip is narrow in one direction only.
     const dvec2 tiles = (high - low) / tile;
     if (std::min(tiles.x, tiles.y) >= kEnoughTiles - 1) break;
   }
