@@ -8,9 +8,9 @@
 #include "base/random.h"
 #include "eval/batch.h"
 #include "mesh/grid/grid.h"
-#include "mesh/model/parameter_box.h"
 #include "study/methods.h"
 #include "study/muparser_method.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {

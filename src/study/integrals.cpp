@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "surface/parameter_box.h"
+
 namespace saddle {
 
 namespace {
@@ -35,30 +37,19 @@ constexpr std::array<GaussNode, 5> kAlongV = {{{-0.90617984593866399, 0.11846344
                                                {0.90617984593866399, 0.11846344252809454}}};
 constexpr std::size_t kPoints = kAlongU.size() * kAlongV.size();
 
-struct UvRectangle {
-  dvec2 low, high;
-};
-
 struct Sums {
   double area = 0;
   double volume = 0;
 };
 
 struct Cell {
-  UvRectangle rectangle;
+  ParameterBox rectangle;
   Sums sums;
   std::array<std::array<Sums, 2>, 2> halves;  ///< of each axis
   Estimate area, volume;
   double error = 0;  ///< by which cells are compared
   int axis = 0;      ///< the one to halve
 };
-
-UvRectangle half_of(const UvRectangle& rectangle, int axis, std::size_t which) {
-  UvRectangle half = rectangle;
-  const double middle = 0.5 * rectangle.low[axis] + 0.5 * rectangle.high[axis];
-  (which == 0 ? half.high : half.low)[axis] = middle;
-  return half;
-}
 
 class Integrator {
  public:
@@ -87,7 +78,7 @@ class Integrator {
       const double part = static_cast<double>(k) / kFirstRectangles;
       return first * (1 - part) + last * part;
     };
-    std::vector<UvRectangle> rectangles;
+    std::vector<ParameterBox> rectangles;
     for (std::size_t j = 0; j < kFirstRectangles; ++j) {
       for (std::size_t i = 0; i < kFirstRectangles; ++i) {
         rectangles.push_back({{at(d.u0, d.u1, i), at(d.v0, d.v1, j)},
@@ -104,10 +95,10 @@ class Integrator {
   }
 
   /// Gauss's rule for each of some rectangles; what is not defined counts as 0.
-  std::vector<Sums> integrate(const std::vector<UvRectangle>& rectangles) {
+  std::vector<Sums> integrate(const std::vector<ParameterBox>& rectangles) {
     std::vector<dvec2> uv;
     uv.reserve(rectangles.size() * kPoints);
-    for (const UvRectangle& rectangle : rectangles) {
+    for (const ParameterBox& rectangle : rectangles) {
       const dvec2 middle = 0.5 * rectangle.low + 0.5 * rectangle.high;
       const dvec2 half = 0.5 * (rectangle.high - rectangle.low);
       for (const GaussNode& v : kAlongV) {
@@ -142,11 +133,11 @@ class Integrator {
 
   /// Adds cells whose own sums are known.
   void add(std::vector<Cell> cells) {
-    std::vector<UvRectangle> rectangles;
+    std::vector<ParameterBox> rectangles;
     for (const Cell& cell : cells) {
       for (int axis = 0; axis < 2; ++axis) {
         for (std::size_t which = 0; which < 2; ++which) {
-          rectangles.push_back(half_of(cell.rectangle, axis, which));
+          rectangles.push_back(halves_of(cell.rectangle, axis)[which]);
         }
       }
     }
@@ -198,7 +189,7 @@ class Integrator {
       if (!is_taken) return false;
       for (std::size_t which = 0; which < 2; ++which) {
         Cell half;
-        half.rectangle = half_of(cell.rectangle, cell.axis, which);
+        half.rectangle = halves_of(cell.rectangle, cell.axis)[which];
         half.sums = cell.halves[static_cast<std::size_t>(cell.axis)][which];
         halves.push_back(half);
       }

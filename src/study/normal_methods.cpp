@@ -7,8 +7,8 @@
 #include "base/format.h"
 #include "eval/batch.h"
 #include "mesh/grid/grid.h"
-#include "mesh/model/parameter_box.h"
 #include "study/methods.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {

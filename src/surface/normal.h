@@ -5,10 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "surface/degenerate_cross.h"
 #include "surface/surface.h"
 
 namespace saddle {
+
+/// |r_u x r_v| at most this times the local scale of |r_u| |r_v| counts as zero: below it the
+/// direction has lost about half of a double's digits to cancellation.
+inline constexpr double kDegenerateCross = 1e-7;
 
 /// The unit vector along r_u x r_v (along r_v x r_u for a flipped surface), or nothing where the
 /// tangents are not finite or their cross product is at most kDegenerateCross * scale_u * scale_v,

@@ -15,6 +15,7 @@
 #include "mesh/mesher/grid_within.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/sizing/cost_model.h"
+#include "mesh/sizing/grid_sizing.h"
 #include "meshing/tolerance.h"
 #include "render/gl/context.h"
 #include "render/picture/picture_in_tiles.h"
@@ -90,7 +91,7 @@ class Study {
   void try_grids(const MeshPlan& plan, double planning, Renderer& renderer) {
     for (double scale = 1;; scale /= kStep) {
       const FixedLines lines =
-          plan.probe.place_lines(plan.fixed, plan.sizing, 1 / std::sqrt(scale));
+          place_lines(plan.probe, plan.fixed, plan.sizing, 1 / std::sqrt(scale));
       if (static_cast<double>(lines.u.size() * lines.v.size()) > kMostCells) return;
       const GridTrial trial = try_grid(surface_, options_, plan, lines);
       if (trial.mesh) {

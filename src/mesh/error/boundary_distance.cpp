@@ -7,6 +7,7 @@
 #include "mesh/error/sampled_error.h"
 #include "mesh/features/approach.h"
 #include "mesh/model/sides.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
@@ -15,9 +16,6 @@ namespace {
 
 /// Halvings of the way across a leaf to its boundary: 1e-6 of it is enough for a distance.
 constexpr int kWayHalvings = 20;
-/// Halvings to a face of the clip box beside a pole: down to the last double, since there 1e-6 of
-/// the way moves the surface as far as the first half.
-constexpr int kFaceHalvings = 1100;
 
 /// Where a leaf without triangles is sampled, in sides of the leaf, and the directions from there
 /// to its border.
@@ -101,7 +99,7 @@ std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (chords_[k].is_at_face) to_faces.push_back({ends[k], ways[k][1]});
   }
-  const auto faces = last_defined(surface_, to_faces, kFaceHalvings, threads_, clip_);
+  const auto faces = last_defined(surface_, to_faces, kHalvingsToLeast, threads_, clip_);
   std::size_t next = 0;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (chords_[k].is_at_face) ends[k] = faces[next++];

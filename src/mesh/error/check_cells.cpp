@@ -13,6 +13,7 @@
 #include "mesh/error/error_loops.h"
 #include "mesh/error/sampled_error.h"
 #include "mesh/grid/vertex_columns.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -22,8 +23,6 @@ namespace {
 /// an arc has a turning point in its middle.
 constexpr std::array kMiddles = {0.5};
 constexpr std::array kQuarters = {0.25, 0.75};
-/// Random offset from there, in cells; as large as in measure_error().
-constexpr double kCellJitter = 0.1;
 constexpr std::size_t kRowChunk = 8;
 
 /// Places along one parameter, their cells, and their parts of these: 0 to 1.
@@ -40,7 +39,7 @@ Axis inside(const std::vector<double>& lines, std::span<const double> parts, std
   for (std::size_t k = 0; k < parts.size(); ++k) {
     for (std::size_t cell = 0; cell + 1 < lines.size(); ++cell) {
       const double random = random_unit(key + cell * parts.size() + k);
-      axis.part.push_back(parts[k] + kCellJitter * (2 * random - 1));
+      axis.part.push_back(parts[k] + kSampleJitter * (2 * random - 1));
       axis.at.push_back(std::lerp(lines[cell], lines[cell + 1], axis.part.back()));
       axis.cell.push_back(cell);
     }

@@ -7,15 +7,14 @@
 #include "mesh/error/error_loops.h"
 #include "mesh/error/triangle_error.h"
 #include "mesh/grid/loop_vectors.h"
-#include "surface/degenerate_cross.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
 
-constexpr double kDegenerate = kDegenerateCross * kDegenerateCross;
 /// A triangle's point counts as straight above the surface's if it is at most this part of the
 /// triangle's shorter side aside. Curvature then changes the distance by at most a twentieth.
-constexpr double kBeside = 0.1;
+constexpr double kMostAsideInRow = 0.1;
 
 struct Vertex {
   LoopVector position, normal;
@@ -67,8 +66,9 @@ void SADDLE_LEVEL(const Strip& lower, const Strip& upper, const RowPlaces& place
 
     const double area = column[8][i];
     const double squares = column[6][i] * column[7][i];
-    const double is_straight = beside <= kBeside * kBeside * square ? 1.0 : 0.0;  // not NaN
-    const double is_regular = area * area > kDegenerate * squares ? is_straight : 0.0;
+    const double is_straight =
+        beside <= kMostAsideInRow * kMostAsideInRow * square ? 1.0 : 0.0;  // not NaN
+    const double is_regular = area * area > kDegenerateCrossSquare * squares ? is_straight : 0.0;
     const double has_normal = square_mean > 0 ? is_regular : 0.0;
     errors.is_known[i] = second >= 0 ? has_normal : 0.0;
   }

@@ -5,12 +5,9 @@
 #include <math.h>
 
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
-
-/// A sample farther from its chord's middle than this part of the chord is above no small arc: the
-/// surface is not smooth there, and heights along normals mean nothing.
-inline constexpr double kSmallArc = 0.3;
 
 /// A chord of the surface, from a to b, and its unit normals at both ends and at the sample.
 struct ChordNormals {
@@ -28,8 +25,6 @@ static inline double height_at(double s, double a, double b, double c) {
 /// chord: the middle of an arc with a turning point tells little. |height| of an arc that is too
 /// steep for a polynomial, or whose sample is not about the middle.
 static inline double largest_height(ChordNormals chord, double from_middle, double height) {
-  constexpr double kSteep = 0.5;  // cosine; slopes beyond 60 degrees are no small ones
-  constexpr double kAside = 0.2;  // of the chord
   const double first = dot(chord.at_a, chord.at_sample);
   const double last = dot(chord.at_b, chord.at_sample);
   const double share = 0.5 + from_middle;
@@ -41,7 +36,8 @@ static inline double largest_height(ChordNormals chord, double from_middle, doub
   const double b = end - a - c;
   const double outer = larger_of(height_at(0.25, a, b, c), height_at(0.75, a, b, c));
   const double inner = larger_of(height_at(0.375, a, b, c), height_at(0.625, a, b, c));
-  const double is_gentle = smaller_of(smaller_of(first, last) - kSteep, kAside - fabs(from_middle));
+  const double is_gentle =
+      smaller_of(smaller_of(first, last) - kSteepCosine, kAsideOfMiddle - fabs(from_middle));
   return larger_of(fabs(height), choose(is_gentle, larger_of(outer, inner), 0.0));
 }
 

@@ -6,7 +6,8 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/features/bisect_discontinuities.h"
+#include "mesh/features/bisect_together.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -23,7 +24,7 @@ constexpr double kAcrossCusp = -0.7;
 constexpr double kUpright = 0.5;
 /// The surface is not upright if 12 halvings shorten a line's image to 1/512. The image of a root
 /// shortens to 1/64, that of a crease with finite slopes to little more than kArrived.
-constexpr double kPlain = 1.0 / 512;
+constexpr double kPlainShare = 1.0 / 512;
 /// Steps to the nearest point, and the first damping: the part of the normal equations' diagonal
 /// that is added to it. A step that comes no nearer multiplies it by 10, another one by 0.1.
 constexpr int kNearestSteps = 12;
@@ -39,16 +40,6 @@ std::vector<dvec2> ends_of(std::span<const Line> lines, std::size_t end) {
   return uv;
 }
 
-dvec2 middle_of(const Line& line) {
-  return 0.5 * (line[0] + line[1]);
-}
-
-/// Whether there are no doubles between its ends.
-bool has_no_middle(const Line& line) {
-  const dvec2 middle = middle_of(line);
-  return middle == line[0] || middle == line[1];
-}
-
 /// A line across a crease during bisection.
 struct CreaseSearch {
   std::size_t number;             ///< of the line
@@ -62,11 +53,11 @@ struct CreaseSearch {
 
   /// Whether there is no cusp, and the surface is not upright.
   bool is_plain() const {
-    return !is_cusp && halvings == kCreaseHalvings && way <= kPlain * first_way;
+    return !is_cusp && halvings == kCreaseHalvings && way <= kPlainShare * first_way;
   }
   bool is_done() const {
     const bool has_arrived = halvings >= kCreaseHalvings && !(way > kArrived * first_way);
-    return has_arrived || halvings == kAllHalvings || has_no_middle(left);
+    return has_arrived || has_no_middle(left);
   }
 };
 
@@ -162,31 +153,26 @@ std::vector<double> distances_from(std::span<const dvec2> places, const Surface&
 std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOfChord> chords,
                                 unsigned threads) {
   struct Search {
-    std::size_t number;
+    const MiddleOfChord* chord;
     Line left;
+    dvec2 place;  ///< the last middle
   };
-  std::vector<dvec2> places;
   std::vector<Search> searches;
   for (const MiddleOfChord& chord : chords) {
-    searches.push_back({places.size(), chord.ends});
-    places.push_back(middle_of(chord.ends));
+    searches.push_back({&chord, chord.ends, middle_of(chord.ends)});
   }
-  std::vector<dvec2> middles;
-  while (!searches.empty()) {
-    middles.clear();
-    for (const Search& search : searches) middles.push_back(middle_of(search.left));
-    const std::vector<SurfacePoint> there = evaluate(surface, middles, threads);
-    for (std::size_t k = 0; k < searches.size(); ++k) {
-      auto& [number, left] = searches[k];
-      const MiddleOfChord& chord = chords[number];
-      const dvec3 along = chord.positions[1] - chord.positions[0];
-      const double beyond = glm::dot(there[k].position - chord.middle(), along);
-      places[number] = middles[k];
-      left[beyond < 0 ? 0 : 1] = middles[k];
-      if (std::fabs(beyond) <= kArrived * glm::dot(along, along)) left = {middles[k], middles[k]};
-    }
-    std::erase_if(searches, [](const Search& search) { return has_no_middle(search.left); });
-  }
+  std::vector<std::size_t> open = all_open(searches.size());
+  const auto next = [](const Search& search) { return middle_of(search.left); };
+  const auto is_done = [](Search& search, const dvec2& middle, const SurfacePoint& point) {
+    const dvec3 along = search.chord->positions[1] - search.chord->positions[0];
+    const double beyond = glm::dot(point.position - search.chord->middle(), along);
+    search.place = middle;
+    search.left[beyond < 0 ? 0 : 1] = middle;
+    return std::fabs(beyond) <= kArrived * glm::dot(along, along) || has_no_middle(search.left);
+  };
+  bisect_together(surface, searches, open, kUntilDone, threads, next, is_done);
+  std::vector<dvec2> places;
+  for (const Search& search : searches) places.push_back(search.place);
   return places;
 }
 
@@ -197,17 +183,15 @@ std::vector<dvec2> crease_places(const Surface& surface, std::span<const Line> l
   std::vector<dvec2> places;
   for (const Line& line : lines) places.push_back(middle_of(line));
   std::vector<CreaseSearch> searches = searches_on(surface, lines, threads);
-  std::vector<dvec2> middles;
-  while (!searches.empty()) {
-    middles.clear();
-    for (const CreaseSearch& search : searches) middles.push_back(middle_of(search.left));
-    const std::vector<SurfacePoint> points = evaluate(surface, middles, threads);
-    for (std::size_t k = 0; k < searches.size(); ++k) narrow(searches[k], middles[k], points[k]);
-    std::erase_if(searches, [](const CreaseSearch& search) { return search.is_plain(); });
-    std::erase_if(searches, [&](const CreaseSearch& search) {
-      if (search.is_done()) places[search.number] = search.left[0];
-      return search.is_done();
-    });
+  std::vector<std::size_t> open = all_open(searches.size());
+  const auto next = [](const CreaseSearch& search) { return middle_of(search.left); };
+  const auto is_done = [](CreaseSearch& search, const dvec2& middle, const SurfacePoint& point) {
+    narrow(search, middle, point);
+    return search.is_plain() || search.is_done();
+  };
+  bisect_together(surface, searches, open, kAllHalvings, threads, next, is_done);
+  for (const CreaseSearch& search : searches) {
+    if (!search.is_plain()) places[search.number] = search.left[0];
   }
   return places;
 }

@@ -13,6 +13,7 @@
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 

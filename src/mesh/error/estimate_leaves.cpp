@@ -8,6 +8,7 @@
 #include "mesh/error/error_loops.h"
 #include "mesh/grid/cell_diagonal.h"
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {

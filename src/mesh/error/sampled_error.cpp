@@ -10,6 +10,7 @@
 #include "mesh/error/newton_step.h"
 #include "mesh/error/triangle_error.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -30,14 +31,12 @@ static inline double square_of_longest_side(LoopTriangle t) {
 /// are too far apart for that.
 static inline double height_above(LoopTriangle t, LoopVector weights, LoopVector p,
                                   LoopVector normal) {
-  constexpr double kBeside = 0.3;  // of the longest side: then curvature adds a third at most
-  constexpr double kFlat = 0.1;    // of it: beyond, the triangle bridges a front that is nearer
   const LoopVector off = minus(mix(t, weights), p);
   const double height = fabs(dot(off, normal));
   const double longest = square_of_longest_side(t);
   const double aside = dot(off, off) - height * height;
-  const double flat = kFlat * kFlat * longest - height * height;
-  const double beside = kBeside * kBeside * longest - aside;
+  const double flat = kMostAbove * kMostAbove * longest - height * height;
+  const double beside = kMostAside * kMostAside * longest - aside;
   return smaller_of(flat, beside) >= 0 ? height : 0.0;
 }
 

@@ -4,33 +4,31 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <glm/common.hpp>
 
-#include "eval/enclose.h"
+#include "mesh/features/bisect_together.h"
 #include "surface/normal.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
 
-/// Where a surface is looked at on its way to a place, in ways.
+/// The places that diverge() evaluates, in parts of the line.
 constexpr std::array<double, kLooksOnTheWay> kApproach = {0x1p-12, 0x1p-16, 0x1p-20,
                                                           0x1p-24, 0x1p-28, 0x1p-32};
-/// From one of those to the next it moves by less than this part of what it did before, or goes to
-/// infinity: a root of order 12 moves by 0.79 of it, ln by all of it.
+/// A surface that moves by less than 0.8 of its last move converges. A root of order 12 moves by
+/// 0.79 of it, ln by all of it.
 constexpr double kArrives = 0.8;
-/// What moves on by the same again and again, as ln does, makes so many of those steps until
-/// doubles run out beside 0.
+/// Steps left, each 16 times as near, until doubles run out beside 0.
 constexpr double kStepsLeft = 256;
-/// A pole whose formula has no digits nearer to it, as 1/(1+cos(u)) beside pi, has leapt by then:
-/// over the first steps, each 16 times as near, by so many times as much each time.
+/// A formula may lose its digits beside a pole, as 1/(1+cos(u)) does at pi. The surface has a pole,
+/// too, if each of the first 3 moves is 8 times the one before.
 constexpr double kLeaps = 8;
 constexpr std::size_t kFirstSteps = 3;
 
-/// What the shares of a short way are multiplied by, so that the nearest place is some digits from
-/// its end.
+/// A factor for kApproach on a short line: its nearest place is then 256 doubles from the end.
 double widening(const Line& line) {
   constexpr double kDigits = 256 * std::numeric_limits<double>::epsilon();
   constexpr double kMost = 0.5 / kApproach.front();
@@ -42,14 +40,7 @@ double widening(const Line& line) {
   return std::clamp(kDigits * place / (kApproach.back() * length), 1.0, kMost);
 }
 
-/// Of positions in the box between two places.
-std::array<Interval, 3> bounds_between(Enclosure& enclosure, const dvec2& a, const dvec2& b) {
-  std::array<Interval, 3> bounds;
-  enclosure(range_between(a.x, b.x), range_between(a.y, b.y), bounds);
-  return bounds;
-}
-
-/// Whether a surface leaps away on its way, whatever it does at the end of it.
+/// Whether the first moves grow as beside a pole.
 bool leaps(std::span<const SurfacePoint> points, double delta) {
   double before = 0;
   for (std::size_t i = 0; i < kFirstSteps; ++i) {
@@ -60,17 +51,19 @@ bool leaps(std::span<const SurfacePoint> points, double delta) {
   return true;
 }
 
-/// Whether bounds tell that the surface does not go beyond what it is farther away when it comes
-/// nearer to a line's first end, as cos(1/u) does not, however it moved between some places. What
-/// arrives somewhere may go as far again as it went there.
-bool stays_within(Enclosure& enclosure, const Line& line) {
+/// Whether bounds near a line's first end stay within the bounds farther away, widened by their own
+/// size: cos(1/u) does, whatever its samples do.
+bool stays_within(SurfaceEnclosure& enclosure, const Line& line) {
   const double wider = widening(line);
   const auto place = [&](std::size_t i) {
     return line[0] + wider * kApproach[i] * (line[1] - line[0]);
   };
-  const auto outer = bounds_between(enclosure, place(0), place(1));
-  const std::size_t last = kApproach.size() - 1;
-  const auto inner = bounds_between(enclosure, place(last - 1), place(last));
+  const auto bounds_between = [&](std::size_t first, std::size_t last) {
+    const std::span<const Interval> bounds = enclosure.enclose({place(first), place(last)});
+    return std::vector<Interval>(bounds.begin(), bounds.end());
+  };
+  const auto outer = bounds_between(0, 1);
+  const auto inner = bounds_between(kApproach.size() - 2, kApproach.size() - 1);
   const auto is_within = [](const Interval& a, const Interval& b) {
     const double size = b.high - b.low;
     return std::isfinite(size) && a.low >= b.low - size && a.high <= b.high + size;
@@ -89,7 +82,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       uv.push_back(line[0] + wider * share * (line[1] - line[0]));
   }
   const auto points = evaluate(surface, uv, threads);
-  std::optional<Enclosure> enclosure;
+  std::optional<SurfaceEnclosure> enclosure;
   std::vector<bool> result;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::size_t begin = k * kApproach.size();
@@ -107,7 +100,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;
     }
     goes_on = goes_on || leaps(std::span(points).subspan(begin, kApproach.size()), delta);
-    if (goes_on && !enclosure) enclosure.emplace(surface.bounds, 3);
+    if (goes_on && !enclosure) enclosure.emplace(surface, Bounded::Position);
     result.push_back(goes_on && !stays_within(*enclosure, lines[k]));
   }
   return result;
@@ -116,23 +109,14 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box) {
   std::vector<Line> ends(lines.begin(), lines.end());
-  std::vector<std::size_t> open(lines.size());
-  std::iota(open.begin(), open.end(), std::size_t{0});
-  std::vector<dvec2> middles;
-  for (int halving = 0; halving < halvings && !open.empty(); ++halving) {
-    middles.clear();
-    for (const std::size_t k : open) middles.push_back(0.5 * ends[k][0] + 0.5 * ends[k][1]);
-    const auto points = evaluate(surface, middles, threads);
-    std::vector<std::size_t> rest;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      Line& line = ends[open[i]];
-      const bool is_last = middles[i] == line[0] || middles[i] == line[1];  // no doubles between
-      const dvec3& p = points[i].position;
-      line[is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middles[i];
-      if (!is_last) rest.push_back(open[i]);
-    }
-    open = std::move(rest);
-  }
+  std::vector<std::size_t> open = all_open(lines.size());
+  const auto is_done = [&](Line& line, const dvec2& middle, const SurfacePoint& point) {
+    const bool is_last = middle == line[0] || middle == line[1];  // no doubles between
+    const dvec3& p = point.position;
+    line[is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middle;
+    return is_last;
+  };
+  bisect_together(surface, ends, open, halvings, threads, middle_of, is_done);
   std::vector<dvec2> last(ends.size());
   std::ranges::transform(ends, last.begin(), [](const Line& line) { return line[0]; });
   return last;

@@ -1,4 +1,4 @@
-// What a surface does on the way to a place in the (u, v) plane.
+// One-sided limits: whether a surface diverges on the way to a place, and where its boundary is.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@
 
 namespace saddle {
 
-/// Places that diverge() looks at on each of its lines.
+/// Places on each line that diverge() evaluates.
 inline constexpr std::size_t kLooksOnTheWay = 6;
 
 /// Whether the surface goes to infinity on the way from the second end of each line to the first.
-/// Seen from places ever closer to it, the surface moves by less and less if it arrives somewhere,
-/// as sqrt does; ln(x), which is no more than -745 at the smallest of doubles, moves on by as much
-/// each time, always the same way. What moves by less than `delta` arrives.
+/// It is evaluated at places 16 times as near each. If it converges, it moves by less each time,
+/// like sqrt. If it diverges, it moves by as much or more in one direction: ln(x), which is no
+/// less than -745 at the least double, moves by the same each time. A move below `delta` converges.
 std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, double delta,
                           unsigned threads);
 
-/// Bisects lines from a place where the surface is defined, and in a box, to one where it is not:
-/// the last places known to be so, after so many halvings.
+/// Bisects each line from an end where the surface is defined, and within `box`, to one where it is
+/// not. Returns the last places known to be inside.
 std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> lines, int halvings,
                                 unsigned threads, const std::optional<Bounds>& box = {});
 

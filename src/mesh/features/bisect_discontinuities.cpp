@@ -9,39 +9,39 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/features/bisect_together.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
 
-/// A pole's gap is so many times as large at the end as at the beginning.
+/// A gap that ends more than 50 times as large as it began is a pole.
 constexpr double kPoleGrowth = 50;
-/// A gap that has shrunk to this part with its line is no jump, however steep the surface is.
+/// A gap that has shrunk to this part of its first size is a steep slope, not a jump.
 constexpr double kVanishing = 1e-9;
-/// A gap that is still shrinking after so many halvings, to less than this part until the last
-/// digits, is none: 1/ln(u) comes to 0 ever more slowly, and those end before it does.
+/// A gap that shrinks by more than 20 % between halving 32 and the last double is not a jump:
+/// 1/ln(u) comes to 0 ever more slowly.
 constexpr int kEarly = 32;
 constexpr double kShrinks = 0.8;
-/// Positions at the ends of a line are as nothing beside one between them if they differ by less
-/// than this part of what that differs from them.
+/// Positions at the ends of a line are alike if they differ by less than this part of their
+/// distances from a position between them.
 constexpr double kAlike = 1.0 / 4096;
-/// Of a line: where it is halved.
+/// The part of a line at which it is halved.
 constexpr double kShare = 0.498;
 
-/// Places nearer to an end than so many doubles may be that end.
+/// In doubles: a place nearer to an end may be that end.
 constexpr double kLeastStep = 2;
-/// A good guess is the very place of a cusp, which has no normal: then it is looked at beside it,
-/// on this side and on the other.
+/// A place without a value may be a cusp itself. It is then tried on both sides of that.
 constexpr int kMostMisses = 2;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Places beyond the ends of a jump, in its widths: adjacent doubles. Where sums and squares are
-/// rounded, u^2 + v^2 - 1 is 0 for thousands of them.
+/// Places beyond the ends of a jump, in its widths, which are adjacent doubles. A rounded condition
+/// may be 0 for thousands of doubles.
 constexpr std::array kOutward = {1.0, 0x1p3, 0x1p6, 0x1p9, 0x1p12, 0x1p15, 0x1p18};
 
-/// A line on its way.
+/// A line that is being bisected.
 struct Search {
   Line ends;
   std::array<dvec3, 2> at_ends;
@@ -49,16 +49,16 @@ struct Search {
   double early_gap = 0;  ///< after kEarly halvings, of positions
   bool done = false;
   LocatedDiscontinuity found = {};
-  /// What changes its sign where the line is broken, at its ends; NaN where nobody knows.
+  /// BisectedVector::height at the ends; NaN where it is not known.
   std::array<double, 2> heights = {kUnknown, kUnknown};
-  double share = kShare;   ///< of the line, where it is looked at
-  double width = 1;        ///< of the line, beside when heights were first known
-  int steps = 0;           ///< since then
-  int misses = 0;          ///< times that there was no value where it was looked at
-  bool is_missed = false;  ///< the last time
+  double share = kShare;   ///< part of the line at which it is evaluated
+  double width = 1;        ///< length of the line, in lengths when heights were first known
+  int steps = 0;           ///< since heights were first known
+  int misses = 0;          ///< evaluations that gave no value
+  bool is_missed = false;  ///< the last one gave none
 };
 
-/// How far apart two values are, also where squares of that would overflow.
+/// The distance of two values, also where its square would overflow.
 double gap_between(const dvec3& a, const dvec3& b) {
   return safe_length(a - b);
 }
@@ -75,7 +75,7 @@ void finish(Search& search, Discontinuity kind) {
   search.found = {kind, search.ends};
 }
 
-/// What a gap is that no halving has closed.
+/// The kind of a gap that no halving has closed.
 Discontinuity at_last_digits(const Search& search, double delta) {
   const double gap = gap_between(search.at_ends[0], search.at_ends[1]);
   if (gap < kShrinks * search.early_gap) return Discontinuity::None;
@@ -83,9 +83,9 @@ Discontinuity at_last_digits(const Search& search, double delta) {
   return gap > kPoleGrowth * search.first_gap ? Discontinuity::Pole : Discontinuity::Jump;
 }
 
-/// The part of a line from its first end to where it is looked at next: where the chord of the
-/// heights at its ends is 0, a little nearer to the middle so that both ends come close, and never
-/// so far from it that halvings would have been faster. Source: I. F. D. Oliveira, R. H. C.
+/// The part of a line at which it is evaluated next: the zero of the chord of the heights at its
+/// ends. The place is moved a little toward the middle, so that both ends come close, and is never
+/// so far from the middle that halvings would have been faster. Source: I. F. D. Oliveira, R. H. C.
 /// Takahashi, "An enhancement of the bisection method average performance preserving minmax
 /// optimality", 2020, with their n_0 = 1, kappa_1 = 0.2 and kappa_2 = 2.
 double next_share(const Search& search) {
@@ -110,7 +110,7 @@ double next_share(const Search& search) {
   return std::clamp(0.5 - side * std::min(inward, farthest), least, 1 - least);
 }
 
-/// What is known of the place at which a line is looked at.
+/// The values at the place at which a line is evaluated.
 struct Look {
   dvec2 uv;
   dvec3 value;
@@ -118,9 +118,8 @@ struct Look {
   std::optional<dvec3> slope;  ///< along the line; nothing of normals
 };
 
-/// Whether to go on with the part of a line that ends where it is looked at: the one with the
-/// larger gap. Beside a pole both gaps may be the same to rounding, the ends being as nothing
-/// beside what is between them: then with the part into which the surface goes on moving away.
+/// Whether the larger gap is in the first part of a line. Beside a pole both gaps may be the same
+/// to rounding; then it is the part into which the surface moves away from the ends.
 bool is_in_first_part(const Search& search, const Look& look, double first_gap, double last_gap) {
   const double ends = gap_between(search.at_ends[0], search.at_ends[1]);
   if (look.slope && ends < kAlike * std::min(first_gap, last_gap)) {
@@ -156,10 +155,10 @@ void advance(Search& search, const Look& look, double delta) {
   if (look.slope && search.steps == kEarly) search.early_gap = std::max(first, second);
 }
 
-/// At the very place of a jump a formula may have a value of its own, as sign(0) is 0. It belongs
-/// to neither side, and rounding may give it to some doubles: an end that is far from what is some
-/// places outward goes there. If the last two of those are far from each other, too, the surface
-/// goes to infinity, and the ends stay where they are.
+/// Moves ends of jumps outward. At a jump a formula may have a value of its own, as sign(0) is 0,
+/// for some doubles: it belongs to neither side. An end moves to the last place outward whose value
+/// is far from the one before. If that is the outermost place, the surface goes to infinity, and
+/// the ends stay.
 void look_outward(const Surface& surface, std::span<Search> searches,
                   const BisectedVector& bisected, unsigned threads) {
   std::vector<Search*> jumps;
@@ -192,10 +191,10 @@ void look_outward(const Surface& surface, std::span<Search> searches,
   }
 }
 
-/// Finds out the heights at the ends of lines.
-void validate_ends(const Surface& surface, std::span<Search> searches,
-                   std::span<const std::size_t> which, const BisectedVector& bisected,
-                   unsigned threads) {
+/// Evaluates the heights at the ends of lines.
+void evaluate_heights(const Surface& surface, std::span<Search> searches,
+                      std::span<const std::size_t> which, const BisectedVector& bisected,
+                      unsigned threads) {
   std::vector<dvec2> uv;
   for (const std::size_t k : which) {
     uv.insert(uv.end(), searches[k].ends.begin(), searches[k].ends.end());
@@ -227,29 +226,24 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
   for (std::size_t k = 0; k < searches.size(); ++k) {
     if (!searches[k].done) open.push_back(k);
   }
-  std::vector<dvec2> uv;
-  for (int halving = 0; halving < kAllHalvings && !open.empty(); ++halving) {
-    if (bisected.height && halving == bisected.plain) {
-      validate_ends(surface, searches, open, bisected, threads);
-    }
-    uv.clear();
-    for (const std::size_t k : open) {
-      searches[k].share = next_share(searches[k]);
-      const Line& ends = searches[k].ends;
-      uv.push_back(ends[0] + searches[k].share * (ends[1] - ends[0]));
-    }
-    const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
-    work += uv.size();
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      Search& search = searches[open[i]];
-      const SurfacePoint& point = points[i];
-      const dvec2 way = search.ends[1] - search.ends[0];
-      Look look{uv[i], bisected.value(point), kUnknown, std::nullopt};
-      if (bisected.height) look.height = bisected.height(search.at_ends, point);
-      if (bisected.are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
-      advance(search, look, bisected.delta);
-    }
-    std::erase_if(open, [&](std::size_t k) { return searches[k].done; });
+  const auto place = [&work](Search& search) {
+    ++work;
+    search.share = next_share(search);
+    return search.ends[0] + search.share * (search.ends[1] - search.ends[0]);
+  };
+  const auto is_done = [&bisected](Search& search, const dvec2& uv, const SurfacePoint& point) {
+    const dvec2 way = search.ends[1] - search.ends[0];
+    Look look{uv, bisected.value(point), kUnknown, std::nullopt};
+    if (bisected.height) look.height = bisected.height(search.at_ends, point);
+    if (bisected.are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
+    advance(search, look, bisected.delta);
+    return search.done;
+  };
+  const int plain = bisected.height ? bisected.plain : kAllHalvings;
+  bisect_together(surface, searches, open, plain, threads, place, is_done);
+  if (bisected.height) {
+    evaluate_heights(surface, searches, open, bisected, threads);
+    bisect_together(surface, searches, open, kAllHalvings - plain, threads, place, is_done);
   }
   for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], bisected.delta));
   look_outward(surface, searches, bisected, threads);

@@ -1,5 +1,5 @@
-// Follows a gap between the ends of a line in the (u, v) plane until it closes or the parameters
-// have run out of digits.
+// Bisects the gap between a vector's values at the ends of a line of parameters, until the gap
+// closes or there are no doubles left between the ends.
 #pragma once
 
 #include <array>
@@ -16,42 +16,42 @@ namespace saddle {
 
 enum class Discontinuity : std::uint8_t { None, Jump, Pole };
 
-/// What is found on a line, and between which neighbours in double precision.
+/// A discontinuity on a line, between neighbours in double precision.
 struct LocatedDiscontinuity {
   Discontinuity kind = Discontinuity::None;
-  Line ends{dvec2(0), dvec2(0)};  ///< the first is the one nearer to the line's first end
-  bool has_more = false;          ///< there are others on the line
-  bool is_cusp = false;           ///< the normal goes to its opposite: the tangents do not jump
+  Line ends{dvec2(0), dvec2(0)};  ///< in the direction of the line
+  bool has_more = false;          ///< the line has others
+  bool is_cusp = false;           ///< the normal turns to its opposite; the tangents do not jump
 };
 
-/// A line, and the vector that may jump on it, at its ends.
+/// A line, and the values at its ends of the vector that may jump on it.
 struct Bracket {
   Line line;
   std::array<dvec3, 2> at_ends;
 };
 
-/// Which vector is followed, and how.
+/// The vector that may jump, and how it is searched.
 struct BisectedVector {
-  std::function<dvec3(const SurfacePoint&)> value;  ///< not finite where there is none
-  /// What changes its sign where the vector jumps, of its values at the ends of what is left of a
-  /// line and of a point there; smooth. Without it lines are halved.
+  std::function<dvec3(const SurfacePoint&)> value;  ///< not finite where it is undefined
+  /// A smooth function that changes its sign where the vector jumps: of the values at the ends of
+  /// the rest of a line, and of a point there. Without it lines are halved.
   std::function<double(const std::array<dvec3, 2>&, const SurfacePoint&)> height;
-  double delta;        ///< a gap that is smaller is none
-  double beyond;       ///< ends of breaks go on outward to what is this far from them
-  bool are_positions;  ///< the vectors are the surface's points
-  int plain;           ///< halvings before heights are asked for
+  double delta;        ///< a smaller gap is closed
+  double beyond;       ///< a jump's end moves outward to values that differ from it by more
+  bool are_positions;  ///< the vectors are positions
+  int plain;           ///< halvings before heights are used
 };
 
-/// Follows the larger part of each gap until both are below `delta`, or the parameters have run out
-/// of digits: then the vector jumps, or goes to infinity if the gap has grown on the way. Nothing
-/// is found on a line with an end where there is no value. Adds to `work` the points looked at.
+/// Goes on with the larger part of each gap until both parts are below `delta`, or there are no
+/// doubles left: then the vector jumps, or has a pole if the gap has grown on the way. A line with
+/// an undefined end has no discontinuity. Adds to `work` the number of points evaluated.
 std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
                                                          std::span<const Bracket> gaps,
                                                          const BisectedVector& bisected,
                                                          unsigned threads, std::size_t& work);
 
-/// Where lines are halved: a little off their middles, which are the places where a formula for
-/// half of a range has its cusps, and no normal.
+/// The place at which lines are halved: a little off the middle, where formulas often have cusps
+/// and no normal.
 dvec2 near_middle(const Line& line);
 
 }  // namespace saddle

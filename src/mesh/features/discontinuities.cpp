@@ -18,23 +18,19 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a line for a proof that it has no break: what they do not prove may have one, and is
-/// searched.
+/// Halvings of a line for a proof that it is continuous, before it is searched.
 constexpr int kProofHalvings = 3;
 
-/// Halvings after which most lines are done, so that the others are worth more than halvings.
+/// Halvings that end most searches for creases; the others go on with heights.
 constexpr int kPlainHalvings = 8;
-/// The same where there are only cusps: the first one tells most lines.
+/// The same where there are only cusps: the first halving ends most searches.
 constexpr int kPlainHalvingsOfCusps = 1;
-/// Breaks that are this near to each other, beside their line, are one: where a formula has a value
-/// of its own there are two steps.
-constexpr double kSameDiscontinuity = 1e-9;
 
-/// Where normals can only jump to their opposites, unit normals that are nearer to each other have
-/// no cusp between them, unless the surface turns back by as much as 166 degrees.
+/// Where normals can only jump to their opposites, unit normals nearer to each other have no cusp
+/// between them, unless the surface turns back by 166 degrees.
 constexpr double kNearOpposites = 0.25;
 
-/// Follows positions, which are not known yet.
+/// Bisects positions, which it evaluates at the ends first.
 std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
                                                    std::span<const Line> lines, double delta,
                                                    unsigned threads, std::size_t& work) {
@@ -56,9 +52,9 @@ std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
   return bisect_discontinuities(surface, gaps, positions, threads, work);
 }
 
-/// Where bounds leave room for breaks beside those that were found. A line with a pole is cut away
-/// whole, however many there are.
-std::vector<LinePart> unproved_boxes(const Surface& surface, std::span<const Line> lines,
+/// The parts of lines that bounds do not prove to be continuous, beside the discontinuities found
+/// so far. A line with a pole has none: all of it is cut away.
+std::vector<LinePart> unproved_parts(const Surface& surface, std::span<const Line> lines,
                                      std::span<const LocatedDiscontinuity> found, double delta,
                                      std::size_t& work) {
   std::vector<LinePart> parts;
@@ -73,8 +69,8 @@ std::vector<LinePart> unproved_boxes(const Surface& surface, std::span<const Lin
   return unproved(surface, std::move(parts), delta, work);
 }
 
-/// Whether values between the ends of a gap are not undefined but beyond the largest of doubles, as
-/// those of exp(-1/u) before it comes to 0. Then the ends are put where that begins.
+/// Whether values between the ends of a gap exceed the largest double. The ends are then moved to
+/// the last finite values.
 bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
   const dvec2 middle = near_middle(ends);
   const dvec3 value = evaluate(surface, std::array{middle}, 1)[0].position;
@@ -85,7 +81,7 @@ bool is_beyond_doubles(const Surface& surface, unsigned threads, Line& ends) {
   return true;
 }
 
-/// Whether the surface goes to infinity on either side of what was found on lines.
+/// Whether the surface diverges on either side of the discontinuities found on lines.
 std::vector<bool> diverge_beside(const Surface& surface, std::span<const Line> lines,
                                  std::span<const LocatedDiscontinuity> found, double delta,
                                  unsigned threads) {
@@ -104,8 +100,8 @@ std::vector<bool> diverge_beside(const Surface& surface, std::span<const Line> l
   return result;
 }
 
-/// A gap also grows if the ends of its line happen to be alike, a whole step of a saw's teeth from
-/// each other: a pole is where the surface goes to infinity. Beside one, rounding makes jumps.
+/// Corrects kinds by diverge(): a pole is where the surface diverges. A gap also grows at a jump if
+/// the ends of its line happen to be alike; beside a pole, rounding makes jumps.
 void verify(const Surface& surface, std::span<const Line> lines, double delta, unsigned threads,
             std::span<LocatedDiscontinuity> found) {
   const std::vector<bool> far = diverge_beside(surface, lines, found, delta, threads);
@@ -116,20 +112,20 @@ void verify(const Surface& surface, std::span<const Line> lines, double delta, u
     if (is_beyond_doubles(surface, threads, ends)) continue;
     const dvec2 middle = near_middle(ends);
     const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
-    const bool is_gap = (middle == ends[0] || middle == ends[1]) &&
-                        length(ends) <= kSameDiscontinuity * length(lines[k]);
+    const bool is_gap =
+        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSameOnLine * length(lines[k]);
     found[k].kind = is_gap ? Discontinuity::Jump : Discontinuity::None;
   }
 }
 
-/// What there is at suspects. At a pole of even order, where the surface comes back from where it
-/// went to, both ends of a gap may be alike.
+/// The discontinuities in unproved parts of lines. Around a pole of even order both ends of a part
+/// may be alike, so that diverge() decides.
 std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<const Line> lines,
-                                          std::span<const LinePart> unproved_boxes, double delta,
+                                          std::span<const LinePart> unproved_parts, double delta,
                                           unsigned threads, std::size_t& work) {
   std::vector<Line> parts;
   std::vector<Line> ways;
-  for (const auto& [line, part, broken_end] : unproved_boxes) {
+  for (const auto& [line, part, broken_end] : unproved_parts) {
     parts.push_back(part);
     ways.push_back({part[0], lines[line][0]});
     ways.push_back({part[1], lines[line][1]});
@@ -141,7 +137,7 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool is_pole = far[2 * i] || far[2 * i + 1] || beside[i];
     if (found[i].kind == Discontinuity::None) found[i].ends = parts[i];
-    // A place where the surface is not defined is no pole: sin(1/u) goes nowhere.
+    // An undefined place is no pole unless the surface diverges: sin(1/u) does not.
     if (is_pole) found[i].kind = Discontinuity::Pole;
     if (!is_pole && found[i].kind == Discontinuity::Pole &&
         !is_beyond_doubles(surface, threads, found[i].ends)) {
@@ -151,21 +147,21 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
   return found;
 }
 
-/// Adds what was found at a suspect to what is known of its line.
+/// Adds a discontinuity in an unproved part to the known one of its line.
 void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuity& known) {
   if (more.kind == Discontinuity::None) return;
   const double apart = glm::distance(known.ends[0], more.ends[0]);
   if (known.kind == Discontinuity::None) {
     known = more;
-  } else if (apart > kSameDiscontinuity * glm::distance(line[0], line[1])) {
+  } else if (apart > kSameOnLine * glm::distance(line[0], line[1])) {
     known.has_more = true;
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;
   }
 }
 
-/// Takes a few suspects of each line, those beside a known break first, that does not have more
-/// breaks than one anyway. `open`: in the order of lines; those that are taken are left out.
+/// Removes and returns the first 2 unproved parts of each line, unless the line is known to have
+/// several discontinuities. `open`: in the order of lines.
 std::vector<LinePart> take_some(std::span<const LocatedDiscontinuity> found,
                                 std::vector<LinePart>& open) {
   constexpr std::size_t kAtATime = 2;
@@ -181,19 +177,19 @@ std::vector<LinePart> take_some(std::span<const LocatedDiscontinuity> found,
   return taken;
 }
 
-/// Breaks of lines that may have some.
+/// Discontinuities of lines that are not proved to be continuous.
 std::vector<LocatedDiscontinuity> find_discontinuities_in(const Surface& surface,
                                                           std::span<const Line> lines, double delta,
                                                           unsigned threads, std::size_t& work) {
   std::vector<LocatedDiscontinuity> found = follow_positions(surface, lines, delta, threads, work);
   verify(surface, lines, delta, threads, found);
-  std::vector<LinePart> open = unproved_boxes(surface, lines, found, delta, work);
-  const auto from_break = [&](const LinePart& part) {
+  std::vector<LinePart> open = unproved_parts(surface, lines, found, delta, work);
+  const auto from_known = [&](const LinePart& part) {
     const LocatedDiscontinuity& known = found[part.line];
     return known.kind == Discontinuity::None ? 0 : glm::distance(part.part[0], known.ends[0]);
   };
   std::ranges::stable_sort(open, [&](const LinePart& a, const LinePart& b) {
-    return a.line != b.line ? a.line < b.line : from_break(a) < from_break(b);
+    return a.line != b.line ? a.line < b.line : from_known(a) < from_known(b);
   });
   while (true) {
     const std::vector<LinePart> some = take_some(found, open);

@@ -1,5 +1,5 @@
-// Tells jumps and poles from steep slopes, and creases from bends, along straight lines in the (u,
-// v) plane.
+// Finds jumps, poles, creases and cusps along straight lines of parameters, and tells them from
+// steep slopes and bends: by bisection where samples show a gap, and by interval proofs elsewhere.
 #pragma once
 
 #include <array>
@@ -12,19 +12,16 @@
 
 namespace saddle {
 
-/// Follows the larger part of the gap between the positions at the ends of each line until both
-/// parts are below `delta`, which shows that the surface is continuous there, or the parameters
-/// have run out of digits: then it jumps, or goes to infinity if the gap has grown on the way.
-/// Nothing is found on a line with an end where the surface is not defined. What samples do not
-/// show because they are alike is looked for where bounds do not prove that the surface is
-/// continuous. Adds to `work` the points and boxes that were looked at.
+/// Bisects the gap between the positions at the ends of each line, as bisect_discontinuities()
+/// does, with the same `delta`. A line with an undefined end has no discontinuity. Where the ends
+/// are alike, it searches the parts of the line that bounds do not prove to be continuous. Adds to
+/// `work` the number of points and boxes.
 std::vector<LocatedDiscontinuity> find_discontinuities(const Surface& surface,
                                                        std::span<const Line> lines, double delta,
                                                        unsigned threads, std::size_t& work);
 
-/// As find_discontinuities(), of unit normals: where they jump by more than kCreaseDegrees the
-/// surface has a crease, or, if to their opposites, a cusp. `normals`: along r_u x r_v, at the ends
-/// of each line.
+/// The same for unit normals. A jump by more than kCreaseDegrees is a crease, or a cusp if the
+/// normal turns to its opposite. `normals`: along r_u x r_v, at the ends of each line.
 std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span<const Line> lines,
                                                std::span<const std::array<dvec3, 2>> normals,
                                                unsigned threads, std::size_t& work);

@@ -1,68 +1,44 @@
 #include "mesh/features/nonsmooth_points.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "eval/enclose.h"
 #include "mesh/features/point_singularities.h"
-#include "mesh/model/parameter_box.h"
 #include "mesh/proof/certify.h"
 #include "mesh/proof/small_components.h"
+#include "surface/box_subdivision.h"
 #include "surface/normal.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
 
-/// r, r_u, r_v.
-constexpr std::size_t kOutputs = 9;
-/// The domain is halved so many times each way: to neighbours in double precision.
+/// Halvings of the domain each way: to neighbours in double precision.
 constexpr int kDomainHalvings = 60;
-/// Boxes that are followed at a time: four meet at a point on their corners. Along a line there are
-/// more.
+/// Open boxes of a level. Four meet at a point on their corners; along a line there are more.
 constexpr std::size_t kMostBoxes = 64;
-/// The search may try one box for so many of proofs.
+/// The search has a third of the budget of proofs.
 constexpr std::size_t kProofsPerBox = 3;
-/// What is this near to 0, in ranges, may be 0.
+/// In ranges: a coordinate this near to 0 may be 0.
 constexpr double kNearZero = 0x1p-50;
 
-bool is_smooth(Enclosure& enclosure, const ParameterBox& box) {
-  std::array<Interval, kOutputs> outputs;
-  enclosure(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y), outputs);
-  return std::ranges::all_of(
-      outputs, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
+/// The smallest boxes in which tangents are not proved to be continuous; none if they are many.
+std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
+  SurfaceEnclosure enclosure(surface, Bounded::Tangents);
+  const SubdivisionLimits limits = {
+      .boxes = ProofBudget(surface.bounds).boxes / kProofsPerBox,
+      .halvings = 2 * kDomainHalvings,
+      .most_open = kMostBoxes,
+  };
+  const auto search = subdivide(box_of(surface.domain), limits, [&](const ParameterBox& box) {
+    return are_continuous(enclosure.enclose(box)) ? ProofOutcome::Proved : ProofOutcome::Open;
+  });
+  if (search.depth() < limits.halvings) return {};
+  return search.open();
 }
 
-/// What is left of the domain where tangents are not proved to be continuous; nothing if that is
-/// much.
-std::vector<ParameterBox> rough_boxes(const Surface& surface) {
-  const Domain& d = surface.domain;
-  Enclosure enclosure(surface.bounds, kOutputs);
-  std::size_t budget = ProofBudget(surface.bounds).boxes / kProofsPerBox;
-  std::vector<ParameterBox> boxes = {{{d.u0, d.v0}, {d.u1, d.v1}}};
-  for (int depth = 0; depth < 2 * kDomainHalvings; ++depth) {
-    if (boxes.size() > budget) return {};
-    budget -= boxes.size();
-    std::erase_if(boxes, [&](const ParameterBox& box) { return is_smooth(enclosure, box); });
-    if (boxes.empty() || boxes.size() > kMostBoxes) return {};
-    std::vector<ParameterBox> halves;
-    for (const ParameterBox& box : boxes) {
-      const int axis = depth % 2;
-      const double middle = box.middle()[axis];
-      const bool is_whole = middle == box.low[axis] || middle == box.high[axis];
-      ParameterBox first = box;
-      ParameterBox second = box;
-      if (!is_whole) first.high[axis] = second.low[axis] = middle;
-      halves.push_back(first);
-      if (!is_whole) halves.push_back(second);
-    }
-    boxes = std::move(halves);
-  }
-  return boxes;
-}
-
-/// Coordinates that a point in a box may have.
+/// Candidates for a coordinate of the point in a box.
 std::vector<double> coordinates(double low, double high, double range) {
   std::vector<double> all = {low, high};
   if (std::min(std::fabs(low), std::fabs(high)) <= kNearZero * range) all.push_back(0);
@@ -74,7 +50,7 @@ std::vector<double> coordinates(double low, double high, double range) {
 NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, unsigned threads) {
   const Domain& d = surface.domain;
   std::vector<dvec2> places;
-  for (const ParameterBox& box : rough_boxes(surface)) {
+  for (const ParameterBox& box : nonsmooth_boxes(surface)) {
     for (const double u : coordinates(box.low.x, box.high.x, std::fabs(d.u1 - d.u0))) {
       for (const double v : coordinates(box.low.y, box.high.y, std::fabs(d.v1 - d.v0))) {
         if (std::ranges::count(places, dvec2(u, v)) == 0) places.emplace_back(u, v);

@@ -1,4 +1,4 @@
-// Single points at which the tangents of a surface are not defined, or nothing of it is.
+// Isolated points at which the tangents of a surface, or its positions, are not defined.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 namespace saddle {
 
 struct NonsmoothPoints {
-  /// The surface is defined there, as at the apex of z = hypot(u, v), or has a limit there, but a
-  /// normal for each side: z = (u^2 + v^2) / hypot(u, v).
+  /// Conical points: the surface is defined or has a limit there, and a different normal on each
+  /// side, as at the apex of z = hypot(u, v).
   std::vector<dvec2> conical;
-  std::vector<dvec2> without_limit;  ///< it has no limit: PointSingularity::Kind::NoLimit
+  std::vector<dvec2> without_limit;  ///< PointSingularity::Kind::NoLimit
 };
 
-/// Points to which boxes shrink around which bounds leave room for a jump of a tangent, for a
-/// surface of second order, if these are few. `diagonal`: of a box around the surface.
+/// The points to which boxes shrink in which bounds do not prove tangents to be continuous, if
+/// these boxes are few. For a surface of second order. `diagonal`: of a box around the surface.
 NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, unsigned threads);
 
 }  // namespace saddle

@@ -9,39 +9,38 @@
 
 #include <glm/common.hpp>
 
-#include "eval/enclose.h"
 #include "mesh/features/approach.h"
+#include "mesh/model/tolerances.h"
+#include "surface/box_subdivision.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
 
-/// Ways to a place, all around it. Every other one is aslant to the axes and diagonals along which
-/// formulas like to be undefined, or 0.
+/// Ways to a place, all around it. Every other one is aslant to the axes and diagonals, along which
+/// formulas are often undefined or 0.
 constexpr std::size_t kWays = 16;
 constexpr double kAslantTurn = 0.07;  // of a turn between two ways
-/// How far away the ways begin, in ranges of the parameters; and where on them, as parts, the
-/// surface is looked at: 1e-6 and 1e-12 of the ranges away.
+/// The length of the ways, in ranges of the parameters, and the parts of them at which the surface
+/// is evaluated: 1e-6 and 1e-12 ranges away.
 constexpr double kReach = 0x1p-8;
 constexpr std::array kLooksOnWay = {0x1p-12, 0x1p-32};
-/// Chords of a curve that are looked at together, if a place is near to the box around them.
+/// Chords of a curve with a common box.
 constexpr std::size_t kChordsPerBox = 16;
 
-/// Ways that are taken around a point without a limit: a circle of limits is 2e-5 of its radius
-/// from chords between them.
+/// Ways around an essential point: a circle of limits is 2e-5 of its radius from their chords.
 constexpr std::size_t kManyWays = 512;
-/// Places that agree to this part of the diagonal are one; what differs by no more than this part
-/// of what it did farther away is on its way to agree.
-constexpr double kAgree = 1e-4;
+/// Places that differ by half as much as farther away are on their way to agree.
 constexpr double kApproaches = 0.5;
 
-/// The ways to one place that are in the domain.
+/// The ways to one place that lie in the domain.
 struct Ways {
   std::vector<Line> lines;         ///< from the place outward
   std::vector<bool> is_aslant;     ///< of each line
-  bool is_open_aslant = true;      ///< the surface is defined on all that are aslant
-  bool is_open = true;             ///< on all
-  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each look
+  bool is_open_aslant = true;      ///< the surface is defined on all aslant ways
+  bool is_open = true;             ///< the surface is defined on all ways
+  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each of kLooksOnWay
 };
 
 Ways ways_to(const dvec2& place, const Domain& d) {
@@ -97,8 +96,7 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
                                                      : PointSingularity::Kind::Limit;
 }
 
-/// Where the surface is all around a place, as near to it as digits allow; nothing where it is not
-/// defined all around.
+/// Positions all around a place, 1e-12 ranges from it; empty if one of them is undefined.
 std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsigned threads) {
   const Domain& d = surface.domain;
   const dvec2 reach = kReach * kLooksOnWay.back() * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
@@ -116,50 +114,45 @@ std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsig
   return around;
 }
 
-/// A box is halved so many times each way, and so many of its parts are followed: four meet at a
-/// point on their corners.
+/// Halvings of a box each way, and its parts that are followed. Four meet at a point on their
+/// corners.
 constexpr int kBoxHalvings = 40;
 constexpr std::size_t kMostBoxParts = 16;
-/// What is left then is one point if it is no larger than this part of the box.
+/// The remaining parts are one point if they span no more than this part of the box.
 constexpr double kOnePoint = 0x1p-30;
-/// Of more parts those are followed in which the surface varies the most, and this share of that:
-/// around a point without a limit it does however small they are. In so many boxes, at most.
+/// Among more parts, those in which the surface varies by at least half of the most are followed:
+/// around an essential point it varies by the same in parts of any size. At most 64 boxes are
+/// searched in this way.
 constexpr double kVaries = 0.5;
 constexpr int kMostFollowed = 64;
 
 class Narrowing {
  public:
   Narrowing(const Surface& surface, std::optional<double> diagonal)
-      : surface_(surface), enclosure_(surface.bounds, 3), diagonal_(diagonal) {}
+      : surface_(surface), enclosure_(surface, Bounded::Position), diagonal_(diagonal) {}
 
   std::optional<dvec2> operator()(const ParameterBox& whole) {
-    std::vector<ParameterBox> parts = {whole};
+    BoxSubdivision<ParameterBox> search({whole});
+    std::vector<ParameterBox>& parts = search.open();
     bool is_followed = false;
-    for (int depth = 0; depth < 2 * kBoxHalvings; ++depth) {
-      std::erase_if(parts, [this](const ParameterBox& part) { return is_proved(part); });
+    while (search.depth() < 2 * kBoxHalvings) {
+      search.test([this](const ParameterBox& part) {
+        return are_continuous(enclosure_.enclose(part)) ? ProofOutcome::Proved : ProofOutcome::Open;
+      });
       if (parts.size() > kMostBoxParts && !is_followed && diagonal_ && followed_ < kMostFollowed) {
         is_followed = true;
         ++followed_;
       }
       if (is_followed) keep_varied(parts);
       if (parts.empty() || parts.size() > kMostBoxParts) return std::nullopt;
-      const dvec2 size = glm::abs(parts[0].high - parts[0].low) / range_of(surface_.domain);
-      const int axis = size.x < size.y ? 1 : 0;
-      std::vector<ParameterBox> halves;
-      for (const ParameterBox& part : parts) {
-        ParameterBox first = part;
-        ParameterBox second = part;
-        first.high[axis] = second.low[axis] = part.middle()[axis];
-        halves.push_back(first);
-        halves.push_back(second);
-      }
-      parts = std::move(halves);
+      const dvec2 size = parts[0].size() / box_of(surface_.domain).size();
+      search.halve(size.x < size.y ? 1 : 0);
     }
     Bounds left;
     for (const ParameterBox& part : parts) left.add(dvec3(part.middle(), 0));
-    const dvec2 most = kOnePoint * glm::abs(whole.high - whole.low);
+    const dvec2 most = kOnePoint * whole.size();
     if (left.size().x > most.x || left.size().y > most.y) return std::nullopt;
-    // A place that is 0 as far as digits go is meant to be 0.
+    // A coordinate that is 0 within the search's precision is 0.
     dvec2 place(left.centre());
     for (int k = 0; k < 2; ++k) {
       if (std::fabs(place[k]) <= most[k]) place[k] = 0;
@@ -168,20 +161,12 @@ class Narrowing {
   }
 
  private:
-  bool is_proved(const ParameterBox& box) {
-    std::array<Interval, 3> position;
-    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
-               position);
-    return std::ranges::all_of(
-        position, [](const Interval& a) { return a.continuous && a.defined == Defined::Yes; });
-  }
-
-  /// Keeps the parts in which the surface varies the most; none if it comes to agree in all, nor if
-  /// it goes to infinity.
+  /// Keeps the parts in which the surface varies the most; none if limits agree in all, or if it
+  /// goes to infinity.
   void keep_varied(std::vector<ParameterBox>& parts) const {
     const std::vector<double> sizes = variations(parts);
     const double most = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
-    const double least = std::max(kAgree * *diagonal_, kVaries * most);
+    const double least = std::max(kLimitsAgree * *diagonal_, kVaries * most);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (most <= *diagonal_ && sizes[k] > least) order.push_back(k);
@@ -194,7 +179,7 @@ class Narrowing {
     parts = std::move(kept);
   }
 
-  /// How far apart places of the surface are in boxes, by nine of each.
+  /// The diagonals of boxes around nine positions of each box of parameters.
   std::vector<double> variations(std::span<const ParameterBox> boxes) const {
     std::vector<dvec2> uv;
     for (const ParameterBox& box : boxes) {
@@ -214,11 +199,9 @@ class Narrowing {
     return sizes;
   }
 
-  static dvec2 range_of(const Domain& d) { return glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)); }
-
   const Surface& surface_;
-  Enclosure enclosure_;
-  std::optional<double> diagonal_;  ///< for more parts
+  SurfaceEnclosure enclosure_;
+  std::optional<double> diagonal_;  ///< empty: essential points are not searched
   int followed_ = 0;
 };
 
@@ -279,7 +262,8 @@ std::vector<PointSingularity> classify_points(const Surface& surface, std::span<
   for (const Ways& ways : all) {
     PointSingularity singularity;
     if (ways.is_open && !ways.lines.empty()) {
-      singularity = {kind_of_point(surface, ways, kAgree * diagonal, threads), ways.at_looks[1]};
+      singularity = {kind_of_point(surface, ways, kLimitsAgree * diagonal, threads),
+                     ways.at_looks[1]};
       if (singularity.kind == PointSingularity::Kind::NoLimit && ways.lines.size() == kWays) {
         singularity.around = ClosedCurve(look_around(surface, ways.lines[0][0], threads));
       }

@@ -1,4 +1,5 @@
-// What there is around a place where a surface is not defined.
+// Point singularities: finds the point in a box where a surface may break, and classifies places
+// where it is undefined by its limits on ways around them.
 #pragma once
 
 #include <cstdint>
@@ -7,22 +8,22 @@
 #include <vector>
 
 #include "base/bounds.h"
-#include "mesh/model/parameter_box.h"
 #include "mesh/proof/small_components.h"
+#include "surface/parameter_box.h"
 #include "surface/surface.h"
 
 namespace saddle {
 
-/// A curve through places, back to the first of them.
+/// A closed polygon of places.
 class ClosedCurve {
  public:
   ClosedCurve() = default;
   explicit ClosedCurve(std::vector<dvec3> places);
 
   bool empty() const { return places_.empty(); }
-  /// Whether a place is no farther away than `reach`.
+  /// Whether a place is at most `reach` away.
   bool is_within(const dvec3& place, double reach) const;
-  /// How many of its chords are longer.
+  /// The number of chords longer than `length`.
   std::size_t count_chords(double length) const;
 
  private:
@@ -34,28 +35,28 @@ class ClosedCurve {
 
 struct PointSingularity {
   enum class Kind : std::uint8_t {
-    Part,  ///< a part of the domain where it is not defined either, or the place is on its boundary
-    Line,  ///< places on a line, beside which it is defined
-    Pole,  ///< one point, and on some ways to it the surface goes to infinity
-    NoLimit,  ///< one point, and different ways to it lead to different places
-    Limit,    ///< one point, and all ways to it lead to one place
+    Part,     ///< region: the surface is undefined beside the place, too, or the place is on its
+              ///< boundary
+    Line,     ///< line: the surface is defined on both sides
+    Pole,     ///< pole: on some ways to the point the surface diverges
+    NoLimit,  ///< essential: limits on different ways to the point differ
+    Limit,    ///< removable: all ways to the point have one limit
   };
   Kind kind = Kind::Part;
-  Bounds near;  ///< where the surface is around one point, as near to it as digits allow
-  /// The same, in the order of the ways there, of a point without a limit that is within the
-  /// domain.
+  Bounds near;  ///< of positions 1e-12 ranges from the point
+  /// Positions around an essential point within the domain, in the order of the ways to it.
   ClosedCurve around = {};
 };
 
-/// Where bounds leave room for a break in a box of parameters, if that is one point: as near as
-/// digits allow. Nothing if they leave none, or more. With the `diagonal` of a box around the
-/// surface, of more the point at which it has no limit, if there is one: they leave room along all
-/// of the line on which atan2 jumps, where sin(atan2(v, u)) does not.
+/// The point in each box where bounds do not prove the surface to be continuous, to about 1e-9 of
+/// the box. Empty if there is no such point or more than one. With the `diagonal` of a box around
+/// the surface, the essential point among several, if there is one: bounds may fail along the whole
+/// line on which an operation jumps, although the surface does not.
 std::vector<std::optional<dvec2>> find_point_singularities(
     const Surface& surface, std::span<const ParameterBox> where,
     std::optional<double> diagonal = std::nullopt);
 
-/// Of each place, by what is in the domain around it. `diagonal`: of a box around the surface.
+/// Classifies each place by the surface around it. `diagonal`: of a box around the surface.
 std::vector<PointSingularity> classify_points(const Surface& surface, std::span<const dvec2> places,
                                               double diagonal, unsigned threads);
 

@@ -8,28 +8,28 @@
 #include <numeric>
 
 #include "base/bounds.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
 
-/// It is looked at so near, in ranges of the parameters; what is found must agree to this part of
-/// the diagonal. A smooth surface moves by 1e-6 of its size, and the mean is off by its square.
+/// Distance of the nearest looks, in ranges of the parameters. A smooth surface moves by 1e-6 of
+/// its size, and the mean of opposite looks is off by the square of that.
 constexpr double kNear = 1e-6;
-constexpr double kLimitAgrees = 1e-4;
 
-/// The nearest points around a place: two along u, and two along v.
+/// Nearest looks: two along u, and two along v.
 constexpr std::size_t kNearest = 4;
 
-/// A place beside, if there is the surface.
+/// A point beside a place.
 struct NearbyLook {
   bool is_defined;
-  std::optional<dvec3> known;  ///< its position, if that is not rounding
+  std::optional<dvec3> known;  ///< the position, if it is not rounding
 };
 
-/// The middle of those pairs that are both known: 0/0 may run along one axis; on the other it is
-/// looked at from both sides.
+/// The mean of the pairs of opposite looks that are both known. A line of 0/0 along one axis leaves
+/// the pair along the other.
 std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook, kNearest> looks) {
   dvec3 sum(0);
   double count = 0;
@@ -42,7 +42,7 @@ std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook, kNearest> looks
   return sum / count;
 }
 
-/// What all that is known agrees on.
+/// The limit on which all known looks agree.
 Beside judge(std::span<const NearbyLook> looks, double diagonal) {
   Beside beside;
   Bounds bounds;
@@ -50,7 +50,7 @@ Beside judge(std::span<const NearbyLook> looks, double diagonal) {
     beside.is_defined = beside.is_defined || look.is_defined;
     if (look.known) bounds.add(*look.known);
   }
-  if (!bounds.empty() && bounds.diagonal() <= kLimitAgrees * diagonal) {
+  if (!bounds.empty() && bounds.diagonal() <= kLimitsAgree * diagonal) {
     beside.limit = middle_of_pairs(looks.first<kNearest>());
   }
   return beside;
@@ -61,15 +61,15 @@ Beside judge(std::span<const NearbyLook> looks, double diagonal) {
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
   const double moved =
       safe_length(point.r_u) * std::fabs(uv.x) + safe_length(point.r_v) * std::fabs(uv.y);
-  return std::numeric_limits<double>::epsilon() * moved > kLimitAgrees * diagonal;
+  return std::numeric_limits<double>::epsilon() * moved > kLimitsAgree * diagonal;
 }
 
 std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,
                                 double diagonal, unsigned threads, std::size_t& count) {
   const Domain& d = surface.domain;
   const dvec2 step = kNear * dvec2(d.u1 - d.u0, d.v1 - d.v0);
-  // Twice as far, too: from all sides alike, 1/(u^2+v^2) goes to infinity.
-  // And aslant: along the axes u*v/(u^2+v^2) is 0.
+  // Twice as far, too: positions around a pole are alike at one distance. And aslant: an essential
+  // point may have one limit along both axes.
   const std::array<dvec2, 10> ways = {
       dvec2(step.x, 0),       dvec2(-step.x, 0),       dvec2(0, step.y),
       dvec2(0, -step.y),      2.0 * dvec2(step.x, 0),  2.0 * dvec2(-step.x, 0),
@@ -90,8 +90,7 @@ std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> p
     }
     return found;
   };
-  // In the midst of what is undefined, or rounding, one look tells; aslant, since 1/v is undefined
-  // along an axis.
+  // Within an undefined region one look suffices. It is aslant: the axes may be undefined alone.
   std::vector<std::size_t> all(places.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const auto first = look(all, std::array{dvec2(step.x, 0.37 * step.y)});

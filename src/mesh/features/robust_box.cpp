@@ -19,20 +19,18 @@ double quantile(std::span<double> numbers, double share) {
 
 namespace {
 
-/// The share of the points that is left out at either end: what a surface takes to infinity is
-/// seldom more, and what is left shows how large the rest is.
+/// The share of the points that is left out at either end: seldom less than goes to infinity.
 constexpr double kTail = 0.05;
-/// What may be left out for the sake of a box's shape: a box is as long as the middle half of the
-/// points, whatever the rest does.
+/// The share that may be left out for a box's shape: a box holds the middle half of the points.
 constexpr double kLongestTail = 0.25;
-/// Points with nothing between them for so much of a box's length are in different parts of a
-/// surface, as on both sides of a pole. A part that is no more than a tail is left out like one.
+/// In lengths of a box: a gap between two clusters of points, as on both sides of a pole. A cluster
+/// no larger than a tail counts as one.
 constexpr double kApart = 1.0 / 16;
-/// Windows that are tried begin or end at every so many-th of the points: each moves by less than
-/// what a tail is.
+/// Windows that are tried: they begin or end at every 256th part of the points, and so move by less
+/// than a tail.
 constexpr std::size_t kTries = 256;
-/// Lines each way through the middles of even stretches of a domain, moved by up to so much of one
-/// so that waves do not keep step with them: a twentieth of what is along one of them is six.
+/// Lines each way, through the middles of even stretches of a domain, and their largest shift in
+/// stretches, so that waves are not in step with them. A tail of one line is six points.
 constexpr std::size_t kLines = 128;
 constexpr double kLineJitter = 0.4;
 
@@ -52,8 +50,8 @@ Stretch without_tails(Numbers sorted, double tail) {
   return {sorted[place(tail)], sorted[place(1 - tail)]};
 }
 
-/// The numbers in parts that begin after gaps of more than `gap`. What is between gaps and no more
-/// than a tail belongs to the part before it; to the first, if there is none.
+/// The clusters of numbers between gaps of more than `gap`. Numbers between gaps that are no more
+/// than a tail belong to the cluster before them, or to the first one.
 std::vector<Numbers> parts_of(Numbers sorted, double gap) {
   const double least = kTail * static_cast<double>(sorted.size());
   std::vector<std::size_t> begins;
@@ -78,9 +76,9 @@ std::size_t count_within(Numbers sorted, const Stretch& window) {
   return last > first ? static_cast<std::size_t>(last - first) : 0;
 }
 
-/// The window of this length that shows the most of that part of the numbers of which it shows the
-/// least: of both sides of a pole, not of the larger one alone. Of several, one that shows the most
-/// in all, and of those the middle one.
+/// The window of this length whose least share of a cluster is largest: it shows both sides of a
+/// pole, not the larger one alone. Of several, one that shows the most in all, and of these the
+/// middle one.
 Stretch fairest_window(Numbers sorted, double length) {
   const std::vector<Numbers> parts = parts_of(sorted, kApart * length);
   const auto worth = [&](const Stretch& window) {
@@ -102,8 +100,8 @@ Stretch fairest_window(Numbers sorted, double length) {
       if (found == most) best.push_back(low);
     }
   }
-  // Halfway between the first and the last, if that is as good but for the steps of the tries: so
-  // it is where all is symmetric.
+  // Halfway between the first and the last, if that is as good within a step of the tries: then
+  // symmetric points have a symmetric box.
   const auto [first, last] = std::ranges::minmax(best);
   const double middle = 0.5 * (first + last);
   const bool is_good = worth({middle, middle + length}).first >= most.first - 1.0 / kTries;

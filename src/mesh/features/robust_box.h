@@ -1,4 +1,4 @@
-// What most of a set of numbers or points keep to, however far the rest goes.
+// Robust bounds: boxes around most points of a set, however far the others lie.
 #pragma once
 
 #include <limits>
@@ -10,23 +10,21 @@
 
 namespace saddle {
 
-/// The number that the given share (0 to 1) of the numbers are below; 0 if there are none. Changes
-/// their order.
+/// The quantile of some numbers at `share`, 0 to 1; 0 if there are none. Changes their order.
 double quantile(std::span<double> numbers, double share);
 
-/// In each coordinate, where all but the lowest and the highest twentieth of the points are. Where
-/// that is longer than `longest`, and than the middle half of the points: a window so long that
-/// shows the most of the points, and of each part of them that nothing joins to the others. The
-/// points are finite; of none the box is empty.
+/// In each coordinate, the range without the lowest and the highest 5 % of the points. If it is
+/// longer than both `longest` and the range of the middle half, a window of the longer of these
+/// that shows the most of the points and of each of their clusters. The points are finite; the box
+/// of none is empty.
 Bounds robust_box(std::span<const dvec3> points,
                   const dvec3& longest = dvec3(std::numeric_limits<double>::infinity()));
 
-/// robust_box() of a hundred of the points, spread over all: where orders of magnitude are asked
-/// for, that tells them in no time.
+/// robust_box() of a hundred of the points, spread over all: an order of magnitude.
 Bounds rough_box(std::span<const dvec3> points);
 
-/// Finite positions spread over a surface, alike on all sides of the middle of its domain: of what
-/// changes its sign with those of u and v, or where they are exchanged, as many up as down.
+/// Finite positions at parameters that are symmetric about the middle of the domain: a surface that
+/// is odd in u or v has as many above as below.
 std::vector<dvec3> balanced_positions(const Surface& surface, unsigned threads);
 
 }  // namespace saddle

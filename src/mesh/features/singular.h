@@ -1,4 +1,6 @@
-// Where a surface has no tangent plane of its own: r_u x r_v = 0, between the samples as well.
+// Singular points, where r_u x r_v = 0 and the surface has no tangent plane of its own: from dips
+// of |r_u x r_v| between samples to its zeros, to double precision, sorted into isolated points,
+// lines of constant u or v, and curves.
 #pragma once
 
 #include <span>
@@ -9,9 +11,9 @@
 
 namespace saddle {
 
-/// Zeros of r_u x r_v, or where it is not known, in parameters of the domain.
+/// Zeros of r_u x r_v, in parameters of the domain.
 struct SingularSet {
-  std::vector<dvec2> points;         ///< those that are by themselves
+  std::vector<dvec2> points;         ///< isolated ones
   std::vector<dvec2> on_curves;      ///< some of each curve that is no line of these:
   std::vector<double> lines_u;       ///< of constant u, from one end of the range of v to the other
   std::vector<double> lines_v;       ///< of constant v
@@ -22,28 +24,24 @@ struct SingularSet {
   }
 };
 
-/// Places where |r_u x r_v| is less than before and behind, on lines along u or along v.
+/// Samples at which |r_u x r_v| has a local minimum along u or along v.
 struct Dips {
   std::vector<dvec2> along_u, along_v;
   Bounds bounds;                         ///< of the surface
-  std::vector<double> edges_u, edges_v;  ///< those ends of the ranges at which it is 0 throughout
+  std::vector<double> edges_u, edges_v;  ///< ends of the ranges along which it is 0 throughout
 };
 
-/// The zeros that descents from dips end at, for a surface of second order: to
-/// double precision where r_u x r_v is known so well. A zero within rounding of one of `even_u` or
-/// `even_v` that is one there as well is there. A place where the surface is not defined is none.
-/// Method: Gauss and Newton's, with exact derivatives, each step taken once or twice, whichever
-/// comes nearer: for double zeros, once is half the way.
-/// Source: C. F. Gauss, "Theoria motus corporum coelestium", 1809; E. Schroeder, "Ueber unendlich
-/// viele Algorithmen zur Aufloesung der Gleichungen", 1870 (multiple zeros).
+/// The zeros at which descents from dips end (ZeroFinder), for a surface of second order. A zero
+/// within rounding of one of `even_u` or `even_v` that is one there as well is moved there. A place
+/// where the surface is not defined is none.
 SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<const double> even_u,
                           std::span<const double> even_v, unsigned threads);
 
-/// Whether r_u x r_v is 0 at places, compared with what it is around them.
+/// Whether r_u x r_v is 0 at places, compared with its size around them.
 std::vector<bool> are_singular(const Surface& surface, std::span<const dvec2> uv, unsigned threads);
 
-/// Lists those zeros that no singular vertex of a mesh tells of, and tells those that are alone,
-/// which are the first of the list then, from the others: some of each line or curve.
+/// Lists in the report the zeros that are no singular vertices of the mesh: isolated points first,
+/// marked as such, then some of each line or curve.
 void name_singular(const SingularSet& singular, const Domain& domain, MeshReport& report);
 
 }  // namespace saddle

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "mesh/grid/loop_vectors.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -14,9 +15,7 @@ static inline double sagitta(LoopVector p_a, LoopVector n_a, LoopVector p_b, Loo
   return 0.125 * fabs(dot(minus(n_b, n_a), minus(p_b, p_a)));
 }
 
-/// Sagittas, and squares of lengths, that differ by a smaller part of them are equal. The diagonals
-/// of a cell of a surface of revolution have the same sagitta, and rounding must not choose.
-inline constexpr double kTie = 1e-6;
+/// Whether a is smaller than b by more than kTie.
 static inline bool is_smaller(double a, double b) {
   return a < b * (1 - kTie);
 }

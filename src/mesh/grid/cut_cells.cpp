@@ -21,13 +21,13 @@ constexpr double kAgreement = 2;
 /// this times the largest coordinate and the root of the sum of squares of four edges; no other
 /// edge is longer than twice that root. The factor is 2 * 2 * 2 * 4 * sqrt(3) times kRounding,
 /// rounded up. Needles thinner than a rounding fail it too.
-constexpr double kPlain = 64 * kRounding;
+constexpr double kPlainArea = 64 * kRounding;
 
 }  // namespace
 
 void SADDLE_LEVEL(const Strip& lower, const Strip& upper, size_t cells, double front, Cuts& cuts) {
   const double size = larger_of(lower.size, upper.size);
-  const double least = kPlain * kPlain * size * size;
+  const double least = kPlainArea * kPlainArea * size * size;
 #pragma GCC ivdep  // the cuts overlap no strip
   for (size_t i = 0; i < cells; ++i) {
     const LoopVector p0 = position_at(lower, i), p1 = position_at(lower, i + 1);

@@ -15,7 +15,7 @@ namespace {
 /// one cell.
 constexpr std::size_t kMostTried = 1024;
 /// Points within this part of the diagonal of a line are on it.
-constexpr double kStraight = 1e-9;
+constexpr double kCollinear = 1e-9;
 
 bool has_finite_tangents(const SurfacePoint& point) {
   return std::isfinite(safe_length(point.r_u)) && std::isfinite(safe_length(point.r_v));
@@ -79,7 +79,7 @@ bool is_straight(const Grid& grid) {
   const dvec3 along = glm::normalize(end - points[0]);
   return std::all_of(points.begin(), points.end(), [&](const dvec3& p) {
     const double off = glm::length(glm::cross(along, p - points[0]));
-    return off <= std::max(kStraight * grid.diagonal, glm::length(rounding_of(p)));
+    return off <= std::max(kCollinear * grid.diagonal, glm::length(rounding_of(p)));
   });
 }
 

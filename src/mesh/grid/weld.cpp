@@ -6,6 +6,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "mesh/model/point_union.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -22,7 +23,7 @@ constexpr double kJoinStep = 1e-3;
 /// coordinate has its own extent: heights of 1e9 do not weld vertices that are apart in x.
 bool is_one_point(const Grid& grid, const Bounds& box) {
   const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
-  const dvec3 tolerance = kJoinFraction * grid.local_scale * grid.mesh.bounds.size();
+  const dvec3 tolerance = kSamePosition * grid.local_scale * grid.mesh.bounds.size();
   return glm::all(glm::lessThanEqual(box.size(), glm::max(least, tolerance)));
 }
 
@@ -173,7 +174,7 @@ bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q) {
     const double gap = std::fabs(p[k] - q[k]);
     const double least = kRounding * std::max(std::fabs(p[k]), std::fabs(q[k]));
     const double size = grid.mesh.bounds.high[k] - grid.mesh.bounds.low[k];
-    if (gap > std::max(least, kJoinFraction * grid.local_scale * size)) return false;
+    if (gap > std::max(least, kSamePosition * grid.local_scale * size)) return false;
   }
   return true;
 }

@@ -15,6 +15,7 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/sizing/grid_sizing.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {
@@ -23,8 +24,6 @@ namespace {
 
 /// A share of the domain that is no more than what rounding of areas makes.
 constexpr double kAllCovered = 1e-12;
-/// Poles, and jumps, that are this near to each other, in ranges, are one.
-constexpr double kSamePole = 1e-9;
 /// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
 constexpr double kOpposite = -0.9999;
 
@@ -37,7 +36,7 @@ class PlaceList {
 
   /// False if the place is known.
   bool add(const dvec2& uv) {
-    const dvec2 place = glm::round(uv / range_ / kSamePole);
+    const dvec2 place = glm::round(uv / range_ / kSameParameters);
     if (!seen_.insert({place.x, place.y}).second) return false;
     ++count_;
     if (listed_.size() < kMaxListed) listed_.push_back(uv);
@@ -171,7 +170,7 @@ class Finisher {
   /// whether a formula is defined, boundaries are anywhere.
   bool is_same_place(std::uint32_t a, std::uint32_t b) const {
     const dvec2 apart = glm::abs(grid_.mesh.uv[a] - grid_.mesh.uv[b]);
-    return glm::all(glm::lessThanEqual(apart, kSamePole * glm::abs(grid_.range)));
+    return glm::all(glm::lessThanEqual(apart, kSameParameters * glm::abs(grid_.range)));
   }
 
   /// Calls f(side, crossing) for each side of a leaf that is cut like this.
@@ -287,7 +286,7 @@ std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const Me
                                                 MeshPlan plan) {
   MeshResult result{{}, report_of(plan)};
   std::vector<Counterexample> counterexamples =
-      plan.probe.counterexamples(plan.lines, tolerance_within(request.clip, plan.aim));
+      find_counterexamples(plan.probe, plan.lines, tolerance_within(request.clip, plan.aim));
   AdaptiveMesher halving(surface, request, plan);
   halving.run(std::move(counterexamples));
   return finish(surface, request, plan.singular, halving, std::move(result));

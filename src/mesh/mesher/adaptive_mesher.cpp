@@ -12,10 +12,10 @@
 #include "mesh/grid/weld.h"
 #include "mesh/mesher/envelope.h"
 #include "mesh/mesher/subdivide.h"
-#include "mesh/model/parameter_box.h"
 #include "mesh/proof/small_components.h"
 #include "mesh/tree/flip.h"
 #include "mesh/tree/patches.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 

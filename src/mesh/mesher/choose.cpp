@@ -6,6 +6,7 @@
 
 #include "mesh/mesher/grid_within.h"
 #include "mesh/sizing/cost_model.h"
+#include "mesh/sizing/grid_sizing.h"
 
 namespace saddle {
 namespace {
@@ -30,7 +31,7 @@ class Chooser {
         request_(request),
         plan_(plan),
         operations_(count_operations(surface)),
-        grid_forecast_(plan.probe.grid_forecast(plan.lines, plan.aim)) {
+        grid_forecast_(forecast_grid(plan.probe, plan.lines, plan.aim)) {
     choice_.halving_cost = cost_of(work_of_halving(grid_forecast_.cells), grid_forecast_.cells);
   }
 
@@ -54,8 +55,8 @@ class Chooser {
       // Errors grow with areas. That bounds the search, too: lines need not come closer at once,
       // nor ever, where it is one place that misses.
       if (!is_cheaper(cells_of(plan_.lines) * std::sqrt(safer))) return std::nullopt;
-      lines = plan_.probe.place_lines(plan_.fixed, plan_.sizing, std::sqrt(safer));
-      worst = plan_.probe.grid_forecast(lines, plan_.aim).worst;
+      lines = place_lines(plan_.probe, plan_.fixed, plan_.sizing, std::sqrt(safer));
+      worst = forecast_grid(plan_.probe, lines, plan_.aim).worst;
     }
   }
 

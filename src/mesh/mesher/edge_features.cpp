@@ -7,6 +7,7 @@
 
 #include "mesh/features/approach.h"
 #include "mesh/features/discontinuities.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -16,9 +17,6 @@ namespace {
 /// Bisections of a side that the boundary crosses: a side is at most 2^10 times as long as its
 /// distance from 0, so that doubles between its ends run out.
 constexpr int kBoundaryBisections = 62;
-/// Bisections toward a pole at 0, beside which doubles go down to 2^-1074: the logarithm of these
-/// is -744, and -43 that of what kRimBisections lead to.
-constexpr int kHalvingsToLeast = 1100;
 /// Sides that are looked at together, before anybody asks whether that was enough: some
 /// milliseconds if each one takes hundreds of looks.
 constexpr std::size_t kSidesAtATime = 512;

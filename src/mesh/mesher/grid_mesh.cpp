@@ -9,8 +9,8 @@
 #include "mesh/grid/grid.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/model/clip.h"
-#include "mesh/model/parameter_box.h"
 #include "mesh/model/tidy.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 

@@ -8,7 +8,9 @@
 
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/model/clip.h"
-#include "mesh/model/parameter_box.h"
+#include "mesh/model/tolerances.h"
+#include "mesh/sizing/grid_sizing.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {
@@ -26,8 +28,6 @@ constexpr double kMostRootLines = 0.28;
 constexpr double kCoarser = 1.25;
 constexpr double kMuchCoarser = 4;
 constexpr double kCoarsest = 1e40;
-/// More lines than this each way cannot be numbered by a cell tree.
-constexpr std::size_t kMaxLines = 60000;
 
 FixedLines drawn_lines(const Domain& domain, const MeshRequest& request) {
   const auto lines = [](double first, double last, int count) {
@@ -57,10 +57,10 @@ std::vector<double> merged_lines(std::vector<double> lines, std::span<const doub
 /// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
 /// than are allowed.
 void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
-  plan.sizing = plan.probe.sizing(plan.fixed, tolerance_within(request.clip, plan.aim));
+  plan.sizing = sizing_field(plan.probe, plan.fixed, tolerance_within(request.clip, plan.aim));
   // For a tolerance that is larger by a factor.
   const auto place = [&plan](double factor) {
-    plan.lines = plan.probe.place_lines(plan.fixed, plan.sizing, 1 / std::sqrt(factor));
+    plan.lines = place_lines(plan.probe, plan.fixed, plan.sizing, 1 / std::sqrt(factor));
   };
   place(1);
   const double most = std::max(kMostRootLines / share_of_diagonal(plan),
@@ -137,9 +137,9 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& req
                 {},
                 {}};
   plan.singular = singular_set(surface, request, plan);
-  plan.fixed = plan.probe.fixed_lines(plan.drawn, plan.singular);
+  plan.fixed = fixed_lines(plan.probe, plan.drawn, plan.singular);
   place_root_lines(request, plan);
-  if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMaxLines) return std::nullopt;
+  if (std::max(plan.lines.u.size(), plan.lines.v.size()) > kMostCellsEachWay) return std::nullopt;
   return plan;
 }
 

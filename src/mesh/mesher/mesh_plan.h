@@ -7,7 +7,9 @@
 #include "mesh/mesher/mesh_request.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/tolerance.h"
+#include "mesh/sizing/place_lines.h"
 #include "mesh/sizing/probe.h"
+#include "mesh/sizing/second_form.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -19,7 +21,7 @@ struct MeshPlan {
   Tolerance aim;            ///< a little less: samples miss some of the largest distance
   FixedLines drawn;         ///< lines that are drawn, and the ends of the ranges
   SingularSet singular;     ///< where a root line goes, if they are few
-  FixedLines fixed;         ///< lines that the root grid must have: Probe::fixed_lines()
+  FixedLines fixed;         ///< lines that the root grid must have: fixed_lines()
   FixedLines lines;         ///< of the root grid
   SizingField sizing;       ///< that they were placed for
   bool is_limited = false;  ///< they are farther apart than the tolerance asks for: max_triangles

@@ -8,7 +8,8 @@
 
 #include "mesh/features/approach.h"
 #include "mesh/model/clip.h"
-#include "mesh/model/parameter_box.h"
+#include "mesh/model/tolerances.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 
@@ -19,8 +20,6 @@ namespace {
 constexpr std::size_t kMostSingularities = 4096;
 /// The area of a leaf, in units, after 14 halvings of its root cell.
 constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
-/// How near to each other, in ranges, points are one.
-constexpr double kSamePlace = 1e-9;
 /// Limits that are this near to each other, in diagonals, are one; and so many are where the ways
 /// to a point cross sixteen lines of jumps, no more.
 constexpr double kSameLimit = 1e-6;
@@ -291,7 +290,7 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
     mesh.leaves[leaves[i]].is_left_out = true;
     const auto is_same = [&, place = places[i]](const PlacedSingularity& other) {
       const dvec2 off = glm::abs(other.uv - place) / range;
-      return std::max(off.x, off.y) < kSamePlace;
+      return std::max(off.x, off.y) < kSameParameters;
     };
     if (std::ranges::none_of(result, is_same)) result.push_back({places[i], singularities[i]});
   }

@@ -12,8 +12,8 @@ namespace saddle {
 
 namespace {
 
-/// Vertices that are so near to a face, beside the box's largest coordinate, are on it: what would
-/// be cut off beside them has no area but for rounding.
+/// In largest coordinates of the box: a vertex this near to a face is on it. The part that would be
+/// cut off beside it has no area but for rounding.
 constexpr double kOnFace = 1e-13;
 
 double largest_coordinate(const Bounds& box) {
@@ -26,7 +26,7 @@ double largest_coordinate(const Bounds& box) {
   return largest;
 }
 
-/// One face of the box: what is inside has sign * (p[axis] - limit) <= 0.
+/// One face of the box: p is inside if sign * (p[axis] - limit) <= 0.
 class Face {
  public:
   Face(int axis, double sign, double limit, double rounding, Mesh& mesh)
@@ -46,7 +46,7 @@ class Face {
     }
   }
 
-  /// How far beyond the face a corner is.
+  /// Distance of a corner from the face; less than 0 inside.
   double beyond(std::uint32_t corner) const {
     return sign_ * (mesh_.position[corner][axis_] - limit_);
   }
@@ -57,7 +57,7 @@ class Face {
   }
 
   /// The corner where the edge from a to b crosses the face; the same from both sides.
-  std::uint32_t feature(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
     const auto [place, is_new] = corners_.try_emplace(key(a, b), 0);
     if (!is_new) return place->second;
@@ -95,7 +95,7 @@ class Face {
         const std::uint32_t a = t[k];
         const std::uint32_t b = t[(k + 1) % 3];
         if (is_inside(a)) polygon.push_back(a);
-        if (cuts(a, b)) polygon.push_back(feature(a, b));
+        if (cuts(a, b)) polygon.push_back(crossing(a, b));
       }
       for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
         kept.push_back({polygon[0], polygon[k], polygon[k + 1]});
@@ -115,7 +115,7 @@ class Face {
       for (std::size_t k = 0; k < line.size(); ++k) {
         if (is_inside(line[k])) chain.push_back(line[k]);
         if (k + 1 == line.size()) continue;
-        if (cuts(line[k], line[k + 1])) chain.push_back(feature(line[k], line[k + 1]));
+        if (cuts(line[k], line[k + 1])) chain.push_back(crossing(line[k], line[k + 1]));
         if (!is_inside(line[k + 1])) end_chain();
       }
       end_chain();

@@ -22,9 +22,9 @@ bool is_beyond(const Bounds& box, const Positions& positions) {
   return false;
 }
 
-/// Leaves out what is outside of the box, whose faces may be infinitely far. Triangles and lines
+/// Removes everything outside of the box, whose faces may be infinitely far. Triangles and lines
 /// that cross a face end on it, at corners that neighbours share, with interpolated normals and
-/// parameters. Points are named after one of their corners, before and after. Throws Error
+/// parameters. A point's number is that of one of its corners, before and after. Throws Error
 /// (Nothing) if nothing is left.
 void clip_mesh(const Bounds& box, Mesh& mesh);
 

@@ -1,10 +1,9 @@
-// Which numbers have the first and the last of the colours.
+// The range of numbers that a colour map covers.
 #pragma once
 
 namespace saddle {
 
-/// The numbers at the first and the last of the colours; those outside have the colours of the
-/// ends.
+/// The numbers of the first and the last colour. Numbers outside have the colours of the ends.
 struct ColorRange {
   double low = 0;
   double high = 0;

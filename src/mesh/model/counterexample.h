@@ -1,4 +1,4 @@
-// Points of the surface that a cell of the mesh misses.
+// Counterexamples: points of the surface that show that a cell of the mesh misses it.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace saddle {
 
-/// A known point of the surface, or of a hole, in a cell of a grid that may be too large for it.
+/// A known point of the surface, or of a hole, in a cell that may be too large.
 struct Counterexample {
   dvec2 uv;
   dvec3 position;    ///< not finite in a hole
   dvec2 size;        ///< of the box of parameters that it stands for
   dvec2 bend;        ///< second derivatives along u and along v there, in any unit
-  std::size_t cell;  ///< its number, of whatever it is a counterexample against
+  std::size_t cell;  ///< number of the cell
 };
 
 }  // namespace saddle

@@ -14,27 +14,27 @@
 namespace saddle {
 namespace {
 
-/// The areas of a closed mesh add up to no direction but for what rounding leaves, a share of them.
+/// The area vectors of a closed mesh add up to 0, but for rounding: this share of their lengths.
 constexpr double kOpen = 1e-6;
 
-/// Fewest stretches of a tube: each then has one neighbour ahead and another one behind.
+/// Fewest stretches of a tube: with 3, the neighbours ahead and behind differ.
 constexpr std::size_t kFewest = 3;
 
-/// Tetrahedra thinner than this share of their size are thinner than a float's step, and rounding
-/// decides which way out they are.
-constexpr double kFlat = 1e-12;
+/// Tetrahedra thinner than this share of their size are flat: they are thinner than a float's step,
+/// and rounding decides their orientation.
+constexpr double kFlatTetrahedron = 1e-12;
 
-/// 1 if the tetrahedron of these vectors is the right way out, -1 if not, 0 if it is flat; -1 too
-/// where one is not finite.
+/// 1 if the tetrahedron of these vectors is oriented outward, -1 if inward or if a vector is not
+/// finite, 0 if it is flat.
 int orientation(const dvec3& a, const dvec3& b, const dvec3& c) {
   const double volume = glm::dot(a, glm::cross(b, c));
-  const double flat = kFlat * glm::length(a) * glm::length(b) * glm::length(c);
+  const double flat = kFlatTetrahedron * glm::length(a) * glm::length(b) * glm::length(c);
   if (std::abs(volume) <= flat) return 0;
   return volume > 0 ? 1 : -1;
 }
 
-/// Most open meshes, in one look: the sum of their triangles' areas as vectors is that of any other
-/// surface with the same border.
+/// False for most open meshes, at little cost. The sum of area vectors is the same for all surfaces
+/// with one boundary, and 0 without a boundary.
 bool may_be_closed(const Mesh& mesh) {
   dvec3 sum(0);
   double area = 0;
@@ -75,8 +75,8 @@ std::vector<double> free_lines(const Mesh& mesh, int axis) {
   return lines;
 }
 
-/// From each of those lines to the next one. A point of several corners is where the first of them
-/// is, and so that of a seam at its beginning.
+/// The stretches from each free line to the next one. A point belongs to the stretch of its first
+/// corner along the axis: a point on a seam to the first stretch.
 Stretches stretches_along(const Mesh& mesh, int axis) {
   const std::vector<double> lines = free_lines(mesh, axis);
   std::vector<double> at(mesh.point_count, std::numeric_limits<double>::infinity());
@@ -96,8 +96,8 @@ Stretches stretches_along(const Mesh& mesh, int axis) {
   return result;
 }
 
-/// What a triangle sweeps while its corners go from the middles of their stretches to their places
-/// is the right way out.
+/// Whether the tetrahedra are oriented outward that a triangle sweeps while its corners move from
+/// the middles of their stretches to their positions.
 bool sweeps_outward(const Mesh& mesh, const Stretches& stretches, Triangle triangle) {
   const auto stretch = [&](std::size_t k) { return stretches.of_point[mesh.point[triangle[k]]]; };
   const auto count = static_cast<std::uint32_t>(stretches.middle.size());

@@ -1,5 +1,7 @@
-// A triangle mesh as plain arrays. Topology and attributes are apart: a corner has its own u, v
-// and normal; corners that are the same point of the surface share a point number.
+// A triangle mesh as plain arrays: the result of the mesher, and what everything after it reads.
+// Topology and attributes are apart: a corner has its own position, normal, u and v, and a point
+// number. Corners that are the same point of the surface (on a seam, a crease, a pole) share it.
+// This room holds the mesh, its report, and operations that need no surface.
 #pragma once
 
 #include <array>
@@ -25,14 +27,14 @@ struct Mesh {
   Array<dvec3> position;
   Array<dvec3> normal;            ///< unit; front is where it points
   Array<dvec2> uv;                ///< the parameters of this side of the surface
-  Array<std::uint32_t> point;     ///< which point of the surface the corner is; see point_count
+  Array<std::uint32_t> point;     ///< number of the corner's point, below point_count
   std::uint32_t point_count = 0;  ///< corners of one point have bitwise equal positions
 
   /// Corner indices, counter-clockwise seen from the front.
   Array<Triangle> triangles;
 
-  /// The number that the surface is coloured by at each corner, NaN or infinite where undefined:
-  /// at all three corners of a triangle or at none. Empty where the surface is not coloured.
+  /// The number at each corner that gives its colour. It is not finite where it is undefined: at
+  /// all three corners of a triangle or at none. Empty where the surface is not coloured.
   Array<double> color;
   ColorRange color_range;
 
@@ -42,7 +44,7 @@ struct Mesh {
   Bounds bounds;
 };
 
-/// Nothing if the mesh is not coloured.
+/// Empty if the mesh is not coloured.
 inline std::optional<ColorRange> color_range_of(const Mesh& mesh) {
   if (mesh.color.empty()) return std::nullopt;
   return mesh.color_range;

@@ -1,5 +1,5 @@
-// Numbers filed under pairs of corners or points, for millions of them: open addressing in one
-// array, where std::unordered_map asks for memory for each.
+// A hash table from pairs of corners or points to numbers, for millions of pairs: open addressing
+// in one array, where std::unordered_map allocates memory for each.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class PairTable {
  public:
   std::size_t size() const { return size_; }
 
-  /// Files `value` if nothing is there. Returns what is there now, and whether it is that.
+  /// Inserts `value` unless the pair has a value. Returns the pair's value, and whether it is new.
   std::pair<std::uint32_t, bool> insert(Pair pair, std::uint32_t value = 0) {
     if (kFull * (size_ + 1) > slots_.size()) grow();
     Slot& slot = slots_[place_of(pair)];
@@ -49,9 +49,9 @@ class PairTable {
   }
 
  private:
-  /// Of a number with itself: no pair.
+  /// No pair: a number with itself.
   static constexpr Pair kNone = ~Pair{0};
-  /// At most one in so many slots is taken, so that searches are short.
+  /// At most one slot in 2 is taken, so that searches are short.
   static constexpr std::size_t kFull = 2;
   static constexpr std::size_t kFirstSlots = 64;  // a power of 2, as all sizes are
 
@@ -60,8 +60,8 @@ class PairTable {
     std::uint32_t value = 0;
   };
 
-  /// Where it is, or else would be: from its own place on, the next one that is free. Source:
-  /// D. E. Knuth, "The Art of Computer Programming" 3, section 6.4: multiplicative hashing.
+  /// The pair's slot, or the free one where it would be inserted. Source: D. E. Knuth, "The Art of
+  /// Computer Programming" 3, section 6.4: multiplicative hashing, linear probing.
   std::size_t place_of(Pair pair) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t place = ((pair * 0x9E3779B97F4A7C15ULL) >> 32) & mask;

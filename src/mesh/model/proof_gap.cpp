@@ -33,10 +33,10 @@ constexpr std::array<GapText, 13> kTexts = {{
     {"not tried", "nothing was proved of this mesh"},
 }};
 
-/// Boxes are one if they are within a cell of a grid of so many each way.
+/// Cells each way of a grid over the domain. Boxes in the same or in neighbouring cells are united.
 constexpr std::size_t kCells = 64;
 
-/// Finds what hangs together of the boxes of one reason.
+/// Finds the connected components of the boxes of one reason.
 class Merger {
  public:
   explicit Merger(const Domain& domain) : domain_(domain) {}
@@ -77,7 +77,7 @@ class Merger {
             {std::max(a[0], b[0]), std::max(a[1], b[1])}};
   }
 
-  /// All that hangs together with a cell, which is taken away.
+  /// Removes the component of a cell and returns its box.
   ProofGap flood(GapReason why, std::size_t start) {
     ProofGap whole{why, boxes_[start]->first, boxes_[start]->second};
     std::vector<std::size_t> open = {start};
@@ -105,12 +105,12 @@ class Merger {
 
 }  // namespace
 
-std::string name_of(GapReason add_gap) {
-  return kTexts[static_cast<std::size_t>(add_gap)].name;
+std::string name_of(GapReason why) {
+  return kTexts[static_cast<std::size_t>(why)].name;
 }
 
-std::string words_for(GapReason add_gap) {
-  return kTexts[static_cast<std::size_t>(add_gap)].words;
+std::string words_for(GapReason why) {
+  return kTexts[static_cast<std::size_t>(why)].words;
 }
 
 bool ProofGap::contains(const dvec2& uv) const {

@@ -1,4 +1,4 @@
-// Where it is not proved that a mesh shows all of its surface, and why not.
+// Proof gaps: boxes of parameters where it is not proved that a mesh shows all of its surface.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace saddle {
 
-/// What stands against a proof.
+/// Why there is no proof.
 enum class GapReason : std::uint8_t {
   Boundary,       ///< the surface ends there
   Jump,           ///< it jumps
@@ -20,17 +20,18 @@ enum class GapReason : std::uint8_t {
   Crease,         ///< its normal jumps
   Singular,       ///< a point without a normal of its own
   Undefined,      ///< bounds cannot exclude that it is undefined somewhere
-  Discontinuous,  ///< nor that it jumps
-  Nonsmooth,      ///< second derivatives are endless or do not exist
+  Discontinuous,  ///< bounds cannot exclude that it jumps somewhere
+  Nonsmooth,      ///< second derivatives are infinite or do not exist
   Wide,       ///< bounds of second derivatives are too wide, or these are large along the surface
-  Work,       ///< as many boxes as are worth it did not do
+  Work,       ///< the budget of boxes ended
   Triangles,  ///< the limit of triangles came first
-  NotTried,   ///< nothing was to be proved, or samples kept failing
+  NotTried,   ///< no proof was asked for, or samples kept failing
 };
 
-/// One word or two for a report, and what to tell a reader.
-std::string name_of(GapReason add_gap);
-std::string words_for(GapReason add_gap);
+/// One word or two for the report.
+std::string name_of(GapReason why);
+/// The end of a sentence about the surface.
+std::string words_for(GapReason why);
 
 /// A box of parameters without a proof; low may be the larger where a range runs backwards.
 struct ProofGap {
@@ -40,12 +41,12 @@ struct ProofGap {
   bool contains(const dvec2& uv) const;
 };
 
-/// Places at which something was found that stands against a proof.
+/// Places with a known reason for a gap.
 class GapReasons {
  public:
-  /// Of those in one box the reason that was added first counts.
+  /// The reason that was added first is the one of a box that holds several places.
   void add(GapReason why, const dvec2& uv) { named_.push_back({why, uv, named_.size()}); }
-  /// Gives boxes without a reason better than what bounds say that of a place in them.
+  /// Gives boxes whose reason follows from bounds alone the reason of a place in them.
   void give_to(std::span<ProofGap> places);
 
  private:
@@ -57,8 +58,8 @@ class GapReasons {
   std::vector<Named> named_;
 };
 
-/// The same with boxes that touch or nearly do made one, if their reason is the same: at most
-/// kMaxListed, in the order of reasons.
+/// Unites boxes of one reason that touch, or nearly do. At most kMaxListed, in the order of
+/// reasons.
 std::vector<ProofGap> merged(std::span<const ProofGap> places, const Domain& domain);
 
 }  // namespace saddle

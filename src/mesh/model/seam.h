@@ -6,8 +6,8 @@
 
 namespace saddle {
 
-/// So many parts of `of` equal ones. As integers: places on a grid are counted, and to have as many
-/// after a shift its lines must be shifted copies of each other.
+/// A shift by `parts` / `of` of a loop. They are integers: on a grid that has a multiple of `of`
+/// lines, a shift maps lines onto lines.
 struct Shift {
   unsigned parts = 0;
   unsigned of = 1;
@@ -16,7 +16,7 @@ struct Shift {
   /// Shifts place `k` of a loop from 0 to `length`, a multiple of `of` if it is an integer.
   template <class Number>
   Number operator()(Number k, Number length) const {
-    if (!any()) return k;  // its end stays its end
+    if (!any()) return k;  // `length` stays `length`
     const Number on = k + length / static_cast<Number>(of) * static_cast<Number>(parts);
     return on < length ? on : on - length;
   }
@@ -26,7 +26,7 @@ struct Shift {
 struct Seam {
   bool closed = false;
   bool reversed = false;  ///< the edges run in opposite directions
-  Shift shift = {};       ///< the edges are loops, and the first one starts there on the last
+  Shift shift = {};       ///< start of the first edge on the last, where both are loops
 
   /// The place on the last edge that meets place `k` of 0 to `length` on the first.
   template <class Number>
@@ -39,16 +39,16 @@ struct Seam {
     return reversed ? partner(k, length) : shift.back()(k, length);
   }
 
-  /// "join", "reversed", "shifted"; "" for edges that do not meet. Reversed and shifted is
-  /// reversed: that is what makes a surface one-sided.
+  /// "join", "reversed", "shifted"; "" for edges that do not meet. A reversed seam is "reversed"
+  /// with a shift, too: it makes the surface one-sided.
   std::string name() const {
     if (!closed) return "";
     return reversed ? "reversed" : shift.any() ? "shifted" : "join";
   }
 };
 
-/// The ways to meet, in the order that they are looked for in. Shifted by what tubes are turned by
-/// whose sections have up to six corners.
+/// The seams that are looked for, in this order. The shifts are the turns of tubes whose sections
+/// have up to six corners.
 inline constexpr std::array kSeams = {
     Seam{true, false},         Seam{true, true},          Seam{true, false, {1, 2}},
     Seam{true, true, {1, 2}},  Seam{true, false, {1, 3}}, Seam{true, false, {2, 3}},
@@ -56,11 +56,11 @@ inline constexpr std::array kSeams = {
     Seam{true, false, {2, 5}}, Seam{true, false, {3, 5}}, Seam{true, false, {4, 5}},
     Seam{true, false, {1, 6}}, Seam{true, false, {5, 6}}};
 
-/// An edge that is folded meets itself like this, from end to end.
+/// A folded edge as a seam with itself.
 inline constexpr Seam kFold = {true, true};
 
-/// How the edges u0 and u1 meet, and v0 and v1; those that do not may each be folded in the middle:
-/// r(u0, v) = r(u0, v0 + v1 - v).
+/// The seams of the edges u0 and u1, and of v0 and v1. An edge without a seam may be folded in the
+/// middle: r(u0, v) = r(u0, v0 + v1 - v).
 struct Seams {
   Seam u;
   Seam v;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-/// Has the lines go through corners that are used. What has none is cut out.
+/// Moves lines to used corners of the same points. Points without one leave the line.
 void move_lines(Mesh& mesh, std::span<const bool> used) {
   std::vector<std::uint32_t> of_point(mesh.point.size(), kNone);
   for (std::uint32_t corner = 0; corner < mesh.point.size(); ++corner) {

@@ -1,16 +1,15 @@
-// The last step of every mesh: what its arrays hold is what its triangles use.
+// The last step of every mesh: removes corners and point numbers that no triangle uses.
 #pragma once
 
 #include "mesh/model/mesh.h"
 
 namespace saddle {
 
-/// Numbers the points from 0 without gaps; before, a point is named after one of its corners.
+/// Numbers the points from 0 without gaps. Before, a point's number is that of one of its corners.
 void number_points(Mesh& mesh);
 
-/// Leaves out the corners that no triangle uses, and has lines go through others of the same points
-/// (at a pole triangles may use only some of its corners). Bounds become those of what is left.
-/// Then number_points().
+/// Removes the corners that no triangle uses. Lines then go through other corners of the same
+/// points: at a pole triangles may use only some. Recomputes the bounds, then number_points().
 void keep_used_corners(Mesh& mesh);
 
 }  // namespace saddle

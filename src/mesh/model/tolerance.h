@@ -1,4 +1,4 @@
-// How far a mesh may be from the surface.
+// The tolerance: the largest distance of mesh and surface that is allowed.
 #pragma once
 
 #include <concepts>
@@ -10,10 +10,8 @@
 
 namespace saddle {
 
-/// The largest distance of mesh and surface that is allowed, more than 0: near a place of the
-/// surface, within `reach` of it, where it may depend on the place. It must not grow by much over
-/// a part of the surface without being asked for it: what is allowed of a leaf is what is allowed
-/// everywhere in the ball around it.
+/// A length above 0, the same everywhere or a function of the place. The tolerance of a leaf is
+/// the least in the ball around it: `place` is the centre, `reach` the radius.
 class Tolerance {
  public:
   /// The same everywhere.
@@ -34,7 +32,7 @@ class Tolerance {
 
   bool is_same_everywhere() const { return same_.has_value(); }
 
-  /// So many times this tolerance.
+  /// This tolerance times a factor.
   Tolerance times(double factor) const {
     if (same_) return factor * *same_;
     return [factor, near = near_](const dvec3& place, double reach) {

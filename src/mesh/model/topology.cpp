@@ -19,7 +19,8 @@ class SignedSets {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
-  /// Joins the sets of two members that are alike or turned. False if they already are, but not so.
+  /// Joins the sets of two members, which are alike or turned against each other. False if they
+  /// are in one set with the other sign.
   bool join(std::uint32_t a, std::uint32_t b, bool turned) {
     const auto [root_a, turned_a] = find(a);
     const auto [root_b, turned_b] = find(b);
@@ -31,12 +32,12 @@ class SignedSets {
   bool is_first(std::uint32_t a) const { return parent_[a] == a; }
 
  private:
-  /// The first of a member's set, and whether the member is turned against it.
+  /// The first member of the set, and whether `a` is turned against it.
   std::pair<std::uint32_t, bool> find(std::uint32_t a) {
     std::uint32_t root = a;
     bool turned = false;
     for (; parent_[root] != root; root = parent_[root]) turned ^= turned_[root] != 0;
-    // Points the way's members to the root, so that the next search is short.
+    // Path compression.
     bool rest = turned;
     while (parent_[a] != root && a != root) {
       const std::uint32_t next = parent_[a];
@@ -56,15 +57,15 @@ class SignedSets {
 /// Two points or corners, in order.
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A side of a triangle, filed under the smaller one of its points.
+/// A side of a triangle, without the smaller one of its points.
 struct HalfEdge {
   std::uint32_t to;  ///< the larger point
   std::uint32_t triangle;
   bool downward;  ///< the triangle runs from the larger to the smaller point
 };
 
-/// All sides of triangles with those of one edge next to each other: `begin[p]` is where the sides
-/// whose smaller point is p begin.
+/// All sides of triangles, sorted by their smaller and then by their larger point. Sides whose
+/// smaller point is p begin at `begin[p]`.
 struct HalfEdges {
   std::vector<std::size_t> begin;
   std::vector<HalfEdge> all;
@@ -98,7 +99,7 @@ HalfEdges half_edges(const Mesh& mesh) {
   return edges;
 }
 
-/// The corners that a triangle's side between two points goes through, in order.
+/// The corners at the ends of a triangle's side between two points, in order.
 IndexPair corners_of(const Mesh& mesh, const HalfEdge& side, const IndexPair& points) {
   const Triangle& t = mesh.triangles[side.triangle];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -108,8 +109,8 @@ IndexPair corners_of(const Mesh& mesh, const HalfEdge& side, const IndexPair& po
   return {};
 }
 
-/// The sides between two points, parted into edges: those of two triangles that share corners are
-/// one that others may lie on, as where leaves around a point have chords to the same neighbour.
+/// The sides between two points, parted into edges. Two sides with the same corners are an edge of
+/// their own: leaves around a point may have chords to the same neighbour, which lie on each other.
 std::vector<std::vector<HalfEdge>> edges_between(const Mesh& mesh, const IndexPair& points,
                                                  std::span<const HalfEdge> sides) {
   if (sides.size() == 1) return {{sides[0]}};
@@ -141,7 +142,7 @@ std::size_t count_sets(const SignedSets& sets, std::span<const std::uint8_t> cou
 Topology topology(const Mesh& mesh) {
   const HalfEdges edges = half_edges(mesh);
   Topology result;
-  SignedSets triangles(mesh.triangles.size());  // turned: they run the other way around
+  SignedSets triangles(mesh.triangles.size());  // turned: their winding is opposite
   SignedSets points(mesh.point_count);
   SignedSets boundary(mesh.point_count);
   std::vector<std::uint8_t> on_boundary(mesh.point_count);

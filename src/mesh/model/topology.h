@@ -1,5 +1,4 @@
-// The shape of a mesh as a topologist sees it: from the points that its corners are, not from
-// positions.
+// The topology of a mesh, from its point numbers alone: Euler number, components, boundary loops.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +21,8 @@ struct Topology {
 
 Topology topology(const Mesh& mesh);
 
-/// Topology::orientable, for less. All triangles run around (u, v) alike, so that only a seam that
-/// joins edges in reverse can make a surface one-sided.
+/// Topology::orientable, at less cost. All triangles have the same winding in (u, v), so that only
+/// a reversed seam can make a surface one-sided.
 bool is_orientable(const Mesh& mesh, const MeshReport& report);
 
 }  // namespace saddle

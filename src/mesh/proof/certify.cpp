@@ -6,36 +6,37 @@
 #include <limits>
 #include <numeric>
 
-#include "eval/enclose.h"
 #include "formula/operations.h"
+#include "surface/box_subdivision.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
 
-/// Halvings of a leaf, both ways taken together: 1/64 of each side. Of few boxes more: 1/4096 finds
-/// a peak that is narrower than anything that a picture shows.
-constexpr int kMostHalvings = 12;
+/// Halvings of a patch, both ways taken together: 12 give 1/64 of each side. A level of at most
+/// kFewBoxes boxes goes on to 24, 1/4096: narrower than any peak that a picture shows.
+constexpr int kMaxPatchDepth = 12;
 constexpr int kMaxDepthOfFew = 24;
-/// Where a proof holds everywhere it takes a few boxes, or some thousands: a spike takes a
-/// thousand, a tube around a knot five thousand of its 374 instructions. Where it does not, more
-/// boxes tell no more. Steps are instructions of a box, 40 nanoseconds each.
+/// Budget: 8,000 boxes, and fewer for long formulas, 2.5 million instructions of 40 nanoseconds. A
+/// complete proof takes up to some thousand boxes: a spike 1,000, a tube around a knot 5,000.
 constexpr std::size_t kMaxBoxes = 8'000;
 constexpr std::size_t kMaxSteps = 2'500'000;
-/// Second derivatives that are known to this factor hide nothing. If even so they are too large for
-/// a proof, as they are along a surface that is flat but whose parameters are polar, halving boxes
-/// does not make them smaller.
+/// Bounds that are within a factor of 4 of each other hide no feature. If the upper one is too
+/// large for a proof then, halving the box does not help: second derivatives along a surface are
+/// large under polar parameters even where it is flat.
 constexpr double kKnown = 4;
-/// The same if they are known so well, and no less than is too much.
+/// The factor where the lower bound does not exceed the limit itself.
 constexpr double kWellKnown = 1.1;
-/// A box in which they are endless after so many halvings holds a point where they are.
+/// A box whose second derivatives are unbounded after 4 halvings holds a point where they are
+/// infinite.
 constexpr int kMaxUnboundedDepth = 4;
-/// Boxes along a line become twice as many when both their sides are halved, around a point as
-/// many, and fewer where a proof comes nearer. Where they become this many times as many, and are
-/// not few, there are no proofs to be found.
+/// Two levels double the boxes along a line, and keep the number of those around a point. A level
+/// with more than 1.5 times the boxes of the one two levels before, and more than 200, is not
+/// worth a proof.
 constexpr double kGrows = 1.5;
 constexpr double kFewBoxes = 200;
-/// What a special function takes in steps.
+/// Cost of a special function, in steps.
 constexpr std::size_t kSpecialSteps = 600;
 
 double magnitude(const Interval& a) {
@@ -84,8 +85,7 @@ class Certifier {
         cells_v_(root.v.size() - 1),
         patches_(patches),
         budget_(budget),
-        enclosure_(surface.bounds),
-        outputs_(surface.bounds.outputs.size()),
+        enclosure_(surface, Bounded::SecondDerivatives),
         patches_of_(cells_u_ * cells_v_, patches) {}
 
   Certification run() {
@@ -96,16 +96,14 @@ class Certifier {
   }
 
  private:
-  /// A part of a patch, halved so many times.
+  /// A part of a patch.
   struct Part {
     std::uint32_t patch;
-    int depth;
     ParameterBox box;
-    dvec2 bend;
-    GapReason why = GapReason::Work;  ///< what its last try has met
+    GapReason why = GapReason::Work;  ///< of the last box without a proof that held it
   };
 
-  /// The demands of some patches: sizes and tolerances, from the smallest to the largest.
+  /// Sizes and tolerances of some patches, from the smallest to the largest.
   struct Demand {
     dvec2 largest{0};
     double eps = std::numeric_limits<double>::infinity();
@@ -139,21 +137,21 @@ class Certifier {
     }
   }
 
-  enum class Proof { LocatedDiscontinuity, Open, Endless, Unresolvable, PointSingularity };
+  enum class Proof {
+    Proved,        ///< patches of these sizes are within their tolerances anywhere in the box
+    Open,          ///< halves of the box may be proved
+    Unbounded,     ///< second derivatives have no bound
+    Unresolvable,  ///< second derivatives are too large, and known too well for halving to help
+    Undefined,     ///< the surface is defined nowhere in the box
+  };
 
-  /// Whether leaves of a size are near enough wherever they are in the box, second derivatives are
-  /// endless, no halving can prove anything, or the surface is not defined at all there. Of a box
-  /// that nobody looks at any more nothing is known.
   Proof prove(const ParameterBox& box, const Demand& of) {
     --budget_.boxes;
-    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
-               outputs_);
-    // r, r_u, r_v, then r_uu, r_uv, r_vv.
-    const std::span<const Interval> all(outputs_);
+    const std::span<const Interval> all = enclosure_.enclose(box);
     for (const Interval& a : all.first(3)) {
       if (a.defined == Defined::No) {
         why_ = GapReason::Undefined;
-        return Proof::PointSingularity;
+        return Proof::Undefined;
       }
       if (a.defined != Defined::Yes) return open(GapReason::Undefined);
       if (!a.continuous) return open(GapReason::Discontinuous);
@@ -170,13 +168,12 @@ class Certifier {
              size.y * size.y * length(all.subspan(15, 3));
     };
     constexpr double kLimit = 8 * kProofFactor;
-    if (bound(of.largest, length) <= kLimit * of.eps)
-      return Proof::LocatedDiscontinuity;  // not so for NaN
+    if (bound(of.largest, length) <= kLimit * of.eps) return Proof::Proved;  // false for NaN
     const double least = bound(of.smallest, least_length);
     const double most = bound(of.smallest, length);
     if (!std::isfinite(most)) {
       why_ = GapReason::Nonsmooth;
-      return Proof::Endless;
+      return Proof::Unbounded;
     }
     const bool is_unresolvable =
         most > kLimit * of.largest_eps &&
@@ -193,38 +190,39 @@ class Certifier {
     result_.proof_gaps.push_back({why, box.low, box.high});
   }
 
-  /// Cells of the root grid, many at a time. The patches of cells without a proof remain.
+  /// Proves many cells of the root grid at a time. Patches of single cells without a proof become
+  /// parts_.
   void prove_cells() {
-    std::vector<Cells> level = {{0, cells_u_, 0, cells_v_}};
-    std::vector<Cells> next;
-    while (!level.empty()) {
-      next.clear();
-      for (const Cells& cells : level) {
-        const ParameterBox box = box_of(cells);
-        if (budget_.boxes == 0) {
-          add_gap(GapReason::Work, box);
-          continue;
-        }
-        const Proof proof = prove(box, demand(cells));
-        if (proof == Proof::LocatedDiscontinuity) continue;
-        if (proof == Proof::Unresolvable) {
-          add_gap(GapReason::Wide, box);
-        } else if (cells.is_one()) {
-          add_patches(cells);
-        } else {
-          halve(cells, next);
-        }
-      }
-      if (goes_beyond_budget(level.size(), next.size())) {
-        for (const Cells& cells : next) add_gap(GapReason::Work, box_of(cells));
+    BoxSubdivision<Cells> search({{0, cells_u_, 0, cells_v_}});
+    while (!search.open().empty()) {
+      const std::size_t level = search.open().size();
+      search.test([this](const Cells& cells) { return prove(cells); });
+      search.halve_each(halve);
+      if (goes_beyond_budget(level, search.open().size())) {
+        for (const Cells& cells : search.open()) add_gap(GapReason::Work, box_of(cells));
         return;
       }
-      level.swap(next);
     }
   }
 
-  /// Whether boxes that become more as those of this level do will not come down to single cells:
-  /// above those nothing is found that samples did not show.
+  ProofOutcome prove(const Cells& cells) {
+    const ParameterBox box = box_of(cells);
+    if (budget_.boxes == 0) return refute(GapReason::Work, box);
+    const Proof proof = prove(box, demand(cells));
+    if (proof == Proof::Proved) return ProofOutcome::Proved;
+    if (proof == Proof::Unresolvable) return refute(GapReason::Wide, box);
+    if (!cells.is_one()) return ProofOutcome::Open;
+    add_patches(cells);
+    return ProofOutcome::Refuted;
+  }
+
+  ProofOutcome refute(GapReason why, const ParameterBox& box) {
+    add_gap(why, box);
+    return ProofOutcome::Refuted;
+  }
+
+  /// Extrapolates the growth from a level to the next down to single cells: whether the budget
+  /// ends before. Boxes of many cells find nothing that samples did not show.
   bool goes_beyond_budget(std::size_t level, std::size_t next) const {
     if (next < static_cast<std::size_t>(kFewBoxes)) return false;
     const auto count = static_cast<double>(next);
@@ -256,65 +254,55 @@ class Certifier {
       if (patch.cut_by) {
         add_gap(*patch.cut_by, patch.box);
       } else {
-        parts_.push_back({k, 0, patch.box, dvec2(0)});
+        parts_.push_back({k, patch.box});
       }
     }
   }
 
-  /// Parts of patches, all of a size before any of the next: when there are no proofs to be found,
-  /// or no boxes to find them with, all places without one have been narrowed down alike.
+  /// Proves parts of patches, level by level: wherever the search ends, all unproved boxes have
+  /// the same number of halvings, but for those that ended before.
   void prove_parts() {
-    std::vector<Part> next;
     constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
-    std::array<std::size_t, 2> before = {kUnknown, kUnknown};  // one level, and two
-    while (!parts_.empty()) {
-      next.clear();
-      const bool grows = static_cast<double>(parts_.size()) >
-                         std::max(kFewBoxes, kGrows * static_cast<double>(before[1]));
-      for (Part& part : parts_) {
-        if (grows || budget_.boxes == 0) {
-          leave_unproved(part);
-        } else {
-          prove(part, next);
-        }
-      }
-      before = {parts_.size(), before[0]};
-      parts_.swap(next);
+    std::array<std::size_t, 2> before = {kUnknown, kUnknown};  // one level before, and two
+    BoxSubdivision<Part> search(std::move(parts_));
+    while (!search.open().empty()) {
+      const std::size_t level = search.open().size();
+      const bool grows =
+          static_cast<double>(level) > std::max(kFewBoxes, kGrows * static_cast<double>(before[1]));
+      const int max_depth =
+          static_cast<double>(level) <= kFewBoxes ? kMaxDepthOfFew : kMaxPatchDepth;
+      search.test([&](Part& part) {
+        if (grows || budget_.boxes == 0) return leave_unproved(part, {dvec2(0), false});
+        return prove(part, search.depth(), max_depth);
+      });
+      before = {level, before[0]};
+      search.halve_in_turn();
     }
   }
 
-  void prove(Part& part, std::vector<Part>& next) {
+  ProofOutcome prove(Part& part, int depth, int max_depth) {
     const Proof proof = prove(part.box, demand(part.patch));
-    if (proof == Proof::LocatedDiscontinuity) return;
+    if (proof == Proof::Proved) return ProofOutcome::Proved;
     part.why = why_;
-    if (proof == Proof::Unresolvable) return add_gap(GapReason::Wide, part.box);
-    if (proof == Proof::PointSingularity) return leave_unproved(part, true);
-    if (part.depth < max_depth(proof)) return halve(part, next);
-    const std::span<const Interval> second = std::span(outputs_).subspan(9);
-    part.bend = {length(second.first(3)), length(second.subspan(6, 3))};
-    leave_unproved(part);
+    if (proof == Proof::Unresolvable) return refute(GapReason::Wide, part.box);
+    if (proof == Proof::Undefined) return leave_unproved(part, {dvec2(0), true});
+    if (depth < (proof == Proof::Unbounded ? kMaxUnboundedDepth : max_depth)) {
+      return ProofOutcome::Open;
+    }
+    const std::span<const Interval> second = enclosure_.last().subspan(9);
+    return leave_unproved(part, {{length(second.first(3)), length(second.subspan(6, 3))}, false});
   }
 
-  int max_depth(Proof proof) const {
-    if (proof == Proof::Endless) return kMaxUnboundedDepth;
-    return static_cast<double>(parts_.size()) <= kFewBoxes ? kMaxDepthOfFew : kMostHalvings;
-  }
-
-  void leave_unproved(const Part& part, bool is_undefined = false) {
+  /// Findings about a box without a proof.
+  struct Known {
+    dvec2 bend{0};
+    bool is_undefined;
+  };
+  ProofOutcome leave_unproved(const Part& part, const Known& known) {
     const bool may_jump = part.why == GapReason::Discontinuous;
     result_.unproved_boxes.push_back(
-        {part.patch, part.box.middle(), part.box.size(), part.bend, is_undefined, may_jump});
-    add_gap(part.why, part.box);
-  }
-
-  static void halve(const Part& part, std::vector<Part>& to) {
-    Part a = part;
-    Part b = part;
-    const int axis = part.depth % 2;
-    a.depth = b.depth = part.depth + 1;
-    a.box.high[axis] = b.box.low[axis] = part.box.middle()[axis];
-    to.push_back(a);
-    to.push_back(b);
+        {part.patch, part.box.middle(), part.box.size(), known.bend, known.is_undefined, may_jump});
+    return refute(part.why, part.box);
   }
 
   std::size_t cell(std::size_t i, std::size_t j) const { return j * cells_u_ + i; }
@@ -323,8 +311,7 @@ class Certifier {
   std::size_t cells_u_, cells_v_;
   std::span<const Patch> patches_;
   ProofBudget& budget_;
-  Enclosure enclosure_;
-  std::vector<Interval> outputs_;
+  SurfaceEnclosure enclosure_;
   PatchesOfCells patches_of_;
   std::vector<Demand> of_cells_;  // of the root grid
   std::vector<Part> parts_;

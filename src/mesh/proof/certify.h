@@ -1,5 +1,6 @@
-// Proves by interval arithmetic that no feature hides between the samples that a mesh was made
-// from, or finds where one may.
+// Proves by interval bounds that the triangles of a mesh are near the surface between the samples,
+// too: from boxes of parameters with the tolerance of their triangles (patches) to unproved boxes
+// and proof gaps. It is a branch and bound: a box without a proof is halved until the budget ends.
 // Source: D. Filip, R. Magedson, R. Markot, "Surface algorithms using bounds on derivatives", 1986;
 // J. Snyder, "Interval analysis for computer graphics", 1992.
 #pragma once
@@ -9,17 +10,17 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/parameter_box.h"
 #include "mesh/model/proof_gap.h"
+#include "surface/parameter_box.h"
 #include "surface/surface.h"
 
 namespace saddle {
 
-/// The proof is of so many times the tolerance: bounds of derivatives are wider than derivatives,
-/// and those along the surface count although they do no harm. What is finer is left to samples.
+/// The proof is for 8 times the tolerance: bounds of derivatives are wider than the derivatives,
+/// and count derivatives along the surface, which make no error. Samples check finer errors.
 inline constexpr double kProofFactor = 8;
 
-/// A box of parameters whose triangles are to be proved.
+/// A box of parameters and what its triangles must keep.
 struct Patch {
   ParameterBox box;
   double allowed;                   ///< distance from the surface, in units of length
@@ -27,7 +28,7 @@ struct Patch {
   std::optional<GapReason> cut_by;  ///< feature in the box: no proof is tried
 };
 
-/// A box of parameters without a proof, in a patch.
+/// A box of parameters without a proof, a part of a patch.
 struct UnprovedBox {
   std::size_t patch;
   dvec2 middle;
@@ -39,12 +40,12 @@ struct UnprovedBox {
 
 struct Certification {
   std::vector<UnprovedBox> unproved_boxes;
-  std::vector<ProofGap> proof_gaps;  ///< empty: the proof holds everywhere
+  std::vector<ProofGap> proof_gaps;  ///< empty: all patches are proved
 };
 
-/// Boxes that may still be tried: fewer for long formulas.
+/// The number of boxes that may still be tested.
 struct ProofBudget {
-  /// For a surface with these bounds.
+  /// For a surface with these bounds: up to 8,000 boxes, fewer for long formulas.
   explicit ProofBudget(const Tape& bounds);
   std::size_t boxes;
 };
@@ -56,9 +57,9 @@ struct RootLines {
 
 /// Bounds the distance of r(u, v) from the triangles of each patch, of sides h and k, by
 /// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
-/// its first derivatives continuous; large boxes first, parts of patches last. Boxes that have no
-/// proof when the budget ends are unproved. Where derivatives are known well and too large for a
-/// proof, there is a gap and no unproved box.
+/// its first derivatives continuous. Boxes of many root cells come first, parts of patches last.
+/// Boxes without a proof when the budget ends are unproved. Where bounds are narrow and derivatives
+/// too large for a proof, there is a gap and no unproved box.
 Certification certify(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
                       ProofBudget& budget);
 

@@ -8,48 +8,45 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "eval/enclose.h"
 #include "surface/normal.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
 
-/// Halvings of a line until as many parts as these are too many to be narrowed down: so many of
-/// them stand for all.
+/// After 6 halvings of a line, more than 8 open parts end the search: 8 of them stand for all.
 constexpr int kLeastHalvings = 6;
 constexpr std::size_t kMostLineParts = 8;
-/// Beside a break that is known to be there, the part of a line that is left without a proof is so
-/// much of it at each step: what that leaves is halved on where bounds are too wide.
+/// The share of a part that its end beside a known discontinuity gets when it is cut: that end is
+/// never proved, and the rest is halved on where bounds are too wide.
 constexpr double kBesideDiscontinuity = 1.0 / 1024;
 
-/// A box, by two opposite corners.
-using BoxCorners = Line;
-
-BoxCorners box_around(std::span<const LinePart> lines) {
-  BoxCorners box = {lines[0].part[0], lines[0].part[0]};
+ParameterBox box_around(std::span<const LinePart> lines) {
+  ParameterBox box = {lines[0].part[0], lines[0].part[0]};
   for (const LinePart& line : lines) {
-    for (const dvec2& end : line.part) box = {glm::min(box[0], end), glm::max(box[1], end)};
+    for (const dvec2& end : line.part) box = {glm::min(box.low, end), glm::max(box.high, end)};
   }
   return box;
 }
 
-/// Whether tall boxes around lines are to be cut along u rather than along v: beside the lines
-/// themselves, whose units differ.
+/// Whether a box around lines is wider in u than in v, in mean sizes of the lines: u and v have
+/// units of their own.
 bool is_wider_along_u(std::span<const LinePart> lines, const dvec2& size) {
   dvec2 sum(0);
   for (const LinePart& line : lines) sum += glm::abs(line.part[1] - line.part[0]);
   return size.x * sum.y >= size.y * sum.x;
 }
 
-/// Proves many lines at a time where boxes around them do: is_proved(box, how many). Calls
-/// leave(lines) with as many of the others as few(), or fewer. Changes the lines' order.
+/// Proves many lines at a time, by is_proved(box around them, number of lines); without a proof it
+/// goes on with both halves of the lines. Calls leave(lines) of groups of at most few() lines.
+/// Changes the lines' order.
 template <class Few, class IsProved, class Leave>
 void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leave leave) {
   if (lines.size() <= few()) return leave(lines);
-  const BoxCorners box = box_around(lines);
+  const ParameterBox box = box_around(lines);
   if (is_proved(box, lines.size())) return;
-  const int axis = is_wider_along_u(lines, box[1] - box[0]) ? 0 : 1;
+  const int axis = is_wider_along_u(lines, box.size()) ? 0 : 1;
   const auto place = [&](const LinePart& line) { return line.part[0][axis] + line.part[1][axis]; };
   const std::size_t half = lines.size() / 2;
   std::ranges::nth_element(lines, lines.begin() + static_cast<std::ptrdiff_t>(half), {}, place);
@@ -60,16 +57,16 @@ void prove_together(std::span<LinePart> lines, Few few, IsProved is_proved, Leav
 class Prover {
  public:
   Prover(const Surface& surface, double delta, int halvings)
-      : enclosure_(surface.bounds, 3), delta_(delta), halvings_(halvings) {}
+      : enclosure_(surface, Bounded::Position), delta_(delta), halvings_(halvings) {}
 
-  /// That were tried.
+  /// Number of boxes tested.
   std::size_t boxes() const { return boxes_; }
 
-  /// Puts the parts of lines that are not proved into `result`. Changes the lines' order.
+  /// Appends the unproved parts of lines to `result`. Changes the lines' order.
   void prove(std::span<LinePart> lines, std::vector<LinePart>& result) {
     prove_together(
         lines, [] { return std::size_t{1}; },
-        [this](const BoxCorners& box, std::size_t) { return is_proved(box); },
+        [this](const ParameterBox& box, std::size_t) { return is_proved(box); },
         [&](std::span<const LinePart> one) {
           for (const LinePart& line : one) add_unproved(line, result);
         });
@@ -92,7 +89,9 @@ class Prover {
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
     std::vector<LinePart> level = {line};
     for (int depth = 0; !level.empty() && depth < halvings_; ++depth) {
-      std::erase_if(level, [this](const LinePart& part) { return is_proved(part.part); });
+      std::erase_if(level, [this](const LinePart& part) {
+        return is_proved({part.part[0], part.part[1]});
+      });
       if (level.size() > kMostLineParts && depth >= kLeastHalvings) break;
       std::vector<LinePart> next;
       for (const LinePart& part : level) {
@@ -108,10 +107,9 @@ class Prover {
     for (std::size_t k = 0; k < level.size(); k += step) result.push_back(level[k]);
   }
 
-  bool is_proved(const BoxCorners& box) {
+  bool is_proved(const ParameterBox& box) {
     ++boxes_;
-    std::array<Interval, 3> position;
-    enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), position);
+    const std::span<const Interval> position = enclosure_.enclose(box);
     bool is_continuous = true;
     dvec3 size;
     for (int k = 0; k < 3; ++k) {
@@ -123,30 +121,28 @@ class Prover {
     return is_continuous || glm::length(size) < delta_;
   }
 
-  Enclosure enclosure_;
+  SurfaceEnclosure enclosure_;
   double delta_;
   int halvings_;
   std::size_t boxes_ = 0;
 };
 
-/// Proves that a surface has a normal all over a box, and no jump of it. A normal that is there by
-/// rounding alone, as on u = 2 pi where u = 0 has none, does not count.
+/// Proves that the normal is defined and continuous in a box. |r_u x r_v| must exceed its rounding:
+/// on u = 2 pi a sphere has a cross product by rounding alone.
 class NormalProver {
  public:
-  explicit NormalProver(const Surface& surface) : enclosure_(surface.bounds, kOutputs) {}
+  explicit NormalProver(const Surface& surface) : enclosure_(surface, Bounded::Tangents) {}
 
-  bool has_continuous_tangents(const BoxCorners& box) {
-    enclosure_(range_between(box[0].x, box[1].x), range_between(box[0].y, box[1].y), outputs_);
-    return std::ranges::all_of(
-        outputs_, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
+  bool has_continuous_tangents(const ParameterBox& box) {
+    return are_continuous(enclosure_.enclose(box));
   }
 
-  bool is_proved(const BoxCorners& box) { return has_continuous_tangents(box) && has_normals(); }
+  bool is_proved(const ParameterBox& box) { return has_continuous_tangents(box) && has_normals(); }
 
   /// Whether r_u x r_v is not 0 in the last box.
   bool has_normals() const {
-    const Interval* const r_u = &outputs_[3];
-    const Interval* const r_v = &outputs_[6];
+    const std::span<const Interval> r_u = enclosure_.last().subspan(3, 3);
+    const std::span<const Interval> r_v = enclosure_.last().subspan(6, 3);
     const double least = kDegenerateCross * longest(r_u) * longest(r_v);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (k + 1) % 3;
@@ -158,18 +154,17 @@ class NormalProver {
   }
 
  private:
-  /// The most that a vector's length may be.
-  static double longest(const Interval* vector) {
+  /// An upper bound of a vector's length.
+  static double longest(std::span<const Interval> vector) {
     dvec3 most;
     for (int k = 0; k < 3; ++k) {
-      most[k] = std::max(std::fabs(vector[k].low), std::fabs(vector[k].high));
+      const Interval& a = vector[static_cast<std::size_t>(k)];
+      most[k] = std::max(std::fabs(a.low), std::fabs(a.high));
     }
     return glm::length(most);
   }
 
-  static constexpr std::size_t kOutputs = 9;  // r, r_u, r_v
-  Enclosure enclosure_;
-  std::array<Interval, kOutputs> outputs_;
+  SurfaceEnclosure enclosure_;
 };
 
 }  // namespace
@@ -186,12 +181,11 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
 
 UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
                                  std::size_t& boxes) {
-  /// So few lines are looked at in less time than proofs of each would take; more of them where the
-  /// first look at each tells.
+  /// A search on 4 lines, on 128 where its first step decides, takes less time than proofs.
   constexpr std::size_t kFew = 4;
   constexpr std::size_t kFewIfOnlyCusps = 128;
-  /// Proofs of boxes around ever fewer lines that may be in vain to begin with, and for each line
-  /// that was proved: looking at a line takes twice as long as one.
+  /// Failed proofs that are allowed: 64, and 2 for each proved line. A search on a line takes as
+  /// long as 2 proofs.
   constexpr std::size_t kStagnant = 64;
   constexpr std::size_t kStagnantPerLine = 2;
   UnprovedNormals result;
@@ -208,7 +202,7 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
     const bool is_stagnant = stagnation > kStagnant + kStagnantPerLine * proved;
     return is_stagnant ? all.size() : result.only_cusps ? kFewIfOnlyCusps : kFew;
   };
-  const auto is_proved = [&](const BoxCorners& box, std::size_t count) {
+  const auto is_proved = [&](const ParameterBox& box, std::size_t count) {
     ++boxes;
     const bool is = prover.is_proved(box);
     (is ? proved : stagnation) += is ? count : 1;

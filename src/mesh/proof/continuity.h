@@ -1,5 +1,4 @@
-// Proves by interval arithmetic that a surface, or its normal, is continuous along lines of
-// parameters.
+// Proves by interval bounds that a surface, or its normal, is continuous along lines of parameters.
 // Source: J. Tupper, "Reliable two-dimensional graphing methods for mathematical formulae with two
 // free variables", 2001.
 #pragma once
@@ -10,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/model/tolerances.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -19,34 +19,30 @@ using Line = std::array<dvec2, 2>;
 
 /// A line, or a part of one.
 struct LinePart {
-  std::size_t line;  ///< its number
+  std::size_t line;  ///< number of the line
   Line part;
-  /// Which end is known to be beside a break: there is no proof there.
+  /// The end that lies beside a known discontinuity: there is no proof there.
   std::optional<std::size_t> broken_end = {};
 };
 
-/// Doubles between two parameters run out before, except next to 0, where what is left of a line is
-/// then 1e-30 of it.
-inline constexpr int kAllHalvings = 100;
-
-/// Parts of these, apart from each other, on which the surface is proved neither to be continuous
-/// nor to stay within `delta`, so that it jumps by no more: as short as doubles go, or as many as
-/// are worth a search, or what is left after some halvings. Those of a line follow each other, in
-/// the order of lines. Adds to `boxes` how many were tried.
+/// Parts of lines on which the surface is proved neither to be continuous nor to stay within
+/// `delta`: a jump there may be larger. A part is as short as doubles go, or one of a few that
+/// stand for many, or left after `halvings`. Parts are in the order of lines and disjoint. Adds to
+/// `boxes` the number of boxes tested.
 std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lines, double delta,
                                std::size_t& boxes, int halvings = kAllHalvings);
 
 /// Lines on which there may be creases.
 struct UnprovedNormals {
-  std::vector<std::size_t> lines;  ///< their numbers, in order
-  /// Tangents are continuous in a box around all lines: a crease is where r_u x r_v goes through 0,
-  /// and the normal turns to its opposite.
+  std::vector<std::size_t> lines;  ///< numbers, in order
+  /// Tangents are continuous in a box around all lines. A crease then lies where r_u x r_v goes
+  /// through 0 and the normal turns to its opposite.
   bool only_cusps = false;
 };
 
-/// The lines along which it is not proved that the tangents are continuous and r_u x r_v is not 0:
-/// elsewhere there are no creases, nor cusps. Where proofs are in vain, or cost more than a look at
-/// the lines, most of these are not tried. Adds to `boxes` how many proofs were.
+/// The lines along which it is not proved that the tangents are continuous and r_u x r_v is not 0.
+/// The others have no crease and no cusp. Proofs end where they fail repeatedly, or would cost more
+/// than a search on the lines. Adds to `boxes` the number of boxes tested.
 UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
                                  std::size_t& boxes);
 

@@ -1,11 +1,11 @@
 #include "mesh/proof/small_components.h"
 
 #include <algorithm>
-#include <array>
 
 #include <glm/common.hpp>
 
-#include "eval/enclose.h"
+#include "surface/box_subdivision.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -14,21 +14,27 @@ namespace {
 /// Halvings of a box, both ways taken together: 1/4096 of each side.
 constexpr int kMaxDepth = 24;
 
-/// An island is looked at closer, tile by tile, until so many of the tiles each way of what is left
-/// are around what of it was found, or so many times.
+/// A zoom divides a box into 8 x 8 tiles, and ends when the component spans 4 of them each way, or
+/// after 6 zooms.
 constexpr int kTiles = 8;
 constexpr int kEnoughTiles = 4;
 constexpr int kMaxZooms = 6;
-/// Cells of the grid, each way, on whose vertices an island is sampled then.
+/// Cells each way of the grid on whose vertices the component is sampled.
 constexpr std::size_t kComponentSamples = 32;
 constexpr std::size_t kBoxesForComponent = 40'000;
-/// Parts of a tile that are followed: along the boundary of a strip there are as many as digits.
+/// Parts of a tile that are followed. Along the boundary of a strip there would be ever more.
 constexpr std::size_t kPartsOfTile = 16;
 
 struct Part {
   ParameterBox box;
-  std::size_t whole;  ///< which of the boxes it is a part of
+  std::size_t whole;  ///< number of the box that it is a part of
 };
+
+std::vector<Part> parts_of(std::span<const ParameterBox> boxes) {
+  std::vector<Part> parts;
+  for (std::size_t k = 0; k < boxes.size(); ++k) parts.push_back({boxes[k], k});
+  return parts;
+}
 
 class ComponentSearch {
  public:
@@ -38,76 +44,63 @@ class ComponentSearch {
         boxes_(boxes),
         most_parts_(most_parts),
         threads_(threads),
-        enclosure_(surface.bounds, 3),
-        found_(where.size()) {
-    for (std::size_t k = 0; k < where.size(); ++k) parts_.push_back({where[k], k});
-  }
+        enclosure_(surface, Bounded::Position),
+        search_(parts_of(where)),
+        found_(where.size()) {}
 
   std::vector<std::optional<dvec2>> run() {
-    for (int depth = 0; depth < kMaxDepth && !parts_.empty() && boxes_ > 0; ++depth) {
-      std::erase_if(parts_, [&](const Part& part) { return is_undefined(part.box); });
+    while (!search_.open().empty() && search_.depth() < kMaxDepth && boxes_ > 0) {
+      search_.test([this](const Part& part) { return prove_undefined(part.box); });
       look_at_middles();
-      std::erase_if(parts_, [&](const Part& part) { return found_[part.whole].has_value(); });
+      search_.test([this](const Part& part) {
+        return found_[part.whole] ? ProofOutcome::Proved : ProofOutcome::Open;
+      });
       thin_out();
-      halve(depth % 2);
+      search_.halve_in_turn();
     }
     return std::move(found_);
   }
 
  private:
-  /// Whether there is a proof of it; or nobody may look any more.
-  bool is_undefined(const ParameterBox& box) {
-    if (boxes_ == 0) return true;
+  /// Refuted: nothing of the surface is in the box, or the budget is spent.
+  ProofOutcome prove_undefined(const ParameterBox& box) {
+    if (boxes_ == 0) return ProofOutcome::Refuted;
     --boxes_;
-    std::array<Interval, 3> position;
-    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
-               position);
-    return std::ranges::any_of(position,
-                               [](const Interval& a) { return a.defined == Defined::No; });
+    return least_defined(enclosure_.enclose(box)) == Defined::No ? ProofOutcome::Refuted
+                                                                 : ProofOutcome::Open;
   }
 
   void look_at_middles() {
     std::vector<dvec2> middles;
-    for (const Part& part : parts_) middles.push_back(part.box.middle());
+    for (const Part& part : search_.open()) middles.push_back(part.box.middle());
     const std::vector<SurfacePoint> points = evaluate(surface_, middles, threads_);
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      if (is_finite(points[k].position)) found_[parts_[k].whole] = middles[k];
+    for (std::size_t k = 0; k < middles.size(); ++k) {
+      if (is_finite(points[k].position)) found_[search_.open()[k].whole] = middles[k];
     }
   }
 
-  /// Keeps as many parts of each box as may be followed, spread over all.
+  /// Keeps at most `most_parts_` parts of each box, evenly spread over its parts.
   void thin_out() {
+    std::vector<Part>& parts = search_.open();
     std::vector<Part> kept;
-    for (std::size_t begin = 0; begin < parts_.size();) {
+    for (std::size_t begin = 0; begin < parts.size();) {
       std::size_t end = begin;
-      while (end < parts_.size() && parts_[end].whole == parts_[begin].whole) ++end;
+      while (end < parts.size() && parts[end].whole == parts[begin].whole) ++end;
       const std::size_t count = std::min(end - begin, most_parts_);
       for (std::size_t k = 0; k < count; ++k) {
-        kept.push_back(parts_[begin + k * (end - begin) / count]);
+        kept.push_back(parts[begin + k * (end - begin) / count]);
       }
       begin = end;
     }
-    parts_ = std::move(kept);
-  }
-
-  void halve(int axis) {
-    std::vector<Part> halves;
-    for (const Part& part : parts_) {
-      Part a = part;
-      Part b = part;
-      a.box.high[axis] = b.box.low[axis] = part.box.middle()[axis];
-      halves.push_back(a);
-      halves.push_back(b);
-    }
-    parts_ = std::move(halves);
+    parts = std::move(kept);
   }
 
   const Surface& surface_;
   std::size_t& boxes_;
   std::size_t most_parts_;
   unsigned threads_;
-  Enclosure enclosure_;
-  std::vector<Part> parts_;
+  SurfaceEnclosure enclosure_;
+  BoxSubdivision<Part> search_;
   std::vector<std::optional<dvec2>> found_;
 };
 
@@ -149,10 +142,10 @@ std::optional<SmallComponent> find_small_component(const Surface& surface, unsig
       high = glm::max(high, *found);
     }
     if (low.x > high.x) break;
-    // It may reach into the tiles beside those in which it was found.
+    // The component may reach into the tiles beside those in which it was found.
     const dvec2 tile = (whole.high - whole.low) / double{kTiles};
     component.where = {glm::max(whole.low, low - tile), glm::min(whole.high, high + tile)};
-    // A strip is narrow in one way only.
+    // A strip is narrow in one direction only.
     const dvec2 tiles = (high - low) / tile;
     if (std::min(tiles.x, tiles.y) >= kEnoughTiles - 1) break;
   }

@@ -10,11 +10,11 @@ namespace saddle {
 
 namespace {
 
-/// The share of the samples that are looked at together at which leaves must be hopeless: the
-/// second derivatives of waves are small between their crests.
+/// The share of neighbouring samples at which cells must be unresolvable: second derivatives of
+/// waves are small between their crests.
 constexpr double kUnresolvableShare = 0.4;
-/// The share of them at which the surface must be defined: beside a boundary second derivatives may
-/// be endless, and nothing oscillates.
+/// The share of neighbouring samples at which the surface must be defined: beside a boundary second
+/// derivatives may be infinite without any waves.
 constexpr double kLeastKnown = 0.3;
 
 /// The index of the value that is nearest to a parameter, of values in either order.

@@ -1,4 +1,5 @@
-// Waves too short for any mesh, known before one is made.
+// Predicts, before there is a mesh, where a surface is unresolvable (aliased): waves too short for
+// any mesh within the limits.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +11,14 @@
 
 namespace saddle {
 
-/// Where narrow cells would be hopeless in u, and in v, by second derivatives at the samples of a
-/// probe: at most of the nearest nine.
+/// Where cells are predicted to be unresolvable in u, and in v: at 40 % of the nearest nine samples
+/// of a probe.
 class AliasingForecast {
  public:
-  /// Nothing is foreseen.
+  /// Predicts none.
   AliasingForecast() = default;
-  /// Cells are hopeless at samples at which they depart from their linear approximation by more
-  /// than so many tolerances.
+  /// A cell is unresolvable at a sample whose linearisation error exceeds `unresolvable`, in
+  /// tolerances.
   AliasingForecast(LinearizationErrors linearization_errors, double unresolvable);
 
   bool any() const { return !is_unresolvable_.empty(); }

@@ -5,10 +5,10 @@
 namespace saddle {
 namespace {
 
-/// An operation that calls a function takes as long as so many additions.
+/// Cost of a function call, in additions.
 constexpr double kCall = 25;
-/// Points of a cell: its share of corners and sides, its centre, and four between them; with halved
-/// cells those that were looked at and found too large come to that.
+/// Points for each cell. A grid: a share of corners and sides, the centre, and four between them. A
+/// tree: besides, those of cells that were subdivided.
 constexpr double kGridSamples = 8;
 constexpr double kLeafSamples = 10;
 constexpr double kMillisecond = 1e6;  // nanoseconds

@@ -1,5 +1,5 @@
-// What meshes cost, from what can be counted before or after they are made: a linear model, fitted
-// to times of the gallery's surfaces by `./dev bench choose --fit`.
+// The cost of meshes: a linear model of counted work, fitted to times of the gallery's surfaces by
+// `./dev bench choose --fit`.
 #pragma once
 
 #include "mesh/model/mesh.h"
@@ -8,29 +8,29 @@
 
 namespace saddle {
 
-/// Nanoseconds on one machine; between machines their ratios change little, and only those matter.
+/// Nanoseconds on one machine. Only their ratios matter, which differ little between machines.
 struct CostModel {
-  double grid_sample;  ///< of a point of a grid, with its share of cells and triangles
-  double leaf_sample;  ///< of a point of a mesh whose cells are halved
-  double operation;    ///< of a formula, at a point; functions count as several
-  double box;          ///< of parameters, that a proof tries
-  double box_operation;
-  double triangle;  ///< drawn once
+  double grid_sample;    ///< a point of a grid, with its share of cells and triangles
+  double leaf_sample;    ///< a point of a cell tree
+  double operation;      ///< an operation of a formula at a point; a function counts as 25
+  double box;            ///< a box of parameters in a proof
+  double box_operation;  ///< an operation of a formula over a box
+  double triangle;       ///< drawing it once
 };
 inline constexpr CostModel kCosts = {67.4, 131, 0.289, 761, 0, 988};
 
-/// Operations of a surface's formulas that a point takes on a grid, where what depends on u alone
-/// or v alone is computed once, elsewhere, and in a box.
+/// Operations of a surface's formulas at a point of a grid, at any other point, and over a box. On
+/// a grid, operations on u alone or v alone do not count.
 struct Operations {
   double of_grid, of_point, of_box;
 };
 Operations count_operations(const Surface& surface);
 
-/// Milliseconds, of making a mesh and of drawing its triangles so many times.
+/// Milliseconds for making a mesh, and for drawing its triangles `times` times.
 double cost(const MeshWork& work, const Operations& operations);
 double drawing_cost(double triangles, double times);
 
-/// What a grid, and a mesh whose cells are halved, of so many cells is going to take, about.
+/// Estimated work of a grid, and of a cell tree, with this number of cells.
 MeshWork work_of_grid(double cells);
 MeshWork work_of_halving(double cells);
 

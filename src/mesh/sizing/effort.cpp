@@ -7,7 +7,7 @@ namespace saddle {
 
 namespace {
 
-/// Nanoseconds, of which only ratios matter: a place but for the formula, a look but for the
+/// Nanoseconds, of which only ratios matter: a place without its formula, a look without its
 /// formula, and a step of an Enclosure.
 constexpr double kPlace = 270;
 constexpr double kLook = 20;

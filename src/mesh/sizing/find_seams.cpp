@@ -3,16 +3,16 @@
 #include <array>
 #include <vector>
 
+#include "mesh/model/tolerances.h"
+
 namespace saddle {
 namespace {
 
-/// Edges closer than this part of the diagonal meet; see kJoinFraction of weld.cpp.
-constexpr double kSeam = 1e-9;
-/// Where they are compared, in parts of their length.
+/// The places at which edges are compared, in parts of their lengths.
 constexpr std::array kComparedAt = {0.07, 0.19, 0.41, 0.83};
 
 bool is_near(const dvec3& a, const dvec3& b, double diagonal) {
-  return glm::distance(a, b) <= kSeam * diagonal;  // not so for NaN
+  return glm::distance(a, b) <= kSamePosition * diagonal;  // false for NaN
 }
 
 Seam find_seam(const Surface& surface, double diagonal, bool along_v) {

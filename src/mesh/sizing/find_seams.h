@@ -1,4 +1,4 @@
-// How the edges of a surface's domain meet, from a few places on each.
+// Detects seams: which edges of the domain join, from a few places on each.
 #pragma once
 
 #include "mesh/model/seam.h"

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {
 
-/// Cells that rounding may add to a sum of densities; a whole number of them is not exceeded by it.
+/// In cells: the rounding of a sum of densities, which must not add a cell to a whole number.
 constexpr double kRoundingOfSums = 1e-9;
-/// No interval between fixed lines is cut into more cells to begin with.
+/// Most cells of a root grid between two fixed lines.
 constexpr double kMaxPerInterval = 1000;
-/// Lines that are this near to each other, as a part of the range, are one.
+/// In ranges: lines nearer to each other are one.
 constexpr double kSameLine = 1e-6;
 
 /// Cells between two fixed lines.

@@ -3,55 +3,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "base/random.h"
 #include "eval/batch.h"
 #include "mesh/sizing/find_seams.h"
-#include "mesh/sizing/place_lines.h"
 
 namespace saddle {
 namespace {
 
-/// Columns and rows of the probe. Features narrower than a cell of it are found by refinement.
-constexpr std::size_t kProbes = 64;
-/// Largest shift of a probe's line from the middle of its stretch, in stretches: a surface that
-/// oscillates in step with an even grid does not with this one.
+/// Largest shift of a column or row from the middle of its stretch, in stretches: a surface that
+/// oscillates in step with an even grid is not in step with this one.
 constexpr double kProbeJitter = 0.4;
-/// Density falls by at most this factor from one probe to the next, and to no less than this share
-/// of the largest: a straight stretch between curved ones is not skipped in one step.
-constexpr double kFallOff = 0.7;
-const double kFloor = 0.02;
-/// No stretch is denser than so many times its neighbours: at 2 surfaces that end at upright
-/// tangents take up to half as many triangles as without, at 3 more, others the same.
-constexpr double kRise = 2;
-/// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
-constexpr int kRatios = 6;
-/// Every fourth sample of a column or row, next to those of its neighbours on a slant, is enough to
-/// tell which ratio is best.
-constexpr std::size_t kEveryForRatio = 4;
-/// Times that cells are given a shape, at first the ratio's.
-constexpr int kPasses = 3;
-/// A cell that is off by so many tolerances at a sample is no cell that most of a line is good for:
-/// its own tests might not see why.
-constexpr double kFarTooLarge = 4;
-/// A dip of |r_u x r_v| is to less than this part of the largest so many samples away: beside a
-/// zero that is between samples to less than half.
+/// In a dip |r_u x r_v| is less than 0.7 of the largest up to 2 samples away. Beside a zero between
+/// samples it is less than half of that.
 constexpr double kDip = 0.7;
 constexpr std::size_t kDipReach = 2;
-/// Lines through singular points that a grid takes each way, for them to be vertices.
-constexpr std::size_t kMostLines = 16;
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-/// |r_u x r_v| is 0 along an edge if it is less than this part of what it is beside it.
+/// |r_u x r_v| along an edge is 0 if it is less than this part of the largest beside the edge.
 constexpr double kNoArea = 1e-6;
 
 /// The middles of even stretches of [first, last], each shifted.
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < kProbes; ++i) {
+  for (std::size_t i = 0; i < Probe::kLines; ++i) {
     const double shift = kProbeJitter * (2 * random_unit(key + i) - 1);
-    const double part = (static_cast<double>(i) + 0.5 + shift) / kProbes;
+    const double part = (static_cast<double>(i) + 0.5 + shift) / Probe::kLines;
     values.push_back(first * (1 - part) + last * part);
   }
   return values;
@@ -92,57 +68,11 @@ std::array<double, 2> largest_areas(const GridColumns& tangents, std::size_t col
   return largest;
 }
 
-/// What the neighbours of a stretch do not ask for is a feature narrower than it, or there is a
-/// boundary or a line beside which second derivatives are endless: the probe's density is that of
-/// one place, not of the stretch. Both are left to local refinement.
-void limit_newton_step(std::vector<double>& density) {
-  const std::vector<double> asked = density;
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    const double before = i > 0 ? asked[i - 1] : 0;
-    const double after = i + 1 < asked.size() ? asked[i + 1] : 0;
-    density[i] = std::min(density[i], kRise * std::max(before, after));
-  }
-}
-
-void limit_fall_off(std::vector<double>& density) {
-  const double least = kFloor * *std::ranges::max_element(density);
-  for (double& d : density) d = std::max(d, least);
-  for (std::size_t i = 1; i < density.size(); ++i) {
-    density[i] = std::max(density[i], kFallOff * density[i - 1]);
-  }
-  for (std::size_t i = density.size() - 1; i-- > 0;) {
-    density[i] = std::max(density[i], kFallOff * density[i + 1]);
-  }
-}
-
-/// Where edges meet, both need the density of the other, and where one is folded, each half.
-void share_density(const Seam& seam, const std::array<bool, 2>& folded,
-                   std::vector<double>& density) {
-  static_assert(kProbes % 2 == 0);
-  if (seam.reversed || folded[0] || folded[1]) {
-    for (std::size_t i = 0; i < density.size(); ++i) {
-      density[i] = std::max(density[i], density[density.size() - 1 - i]);
-    }
-  }
-  if (!seam.shift.any()) return;
-  const std::vector<double> own = density;
-  const auto count = static_cast<double>(own.size());
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    for (unsigned k = 1; k < seam.shift.of; ++k) {
-      // A stretch that is shifted lies on two.
-      const double at = Shift{k, seam.shift.of}(static_cast<double>(i), count);
-      const auto lower = static_cast<std::size_t>(at);
-      const std::size_t upper = at > std::floor(at) ? (lower + 1) % own.size() : lower;
-      density[i] = std::max({density[i], own[lower], own[upper]});
-    }
-  }
-}
-
 }  // namespace
 
 Probe::Probe(const Surface& surface, unsigned threads)
     : u_(jittered(surface.domain.u0, surface.domain.u1, 0)),
-      v_(jittered(surface.domain.v0, surface.domain.v1, kProbes)),
+      v_(jittered(surface.domain.v0, surface.domain.v1, kLines)),
       domain_(surface.domain) {
   sample_inside(surface, threads);
   sample_edges(surface, threads);
@@ -237,8 +167,8 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
 
 double Probe::area_beside(bool along_u, std::size_t end) const {
   double largest = 0;
-  for (std::size_t k = 0; k < kProbes; ++k) {
-    const double inside = area(along_u, k, end == 0 ? 0 : kProbes - 1);
+  for (std::size_t k = 0; k < kLines; ++k) {
+    const double inside = area(along_u, k, end == 0 ? 0 : kLines - 1);
     if (std::isfinite(inside)) largest = std::max(largest, inside);
   }
   return largest;
@@ -267,156 +197,6 @@ std::vector<dvec3> Probe::positions() const {
   return positions;
 }
 
-std::vector<SecondForm> Probe::bends(const Tolerance& tolerance) const {
-  std::vector<SecondForm> bends;
-  bends.reserve(samples_.size());
-  for (const Sample& s : samples_) {
-    const double per_eps = s.regular ? 1 / tolerance(s.position) : 0;
-    bends.push_back({per_eps * s.L, per_eps * s.M, per_eps * s.N});
-  }
-  return bends;
-}
-
-SizingField Probe::along_edges(const Tolerance& tolerance) const {
-  const auto largest = [&](std::size_t lines, std::span<const EdgeSample> edges) {
-    std::vector<double> sizing(lines, 0.0);
-    for (const EdgeSample& edge : edges) {
-      double& d = sizing[edge.line];
-      d = std::max(d, density_for(edge.across / (2 * tolerance(edge.position))));
-    }
-    return sizing;
-  };
-  return {largest(u_.size(), edges_along_u_), largest(v_.size(), edges_along_v_)};
-}
-
-void Probe::complete(const SizingField& along_edges, SizingField& sizing) const {
-  const auto follow = [](const std::vector<double>& edges, std::vector<double>& lines) {
-    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = std::max(lines[k], edges[k]);
-  };
-  limit_newton_step(sizing.of_u);
-  limit_newton_step(sizing.of_v);
-  follow(along_edges.of_u, sizing.of_u);
-  follow(along_edges.of_v, sizing.of_v);
-  share_density(seams_.u, seams_.folded_u, sizing.of_v);
-  share_density(seams_.v, seams_.folded_v, sizing.of_u);
-  limit_fall_off(sizing.of_u);
-  limit_fall_off(sizing.of_v);
-}
-
-FixedLines Probe::fixed_lines(const FixedLines& drawn, const SingularSet& singular) const {
-  const auto through = [&](int axis, std::vector<double> lines) {
-    for (const dvec2& uv : singular.points) lines.push_back(uv[axis]);
-    for (const dvec2& uv : singular.without_limit) lines.push_back(uv[axis]);
-    return lines;
-  };
-  const auto with = [](const std::vector<double>& lines, const std::vector<double>& more,
-                       const Seam& seam, const std::array<bool, 2>& folded) {
-    const std::vector<double> shared = shared_lines(seam, lines);
-    std::vector<double> all = with_lines(shared, more, seam, folded);
-    return all.size() <= shared.size() + kMostLines ? all : shared;
-  };
-  return {with(drawn.u, through(0, singular.lines_u), seams_.v, seams_.folded_v),
-          with(drawn.v, through(1, singular.lines_v), seams_.u, seams_.folded_u)};
-}
-
-double Probe::best_ratio(const FixedLines& fixed, const SizingField& along_edges,
-                         SampledForms bent) const {
-  const double own_ratio = std::fabs((domain_.v1 - domain_.v0) / (domain_.u1 - domain_.u0));
-  const auto cells = [&](int power) {
-    SizingField d = bent.sizing(std::ldexp(own_ratio, power), nullptr);
-    complete(along_edges, d);
-    return total_cells(Cumulative(d.of_u, domain_.u0, domain_.u1), fixed.u) *
-           total_cells(Cumulative(d.of_v, domain_.v0, domain_.v1), fixed.v);
-  };
-  // Sums of powers of the ratio have one valley.
-  int best = 0;
-  double least = cells(best);
-  for (const int step : {4, 2, 1}) {
-    for (const int way : {-step, step}) {
-      const int before = best;
-      while (std::abs(best + way) <= kRatios) {
-        const double next = cells(best + way);
-        if (!(next < least)) break;
-        least = next;
-        best += way;
-      }
-      if (best != before) break;
-    }
-  }
-  return std::ldexp(own_ratio, best);
-}
-
-SizingField Probe::sizing(const FixedLines& fixed, const Tolerance& tolerance) const {
-  const std::vector<SecondForm> bent = bends(tolerance);
-  std::vector<std::uint8_t> regular;
-  regular.reserve(samples_.size());
-  for (const Sample& s : samples_) regular.push_back(s.regular ? 1 : 0);
-  const SizingField edges = along_edges(tolerance);
-  const double ratio =
-      best_ratio(fixed, edges, SampledForms(bent, regular, u_.size(), v_.size(), kEveryForRatio));
-  SampledForms all(bent, regular, u_.size(), v_.size(), 1);
-  SizingField sizing;
-  for (int k = 0; k < kPasses; ++k) {
-    sizing = all.sizing(ratio, k > 0 ? &sizing : nullptr);
-    complete(edges, sizing);
-  }
-  return sizing;
-}
-
-FixedLines Probe::place_lines(const FixedLines& fixed, const SizingField& sizing,
-                              double times) const {
-  const auto closer = [times](std::vector<double> lines) {
-    for (double& density : lines) density *= times;
-    return lines;
-  };
-  return {
-      place_between(Cumulative(closer(sizing.of_u), domain_.u0, domain_.u1), fixed.u, seams_.v),
-      place_between(Cumulative(closer(sizing.of_v), domain_.v0, domain_.v1), fixed.v, seams_.u)};
-}
-
-template <class F>
-void Probe::for_sampled_cells(const FixedLines& lines, std::span<const SecondForm> bends,
-                              F f) const {
-  const auto cells = [](std::span<const double> places, std::span<const double> lines_across) {
-    const bool backwards = lines_across.front() > lines_across.back();
-    std::vector<std::size_t> result;
-    for (const double place : places) {
-      const auto next = backwards ? std::ranges::upper_bound(lines_across, place, std::greater())
-                                  : std::ranges::upper_bound(lines_across, place);
-      const auto cell = static_cast<std::size_t>(next - lines_across.begin() - 1);
-      // In a range of few doubles a sample may be its last end.
-      result.push_back(std::min(cell, lines_across.size() - 2));
-    }
-    return result;
-  };
-  const std::vector<std::size_t> columns = cells(u_, lines.u);
-  const std::vector<std::size_t> rows = cells(v_, lines.v);
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    const std::size_t i = columns[s % u_.size()];
-    const std::size_t j = rows[s / u_.size()];
-    const double h = lines.u[i + 1] - lines.u[i];
-    const double k = lines.v[j + 1] - lines.v[j];
-    f(s, SampledCell{i, j, std::fabs(h * k), form_error_of_cell(bends[s], h, k).error});
-  }
-}
-
-std::vector<Counterexample> Probe::counterexamples(const FixedLines& lines,
-                                                   const Tolerance& tolerance) const {
-  const std::vector<SecondForm> bent = bends(tolerance);
-  const dvec2 size = glm::abs(dvec2(domain_.u1 - domain_.u0, domain_.v1 - domain_.v0)) /
-                     static_cast<double>(kProbes);
-  std::vector<Counterexample> result;
-  for_sampled_cells(lines, bent, [&](std::size_t s, const SampledCell& cell) {
-    if (!(cell.error > kFarTooLarge)) return;
-    result.push_back({{u_[s % u_.size()], v_[s / u_.size()]},
-                      samples_[s].position,
-                      size,
-                      {std::fabs(bent[s].L), std::fabs(bent[s].N)},
-                      cell.j * (lines.u.size() - 1) + cell.i});
-  });
-  return result;
-}
-
 LinearizationErrors Probe::linearization_errors(const dvec2& size,
                                                 const Tolerance& tolerance) const {
   LinearizationErrors result{u_, v_, {}};
@@ -425,21 +205,21 @@ LinearizationErrors Probe::linearization_errors(const dvec2& size,
     const dvec2 linearization_error = size * size * sample.bends / 8.0;
     result.values.push_back(is_finite(sample.position)
                                 ? linearization_error / tolerance(sample.position)
-                                : dvec2(kNotKnown));
+                                : dvec2(std::numeric_limits<double>::quiet_NaN()));
   }
   return result;
 }
 
 bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
   const std::array<bool, 2>& singular_ends = along_v ? singular_ends_v_ : singular_ends_u_;
-  if ((k < kDipReach && singular_ends[0]) || (k + kDipReach >= kProbes && singular_ends[1])) {
+  if ((k < kDipReach && singular_ends[0]) || (k + kDipReach >= kLines && singular_ends[1])) {
     return false;
   }
   const double own = area(along_v, line, k);
   if (k > 0 && area(along_v, line, k - 1) < own) return false;  // as most are
-  if (k + 1 < kProbes && area(along_v, line, k + 1) < own) return false;
+  if (k + 1 < kLines && area(along_v, line, k + 1) < own) return false;
   double largest = 0;
-  for (std::size_t at = k - std::min(k, kDipReach); at <= std::min(k + kDipReach, kProbes - 1);
+  for (std::size_t at = k - std::min(k, kDipReach); at <= std::min(k + kDipReach, kLines - 1);
        ++at) {
     const double other = area(along_v, line, at);
     if (std::isfinite(other)) largest = std::max(largest, other);
@@ -463,29 +243,19 @@ Dips Probe::dips() const {
   return dips;
 }
 
-/// Cells that are too large by a factor become as many: errors grow with areas.
-GridForecast Probe::grid_forecast(const FixedLines& lines, const Tolerance& tolerance) const {
-  const double stretch = std::fabs((domain_.u1 - domain_.u0) * (domain_.v1 - domain_.v0)) /
-                         static_cast<double>(samples_.size());
-  GridForecast grid_forecast;
-  for_sampled_cells(lines, bends(tolerance), [&](std::size_t s, const SampledCell& cell) {
-    grid_forecast.is_regular = grid_forecast.is_regular && samples_[s].regular;
-    grid_forecast.worst = std::max(grid_forecast.worst, cell.error);
-    grid_forecast.cells += stretch / cell.area * std::max(1.0, cell.error);
-  });
-  return grid_forecast;
+double Probe::stretch() const {
+  return std::fabs((domain_.u1 - domain_.u0) * (domain_.v1 - domain_.v0)) /
+         static_cast<double>(samples_.size());
 }
 
 double Probe::least_triangles(const Tolerance& tolerance) const {
   constexpr double kConvex = 0.3849;  // 2 / (3 sqrt 3)
   constexpr double kSaddle = 0.2236;  // 1 / (2 sqrt 5)
-  const double stretch = std::fabs((domain_.u1 - domain_.u0) * (domain_.v1 - domain_.v0)) /
-                         static_cast<double>(samples_.size());
   double sum = 0;
   for (const Sample& s : samples_) {
     if (s.regular) sum += (s.saddle ? kSaddle : kConvex) * s.sqrt_k / tolerance(s.position);
   }
-  return sum * stretch;
+  return sum * stretch();
 }
 
 }  // namespace saddle

@@ -9,12 +9,12 @@
 namespace saddle {
 namespace {
 
-/// A column is as dense as this share of its samples want; the rest is refined locally. At 1 a
-/// narrow peak would draw its lines through the whole domain; over the gallery 0.9 takes a tenth
+/// A column is dense enough for this share of its samples; cells at the others are refined locally.
+/// At 1 the lines of a narrow peak would cross the whole domain; over the gallery 0.9 takes 10 %
 /// more triangles than 0.5.
 constexpr double kDensityShare = 0.5;
 
-/// Where each column or row begins, and the end, from how many samples are in it.
+/// The index at which each column or row begins, and the total, from the numbers of their samples.
 std::vector<std::size_t> begins(std::span<const std::uint32_t> counts) {
   std::vector<std::size_t> begins(counts.size() + 1, 0);
   std::partial_sum(counts.begin(), counts.end(), begins.begin() + 1);
@@ -77,7 +77,7 @@ SizingField SampledForms::sizing(double rho, const SizingField* shape) {
     const double h = shape != nullptr ? shape->of_v[sample.row] : 1;
     const double k = shape != nullptr ? shape->of_u[sample.column] : rho;
     const FormError cell = form_error_of_cell(sample.bend, h, k);
-    // Of the bound, what the bends along u take, and along v.
+    // Parts of the bound along u and along v, scaled to the error.
     const double share = cell.bound > 0 ? cell.error / cell.bound : 1;
     asked_by_columns_[sample.in_column] = (std::fabs(L) + rho * std::fabs(M)) * share;
     asked_by_rows_[sample.in_row] = (std::fabs(N) + std::fabs(M) / rho) * share;

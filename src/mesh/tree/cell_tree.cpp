@@ -12,17 +12,12 @@
 #include "mesh/features/removable.h"
 #include "mesh/features/singular.h"
 #include "mesh/grid/weld.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
-namespace {
-
-/// A place between two vertices that is this near to one of them, beside their distance, counts as
-/// the same: what lies between is a sliver made of rounding.
-constexpr double kSameVertex = 1e-9;
-
-}  // namespace
+namespace {}  // namespace
 
 CellTree::CellTree(const Surface& surface, Grid& grid, unsigned threads)
     : surface_(surface),
@@ -386,7 +381,7 @@ std::uint32_t CellTree::add_between(std::span<const Between> places, unsigned th
     const dvec2 whole = grid_.mesh.uv[between.b] - from;
     const dvec2 part = between.uv - from;
     double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
-    if (share < kSameVertex || share > 1 - kSameVertex) share = std::round(share);
+    if (share < kSameOnLine || share > 1 - kSameOnLine) share = std::round(share);
     number({static_cast<std::uint32_t>(places_between_.size()), kBetween});
     places_between_.push_back(glm::mix(place_between(between.a), place_between(between.b), share));
     u.push_back(between.uv.x);

@@ -10,8 +10,8 @@
 #include "mesh/grid/lines.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
-#include "mesh/model/parameter_box.h"
 #include "mesh/tree/polygon.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 

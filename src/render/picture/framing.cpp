@@ -15,7 +15,6 @@
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/mesh_report.h"
-#include "mesh/model/parameter_box.h"
 #include "meshing/clip_box.h"
 #include "render/overlay/annotations.h"
 #include "scene/model/camera.h"
@@ -23,6 +22,7 @@
 #include "scene/model/instances.h"
 #include "scene/model/prepare.h"
 #include "scene/model/values.h"
+#include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {

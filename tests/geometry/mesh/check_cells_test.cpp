@@ -14,7 +14,7 @@
 #include "mesh/grid/grid.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/grid/vertex_columns.h"
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 #include "surface_from_text.h"
 
 namespace saddle {

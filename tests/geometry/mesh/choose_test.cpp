@@ -14,6 +14,7 @@
 #include "mesh/mesher/grid_within.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/sizing/cost_model.h"
+#include "mesh/sizing/grid_sizing.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
 #include "meshing/tolerance.h"
@@ -63,7 +64,7 @@ class InGallery {
     double scale = 1;
     for (int k = 0; k < kFinest; ++k, scale /= kFiner) {
       const FixedLines lines =
-          plan->probe.place_lines(plan->fixed, plan->sizing, 1 / std::sqrt(scale));
+          place_lines(plan->probe, plan->fixed, plan->sizing, 1 / std::sqrt(scale));
       GridTrial trial = try_grid(subject_.surface, options_, *plan, lines);
       if (trial.mesh) return std::move(trial.mesh);
       if (trial.excess == 0) break;

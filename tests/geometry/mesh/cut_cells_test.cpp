@@ -12,7 +12,7 @@
 #include "mesh/grid/triangulate.h"
 #include "mesh/mesher/grid_mesh.h"
 #include "mesh/model/mesh_report.h"
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -10,7 +10,7 @@
 #include "mesh/error/validate_many.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/mesher/subdivide.h"
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -1,9 +1,11 @@
 // Boxes and lines of parameters.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/vec.h"
+#include "surface/surface.h"
 
 namespace saddle {
 
@@ -13,6 +15,18 @@ struct ParameterBox {
   dvec2 middle() const { return 0.5 * low + 0.5 * high; }
   dvec2 size() const { return glm::abs(high - low); }
 };
+
+/// The whole domain, in its direction.
+inline ParameterBox box_of(const Domain& domain) {
+  return {{domain.u0, domain.v0}, {domain.u1, domain.v1}};
+}
+
+/// The halves of a box along u (axis 0) or v (axis 1), which share its middle line.
+inline std::array<ParameterBox, 2> halves_of(const ParameterBox& box, int axis) {
+  std::array<ParameterBox, 2> halves = {box, box};
+  halves[0].high[axis] = halves[1].low[axis] = box.middle()[axis];
+  return halves;
+}
 
 /// `cells` + 1 evenly spaced parameters, both ends exact.
 std::vector<double> even_lines(double first, double last, std::size_t cells);

@@ -1,4 +1,4 @@
-#include "mesh/model/parameter_box.h"
+#include "surface/parameter_box.h"
 
 #include <cmath>
 

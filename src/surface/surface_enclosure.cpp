@@ -1,0 +1,18 @@
+#include "surface/surface_enclosure.h"
+
+#include <algorithm>
+
+namespace saddle {
+
+bool are_continuous(std::span<const Interval> bounds) {
+  return std::ranges::all_of(
+      bounds, [](const Interval& a) { return a.defined == Defined::Yes && a.continuous; });
+}
+
+Defined least_defined(std::span<const Interval> bounds) {
+  Defined least = Defined::Yes;
+  for (const Interval& a : bounds) least = std::min(least, a.defined);
+  return least;
+}
+
+}  // namespace saddle

@@ -1,0 +1,51 @@
+// Interval bounds of a surface and its derivatives over boxes of parameters.
+// Source: J. Tupper, "Reliable two-dimensional graphing methods for mathematical formulae with two
+// free variables", 2001.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "eval/enclose.h"
+#include "surface/parameter_box.h"
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// Number of leading outputs of Surface::bounds.
+enum class Bounded : std::uint8_t {
+  Position = 3,            ///< r
+  Tangents = 9,            ///< r, r_u, r_v
+  SecondDerivatives = 18,  ///< r, r_u, r_v, r_uu, r_uv, r_vv
+};
+
+/// Bounds of a surface of second order. One for each thread.
+class SurfaceEnclosure {
+ public:
+  SurfaceEnclosure(const Surface& surface, Bounded outputs)
+      : enclosure_(surface.bounds, static_cast<std::size_t>(outputs)),
+        outputs_(static_cast<std::size_t>(outputs)) {}
+
+  /// Three bounds (x, y, z) for each vector. They are valid until the next call.
+  std::span<const Interval> enclose(const ParameterBox& box) {
+    enclosure_(range_between(box.low.x, box.high.x), range_between(box.low.y, box.high.y),
+               outputs_);
+    return outputs_;
+  }
+  /// The bounds of the last box.
+  std::span<const Interval> last() const { return outputs_; }
+
+ private:
+  Enclosure enclosure_;
+  std::vector<Interval> outputs_;
+};
+
+/// Proved: all are defined in the whole box, without a jump or a pole.
+bool are_continuous(std::span<const Interval> bounds);
+
+/// The least that is proved of any: `No` if one is defined nowhere in the box.
+Defined least_defined(std::span<const Interval> bounds);
+
+}  // namespace saddle
