@@ -40,7 +40,7 @@ dvec2 border(const dvec2& from, const dvec2& way) {
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
                            std::span<const Triangle> triangles) {
-  if (!leaf.on_boundary || leaf.is_split) return;
+  if (leaf.state.cut() != LeafCut::Boundary) return;
   if (!triangles.empty()) return add_chords(leaf, number, triangles);
   singularities_.push_back(number);
   const dvec2 low = tree_.parameters(leaf.low);

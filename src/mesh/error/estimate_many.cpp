@@ -100,7 +100,7 @@ FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& 
   };
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const Leaf& leaf = leaves[k];
-    if (leaf.on_boundary || leaf.is_split || leaf.leads_to_pole) continue;
+    if (!leaf.state.is_whole() || leaf.state.leads_to_pole()) continue;
     which[count] = k;
     tolerance[count] = judge.allowed(leaf);
     take_leaf(leaf, judge, tree, tolerance[count], count, *block);

@@ -69,7 +69,7 @@ PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangle
 SampledError Validator::sampled_error_of(const Leaf& leaf, std::span<const Triangle> triangles,
                                          const dvec2& uv, const SurfacePoint& point,
                                          double known) const {
-  if (!leaf.is_split || triangles.empty())
+  if (!leaf.state.is_cut_by_feature() || triangles.empty())
     return sampled_error(grid_, triangles, uv, point, surface_.flip, known);
   SampledError best{std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
@@ -159,8 +159,8 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.sampled_errors[which[k]] = {};
     sampler_.append(k, leaf, of_leaf, samples);
-    const bool is_special = clip_ || leaf.on_boundary || of_leaf.empty();
-    if (is_special || leaf.is_split) {
+    const bool is_special = clip_ || leaf.state.is_on_boundary() || of_leaf.empty();
+    if (is_special || leaf.state.is_cut_by_feature()) {
       const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
       const auto one_by_one = std::stable_partition(
           first, samples.end(), [&](const ValidationPoint& s) { return !is_special && !s.crease; });
@@ -177,8 +177,8 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     const ValidationPoint& sample = samples[s];
     const std::size_t leaf = which[sample.number];
     // Of a leaf that is cut another piece may be nearer.
-    const bool is_known =
-        found[s] && (!mesh.leaves[leaf].is_split || is_good(found[s]->worst, mesh.allowed[leaf]));
+    const bool is_cut = mesh.leaves[leaf].state.is_cut_by_feature();
+    const bool is_known = found[s] && (!is_cut || is_good(found[s]->worst, mesh.allowed[leaf]));
     if (!is_known) {
       rest.push_back(sample);
       continue;
@@ -186,7 +186,7 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     SampledError& worst = mesh.sampled_errors[leaf];
     worst.distance = std::max(worst.distance, found[s]->worst.distance);
     if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->worst.degrees);
-    if (!mesh.leaves[leaf].is_split && is_worth_a_look(mesh, leaf, found[s]->predicted)) {
+    if (!is_cut && is_worth_a_look(mesh, leaf, found[s]->predicted)) {
       maxima.add(leaf, triangles.of(sample.number), sample.uv);
     }
   }
@@ -224,7 +224,7 @@ void Validator::measure_bends(ValidatedMesh& mesh, std::span<const std::size_t> 
   SharpBends bends(surface_, grid_, tree_, threads_);
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
-    if (leaf.is_split || leaf.on_boundary || clip_) continue;
+    if (!leaf.state.is_whole() || clip_) continue;
     bends.add(mesh, which[k], triangles.of(k));
   }
   bends.measure(mesh);
@@ -241,7 +241,7 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
   const Mesh& of = grid_.mesh;
   for (const std::size_t k : others) {
     const Leaf& leaf = mesh.leaves[which[k]];
-    if (!leaf.is_split || !count_features(leaf, tree_).only_creases) continue;
+    if (!leaf.state.is_cut_by_feature() || !count_features(leaf, tree_).only_creases) continue;
     if (crosses_box(triangles.of(k))) continue;
     const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
     for (const Triangle& t : triangles.of(k)) {
@@ -269,7 +269,7 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
 void Validator::add_left_out(ValidatedMesh& mesh, std::size_t number,
                              std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
-  if (leaf.on_boundary || leaf.is_split || triangles.empty()) return;
+  if (!leaf.state.is_whole() || triangles.empty()) return;
   if (triangles.size() + 2 >= leaf.polygon_size) return;
   const auto& point = grid_.mesh.point;
   for_sides(leaf, tree_, [&](std::uint32_t vertex, std::uint32_t) {

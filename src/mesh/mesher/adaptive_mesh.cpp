@@ -109,7 +109,7 @@ class Finisher {
     double covered = 0;
     for (const Leaf& leaf : mesh_.leaves) {
       const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
-      if (!leaf.on_boundary || has_only_thin_holes(leaf)) {
+      if (!leaf.state.is_on_boundary() || has_only_thin_holes(leaf)) {
         covered += std::fabs(size.x * size.y);
         continue;
       }
@@ -180,7 +180,7 @@ class Finisher {
     if (!tree_.has_features()) return;
     std::set<Side> seen;
     for (const Leaf& leaf : mesh_.leaves) {
-      if (!leaf.on_boundary && !leaf.is_split) continue;
+      if (leaf.state.is_whole()) continue;
       for (const Side& side : sides_of(leaf, tree_)) {
         const auto feature = tree_.feature(side[0], side[1]);
         if (feature && feature->kind == kind && seen.insert(side).second) f(side, *feature);

@@ -123,9 +123,9 @@ std::size_t AdaptiveMesher::reach_extremes() {
 /// Whether a leaf would be cut into the same triangles as when it was measured.
 bool AdaptiveMesher::has_lasting_triangles(std::size_t number) const {
   const Leaf& leaf = mesh_.leaves[number];
-  if (leaf.is_left_out) return false;
+  if (leaf.state.is_left_out()) return false;
   if (!tree_.has_changed(leaf, mesh_.made[number])) return true;
-  if (leaf.is_split || leaf.on_boundary || tree_.may_be_crossed(leaf)) return false;
+  if (!leaf.state.is_whole() || tree_.may_be_crossed(leaf)) return false;
   // Something has changed nearby: not this leaf, if what was around it still is, and all of that
   // are vertices and points of their own.
   std::uint32_t count = 0;
@@ -205,7 +205,7 @@ bool AdaptiveMesher::crosses_box(const Leaf& leaf) const {
 }
 
 double AdaptiveMesher::width(const Leaf& leaf) const {
-  if (leaf.on_boundary) {
+  if (leaf.state.is_on_boundary()) {
     Bounds bounds;
     double area = 0;
     for (const Polygon& sub_polygon : sub_polygons(leaf, tree_)) {
@@ -332,11 +332,11 @@ bool AdaptiveMesher::splits_u(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_far = mesh_.off(number) > 1;
   if (const auto predicted = predicted_.splits_predicted_u(leaf, tree_)) return *predicted;
-  if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.is_split) {
+  if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.state.is_cut_by_feature()) {
     if (const auto along_u = flat_sub_polygon_along_u(leaf, tree_)) return *along_u;
   }
   if (is_far && mesh_.sampled_errors[number].on_crease) return is_cut_along_u(leaf, tree_);
-  if (leaf.on_boundary) return indicator_.splits_boundary_u(leaf);
+  if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
   if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_across_u(leaf);
   const CellError error = indicator_.estimate(leaf);
   const ErrorRatios ratios = is_far ? error.distance : error.turn;
@@ -362,7 +362,7 @@ bool AdaptiveMesher::has_singular_side(const SampleVertices& samples, std::size_
 /// Or a side of it is a piece of its own, with vertices that the others do not have.
 bool AdaptiveMesher::is_cut_unclearly(std::size_t number) const {
   const Leaf& leaf = mesh_.leaves[number];
-  if (!leaf.is_split || leaf.frozen) return false;
+  if (!leaf.state.is_cut_by_feature() || !leaf.state.may_be_halved()) return false;
   const FeatureCount cuts = count_features(leaf, tree_);
   if (cuts.only_creases) return mesh_.triangles.ranges[number].has_flat_sub_polygon;
   return !cuts.is_through();
@@ -398,9 +398,9 @@ Oscillation AdaptiveMesher::oscillation() const {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     if (!oscillates_ && mesh_.is_near(k)) continue;
     const Leaf& leaf = mesh_.leaves[k];
-    if (leaf.oscillates) {
+    if (leaf.state.oscillates()) {
       oscillation.add(leaf, tree_);
-    } else if (!leaf.leads_to_pole && !mesh_.is_near(k)) {
+    } else if (!leaf.state.leads_to_pole() && !mesh_.is_near(k)) {
       oscillation.add(leaf, {.centre = mesh_.off(k)}, tree_);
     }
   }
@@ -409,10 +409,11 @@ Oscillation AdaptiveMesher::oscillation() const {
 
 /// Stops at a leaf that deviates too much but is not to be halved any more, and tells it why.
 bool AdaptiveMesher::stop_if_done(Leaf& leaf, const Oscillation& oscillation) {
-  if (leaf.frozen || leaf.oscillates || is_clipped(leaf) || stop_if_full()) return true;
-  leaf.oscillates = oscillation.contains(leaf, tree_);
-  if (leaf.oscillates && !oscillates_) oscillates_ = tree_.parameters(leaf.middle());
-  return leaf.oscillates;
+  if (!leaf.state.may_be_halved() || is_clipped(leaf) || stop_if_full()) return true;
+  if (!oscillation.contains(leaf, tree_)) return false;
+  leaf.state.stop_at_oscillation();
+  if (!oscillates_) oscillates_ = tree_.parameters(leaf.middle());
+  return true;
 }
 
 /// Halves of the leaves that deviate too much, among those that were measured since the last time,
@@ -424,9 +425,10 @@ std::vector<Leaf> AdaptiveMesher::take_failed() {
   std::vector<Leaf> halves;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     Leaf& leaf = mesh_.leaves[k];
-    const bool is_cut_anew = leaf.is_split && tree_.has_changed(leaf, taken_);
+    const bool is_cut = leaf.state.is_cut_by_feature();
+    const bool is_cut_anew = is_cut && tree_.has_changed(leaf, taken_);
     if (leaf.measured <= taken_ && !is_cut_anew) continue;
-    if (mesh_.is_near(k) && !leaf.is_split && !is_turned(k)) continue;
+    if (mesh_.is_near(k) && !is_cut && !is_turned(k)) continue;
     const double off = mesh_.off(k);
     const double turned = turn(k);
     if (!(off > 1) && !(turned > 1) && !is_cut_unclearly(k)) continue;
@@ -435,7 +437,7 @@ std::vector<Leaf> AdaptiveMesher::take_failed() {
     const auto both = halve(leaf, splits_u(k), tree_);
     if (!both) continue;
     failed.push_back(k);
-    const double safer = leaf.is_split ? 1 : std::clamp(off, 1.0, kMostSafety);
+    const double safer = is_cut ? 1 : std::clamp(off, 1.0, kMostSafety);
     for (Leaf half : *both) {
       half.safety *= static_cast<float>(safer);
       half.normal_safety *= static_cast<float>(std::clamp(turned, 1.0, kMostSafety));
@@ -547,7 +549,8 @@ std::vector<std::size_t> AdaptiveMesher::find_points_without_limit(
   std::set<std::size_t> leaves;
   for (const UnprovedBox& unproved_box : unproved_boxes) {
     const Leaf& leaf = mesh_.leaves[unproved_box.patch];
-    const bool is_done = leaf.frozen || leaf.oscillates || leaf.leads_to_pole || is_clipped(leaf);
+    const bool is_done =
+        !leaf.state.may_be_halved() || leaf.state.leads_to_pole() || is_clipped(leaf);
     if (unproved_box.may_jump && !is_done) leaves.insert(unproved_box.patch);
   }
   std::vector<Side> sides;
@@ -557,8 +560,9 @@ std::vector<std::size_t> AdaptiveMesher::find_points_without_limit(
   std::vector<std::size_t> without_limit;
   for (const std::size_t k : leaves) {
     Leaf& leaf = mesh_.leaves[k];
-    leaf.is_split = count_features(leaf, tree_).features > 0;
-    if (leaf.is_split) without_limit.push_back(k);
+    const bool is_cut = count_features(leaf, tree_).features > 0;
+    leaf.state.set_features(is_cut, false);
+    if (is_cut) without_limit.push_back(k);
   }
   return without_limit;
 }

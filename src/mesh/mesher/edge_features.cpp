@@ -431,12 +431,12 @@ std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<
       Leaf& leaf = leaves[k];
       if (!tree.has_changed(leaf, leaf.bisected)) continue;
       leaf.bisected = now;
-      if (!leaf.is_split && tree.may_be_crossed(leaf) && is_crossed(leaf, tree)) {
-        leaf.is_split = true;
-        leaf.leads_to_pole = count_features(leaf, tree).leads_to_pole;
+      LeafState& state = leaf.state;
+      if (!state.is_cut_by_feature() && tree.may_be_crossed(leaf) && is_crossed(leaf, tree)) {
+        state.set_features(true, count_features(leaf, tree).leads_to_pole);
         split.push_back(k);
       }
-      if (!leaf.on_boundary && !leaf.is_split) continue;
+      if (state.is_whole()) continue;
       append_unsearched(leaf, tree, sides);
     }
     if (sides.empty() || tree.budget_spent(options.max_triangles)) return split;

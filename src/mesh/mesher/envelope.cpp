@@ -60,8 +60,7 @@ std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
   for (const std::uint32_t point : mesh.point) ++copies[point];
   for (const Leaf& leaf : leaves) {
     const dvec2 size = glm::abs(tree.parameters(leaf.high) - tree.parameters(leaf.low));
-    const bool is_free =
-        !leaf.is_split && !leaf.on_boundary && !leaf.is_left_out && oscillates(leaf);
+    const bool is_free = leaf.state.is_whole() && !leaf.state.is_left_out() && oscillates(leaf);
     for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
       Reach& reach = reaches[vertex];
       reach.size = is_free ? glm::min(reach.size, size) : dvec2(0);

@@ -214,15 +214,16 @@ class Cutter {
 }  // namespace
 
 std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree) {
-  if (leaf.is_left_out) return {};
+  if (leaf.state.is_left_out()) return {};
   Polygon whole = polygon_size(leaf, tree);
-  if (!tree.may_be_crossed(leaf) && !leaf.on_boundary && !leaf.is_split) {
+  if (!tree.may_be_crossed(leaf) && leaf.state.is_whole()) {
     std::vector<Polygon> result;
     result.push_back(std::move(whole));
     return result;
   }
   return Cutter(whole, tree)
-      .take(leaf.is_split, tree.is_defined(leaf.samples.centre), has_opposite_gaps(leaf, tree));
+      .take(leaf.state.is_cut_by_feature(), tree.is_defined(leaf.samples.centre),
+            has_opposite_gaps(leaf, tree));
 }
 
 std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree) {
@@ -248,7 +249,7 @@ std::vector<Side> sides_of(const Leaf& leaf, const CellTree& tree) {
 }
 
 std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, const CellTree& tree) {
-  if (leaf.on_boundary || leaf.is_split || leaf.is_left_out) return std::nullopt;
+  if (!leaf.state.is_whole() || leaf.state.is_left_out()) return std::nullopt;
   const auto& corners = leaf.samples.corner;
   for (std::size_t k = 0; k < 4; ++k) {
     if (tree.is_halved(leaf, k) || !tree.is_defined(corners[k])) return std::nullopt;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "mesh/tree/leaf_state.h"
+
 namespace saddle {
 
 /// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
@@ -33,22 +35,16 @@ struct SampleVertices {
 /// A rectangle of the refined grid.
 struct Leaf {
   DyadicPoint low, high;
-  SampleVertices samples =
-      {};                    ///< known once it was judged: nobody has to look its vertices up again
-  bool on_boundary = false;  ///< not defined at all of its samples
-  std::uint8_t stagnation = 0;         ///< halvings in a row that did not help distances
-  std::uint8_t normal_stagnation = 0;  ///< nor normals
-  bool is_split = false;               ///< a jump, a pole or a crease goes through it
-  bool leads_to_pole = false;          ///< the surface goes to infinity between two of its vertices
-  bool is_left_out = false;            ///< with a point in it that is a pole or has no limit
-  bool frozen = false;                 ///< halving does not help, or is not allowed
-  bool oscillates = false;             ///< an Oscillation that it is part of stopped its halving
-  std::uint32_t bisected = 0;  ///< when crossings into it were followed: CellTree::next_revision()
-  std::uint32_t measured = 0;  ///< when it was, or found to have the outline that it had then
-  std::uint32_t polygon_size = 0;  ///< vertices around it when it was measured
-  std::uint8_t sought = 0;         ///< halvings of its root cell until it was defined somewhere
-  float known_error = 0;           ///< what its tests found, in tolerances
-  /// How much worse fresh samples found ancestors than their tests had: distances and normals.
+  SampleVertices samples = {};  ///< known once the leaf was estimated
+  LeafState state = {};
+  std::uint8_t stagnation = 0;         ///< consecutive halvings that did not reduce the distance
+  std::uint8_t normal_stagnation = 0;  ///< the same of the error of normals
+  std::uint8_t sought = 0;             ///< halvings of the root cell until a sample was defined
+  std::uint32_t bisected = 0;          ///< revision at which features of its sides were followed
+  std::uint32_t measured = 0;          ///< revision at which it was validated with its polygon
+  std::uint32_t polygon_size = 0;      ///< vertices of its cell polygon at that revision
+  float known_error = 0;               ///< the error indicator when halving ended, in tolerances
+  /// Largest ratio of sampled error to tolerance among its ancestors: distances and normals.
   float safety = 1;
   float normal_safety = 1;
 

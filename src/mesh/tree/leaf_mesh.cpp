@@ -58,8 +58,9 @@ std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
   if (!tree.has_singular()) return views;
   const CellMarks& singular_cells = tree.singular_cells();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    if (!leaves[leaf].is_split && !singular_cells.contains(leaves[leaf])) continue;
-    bool is_regular = !leaves[leaf].is_split;
+    const bool is_cut = leaves[leaf].state.is_cut_by_feature();
+    if (!is_cut && !singular_cells.contains(leaves[leaf])) continue;
+    bool is_regular = !is_cut;
     for_sides(leaves[leaf], tree, [&](std::uint32_t a, std::uint32_t) {
       is_regular = is_regular && tree.is_regular(a);
     });
@@ -202,7 +203,7 @@ class Chains {
   Chains(const Grid& grid, const CellTree& tree, std::span<const Leaf> leaves)
       : point_(grid.mesh.point), tree_(tree) {
     for (const Leaf& leaf : leaves) {
-      if (!leaf.oscillates) continue;
+      if (!leaf.state.oscillates()) continue;
       for_sides(leaf, tree,
                 [this](std::uint32_t a, std::uint32_t b) { oscillating_.insert(pair_of(a, b)); });
     }

@@ -190,7 +190,7 @@ bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid
   };
   for (const Leaf& leaf : leaves) {
     for_own_sides(leaf, grid, tree, [&](auto a, auto b) { file(a, b, sides); });
-    if (!leaf.is_split) continue;
+    if (!leaf.state.is_cut_by_feature()) continue;
     for_sides_of_sub_polygons(leaf, tree,
                               [&](std::uint32_t a, std::uint32_t b) { file(a, b, cuts); });
   }

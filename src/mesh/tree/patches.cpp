@@ -12,7 +12,7 @@ GapReason worst_feature(const Leaf& leaf, const CellTree& tree) {
   constexpr std::array kReasonOfFeature = {GapReason::Boundary, GapReason::Jump,
                                            GapReason::Pole,     GapReason::Crease,
                                            GapReason::NoLimit,  GapReason::Pole};
-  GapReason worst = leaf.on_boundary ? GapReason::Boundary : GapReason::Crease;
+  GapReason worst = leaf.state.is_on_boundary() ? GapReason::Boundary : GapReason::Crease;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     const auto feature = tree.feature(a, b);
     if (!feature || feature->kind == FeatureKind::Boundary || feature->kind == FeatureKind::Crease)
@@ -34,7 +34,7 @@ std::vector<Patch> patches_of(std::span<const Leaf> leaves, std::span<const doub
                        allowed[k],
                        grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
                        {}});
-    if (leaf.on_boundary || leaf.is_split) patches.back().cut_by = worst_feature(leaf, tree);
+    if (!leaf.state.is_whole()) patches.back().cut_by = worst_feature(leaf, tree);
   }
   return patches;
 }

@@ -158,7 +158,8 @@ TEST(ManyLeaves, LeaveFoldsToACloserLook) {
       ASSERT_TRUE(fast_errors.leaves[k].is_known) << column;
     }
   }
-  subject.leaves[0].is_split = subject.leaves[1].leads_to_pole = true;
+  subject.leaves[0].state.set_features(true, false);
+  subject.leaves[1].state.set_features(false, true);
   EXPECT_EQ(count_known(glances_at(subject)), count_known(fast_errors) - 2);
 }
 
