@@ -25,7 +25,7 @@ void take_leaf(const Leaf& leaf, const ErrorIndicator& judge, const CellTree& tr
   for (std::size_t k = 0; k < 4; ++k) {
     take(mesh, samples.corner[k], i, to.corner[k]);
     take(mesh, samples.side[k], i, to.side[k]);
-    to.counts[k][i] = tree.is_used(samples.side[k]) ? 0 : 1;
+    to.counts[k][i] = tree.vertices().is_used(samples.side[k]) ? 0 : 1;
     to.seen[k][i] = judge.is_seen(leaf, k) ? 1 : 0;
   }
   take(mesh, samples.centre, i, to.centre);
@@ -34,7 +34,7 @@ void take_leaf(const Leaf& leaf, const ErrorIndicator& judge, const CellTree& tr
 
 /// Whether normals of samples are limits, which say nothing of the leaf.
 bool has_limits(const SampleVertices& samples, const CellTree& tree) {
-  const auto is_limit = [&](std::uint32_t vertex) { return !tree.is_regular(vertex); };
+  const auto is_limit = [&](std::uint32_t vertex) { return !tree.geometry().is_regular(vertex); };
   return is_limit(samples.centre) || std::ranges::any_of(samples.corner, is_limit) ||
          std::ranges::any_of(samples.side, is_limit);
 }

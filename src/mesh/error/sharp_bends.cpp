@@ -85,8 +85,8 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
   const Leaf& leaf = mesh.leaves[number];
   const std::optional<Looks> looks = looks_at(mesh, number, triangles);
   if (!looks) return;
-  bends_.push_back(
-      {number, tree_.parameters(leaf.low), tree_.parameters(leaf.high), triangles, *looks});
+  bends_.push_back({number, tree_.vertices().parameters(leaf.low),
+                    tree_.vertices().parameters(leaf.high), triangles, *looks});
 }
 
 std::optional<SharpBends::Looks> SharpBends::looks_at(const ValidatedMesh& mesh, std::size_t number,

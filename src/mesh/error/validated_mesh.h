@@ -20,7 +20,7 @@ struct ValidatedMesh {
   std::vector<double> allowed;
   /// As many ranges as deviations. Triangles that were replaced stay, in no range.
   LeafTriangles triangles;
-  std::vector<std::uint32_t> made;  ///< when triangles were: CellTree::next_revision()
+  std::vector<std::uint32_t> made;  ///< when triangles were: RevisionClock::next()
 
   /// How far off a leaf is, in what is allowed.
   double off(std::size_t leaf) const { return sampled_errors[leaf].distance / allowed[leaf]; }

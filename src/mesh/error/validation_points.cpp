@@ -68,8 +68,8 @@ PlacesInLeaf validation_places(const Leaf& leaf) {
 
 void Sampler::append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      std::vector<ValidationPoint>& samples) const {
-  const dvec2 low = tree_.parameters(leaf.low);
-  const dvec2 high = tree_.parameters(leaf.high);
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 high = tree_.vertices().parameters(leaf.high);
   // Of a leaf that is off by whole waves nobody needs to know where most.
   const bool has_chords = !leaf.state.oscillates();
   const bool is_whole = leaf.state.is_whole();
@@ -105,8 +105,8 @@ void Sampler::append_chords(std::size_t number, const Leaf& leaf,
   // The diagonals of a leaf with more corners were not tested, nor the chords of a crease. Beside
   // chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
-  const dvec2 low = tree_.parameters(leaf.low);
-  const dvec2 size = tree_.parameters(leaf.high) - low;
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];
@@ -138,8 +138,8 @@ void Sampler::append_chords(std::size_t number, const Leaf& leaf,
 /// which an arc above its chord would follow.
 void Sampler::append_singular_sides(const ValidatedMesh& mesh, std::span<const std::size_t> which,
                                     std::vector<ValidationPoint>& samples) const {
-  if (!tree_.has_singular()) return;
-  const CellMarks& cells = tree_.singular_cells();
+  if (!tree_.geometry().has_singular()) return;
+  const CellMarks& cells = tree_.geometry().singular_cells();
   const auto& at = grid_.mesh.uv;
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];

@@ -120,8 +120,8 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
     const Leaf& leaf = mesh.leaves[which[k]];
     const auto two = triangles.of(k);
     numbers.push_back(k);
-    plain.push_back({tree_.parameters(leaf.low),
-                     tree_.parameters(leaf.high),
+    plain.push_back({tree_.vertices().parameters(leaf.low),
+                     tree_.vertices().parameters(leaf.high),
                      {two[0], two[1]},
                      validation_places(leaf)});
   }
@@ -243,7 +243,8 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
     const Leaf& leaf = mesh.leaves[which[k]];
     if (!leaf.state.is_cut_by_feature() || !count_features(leaf, tree_).only_creases) continue;
     if (crosses_box(triangles.of(k))) continue;
-    const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
+    const dvec2 size =
+        tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
     for (const Triangle& t : triangles.of(k)) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t a = t[i];

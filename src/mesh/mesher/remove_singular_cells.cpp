@@ -50,7 +50,7 @@ PointsInLeaves find_points(const Surface& surface, const CellTree& tree, const V
   std::vector<ParameterBox> boxes;
   for (const std::size_t k : unproved_boxes) {
     const Leaf& leaf = mesh.leaves[k];
-    boxes.push_back({tree.parameters(leaf.low), tree.parameters(leaf.high)});
+    boxes.push_back({tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)});
   }
   const auto found = find_point_singularities(surface, boxes, tree.mesh().bounds.diagonal());
   PointsInLeaves points;
@@ -215,11 +215,11 @@ Sides classify_sides(const RefineOptions& options, const CellTree& tree,
     if (leaf.state.is_left_out() || is_clipped(leaf, options.clip, tree)) continue;
     for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
       const Side side = {std::min(a, b), std::max(a, b)};
-      if (const auto feature = tree.feature(a, b)) {
+      if (const auto feature = tree.edges().feature(a, b)) {
         if (!leaves_out(feature->kind)) result.cut.push_back(side);
-      } else if (tree.leads_to_pole(a, b)) {
+      } else if (tree.edges().leads_to_pole(a, b)) {
         result.lead_to_poles.push_back(side);
-      } else if (is_unproved && !tree.is_searched(a, b)) {
+      } else if (is_unproved && !tree.edges().is_searched(a, b)) {
         result.unsearched.push_back(side);
       }
     });
@@ -295,9 +295,10 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
     if (std::ranges::none_of(result, is_same)) result.push_back({places[i], singularities[i]});
   }
   std::vector<const PointSingularity*> to_accept;
-  to_accept.reserve(result.size() + tree.singularities().size());
+  to_accept.reserve(result.size() + tree.geometry().singularities().size());
   for (const PlacedSingularity& placed : result) to_accept.push_back(&placed.singularity);
-  for (const auto& [vertex, singularity] : tree.singularities()) to_accept.push_back(&singularity);
+  for (const auto& [vertex, singularity] : tree.geometry().singularities())
+    to_accept.push_back(&singularity);
   accept_around(std::move(to_accept), tree, mesh);
   return result;
 }
@@ -312,7 +313,7 @@ void cut_walls(const RefineOptions& options, bool search, CellTree& tree, Valida
   follow_features(with_poles, mesh.leaves, tree);
   if (!search || !tree.has_poles()) return;
   for (const auto& [a, b] : sides.unsearched) {
-    const auto feature = tree.feature(a, b);
+    const auto feature = tree.edges().feature(a, b);
     if (feature && !leaves_out(feature->kind)) sides.cut.push_back({a, b});
   }
   find_poles_beside_cuts(sides.cut, with_poles, tree);

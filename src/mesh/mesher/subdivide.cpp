@@ -87,7 +87,7 @@ class Subdivider {
       request_samples(candidate.leaf, tree_);
       leaves.push_back(candidate.leaf);
     }
-    tree_.evaluate(limits_.threads);
+    tree_.geometry().evaluate(limits_.threads);
     const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
     next_.clear();
     oscillation_.clear();
@@ -148,7 +148,7 @@ class Subdivider {
     if (!halves) {
       const int most =
           leaf.state.is_on_boundary() ? most_boundary_halvings(leaf) : kMostCutHalvings;
-      if (done >= most || tree_.is_full(goal_.max_triangles)) leaf.state.freeze();
+      if (done >= most || tree_.budget().is_full(goal_.max_triangles)) leaf.state.freeze();
       result_.leaves.push_back(leaf);
       return;
     }
@@ -190,7 +190,7 @@ class Subdivider {
   void note_oscillation(Leaf& leaf) {
     leaf.state.stop_at_oscillation();
     known_.add(leaf, tree_);
-    if (!result_.oscillates) result_.oscillates = tree_.parameters(leaf.middle());
+    if (!result_.oscillates) result_.oscillates = tree_.vertices().parameters(leaf.middle());
   }
 
   /// Leaves on the boundary. Where the surface goes to infinity there, they are halved until what
@@ -217,7 +217,7 @@ class Subdivider {
   /// Whether one of the samples has no limit: what of the leaf it is a corner of is left out.
   bool has_no_limit(const SampleVertices& samples) const {
     const auto has_none = [this](std::uint32_t vertex) {
-      return tree_.singularity(vertex) == PointSingularity::Kind::NoLimit;
+      return tree_.geometry().singularity(vertex) == PointSingularity::Kind::NoLimit;
     };
     return std::ranges::any_of(samples.corner, has_none) ||
            std::ranges::any_of(samples.side, has_none) || has_none(samples.centre);
@@ -324,7 +324,7 @@ class Subdivider {
     Leaf leaf = estimated.candidate.leaf;
     const CellError& error = estimated.error;
     const double distance = error.distance.worst() * leaf.safety;
-    const bool turn_counts = !tree_.has_many(allowed_for_normals(goal_.max_triangles));
+    const bool turn_counts = !tree_.budget().has_many(allowed_for_normals(goal_.max_triangles));
     const double turn = turn_counts ? error.turn.worst() * leaf.normal_safety : 0;
     // Toward a pole errors grow as leaves shrink: there is always more to do. Beside it, where the
     // surface comes back into sight, there is not.
@@ -368,7 +368,7 @@ class Subdivider {
 
   /// Nothing where the limit is reached.
   std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool across_u) {
-    const bool full = tree_.is_full(goal_.max_triangles);
+    const bool full = tree_.budget().is_full(goal_.max_triangles);
     result_.reached_limit = result_.reached_limit || full;
     return full ? std::nullopt : halve(leaf, across_u, tree_);
   }
@@ -377,8 +377,8 @@ class Subdivider {
   void push(const Leaf& half, const Candidate& whole, double distance, double turn) {
     Candidate candidate{half, {}, distance, turn};
     if (!whole.counterexamples.empty()) {
-      const dvec2 low = tree_.parameters(half.low);
-      const dvec2 size = tree_.parameters(half.high) - low;
+      const dvec2 low = tree_.vertices().parameters(half.low);
+      const dvec2 size = tree_.vertices().parameters(half.high) - low;
       for (const std::uint32_t counterexample : whole.counterexamples) {
         const dvec2 part = (counterexamples_[counterexample].uv - low) / size;
         const bool is_inside = part.x >= 0 && part.x <= 1 && part.y >= 0 && part.y <= 1;
@@ -413,7 +413,8 @@ class Subdivider {
 
 bool has_defined_corner(const Leaf& leaf, const CellTree& tree) {
   bool has = false;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t) { has = has || tree.is_defined(a); });
+  for_sides(leaf, tree,
+            [&](std::uint32_t a, std::uint32_t) { has = has || tree.geometry().is_defined(a); });
   return has;
 }
 

@@ -12,7 +12,7 @@ Polygon polygon_size(const Leaf& leaf, const CellTree& tree) {
   Polygon polygon;
   polygon.reserve(8);
   for (std::size_t k = 0; k < 4; ++k) {
-    tree.walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint place) {
+    tree.vertices().walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint place) {
       polygon.push_back({vertex, {place.u, place.v}});
     });
   }
@@ -22,7 +22,7 @@ Polygon polygon_size(const Leaf& leaf, const CellTree& tree) {
 /// Adds the point of the surface at a singular vertex, if it is not among those yet.
 void add_singular_vertex(std::uint32_t vertex, const CellTree& tree,
                          std::vector<std::uint32_t>& points) {
-  if (tree.is_regular(vertex)) return;
+  if (tree.geometry().is_regular(vertex)) return;
   const std::uint32_t point = tree.mesh().point[vertex];
   if (std::ranges::count(points, point) == 0) points.push_back(point);
 }
@@ -43,7 +43,8 @@ Bounds box_around(const Polygon& polygon) {
 /// Whether a leaf is defined in two opposite corners, and not in the others.
 bool has_opposite_gaps(const Leaf& leaf, const CellTree& tree) {
   std::array<bool, 4> is_defined{};
-  for (std::size_t k = 0; k < 4; ++k) is_defined[k] = tree.is_defined(leaf.samples.corner[k]);
+  for (std::size_t k = 0; k < 4; ++k)
+    is_defined[k] = tree.geometry().is_defined(leaf.samples.corner[k]);
   return is_defined[0] == is_defined[2] && is_defined[1] == is_defined[3] &&
          is_defined[0] != is_defined[1];
 }
@@ -96,7 +97,7 @@ class Cutter {
   }
 
   void append(std::uint32_t vertex) {
-    runs_.back().polygon.push_back({vertex, tree_.place_between(vertex)});
+    runs_.back().polygon.push_back({vertex, tree_.vertices().place_between(vertex)});
   }
 
   void cut() {
@@ -108,33 +109,33 @@ class Cutter {
   void go_on(std::size_t k) {
     const std::uint32_t a = whole_[k].corner;
     const std::uint32_t b = whole_[(k + 1) % whole_.size()].corner;
-    if (tree_.is_defined(a)) {
+    if (tree_.geometry().is_defined(a)) {
       runs_.back().polygon.push_back(whole_[k]);
     } else {
       cut();
       ++boundaries_;
-      if (tree_.singularity(a) == PointSingularity::Kind::Line) ++lines_;
+      if (tree_.geometry().singularity(a) == PointSingularity::Kind::Line) ++lines_;
     }
-    const std::optional<EdgeFeature> feature = tree_.feature(a, b);
+    const std::optional<EdgeFeature> feature = tree_.edges().feature(a, b);
     if (!feature) return;
     const bool far = leaves_out(feature->kind);
-    if (tree_.is_defined(a)) {
+    if (tree_.geometry().is_defined(a)) {
       runs_.back().goes_far = runs_.back().goes_far || far;
       if (!far) append(feature->beside(a));
     }
     if (feature->is_boundary()) ++boundaries_;
-    if (feature->kind == FeatureKind::Face && tree_.is_defined(a)) ++faces_;
+    if (feature->kind == FeatureKind::Face && tree_.geometry().is_defined(a)) ++faces_;
     if (feature->kind == FeatureKind::Crease)
       creases_.push_back({feature->beside(a), place(*feature)});
     cut();
-    if (tree_.is_defined(b)) {
+    if (tree_.geometry().is_defined(b)) {
       runs_.back().goes_far = far;
       if (!far) append(feature->beside(b));
     }
   }
 
   dvec2 place(const EdgeFeature& feature) const {
-    return tree_.place_between(feature.beside_first);
+    return tree_.vertices().place_between(feature.beside_first);
   }
 
   /// The outline is closed: its first run goes on where its last one ends.
@@ -216,13 +217,13 @@ class Cutter {
 std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree) {
   if (leaf.state.is_left_out()) return {};
   Polygon whole = polygon_size(leaf, tree);
-  if (!tree.may_be_crossed(leaf) && leaf.state.is_whole()) {
+  if (!tree.edges().may_be_crossed(leaf) && leaf.state.is_whole()) {
     std::vector<Polygon> result;
     result.push_back(std::move(whole));
     return result;
   }
   return Cutter(whole, tree)
-      .take(leaf.state.is_cut_by_feature(), tree.is_defined(leaf.samples.centre),
+      .take(leaf.state.is_cut_by_feature(), tree.geometry().is_defined(leaf.samples.centre),
             has_opposite_gaps(leaf, tree));
 }
 
@@ -252,11 +253,12 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, cons
   if (!leaf.state.is_whole() || leaf.state.is_left_out()) return std::nullopt;
   const auto& corners = leaf.samples.corner;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tree.is_halved(leaf, k) || !tree.is_defined(corners[k])) return std::nullopt;
+    if (tree.vertices().is_halved(leaf, k) || !tree.geometry().is_defined(corners[k]))
+      return std::nullopt;
   }
-  if (!tree.may_be_crossed(leaf)) return corners;
+  if (!tree.edges().may_be_crossed(leaf)) return corners;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tree.feature(corners[k], corners[(k + 1) % 4])) return std::nullopt;
+    if (tree.edges().feature(corners[k], corners[(k + 1) % 4])) return std::nullopt;
   }
   return corners;
 }
@@ -278,7 +280,7 @@ std::optional<bool> flat_sub_polygon_along_u(const Leaf& leaf, const CellTree& t
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
   bool has_cut = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.feature(a, b);
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
     has_cut = has_cut || (feature && feature->kind == kind);
   });
   return has_cut;
@@ -286,17 +288,17 @@ bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
 
 bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree) {
   const auto& point = tree.mesh().point;
-  return tree.is_defined(a) && tree.is_defined(b) && !tree.is_regular(a) && !tree.is_regular(b) &&
-         point[a] != point[b];
+  return tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
+         !tree.geometry().is_regular(a) && !tree.geometry().is_regular(b) && point[a] != point[b];
 }
 
 bool is_cut_along_u(const Leaf& leaf, const CellTree& tree) {
   Bounds cuts;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.feature(a, b);
-    if (feature) cuts.add(dvec3(tree.place_between(feature->beside_first), 0));
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
+    if (feature) cuts.add(dvec3(tree.vertices().place_between(feature->beside_first), 0));
     if (!is_cusp(a, b, tree)) return;
-    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(tree.place_between(end), 0));
+    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(tree.vertices().place_between(end), 0));
   });
   const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
   const double along_u = size.x / leaf.size_u();
@@ -310,13 +312,14 @@ namespace {
 /// Whether a side from or to a vertex is cut in the place of that vertex, but not at a crease:
 /// there it belongs to both sides.
 bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const CellTree& tree) {
-  const std::optional<EdgeFeature> feature = tree.feature(vertex, other);
+  const std::optional<EdgeFeature> feature = tree.edges().feature(vertex, other);
   return feature && feature->kind == FeatureKind::Jump &&
-         tree.place_between(feature->beside(other)) == tree.place_between(vertex);
+         tree.vertices().place_between(feature->beside(other)) ==
+             tree.vertices().place_between(vertex);
 }
 
 bool is_at_corner(const EdgeFeature& feature, const Leaf& leaf, const CellTree& tree) {
-  const dvec2 place = tree.place_between(feature.beside_first);
+  const dvec2 place = tree.vertices().place_between(feature.beside_first);
   return std::ranges::any_of(leaf.corners(), [&](const DyadicPoint& corner) {
     return place == dvec2(corner.u, corner.v);
   });
@@ -344,13 +347,14 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   std::vector<std::uint32_t> singular;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
-    const std::optional<EdgeFeature> feature = tree.feature(a, b);
-    count.leads_to_pole = count.leads_to_pole || tree.leads_to_pole(a, b);
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
+    count.leads_to_pole = count.leads_to_pole || tree.edges().leads_to_pole(a, b);
     if (!feature) return;
     // A pole that leaves through a vertex at which it is not defined leaves once.
-    if (feature->kind == FeatureKind::Face && !tree.is_defined(a)) return;
-    const bool on_side_of_u = tree.place_between(a).x == tree.place_between(b).x;
-    const std::size_t features = tree.has_more(a, b) ? 2 : 1;
+    if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
+    const bool on_side_of_u =
+        tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
+    const std::size_t features = tree.edges().has_more(a, b) ? 2 : 1;
     count.features += features;
     (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
     if (is_at_corner(*feature, leaf, tree)) {

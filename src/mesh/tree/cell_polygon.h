@@ -23,7 +23,7 @@ void for_sides(const Leaf& leaf, const CellTree& tree, F f) {
   const std::uint32_t first = leaf.samples.corner[0];
   std::uint32_t before = first;
   for (std::size_t k = 0; k < 4; ++k) {
-    tree.walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint) {
+    tree.vertices().walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint) {
       if (vertex == first) return;
       f(before, vertex);
       before = vertex;

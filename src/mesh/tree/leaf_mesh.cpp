@@ -55,21 +55,21 @@ struct View {
 std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
                                  const CellTree& tree) {
   std::vector<View> views;
-  if (!tree.has_singular()) return views;
-  const CellMarks& singular_cells = tree.singular_cells();
+  if (!tree.geometry().has_singular()) return views;
+  const CellMarks& singular_cells = tree.geometry().singular_cells();
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
     const bool is_cut = leaves[leaf].state.is_cut_by_feature();
     if (!is_cut && !singular_cells.contains(leaves[leaf])) continue;
     bool is_regular = !is_cut;
     for_sides(leaves[leaf], tree, [&](std::uint32_t a, std::uint32_t) {
-      is_regular = is_regular && tree.is_regular(a);
+      is_regular = is_regular && tree.geometry().is_regular(a);
     });
     if (is_regular) continue;
     const std::vector<Polygon> polygons = sub_polygons(leaves[leaf], tree);
     for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
       const Polygon& polygon = polygons[sub_polygon];
       for (const PolygonCorner& corner : polygon) {
-        if (tree.is_regular(corner.corner)) continue;
+        if (tree.geometry().is_regular(corner.corner)) continue;
         views.push_back(
             {corner.corner, leaf, sub_polygon, face_normal(grid, polygon), middle(grid, polygon)});
       }
@@ -106,8 +106,9 @@ std::uint32_t cell_cut_before(const Leaf& leaf, const std::array<std::uint32_t, 
   if (leaf.size_u() != kCellUnit || leaf.size_v() != kCellUnit) return kNoCell;
   const std::size_t cell = grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
   const bool is_cut =
-      grid.cells[cell] == GridCell::Two &&
-      std::ranges::all_of(corners, [&](std::uint32_t corner) { return tree.is_regular(corner); });
+      grid.cells[cell] == GridCell::Two && std::ranges::all_of(corners, [&](std::uint32_t corner) {
+        return tree.geometry().is_regular(corner);
+      });
   return is_cut ? static_cast<std::uint32_t>(cell) : kNoCell;
 }
 
@@ -213,7 +214,7 @@ class Chains {
   void go_to(std::uint32_t vertex) {
     if (before_) cross(*before_, vertex);
     if (before_ && oscillating_.contains(pair_of(*before_, vertex))) interrupt();
-    if (tree_.is_defined(vertex)) {
+    if (tree_.geometry().is_defined(vertex)) {
       append(vertex);
     } else {
       interrupt();
@@ -229,7 +230,7 @@ class Chains {
  private:
   /// Goes to the next vertex by way of what is between.
   void cross(std::uint32_t from, std::uint32_t to) {
-    const std::optional<EdgeFeature> feature = tree_.feature(from, to);
+    const std::optional<EdgeFeature> feature = tree_.edges().feature(from, to);
     if (!feature) return;
     if (leaves_out(feature->kind)) return interrupt();
     append(feature->beside(from));
@@ -341,7 +342,7 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   result.all.reserve(2 * which.size());
   result.ranges.reserve(which.size());
   const auto choose_corner = [&](std::size_t leaf, std::size_t sub_polygon, std::uint32_t& vertex) {
-    if (!tree.is_regular(vertex)) vertex = singular.corner(leaf, sub_polygon, vertex);
+    if (!tree.geometry().is_regular(vertex)) vertex = singular.corner(leaf, sub_polygon, vertex);
   };
   PlainCutter cutter(grid);
   const auto add_plain = [&](std::size_t leaf, std::array<std::uint32_t, 4> corners) {
@@ -389,8 +390,9 @@ std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const CellT
   Chains chains(grid, tree, leaves);
   const auto follow = [&](std::size_t cells, auto place_of) {
     const auto go_to = [&](std::uint32_t vertex, DyadicPoint) { chains.go_to(vertex); };
-    for (std::size_t k = 0; k < cells; ++k) tree.walk(place_of(k), place_of(k + 1), go_to);
-    chains.go_to(tree.used_vertex(place_of(cells)).value());
+    for (std::size_t k = 0; k < cells; ++k)
+      tree.vertices().walk(place_of(k), place_of(k + 1), go_to);
+    chains.go_to(tree.vertices().used_vertex(place_of(cells)).value());
     chains.end_line();
   };
   const auto unit = [](std::size_t line) { return static_cast<std::uint32_t>(line) * kCellUnit; };

@@ -38,8 +38,8 @@ void use_middles_of_folds(const Seams& seams, const Grid& grid, CellTree& tree) 
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
   for (std::uint32_t k = 0; k < 2; ++k) {
-    if (seams.folded_u[k]) tree.use(tree.vertex({k * end_u, end_v / 2}));
-    if (seams.folded_v[k]) tree.use(tree.vertex({end_u / 2, k * end_v}));
+    if (seams.folded_u[k]) tree.vertices().use(tree.vertices().vertex({k * end_u, end_v / 2}));
+    if (seams.folded_v[k]) tree.vertices().use(tree.vertices().vertex({end_u / 2, k * end_v}));
   }
 }
 
@@ -75,10 +75,10 @@ class Poles {
   void add(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t point = grid_.mesh.point[a];
     if (point != grid_.mesh.point[b]) return;
-    const dvec2 place = tree_.place_between(a);
+    const dvec2 place = tree_.vertices().place_between(a);
     const auto [found, is_new] = ways_.try_emplace(point, Ways{place, place});
     Ways& ways = found->second;
-    for (const dvec2& other : {place, tree_.place_between(b)}) {
+    for (const dvec2& other : {place, tree_.vertices().place_between(b)}) {
       ways.low = glm::min(ways.low, other);
       ways.high = glm::max(ways.high, other);
     }
@@ -125,15 +125,15 @@ class Poles {
 std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& grid,
                                                const CellTree& tree) {
   std::vector<SeamSide> result;
-  for (const Side& side : tree.sides_with_features()) {
-    const DyadicPoint a = tree.place(side[0]);
-    const DyadicPoint b = tree.place(side[1]);
+  for (const Side& side : tree.edges().sides_with_features()) {
+    const DyadicPoint a = tree.vertices().place(side[0]);
+    const DyadicPoint b = tree.vertices().place(side[1]);
     if (a.u != b.u && a.v != b.v) continue;
     const auto place_c = partner(seams, grid, a);
     const auto place_d = place_c ? partner(seams, grid, b) : std::nullopt;
     if (!place_d) continue;
-    const auto vertex_c = tree.used_vertex(*place_c);
-    const auto vertex_d = tree.used_vertex(*place_d);
+    const auto vertex_c = tree.vertices().used_vertex(*place_c);
+    const auto vertex_d = tree.vertices().used_vertex(*place_d);
     if (!vertex_c || !vertex_d) continue;
     // Both ends are on a seam; the side is, if its partners are as far apart.
     const bool along_u = a.v == b.v;
@@ -152,21 +152,21 @@ void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTr
   use_middles_of_folds(seams, grid, tree);
   // The corners of the domain may have two partners; they are root vertices, and welded.
   std::vector<Side> pairs;
-  for (const std::uint32_t vertex : tree.take_newly_used()) {
-    const std::optional<DyadicPoint> other = partner(seams, grid, tree.place(vertex));
+  for (const std::uint32_t vertex : tree.vertices().take_newly_used()) {
+    const std::optional<DyadicPoint> other = partner(seams, grid, tree.vertices().place(vertex));
     if (!other) continue;
-    const std::uint32_t twin = tree.vertex(*other);
-    tree.use(twin);
+    const std::uint32_t twin = tree.vertices().vertex(*other);
+    tree.vertices().use(twin);
     pairs.push_back({vertex, twin});
   }
-  tree.evaluate(threads);
+  tree.geometry().evaluate(threads);
   for (const auto& [a, b] : pairs) points.unite(a, b);
 }
 
 void join_features(const Seams& seams, const Grid& grid, const CellTree& tree, PointUnion& points) {
   for (const SeamSide& both : seam_sides_with_features(seams, grid, tree)) {
-    const auto feature = tree.feature(both.side[0], both.side[1]);
-    const auto other = tree.feature(both.other[0], both.other[1]);
+    const auto feature = tree.edges().feature(both.side[0], both.side[1]);
+    const auto other = tree.edges().feature(both.other[0], both.other[1]);
     if (!other || other->kind != feature->kind || leaves_out(other->kind)) continue;
     for (std::size_t k = 0; k < 2; ++k) {
       const std::uint32_t a = feature->beside(both.side[k]);
@@ -184,7 +184,8 @@ bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid
   const auto file = [&](std::uint32_t a, std::uint32_t b, std::vector<Neighbours>& as) {
     if (grid.mesh.point[a] == grid.mesh.point[b]) {
       joined.push_back({a, b});
-    } else if (tree.is_defined(a) && tree.is_defined(b) && is_one_point(grid, a, b)) {
+    } else if (tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
+               is_one_point(grid, a, b)) {
       as.push_back({a, b});
     }
   };
@@ -196,12 +197,12 @@ bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid
   }
   for (const auto& [a, b] : collapsed(tree.surface(), grid, sides, threads)) {
     points.unite(a, b);
-    tree.make_singular(a);
-    tree.make_singular(b);
+    tree.geometry().make_singular(a);
+    tree.geometry().make_singular(b);
   }
   for (const auto& [a, b] : cuts) points.unite(a, b);
   points.settle();
-  if (!tree.has_singular()) return false;
+  if (!tree.geometry().has_singular()) return false;
   Poles poles(grid, tree);
   for (const auto& which : {joined, sides, cuts}) {
     for (const auto& [a, b] : which) poles.add(a, b);

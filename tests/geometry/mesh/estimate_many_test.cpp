@@ -36,7 +36,7 @@ Surface ridges() {
 struct Subject {
   explicit Subject(const Surface& s, const RefineOptions& refine_options, std::size_t multiple = 1)
       : surface(s), options(refine_options), fine(multiple) {
-    tree.add_middles(1);
+    tree.geometry().add_middles(1);
     for (Leaf& leaf : leaves) request_samples(leaf, tree);
   }
 
@@ -190,8 +190,8 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
     std::vector<TwoTriangles> leaves;
     for (const std::size_t k : all) {
       ASSERT_TRUE(triangles.ranges[k].is_plain);
-      leaves.push_back({subject.tree.parameters(subject.leaves[k].low),
-                        subject.tree.parameters(subject.leaves[k].high),
+      leaves.push_back({subject.tree.vertices().parameters(subject.leaves[k].low),
+                        subject.tree.vertices().parameters(subject.leaves[k].high),
                         {triangles.of(k)[0], triangles.of(k)[1]},
                         places});
     }
