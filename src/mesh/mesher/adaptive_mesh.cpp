@@ -15,6 +15,7 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/tree/leaf_lines.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {

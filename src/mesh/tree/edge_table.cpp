@@ -1,13 +1,11 @@
 #include "mesh/tree/edge_table.h"
 
-#include <algorithm>
-
 namespace saddle {
 
 EdgeRecord& EdgeTable::record(std::uint32_t a, std::uint32_t b) {
   const auto [at, is_new] =
       places_.insert(pair_of(a, b), static_cast<std::uint32_t>(records_.size()));
-  if (is_new) records_.push_back({{std::min(a, b), std::max(a, b)}, {}});
+  if (is_new) records_.push_back({side_of(a, b), {}});
   return records_[at];
 }
 
@@ -53,8 +51,8 @@ std::vector<EdgeTable::PoleEnds> EdgeTable::poles(const Mesh& mesh) const {
   return poles;
 }
 
-std::vector<std::array<std::uint32_t, 2>> EdgeTable::sides_with_features() const {
-  std::vector<std::array<std::uint32_t, 2>> result;
+std::vector<Side> EdgeTable::sides_with_features() const {
+  std::vector<Side> result;
   for (const std::uint32_t number : searched_) {
     if (records_[number].feature) result.push_back(records_[number].side);
   }

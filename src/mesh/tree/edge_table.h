@@ -1,6 +1,7 @@
 // Sides between neighbouring vertices of a cell tree, and the features found on them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +16,14 @@
 
 namespace saddle {
 
-/// What is between two neighbours on a side of a leaf.
+/// Two neighbouring vertices in use, the smaller number first.
+using Side = std::array<std::uint32_t, 2>;
+
+inline Side side_of(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// The kind of discontinuity between two neighbours on a side of a leaf.
 enum class FeatureKind : std::uint8_t {
   Boundary,   ///< one of them is not defined
   Jump,       ///< the surface jumps
@@ -53,11 +61,11 @@ struct EdgeFeature {
   }
 };
 
-/// What is known of the side between two neighbours; nothing is known of a side without a record.
+/// The facts known of a side; a side without a record has none.
 struct EdgeRecord {
   static constexpr std::uint32_t kNoPole = ~std::uint32_t{0};
 
-  std::array<std::uint32_t, 2> side;  ///< its ends, the smaller number first
+  Side side;
   std::optional<EdgeFeature> feature;
   std::uint32_t pole = kNoPole;  ///< number of the pole that the side leads to
   bool is_searched = false;      ///< `feature` says what the search found
@@ -124,7 +132,7 @@ class EdgeTable {
     return has_features_ && crossed_cells_.contains(leaf);
   }
   /// The sides with a feature, in the order of the searches.
-  std::vector<std::array<std::uint32_t, 2>> sides_with_features() const;
+  std::vector<Side> sides_with_features() const;
 
   /// Vertices that features add to sides which are not halved.
   std::size_t vertex_count() const { return vertex_count_; }

@@ -1,14 +1,14 @@
-// What the mesher has found out about a leaf: what cuts it, and whether it may be halved further.
+// The state of a leaf: what cuts it, and whether it may be halved further.
 #pragma once
 
 #include <cstdint>
 
 namespace saddle {
 
-/// What cuts a leaf. A jump may end at the boundary, so that both cut one leaf.
+/// The lines that cut a leaf. A jump that ends at the boundary cuts it with the boundary.
 enum class LeafCut : std::uint8_t {
   Nothing,
-  Boundary,            ///< the surface is not defined at all of its samples
+  Boundary,            ///< some samples are undefined
   Feature,             ///< a jump, a pole or a crease
   BoundaryAndFeature,  ///< both
 };

@@ -7,8 +7,7 @@ namespace saddle {
 
 namespace {
 
-/// Where the side of the domain that vertices lie on meets the other, or itself: the place that is
-/// one point with `place`, or nothing.
+/// The place across a seam or fold that is one point with `place`; nothing off the seams.
 std::optional<DyadicPoint> partner(const Seams& seams, const Grid& grid, DyadicPoint place) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
@@ -33,7 +32,7 @@ std::optional<DyadicPoint> partner(const Seams& seams, const Grid& grid, DyadicP
   return std::nullopt;
 }
 
-/// Puts the middles of folded edges into use, where these turn back.
+/// Takes the middles of folded edges into use, where these turn back.
 void use_middles_of_folds(const Seams& seams, const Grid& grid, CellTree& tree) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
@@ -43,8 +42,8 @@ void use_middles_of_folds(const Seams& seams, const Grid& grid, CellTree& tree) 
   }
 }
 
-/// Calls f(a, b) for the neighbours a and b on the sides of a leaf. Those on a side that is halved
-/// are corners of a leaf beyond it, and left to that, but at the domain's border.
+/// Calls f(a, b) for neighbours a and b on the sides of a leaf. The leaf beyond a halved side has
+/// its hanging vertices as corners; at the border of the domain there is none.
 template <class F>
 void for_own_sides(const Leaf& leaf, const Grid& grid, const CellTree& tree, F f) {
   const DyadicPoint end = {static_cast<std::uint32_t>(grid.cells_u) * kCellUnit,
@@ -56,7 +55,7 @@ void for_own_sides(const Leaf& leaf, const Grid& grid, const CellTree& tree, F f
   for (std::size_t k = 0; k < 4; ++k) f(corners[k], corners[(k + 1) % 4]);
 }
 
-/// Calls f(a, b) for the neighbours a and b around the pieces of a leaf.
+/// Calls f(a, b) for neighbours a and b around the sub-polygons of a leaf.
 template <class F>
 void for_sides_of_sub_polygons(const Leaf& leaf, const CellTree& tree, F f) {
   for (const Polygon& sub_polygon : sub_polygons(leaf, tree)) {
@@ -66,12 +65,12 @@ void for_sides_of_sub_polygons(const Leaf& leaf, const CellTree& tree, F f) {
   }
 }
 
-/// Points of the surface that sides of leaves are, and where in the domain.
+/// Points to which sides of leaves collapse, and the range of their places.
 class Poles {
  public:
   Poles(const Grid& grid, const CellTree& tree) : grid_(grid), tree_(tree) {}
 
-  /// Adds a side of a leaf or of a piece of one, if it is a point.
+  /// Adds a side of a leaf or of a sub-polygon, if it is a point.
   void add(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t point = grid_.mesh.point[a];
     if (point != grid_.mesh.point[b]) return;
@@ -84,7 +83,7 @@ class Poles {
     }
   }
 
-  /// Makes those at the same place one.
+  /// Makes poles at the same position one point.
   void join(PointUnion& points) {
     std::vector<std::uint32_t> distinct;
     for (const auto& [point, ways] : ways_) {
@@ -101,7 +100,7 @@ class Poles {
     meet_ = meet_ || distinct.size() < ways_.size();
   }
 
-  /// Whether one of them is more than a line of constant u or v.
+  /// Whether poles were joined, or one extends along both u and v.
   bool meet() const {
     return meet_ || std::ranges::any_of(ways_, [](const auto& pole) {
              const dvec2 size = pole.second.high - pole.second.low;
@@ -135,7 +134,7 @@ std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& g
     const auto vertex_c = tree.vertices().used_vertex(*place_c);
     const auto vertex_d = tree.vertices().used_vertex(*place_d);
     if (!vertex_c || !vertex_d) continue;
-    // Both ends are on a seam; the side is, if its partners are as far apart.
+    // Both ends are on a seam. The side is on it if the partners are as far apart.
     const bool along_u = a.v == b.v;
     const auto length = [&](const DyadicPoint& p, const DyadicPoint& q) {
       const auto [low, high] = along_u ? std::minmax(p.u, q.u) : std::minmax(p.v, q.v);
@@ -150,7 +149,7 @@ std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& g
 void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTree& tree,
                   PointUnion& points) {
   use_middles_of_folds(seams, grid, tree);
-  // The corners of the domain may have two partners; they are root vertices, and welded.
+  // Corners of the domain may have two partners. They are vertices of the root grid, welded before.
   std::vector<Side> pairs;
   for (const std::uint32_t vertex : tree.vertices().take_newly_used()) {
     const std::optional<DyadicPoint> other = partner(seams, grid, tree.vertices().place(vertex));

@@ -7,7 +7,8 @@
 namespace saddle {
 namespace {
 
-/// The worst feature on the sides of a leaf, or the boundary of the surface.
+/// The gap reason of the last feature on the sides of a leaf that is no boundary and no crease.
+/// Without one: Boundary or Crease, by the state of the leaf.
 GapReason worst_feature(const Leaf& leaf, const CellTree& tree) {
   constexpr std::array kReasonOfFeature = {GapReason::Boundary, GapReason::Jump,
                                            GapReason::Pole,     GapReason::Crease,

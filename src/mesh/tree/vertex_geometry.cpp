@@ -87,7 +87,7 @@ void VertexGeometry::append(const NormalColumns& columns, std::size_t count, Fun
     const dvec3 position(columns[0][i], columns[1][i], columns[2][i]);
     const dvec3 normal = front * dvec3(columns[kNormalColumn][i], columns[kNormalColumn + 1][i],
                                        columns[kNormalColumn + 2][i]);
-    // |r_u x r_v| beside |r_u| |r_v|, all of which may be infinite or 0.
+    // |r_u x r_v| is compared with |r_u| |r_v|; each may be infinite or 0.
     const double scale =
         std::sqrt(columns[kSquareUColumn][i]) * std::sqrt(columns[kSquareVColumn][i]);
     const bool regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal);
@@ -176,6 +176,7 @@ std::vector<Beside> VertexGeometry::look_beside(std::span<const std::uint32_t> v
   return beside;
 }
 
+/// Gives a vertex the limit of the positions around it.
 void VertexGeometry::fill(std::uint32_t vertex, const dvec3& limit) {
   grid_.mesh.position[vertex] = limit;
   defined_[vertex] = 1;
@@ -211,7 +212,7 @@ void VertexGeometry::take_known_normals() {
     places.push_back(uv[k]);
     normals.push_back(*normal);
   }
-  // What tangents are made of may itself be rounding: there is more around that.
+  // Tangents may be made of rounding themselves: are_singular() then finds others around them.
   const std::vector<bool> are_zeros = are_singular(surface_, places, 1);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (!are_zeros[k]) set_normal(vertices[k], normals[k]);
@@ -219,6 +220,7 @@ void VertexGeometry::take_known_normals() {
   steep_.clear();
 }
 
+/// Files the vertices whose positions are rounding: is_rounding().
 void VertexGeometry::note_rounding(std::span<const std::size_t> vertices,
                                    std::span<const SurfacePoint> points) {
   const Mesh& mesh = grid_.mesh;
@@ -254,6 +256,8 @@ void VertexGeometry::join(std::uint32_t from, std::uint32_t to) {
   grid_.mesh.point[to] = grid_.mesh.point[from];
 }
 
+/// Joins a vertex between two vertices of the root grid that are one point, on the grid's line
+/// through them, to that point. Its tangent along the line is rounding.
 void VertexGeometry::join_pole(std::uint32_t vertex) {
   const DyadicPoint p = vertices_.place(vertex);
   const bool on_u = p.u % kCellUnit == 0;

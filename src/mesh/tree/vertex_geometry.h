@@ -27,8 +27,8 @@ struct Between {
 };
 
 /// Evaluates the surface at vertices, into grid.mesh, and repairs positions. A removable
-/// singularity, as of sin(u)/u at 0, takes the position on which all places around it agree; so
-/// does a position that is made of rounding. Other undefined vertices are classified.
+/// singularity, as of sin(u)/u at 0, takes the position on which all places around it agree. A
+/// position that is made of rounding does the same. Other undefined vertices are classified.
 class VertexGeometry {
  public:
   /// Repairs the vertices of the root grid.
@@ -38,8 +38,8 @@ class VertexGeometry {
   const Surface& surface() const { return surface_; }
   const Mesh& mesh() const { return grid_.mesh; }
 
-  /// Creates the middles of the root cells and of their sides, and evaluates them as three grids,
-  /// at a fraction of the cost of single places.
+  /// Creates and evaluates the middles of the root cells and of their sides. As three grids they
+  /// take a fraction of the time of single places.
   void add_middles(unsigned threads);
   /// Evaluates the vertices that are new.
   void evaluate(unsigned threads);
@@ -54,7 +54,7 @@ class VertexGeometry {
 
   /// Whether the position is finite.
   bool is_defined(std::uint32_t vertex) const { return defined_[vertex] != 0; }
-  /// What is around an undefined vertex.
+  /// The kind of the point singularity at an undefined vertex.
   PointSingularity::Kind singularity(std::uint32_t vertex) const {
     const auto found = singularities_.find(vertex);
     return found == singularities_.end() ? PointSingularity::Kind::Part : found->second.kind;
