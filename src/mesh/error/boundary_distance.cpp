@@ -38,11 +38,11 @@ dvec2 border(const dvec2& from, const dvec2& way) {
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
                            std::span<const Triangle> triangles) {
-  if (!leaf.on_boundary || leaf.is_split) return;
+  if (leaf.state.cut() != LeafCut::Boundary) return;
   if (!triangles.empty()) return add_chords(leaf, number, triangles);
   omitted_.push_back(number);
-  const dvec2 low = tree_.parameters(leaf.low);
-  const dvec2 size = tree_.parameters(leaf.high) - low;
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   for (const dvec2& place : kLeafPlaces) {
     places_in_omitted_.push_back(low + size * place);
     for (const dvec2& way : kLeafDirections)
@@ -52,8 +52,8 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
                                   std::span<const Triangle> triangles) {
-  const dvec2 low = tree_.parameters(leaf.low);
-  const dvec2 size = tree_.parameters(leaf.high) - low;
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   for (const Triangle& t : triangles) {

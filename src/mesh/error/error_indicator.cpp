@@ -79,7 +79,7 @@ struct ErrorIndicator::ChordSample {
 void request_samples(Leaf& leaf, CellTree& tree) {
   auto& [corner, side, centre] = leaf.samples;
   const auto ask = [&](std::uint32_t& vertex, DyadicPoint place) {
-    if (vertex == SampleVertices::kUnasked) vertex = tree.vertex(place);
+    if (vertex == SampleVertices::kUnasked) vertex = tree.vertices().vertex(place);
   };
   const DyadicPoint m = leaf.middle();
   const auto& [low, high] = std::pair(leaf.low, leaf.high);
@@ -91,7 +91,7 @@ void request_samples(Leaf& leaf, CellTree& tree) {
   ask(side[3], {low.u, m.v});
   if (centre != SampleVertices::kUnasked) return;
   const bool is_inside = leaf.size_u() > 1 && leaf.size_v() > 1;
-  centre = is_inside ? tree.vertex_inside(m) : tree.vertex(m);
+  centre = is_inside ? tree.vertices().vertex_inside(m) : tree.vertices().vertex(m);
 }
 
 double tolerance_of(const Leaf& leaf, const Tolerance& tolerance, const CellTree& tree) {
@@ -114,10 +114,10 @@ double thickness(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
 
 int count_defined(const CellTree& tree, const Leaf& leaf) {
   const SampleVertices& samples = leaf.samples;
-  int count = tree.is_defined(samples.centre) ? 1 : 0;
+  int count = tree.geometry().is_defined(samples.centre) ? 1 : 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    count += tree.is_defined(samples.corner[k]) ? 1 : 0;
-    count += tree.is_defined(samples.side[k]) ? 1 : 0;
+    count += tree.geometry().is_defined(samples.corner[k]) ? 1 : 0;
+    count += tree.geometry().is_defined(samples.side[k]) ? 1 : 0;
   }
   return count;
 }
@@ -182,7 +182,8 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
     }
   };
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tree_.is_used(side[k])) continue;  // a hanging vertex: the halves are the mesh's edges
+    if (tree_.vertices().is_used(side[k]))
+      continue;  // a hanging vertex: the halves are the mesh's edges
     add_chord(corner[k], corner[(k + 1) % 4], side[k], is_seen(leaf, k),
               k % 2 == 0 ? &ErrorRatios::along_u : &ErrorRatios::along_v);
   }
@@ -212,7 +213,8 @@ double ErrorIndicator::allowed(const Leaf& leaf) const {
 }
 
 bool ErrorIndicator::misses(const Leaf& leaf, const Counterexample& counterexample) const {
-  const dvec2 size = glm::abs(tree_.parameters(leaf.high) - tree_.parameters(leaf.low));
+  const dvec2 size =
+      glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
   const int along = splits_u(leaf, counterexample) ? 0 : 1;
   if (size[along] <= counterexample.size[along]) return false;
   if (!is_finite(counterexample.position)) return true;
@@ -223,7 +225,7 @@ bool ErrorIndicator::misses(const Leaf& leaf, const Counterexample& counterexamp
 }
 
 bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexample) const {
-  const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
   const dvec2 arc = size * size * counterexample.bend;
   return arc.x == arc.y || !std::isfinite(arc.x + arc.y) ? splits_u(leaf, ErrorRatios())
                                                          : arc.x > arc.y;
@@ -245,8 +247,8 @@ bool ErrorIndicator::splits_u(const Leaf& leaf, const ErrorRatios& ratios) const
 bool ErrorIndicator::splits_boundary_u(const Leaf& leaf) const {
   const auto& [corner, side, centre] = leaf.samples;
   const auto changes = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return (tree_.is_defined(a) != tree_.is_defined(b) ? 1 : 0) +
-           (tree_.is_defined(b) != tree_.is_defined(c) ? 1 : 0);
+    return (tree_.geometry().is_defined(a) != tree_.geometry().is_defined(b) ? 1 : 0) +
+           (tree_.geometry().is_defined(b) != tree_.geometry().is_defined(c) ? 1 : 0);
   };
   const int along_u = changes(corner[0], side[0], corner[1]) + changes(side[3], centre, side[1]) +
                       changes(corner[3], side[2], corner[2]);
@@ -261,7 +263,7 @@ bool ErrorIndicator::splits_boundary_u(const Leaf& leaf) const {
 std::vector<dvec3> ErrorIndicator::defined_positions(const SampleVertices& samples) const {
   std::vector<dvec3> positions;
   const auto add = [&](std::uint32_t vertex) {
-    if (tree_.is_defined(vertex)) positions.push_back(mesh_.position[vertex]);
+    if (tree_.geometry().is_defined(vertex)) positions.push_back(mesh_.position[vertex]);
   };
   for (std::size_t k = 0; k < 4; ++k) {
     add(samples.corner[k]);

@@ -104,7 +104,7 @@ class ErrorIndicator {
 
   std::vector<dvec3> defined_positions(const SampleVertices& samples) const;
   double diameter(const Corners& corner) const;
-  bool is_regular(std::uint32_t vertex) const { return tree_.is_regular(vertex); }
+  bool is_regular(std::uint32_t vertex) const { return tree_.geometry().is_regular(vertex); }
   bool has_opposed(const SampleVertices& samples) const;
   /// `vertices`: the chord's ends and the sample.
   double distance_of_sample(const ChordSample& arc, const std::array<std::uint32_t, 3>& vertices,

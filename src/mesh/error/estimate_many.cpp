@@ -25,7 +25,7 @@ void take_leaf(const Leaf& leaf, const ErrorIndicator& indicator, const CellTree
   for (std::size_t k = 0; k < 4; ++k) {
     take(mesh, samples.corner[k], i, to.corner[k]);
     take(mesh, samples.side[k], i, to.side[k]);
-    to.counts[k][i] = tree.is_used(samples.side[k]) ? 0 : 1;
+    to.counts[k][i] = tree.vertices().is_used(samples.side[k]) ? 0 : 1;
     to.seen[k][i] = indicator.is_seen(leaf, k) ? 1 : 0;
   }
   take(mesh, samples.centre, i, to.centre);
@@ -34,7 +34,7 @@ void take_leaf(const Leaf& leaf, const ErrorIndicator& indicator, const CellTree
 
 /// Whether normals of samples are limits: they tell nothing about the leaf's errors.
 bool has_limits(const SampleVertices& samples, const CellTree& tree) {
-  const auto is_limit = [&](std::uint32_t vertex) { return !tree.is_regular(vertex); };
+  const auto is_limit = [&](std::uint32_t vertex) { return !tree.geometry().is_regular(vertex); };
   return is_limit(samples.centre) || std::ranges::any_of(samples.corner, is_limit) ||
          std::ranges::any_of(samples.side, is_limit);
 }
@@ -100,7 +100,7 @@ FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& 
   };
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const Leaf& leaf = leaves[k];
-    if (leaf.on_boundary || leaf.is_split || leaf.leads_to_pole) continue;
+    if (!leaf.state.is_whole() || leaf.state.leads_to_pole()) continue;
     which[count] = k;
     tolerance[count] = indicator.allowed(leaf);
     take_leaf(leaf, indicator, tree, tolerance[count], count, *block);

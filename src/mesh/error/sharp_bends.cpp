@@ -85,8 +85,8 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
   const Leaf& leaf = mesh.leaves[number];
   const std::optional<Targets> targets = targets_of(mesh, number, triangles);
   if (!targets) return;
-  leaves_.push_back(
-      {number, tree_.parameters(leaf.low), tree_.parameters(leaf.high), triangles, *targets});
+  leaves_.push_back({number, tree_.vertices().parameters(leaf.low),
+                     tree_.vertices().parameters(leaf.high), triangles, *targets});
 }
 
 std::optional<SharpBends::Targets> SharpBends::targets_of(

@@ -20,7 +20,7 @@ struct ValidatedMesh {
   std::vector<double> allowed;
   /// As many ranges as errors. Replaced triangles stay, in no range.
   LeafTriangles triangles;
-  std::vector<std::uint32_t> made;  ///< revisions of the triangles: CellTree::next_revision()
+  std::vector<std::uint32_t> made;  ///< revisions of the triangles: RevisionClock::next()
 
   /// The error ratio of a leaf: its distance, as a part of its tolerance.
   double off(std::size_t leaf) const { return sampled_errors[leaf].distance / allowed[leaf]; }

@@ -66,18 +66,18 @@ PlacesInLeaf validation_places(const Leaf& leaf) {
 
 void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                          std::vector<ValidationPoint>& samples) const {
-  const dvec2 low = tree_.parameters(leaf.low);
-  const dvec2 high = tree_.parameters(leaf.high);
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 high = tree_.vertices().parameters(leaf.high);
   // The largest error of a leaf that is aliased does not matter.
-  const bool has_chords = !leaf.oscillates;
-  const bool is_whole = !leaf.is_split && !leaf.on_boundary;
+  const bool has_chords = !leaf.state.oscillates();
+  const bool is_whole = leaf.state.is_whole();
   // With more than two triangles, their middles and those of their chords are enough.
   if (!(has_chords && is_whole && triangles.size() > 2)) {
     for (const dvec2& part : validation_places(leaf)) {
       samples.push_back({number, low * (1.0 - part) + high * part});
     }
   }
-  if (leaf.on_boundary && !leaf.is_split) append_sides(number, triangles, samples);
+  if (leaf.state.cut() == LeafCut::Boundary) append_sides(number, triangles, samples);
   if (has_chords) append_chords(number, leaf, triangles, samples);
 }
 
@@ -97,13 +97,14 @@ void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> tri
 void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
                                 std::span<const Triangle> triangles,
                                 std::vector<ValidationPoint>& samples) const {
-  const bool is_creased = leaf.is_split && count_features(leaf, tree_).only_creases;
+  const bool is_cut = leaf.state.is_cut_by_feature();
+  const bool is_creased = is_cut && count_features(leaf, tree_).only_creases;
   if (triangles.size() <= 2 && !is_creased) return;
   // The error indicator does not cover the diagonals of leaves with more corners, nor chords of
   // creases. Beside chords of jumps the surface may be on either level.
   const auto& at = grid_.mesh.uv;
-  const dvec2 low = tree_.parameters(leaf.low);
-  const dvec2 size = tree_.parameters(leaf.high) - low;
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const auto append_chord = [&](const Triangle& t, std::size_t k) {
     const std::uint32_t a = t[k];
     const std::uint32_t b = t[(k + 1) % 3];
@@ -111,7 +112,7 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
     if (!inside && !is_creased) return;
     const bool on_crease = inside && is_creased && !has_side(triangles, b, a);
     if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
-    ValidationPoint sample{number, {}, &t, leaf.is_split};
+    ValidationPoint sample{number, {}, &t, is_cut};
     if (on_crease) {
       const dvec2 along = (at[b] - at[a]) / size;
       sample.crease = Chord{a, b};
@@ -126,7 +127,7 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
     if (triangles.size() > 2) {
       samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
     }
-    if (leaf.is_split && !is_creased) continue;
+    if (is_cut && !is_creased) continue;
     for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
   }
 }
@@ -136,12 +137,12 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
 void PointPlacer::append_singular_sides(const ValidatedMesh& mesh,
                                         std::span<const std::size_t> which,
                                         std::vector<ValidationPoint>& samples) const {
-  if (!tree_.has_singular()) return;
-  const CellMarks& cells = tree_.singular_cells();
+  if (!tree_.geometry().has_singular()) return;
+  const CellMarks& cells = tree_.geometry().singular_cells();
   const auto& at = grid_.mesh.uv;
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
-    if (leaf.is_split || leaf.on_boundary || !cells.contains(leaf)) continue;
+    if (!leaf.state.is_whole() || !cells.contains(leaf)) continue;
     for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
       if (!is_cusp(a, b, tree_)) return;
       for (const double share : kChordSamples) {

@@ -69,7 +69,7 @@ PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangle
 SampledError Validator::sampled_error_of(const Leaf& leaf, std::span<const Triangle> triangles,
                                          const dvec2& uv, const SurfacePoint& point,
                                          double known) const {
-  if (!leaf.is_split || triangles.empty())
+  if (!leaf.state.is_cut_by_feature() || triangles.empty())
     return sampled_error(grid_, triangles, uv, point, surface_.flip, known);
   SampledError best{std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
@@ -110,8 +110,8 @@ std::vector<std::size_t> Validator::validate_plain(ValidatedMesh& mesh,
     const Leaf& leaf = mesh.leaves[which[k]];
     const auto two = triangles.of(k);
     numbers.push_back(k);
-    plain.push_back({tree_.parameters(leaf.low),
-                     tree_.parameters(leaf.high),
+    plain.push_back({tree_.vertices().parameters(leaf.low),
+                     tree_.vertices().parameters(leaf.high),
                      {two[0], two[1]},
                      validation_places(leaf)});
   }
@@ -149,8 +149,8 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.sampled_errors[which[k]] = {};
     placer_.append(k, leaf, of_leaf, samples);
-    const bool is_special = clip_ || leaf.on_boundary || of_leaf.empty();
-    if (is_special || leaf.is_split) {
+    const bool is_special = clip_ || leaf.state.is_on_boundary() || of_leaf.empty();
+    if (is_special || leaf.state.is_cut_by_feature()) {
       const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
       const auto one_by_one = std::stable_partition(
           first, samples.end(), [&](const ValidationPoint& s) { return !is_special && !s.crease; });
@@ -167,8 +167,8 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     const ValidationPoint& sample = samples[s];
     const std::size_t leaf = which[sample.number];
     // Another sub-polygon of the leaf may be nearer.
-    const bool is_known =
-        found[s] && (!mesh.leaves[leaf].is_split || is_good(found[s]->worst, mesh.allowed[leaf]));
+    const bool is_known = found[s] && (!mesh.leaves[leaf].state.is_cut_by_feature() ||
+                                       is_good(found[s]->worst, mesh.allowed[leaf]));
     if (!is_known) {
       rest.push_back(sample);
       continue;
@@ -176,7 +176,8 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     SampledError& worst = mesh.sampled_errors[leaf];
     worst.distance = std::max(worst.distance, found[s]->worst.distance);
     if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->worst.degrees);
-    if (!mesh.leaves[leaf].is_split && may_be_missed(mesh, leaf, found[s]->predicted)) {
+    if (!mesh.leaves[leaf].state.is_cut_by_feature() &&
+        may_be_missed(mesh, leaf, found[s]->predicted)) {
       maxima.add(leaf, triangles.of(sample.number), sample.uv);
     }
   }
@@ -215,7 +216,7 @@ void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::s
   SharpBends bends(surface_, grid_, tree_, threads_);
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
-    if (leaf.is_split || leaf.on_boundary || clip_) continue;
+    if (!leaf.state.is_whole() || clip_) continue;
     bends.add(mesh, which[k], triangles.of(k));
   }
   bends.measure(mesh);
@@ -232,9 +233,10 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
   const Mesh& of = grid_.mesh;
   for (const std::size_t k : others) {
     const Leaf& leaf = mesh.leaves[which[k]];
-    if (!leaf.is_split || !count_features(leaf, tree_).only_creases) continue;
+    if (!leaf.state.is_cut_by_feature() || !count_features(leaf, tree_).only_creases) continue;
     if (crosses_box(triangles.of(k))) continue;
-    const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
+    const dvec2 size =
+        tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
     for (const Triangle& t : triangles.of(k)) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t a = t[i];
@@ -260,7 +262,7 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
 void Validator::validate_omitted_corners(ValidatedMesh& mesh, std::size_t number,
                                          std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
-  if (leaf.on_boundary || leaf.is_split || triangles.empty()) return;
+  if (!leaf.state.is_whole() || triangles.empty()) return;
   if (triangles.size() + 2 >= leaf.polygon_size) return;
   const auto& point = grid_.mesh.point;
   for_sides(leaf, tree_, [&](std::uint32_t vertex, std::uint32_t) {

@@ -16,7 +16,7 @@
 #include "mesh/model/tidy.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/sizing/grid_sizing.h"
-#include "mesh/tree/leaf_mesh.h"
+#include "mesh/tree/leaf_lines.h"
 
 namespace saddle {
 
@@ -63,7 +63,7 @@ class Finisher {
   void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
     PlaceList poles(grid_.range, report.poles, report.pole_count);
     std::vector<dvec2> ends;
-    for (const std::array<dvec2, 2>& pole : tree_.poles()) {
+    for (const std::array<dvec2, 2>& pole : tree_.edges().poles(tree_.mesh())) {
       poles.add(0.5 * (pole[0] + pole[1]));  // beyond doubles they are apart
       ends.insert(ends.end(), pole.begin(), pole.end());
     }
@@ -107,8 +107,9 @@ class Finisher {
   double undefined_fraction(const Domain& d) const {
     double covered = 0;
     for (const Leaf& leaf : mesh_.leaves) {
-      const dvec2 size = tree_.parameters(leaf.high) - tree_.parameters(leaf.low);
-      if (!leaf.on_boundary || has_only_thin_holes(leaf)) {
+      const dvec2 size =
+          tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
+      if (!leaf.state.is_on_boundary() || has_only_thin_holes(leaf)) {
         covered += std::fabs(size.x * size.y);
         continue;
       }
@@ -131,7 +132,7 @@ class Finisher {
       // Where the tolerance depends on the place: as if it were the strictest everywhere.
       const double error = eps > *report.tolerance ? off / eps * *report.tolerance : off;
       if (error > std::max(report.max_error, *report.tolerance)) {
-        report.worst_place = tree_.parameters(leaf.middle());
+        report.worst_place = tree_.vertices().parameters(leaf.middle());
       }
       report.max_error = std::max(report.max_error, error);
       const double degrees = mesh_.sampled_errors[k].degrees;
@@ -144,7 +145,7 @@ class Finisher {
   /// Calls f(uv, hole) for all holes of this kind: vertices, then those in the midst of leaves.
   template <class F>
   void for_singularities(PointSingularity::Kind kind, F f) const {
-    for (const auto& [vertex, singularity] : tree_.singularities()) {
+    for (const auto& [vertex, singularity] : tree_.geometry().singularities()) {
       if (singularity.kind == kind) f(grid_.mesh.uv[vertex], singularity);
     }
     for (const auto& [uv, singularity] : halving_.singularities()) {
@@ -158,7 +159,7 @@ class Finisher {
     std::map<std::uint32_t, Bounds> result;
     for_features(FeatureKind::Boundary, [&](const Side& side, const EdgeFeature& cut) {
       for (const std::uint32_t end : side) {
-        if (tree_.singularity(end) == PointSingularity::Kind::Line &&
+        if (tree_.geometry().singularity(end) == PointSingularity::Kind::Line &&
             is_same_place(end, cut.beside_first))
           result[end].add(grid_.mesh.position[cut.beside_first]);
       }
@@ -176,12 +177,12 @@ class Finisher {
   /// Calls f(side, crossing) for each side of a leaf that is cut like this.
   template <class F>
   void for_features(FeatureKind kind, F f) const {
-    if (!tree_.has_features()) return;
+    if (!tree_.edges().has_features()) return;
     std::set<Side> seen;
     for (const Leaf& leaf : mesh_.leaves) {
-      if (!leaf.on_boundary && !leaf.is_split) continue;
+      if (leaf.state.is_whole()) continue;
       for (const Side& side : sides_of(leaf, tree_)) {
-        const auto feature = tree_.feature(side[0], side[1]);
+        const auto feature = tree_.edges().feature(side[0], side[1]);
         if (feature && feature->kind == kind && seen.insert(side).second) f(side, *feature);
       }
     }
@@ -203,8 +204,8 @@ class Finisher {
   bool has_only_thin_holes(const Leaf& leaf) const {
     bool is_thin = true;
     for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t) {
-      is_thin =
-          is_thin && (tree_.is_defined(a) || tree_.singularity(a) != PointSingularity::Kind::Part);
+      is_thin = is_thin && (tree_.geometry().is_defined(a) ||
+                            tree_.geometry().singularity(a) != PointSingularity::Kind::Part);
     });
     return is_thin;
   }

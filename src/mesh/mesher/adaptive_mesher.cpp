@@ -78,7 +78,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   const Until until = stops_early() ? Until::OneGeneration
                       : may_stop()  ? Until::Poles
                                     : Until::Done;
-  tree_.add_middles(request_.threads);
+  tree_.geometry().add_middles(request_.threads);
   const auto first = static_cast<std::size_t>(kFirst * static_cast<double>(limits_.max_triangles));
   add({root_leaves(grid_), std::move(counterexamples)}, {until, first});
   std::size_t component_boxes = budget_.boxes / kProofsPerComponent;
@@ -107,7 +107,7 @@ LeafTriangles AdaptiveMesher::triangulate(MeshReport& report) {
     if (!has_lasting_triangles(k)) stale.push_back(k);
   }
   mesh_.put(stale, triangulate_leaves(leaves, stale, singular, grid_, tree_),
-            tree_.next_revision());
+            tree_.revisions().next());
   LeafTriangles triangles = mesh_.all_triangles();
   if (meets_itself_ || seams_.has_folds()) flip_shared_chords(grid_, triangles);
   return triangles;
@@ -123,16 +123,17 @@ void AdaptiveMesher::reach_extremes() {
 /// Whether a leaf would be cut into the same triangles as when it was measured.
 bool AdaptiveMesher::has_lasting_triangles(std::size_t number) const {
   const Leaf& leaf = mesh_.leaves[number];
-  if (leaf.is_left_out) return false;
-  if (!tree_.has_changed(leaf, mesh_.made[number])) return true;
-  if (leaf.is_split || leaf.on_boundary || tree_.may_be_crossed(leaf)) return false;
+  if (leaf.state.is_left_out()) return false;
+  if (!tree_.revisions().has_changed(leaf, mesh_.made[number])) return true;
+  if (!leaf.state.is_whole() || tree_.edges().may_be_crossed(leaf)) return false;
   // Something has changed nearby: not this leaf, if what was around it still is, and all of that
   // are vertices and points of their own.
   std::uint32_t count = 0;
   bool is_regular = true;
   for_sides(leaf, tree_, [&](std::uint32_t vertex, std::uint32_t) {
     ++count;
-    is_regular = is_regular && tree_.is_regular(vertex) && grid_.mesh.point[vertex] == vertex;
+    is_regular =
+        is_regular && tree_.geometry().is_regular(vertex) && grid_.mesh.point[vertex] == vertex;
   });
   return is_regular && count == leaf.polygon_size;
 }
@@ -141,7 +142,7 @@ void AdaptiveMesher::complete(MeshReport& report) {
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
-  report.budget_spent = stopped && tree_.budget_spent(limits_.max_triangles);
+  report.budget_spent = stopped && tree_.budget().is_spent(limits_.max_triangles);
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
   if (stopped) leave_all_unproved(GapReason::Triangles);
@@ -149,7 +150,8 @@ void AdaptiveMesher::complete(MeshReport& report) {
   report.certified = proof_gaps_->empty();
   name_proof_gaps(report);
   report_seams(seams_, report);
-  report.work.leaf_samples += grid_.vertex_count() + tree_.evaluations() + validator_.evaluations();
+  report.work.leaf_samples +=
+      grid_.vertex_count() + tree_.geometry().evaluations() + validator_.evaluations();
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
   report.work.searches += tree_.effort().looks();
 }
@@ -188,7 +190,7 @@ TraceOptions AdaptiveMesher::trace_options(bool poles) const {
 
 /// Stops, and remembers it, if one more halving could exceed the limit of triangles.
 bool AdaptiveMesher::stop_if_full() {
-  const bool full = tree_.is_full(limits_.max_triangles);
+  const bool full = tree_.budget().is_full(limits_.max_triangles);
   reached_limit_ = reached_limit_ || full;
   return full;
 }
@@ -204,7 +206,7 @@ bool AdaptiveMesher::crosses_box(const Leaf& leaf) const {
 }
 
 double AdaptiveMesher::width(const Leaf& leaf) const {
-  if (leaf.on_boundary) {
+  if (leaf.state.is_on_boundary()) {
     Bounds bounds;
     double area = 0;
     for (const Polygon& sub_polygon : sub_polygons(leaf, tree_)) {
@@ -249,7 +251,7 @@ void AdaptiveMesher::add(const Failed& failed, const SubdivisionGoal& goal) {
   mirror_seams(seams_, request_.threads, grid_, tree_, points_);
   points_.settle();
   std::vector<std::size_t> changed = follow_features(trace_options(false), leaves, tree_);
-  if (tree_.has_features() && seams_.any()) {
+  if (tree_.edges().has_features() && seams_.any()) {
     trace_features_across_seams(seams_, trace_options(false), grid_, tree_);
     const auto more = follow_features(trace_options(false), leaves, tree_);
     changed.insert(changed.end(), more.begin(), more.end());
@@ -258,7 +260,8 @@ void AdaptiveMesher::add(const Failed& failed, const SubdivisionGoal& goal) {
   meets_itself_ |= join_poles(std::span(leaves).subspan(mesh_.sampled_errors.size()),
                               request_.threads, grid_, tree_, points_);
   points_.settle();
-  for (const std::uint32_t vertex : points_.take_changed()) tree_.mark_changed(vertex);
+  for (const std::uint32_t vertex : points_.take_changed())
+    tree_.revisions().mark(tree_.vertices().place_between(vertex));
   std::erase_if(changed, [&](std::size_t k) { return k >= mesh_.sampled_errors.size(); });
   for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
     mesh_.allowed.push_back(tolerance_of(leaves[k], limits_.tolerance, tree_));
@@ -274,10 +277,10 @@ void AdaptiveMesher::add(const Failed& failed, const SubdivisionGoal& goal) {
 bool AdaptiveMesher::revalidate() {
   std::vector<std::size_t> changed;
   std::vector<double> degrees;
-  const std::uint32_t now = tree_.next_revision();
+  const std::uint32_t now = tree_.revisions().next();
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     Leaf& leaf = mesh_.leaves[k];
-    if (!tree_.has_changed(leaf, leaf.measured)) continue;
+    if (!tree_.revisions().has_changed(leaf, leaf.measured)) continue;
     leaf.measured = now;
     if (count_polygon_vertices(leaf, tree_) == leaf.polygon_size) continue;
     changed.push_back(k);
@@ -293,7 +296,7 @@ bool AdaptiveMesher::revalidate() {
 
 /// Normals of what is so thin that it is not seen how they turn do not count.
 void AdaptiveMesher::measure(std::span<const std::size_t> which, const SingularCorners& singular) {
-  const std::uint32_t now = tree_.next_revision();
+  const std::uint32_t now = tree_.revisions().next();
   for (const std::size_t k : which) mesh_.leaves[k].measured = now;
   const LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
   const std::size_t before = validator_.evaluations();
@@ -310,7 +313,7 @@ void AdaptiveMesher::measure(std::span<const std::size_t> which, const SingularC
 /// Measures the leaves with singular corners with the limits of their normals, which are not kept
 /// until no leaf changes any more. False if there are none.
 bool AdaptiveMesher::validate_singular() {
-  if (!tree_.has_singular()) return false;
+  if (!tree_.geometry().has_singular()) return false;
   Mesh& mesh = grid_.mesh;
   const std::size_t count = mesh.position.size();
   MeshReport unused;
@@ -331,11 +334,11 @@ bool AdaptiveMesher::splits_u(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_far = mesh_.off(number) > 1;
   if (const auto predicted = predicted_.splits_predicted_u(leaf, tree_)) return *predicted;
-  if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.is_split) {
+  if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.state.is_cut_by_feature()) {
     if (const auto along_u = flat_sub_polygon_along_u(leaf, tree_)) return *along_u;
   }
   if (is_far && mesh_.sampled_errors[number].on_crease) return is_cut_along_u(leaf, tree_);
-  if (leaf.on_boundary) return indicator_.splits_boundary_u(leaf);
+  if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
   if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_across_u(leaf);
   const CellError error = indicator_.estimate(leaf);
   const ErrorRatios ratios = is_far ? error.distance : error.turn;
@@ -361,7 +364,7 @@ bool AdaptiveMesher::has_singular_side(const SampleVertices& samples, std::size_
 /// Or a side of it is a piece of its own, with vertices that the others do not have.
 bool AdaptiveMesher::is_cut_unclearly(std::size_t number) const {
   const Leaf& leaf = mesh_.leaves[number];
-  if (!leaf.is_split || leaf.frozen) return false;
+  if (!leaf.state.is_cut_by_feature() || !leaf.state.may_be_halved()) return false;
   const FeatureCount cuts = count_features(leaf, tree_);
   if (cuts.only_creases) return mesh_.triangles.ranges[number].has_flat_sub_polygon;
   return !cuts.is_through();
@@ -379,8 +382,8 @@ double AdaptiveMesher::turn(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const double share =
       turn_of_line(mesh_.sampled_errors[number].degrees) / request_.normal_tolerance;
-  if (!tree_.has_many(allowed_for_normals(limits_.max_triangles))) return share * share;
-  if (!coarse_normals_) coarse_normals_ = tree_.parameters(leaf.middle());
+  if (!tree_.budget().has_many(allowed_for_normals(limits_.max_triangles))) return share * share;
+  if (!coarse_normals_) coarse_normals_ = tree_.vertices().parameters(leaf.middle());
   return 0;
 }
 
@@ -397,9 +400,9 @@ Oscillation AdaptiveMesher::oscillation() const {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     if (!oscillates_ && mesh_.is_near(k)) continue;
     const Leaf& leaf = mesh_.leaves[k];
-    if (leaf.oscillates) {
+    if (leaf.state.oscillates()) {
       oscillation.add(leaf, tree_);
-    } else if (!leaf.leads_to_pole && !mesh_.is_near(k)) {
+    } else if (!leaf.state.leads_to_pole() && !mesh_.is_near(k)) {
       oscillation.add(leaf, {.centre = mesh_.off(k)}, tree_);
     }
   }
@@ -408,24 +411,26 @@ Oscillation AdaptiveMesher::oscillation() const {
 
 /// Stops at a leaf that deviates too much but is not to be halved any more, and tells it why.
 bool AdaptiveMesher::stop_if_done(Leaf& leaf, const Oscillation& oscillation) {
-  if (leaf.frozen || leaf.oscillates || is_clipped(leaf) || stop_if_full()) return true;
-  leaf.oscillates = oscillation.contains(leaf, tree_);
-  if (leaf.oscillates && !oscillates_) oscillates_ = tree_.parameters(leaf.middle());
-  return leaf.oscillates;
+  if (!leaf.state.may_be_halved() || is_clipped(leaf) || stop_if_full()) return true;
+  if (!oscillation.contains(leaf, tree_)) return false;
+  leaf.state.stop_at_oscillation();
+  if (!oscillates_) oscillates_ = tree_.vertices().parameters(leaf.middle());
+  return true;
 }
 
 /// Halves of the leaves that deviate too much, among those that were measured since the last time,
 /// since what stayed then stays; and of those that new crossings on their sides cut unclearly.
 std::vector<Leaf> AdaptiveMesher::take_failed() {
-  const std::uint32_t now = tree_.next_revision();
+  const std::uint32_t now = tree_.revisions().next();
   std::optional<Oscillation> unresolvable;  // known once it is asked for
   std::vector<std::size_t> failed;
   std::vector<Leaf> halves;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     Leaf& leaf = mesh_.leaves[k];
-    const bool is_cut_anew = leaf.is_split && tree_.has_changed(leaf, taken_);
+    const bool is_cut = leaf.state.is_cut_by_feature();
+    const bool is_cut_anew = is_cut && tree_.revisions().has_changed(leaf, taken_);
     if (leaf.measured <= taken_ && !is_cut_anew) continue;
-    if (mesh_.is_near(k) && !leaf.is_split && !is_turned(k)) continue;
+    if (mesh_.is_near(k) && !is_cut && !is_turned(k)) continue;
     const double off = mesh_.off(k);
     const double turned = turn(k);
     if (!(off > 1) && !(turned > 1) && !is_cut_unclearly(k)) continue;
@@ -434,7 +439,7 @@ std::vector<Leaf> AdaptiveMesher::take_failed() {
     const auto both = halve(leaf, splits_u(k), tree_);
     if (!both) continue;
     failed.push_back(k);
-    const double safer = leaf.is_split ? 1 : std::clamp(off, 1.0, kMostSafety);
+    const double safer = is_cut ? 1 : std::clamp(off, 1.0, kMostSafety);
     for (Leaf half : *both) {
       half.safety *= static_cast<float>(safer);
       half.normal_safety *= static_cast<float>(std::clamp(turned, 1.0, kMostSafety));
@@ -456,7 +461,8 @@ std::vector<Leaf> AdaptiveMesher::take_failed() {
 AdaptiveMesher::Failed AdaptiveMesher::take_small_components(std::size_t& boxes) {
   std::vector<ParameterBox> where;
   for (const Leaf& leaf : empty_) {
-    where.push_back({tree_.parameters(leaf.low), tree_.parameters(leaf.high)});
+    where.push_back(
+        {tree_.vertices().parameters(leaf.low), tree_.vertices().parameters(leaf.high)});
   }
   const auto found = find_defined(surface_, where, boxes, request_.threads);
   Failed failed;
@@ -478,7 +484,8 @@ bool AdaptiveMesher::is_visible_hole(const UnprovedBox& box) const {
   // A hole holds boxes half as wide as it is, or a little wider.
   constexpr double kOfTolerance = 0.5;
   const Leaf& leaf = mesh_.leaves[box.patch];
-  const dvec2 size = glm::abs(tree_.parameters(leaf.high) - tree_.parameters(leaf.low));
+  const dvec2 size =
+      glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
   const dvec2 part = box.size / size;
   const auto p = corner_positions(leaf, tree_);
   const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
@@ -546,7 +553,8 @@ std::vector<std::size_t> AdaptiveMesher::find_points_without_limit(
   std::set<std::size_t> leaves;
   for (const UnprovedBox& unproved_box : unproved_boxes) {
     const Leaf& leaf = mesh_.leaves[unproved_box.patch];
-    const bool is_done = leaf.frozen || leaf.oscillates || leaf.leads_to_pole || is_clipped(leaf);
+    const bool is_done =
+        !leaf.state.may_be_halved() || leaf.state.leads_to_pole() || is_clipped(leaf);
     if (unproved_box.may_jump && !is_done) leaves.insert(unproved_box.patch);
   }
   std::vector<Side> sides;
@@ -556,8 +564,9 @@ std::vector<std::size_t> AdaptiveMesher::find_points_without_limit(
   std::vector<std::size_t> without_limit;
   for (const std::size_t k : leaves) {
     Leaf& leaf = mesh_.leaves[k];
-    leaf.is_split = count_features(leaf, tree_).features > 0;
-    if (leaf.is_split) without_limit.push_back(k);
+    const bool is_cut = count_features(leaf, tree_).features > 0;
+    leaf.state.set_features(is_cut, false);
+    if (is_cut) without_limit.push_back(k);
   }
   return without_limit;
 }

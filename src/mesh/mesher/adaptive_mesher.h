@@ -117,7 +117,7 @@ class AdaptiveMesher {
                         dvec3(std::numeric_limits<double>::infinity())};
   Bounds far_;
   std::size_t seen_ = 0;     // vertices that look_far() has looked at
-  std::uint32_t taken_ = 0;  // when take_failed() last looked: CellTree::next_revision()
+  std::uint32_t taken_ = 0;  // when take_failed() last looked: RevisionClock::next()
   std::vector<Leaf> empty_;  // no part of the mesh: the surface is not defined at their samples
   std::vector<PlacedSingularity> singularities_;
   ProofBudget budget_;

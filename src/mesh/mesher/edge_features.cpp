@@ -33,7 +33,7 @@ class FeatureTracer {
     std::vector<Between> places;
     std::vector<PoleWay> ways;
     for (const auto& [a, b] : sides) {
-      const auto& [beside_a, beside_b] = tree_.pole_between(a, b);
+      const auto& [beside_a, beside_b] = tree_.edges().pole_between(a, b);
       places.push_back({a, b, beside_a});
       places.push_back({a, b, beside_b});
       const dvec2 pole = place_of_pole(beside_a, beside_b);
@@ -45,11 +45,11 @@ class FeatureTracer {
       const std::vector<dvec2> faces = leave_box(ways);
       for (std::size_t k = 0; k < faces.size(); ++k) places[k].uv = faces[k];
     }
-    std::uint32_t next = tree_.add_between(places, options_.threads);
-    tree_.take_known_normals();
+    std::uint32_t next = tree_.geometry().add_between(places, options_.threads);
+    tree_.geometry().take_known_normals();
     for (const auto& [a, b] : sides) {
       const FeatureKind kind = to_faces ? FeatureKind::Face : FeatureKind::Pole;
-      tree_.set_feature(a, b, EdgeFeature{kind, a, next, next + 1});
+      tree_.edges().set_feature(a, b, EdgeFeature{kind, a, next, next + 1});
       next += 2;
     }
   }
@@ -61,11 +61,11 @@ class FeatureTracer {
     std::vector<Line> parts;
     std::vector<Side> whole;  // of each part, the end that it begins at first
     for (const Side& side : sides) {
-      const std::optional<EdgeFeature> cut = tree_.feature(side[0], side[1]);
+      const std::optional<EdgeFeature> cut = tree_.edges().feature(side[0], side[1]);
       for (std::size_t end = 0; end < 2; ++end) {
         const std::uint32_t from = side[end];
         const std::uint32_t to = cut->beside(from);
-        if (!tree_.is_defined(from) || mesh.uv[from] == mesh.uv[to]) continue;
+        if (!tree_.geometry().is_defined(from) || mesh.uv[from] == mesh.uv[to]) continue;
         parts.push_back({mesh.uv[from], mesh.uv[to]});
         whole.push_back({from, side[1 - end]});
         delta = std::min(delta, options_.tolerance(mesh.position[from]));
@@ -77,9 +77,10 @@ class FeatureTracer {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const auto& [from, to] = whole[k];
       const Side side = {std::min(from, to), std::max(from, to)};
-      if (found[k].kind != Discontinuity::Pole || tree_.leads_to_pole(from, to)) continue;
+      if (found[k].kind != Discontinuity::Pole || tree_.edges().leads_to_pole(from, to)) continue;
       const auto& [near, far] = found[k].ends;
-      tree_.set_leads_to_pole(from, to, from < to ? std::array{near, far} : std::array{far, near});
+      tree_.edges().set_leads_to_pole(from, to,
+                                      from < to ? std::array{near, far} : std::array{far, near});
       poles.push_back(side);
     }
     cut_poles(poles);
@@ -91,13 +92,13 @@ class FeatureTracer {
     std::vector<Side> inner;
     std::vector<Side> continuous;
     for (const Side& side : sides) {
-      const bool first = tree_.is_defined(side[0]);
-      const bool second = tree_.is_defined(side[1]);
+      const bool first = tree_.geometry().is_defined(side[0]);
+      const bool second = tree_.geometry().is_defined(side[1]);
       if (first != second) {
         boundaries.push_back(side);
       } else if (!first) {
-        tree_.set_feature(side[0], side[1], std::nullopt);
-      } else if (!options_.poles && tree_.is_continuous(side[0], side[1])) {
+        tree_.edges().set_feature(side[0], side[1], std::nullopt);
+      } else if (!options_.poles && tree_.edges().is_continuous(side[0], side[1])) {
         continuous.push_back(side);
       } else {
         inner.push_back(side);
@@ -110,7 +111,7 @@ class FeatureTracer {
 
   void look_at(std::span<const Side> sides) {
     const std::vector<Side> continuous = find_jumps(sides);
-    for (const auto& [a, b] : continuous) tree_.set_feature(a, b, std::nullopt);
+    for (const auto& [a, b] : continuous) tree_.edges().set_feature(a, b, std::nullopt);
     find_creases_in(continuous);
   }
 
@@ -119,7 +120,7 @@ class FeatureTracer {
 
   /// Whether there may be more triangles: leaves that are cut at a face have twice as many.
   bool has_room() const {
-    return options_.max_triangles == 0 || !tree_.has_many(options_.max_triangles);
+    return options_.max_triangles == 0 || !tree_.budget().has_many(options_.max_triangles);
   }
 
   /// Fits sides of which one end is defined to the boundary.
@@ -127,7 +128,7 @@ class FeatureTracer {
     std::vector<Line> ends;
     for (const Side& side : sides) {
       ends.push_back(line(side));
-      if (!tree_.is_defined(side[0])) std::swap(ends.back()[0], ends.back()[1]);
+      if (!tree_.geometry().is_defined(side[0])) std::swap(ends.back()[0], ends.back()[1]);
     }
     const std::vector<dvec2> uv =
         last_defined(tree_.surface(), ends, kBoundaryBisections, options_.threads);
@@ -137,18 +138,19 @@ class FeatureTracer {
     }
     const std::vector<bool> goes_far = diverge_at(places);
     const std::vector<bool> at_face = end_at_faces(goes_far, places);
-    const std::uint32_t first = tree_.add_between(places, options_.threads);
-    tree_.take_known_normals();
+    const std::uint32_t first = tree_.geometry().add_between(places, options_.threads);
+    tree_.geometry().take_known_normals();
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const auto boundary = static_cast<std::uint32_t>(first + k);
       const auto [a, b] = sides[k];
-      const PointSingularity::Kind singularity = tree_.singularity(tree_.is_defined(a) ? b : a);
+      const PointSingularity::Kind singularity =
+          tree_.geometry().singularity(tree_.geometry().is_defined(a) ? b : a);
       const FeatureKind kind =
           at_face[k]                                                   ? FeatureKind::Face
           : singularity == PointSingularity::Kind::NoLimit             ? FeatureKind::Essential
           : goes_far[k] || singularity == PointSingularity::Kind::Pole ? FeatureKind::Pole
                                                                        : FeatureKind::Boundary;
-      tree_.set_feature(a, b, EdgeFeature{kind, a, boundary, boundary});
+      tree_.edges().set_feature(a, b, EdgeFeature{kind, a, boundary, boundary});
     }
   }
 
@@ -160,12 +162,13 @@ class FeatureTracer {
     std::vector<PoleWay> ways;
     for (std::size_t k = 0; k < boundaries.size(); ++k) {
       const Between& boundary = boundaries[k];
-      const bool first = tree_.is_defined(boundary.a);
+      const bool first = tree_.geometry().is_defined(boundary.a);
       const auto [end, other] =
           first ? std::pair(boundary.a, boundary.b) : std::pair(boundary.b, boundary.a);
-      if (!goes_far[k] || tree_.singularity(other) == PointSingularity::Kind::NoLimit) continue;
+      if (!goes_far[k] || tree_.geometry().singularity(other) == PointSingularity::Kind::NoLimit)
+        continue;
       at_face[k] = true;
-      tree_.add_pole_beyond_face({boundary.uv, boundary.uv});
+      tree_.edges().add_pole_beyond_face({boundary.uv, boundary.uv});
       ways.push_back({end, boundary.uv, tree_.mesh().uv[other]});
     }
     const std::vector<dvec2> faces = leave_box(ways);
@@ -219,7 +222,7 @@ class FeatureTracer {
     std::vector<Line> ways;
     double delta = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, boundary] : boundaries) {
-      const std::uint32_t defined = tree_.is_defined(a) ? a : b;
+      const std::uint32_t defined = tree_.geometry().is_defined(a) ? a : b;
       ways.push_back({boundary, tree_.mesh().uv[defined]});
       delta = std::min(delta, options_.tolerance(tree_.mesh().position[defined]));
     }
@@ -240,19 +243,19 @@ class FeatureTracer {
     std::vector<LocatedDiscontinuity> jumps;
     std::vector<Side> poles;
     for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (found[k].has_more) tree_.set_has_more(sides[k][0], sides[k][1]);
+      if (found[k].has_more) tree_.edges().set_has_more(sides[k][0], sides[k][1]);
       switch (found[k].kind) {
         case Discontinuity::None:
           continuous.push_back(sides[k]);
-          tree_.set_continuous(sides[k][0], sides[k][1]);
+          tree_.edges().set_continuous(sides[k][0], sides[k][1]);
           break;
         case Discontinuity::Jump:
           jumping.push_back(sides[k]);
           jumps.push_back(found[k]);
           break;
         case Discontinuity::Pole:
-          tree_.set_feature(sides[k][0], sides[k][1], std::nullopt);
-          tree_.set_leads_to_pole(sides[k][0], sides[k][1], found[k].ends);
+          tree_.edges().set_feature(sides[k][0], sides[k][1], std::nullopt);
+          tree_.edges().set_leads_to_pole(sides[k][0], sides[k][1], found[k].ends);
           poles.push_back(sides[k]);
       }
     }
@@ -263,7 +266,7 @@ class FeatureTracer {
   void find_creases_in(std::vector<Side> sides) {
     // At a singular point the normal is no sign of a crease.
     std::erase_if(sides, [&](const Side& side) {
-      return !tree_.is_regular(side[0]) || !tree_.is_regular(side[1]);
+      return !tree_.geometry().is_regular(side[0]) || !tree_.geometry().is_regular(side[1]);
     });
     if (sides.empty()) return;
     std::vector<Line> lines(sides.size());
@@ -308,7 +311,7 @@ class FeatureTracer {
       normal = !vertices[k].is_opposite ? limits[next++].normal
                : normal                 ? std::optional(-*normal)
                                         : std::nullopt;
-      if (normal) tree_.set_normal(static_cast<std::uint32_t>(first + k), *normal);
+      if (normal) tree_.geometry().set_normal(static_cast<std::uint32_t>(first + k), *normal);
     }
   }
 
@@ -327,9 +330,9 @@ class FeatureTracer {
         is_second = true;
       }
     }
-    const std::uint32_t first = tree_.add_between(places, options_.threads);
+    const std::uint32_t first = tree_.geometry().add_between(places, options_.threads);
     if (kind == FeatureKind::Crease) approach(vertices, first);
-    tree_.take_known_normals();
+    tree_.geometry().take_known_normals();
     std::uint32_t next = first;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       std::array<std::uint32_t, 2> beside{};
@@ -341,18 +344,19 @@ class FeatureTracer {
       for (const std::uint32_t vertex : beside) {
         // An end of the side stays where it is, even if the cut is as wide as the side.
         if (vertex == kept || vertex == sides[k][0] || vertex == sides[k][1]) continue;
-        if (kind == FeatureKind::Crease) tree_.join(kept, vertex);
-        tree_.share_place(kept, vertex);
+        if (kind == FeatureKind::Crease) tree_.geometry().join(kept, vertex);
+        tree_.vertices().share_place(kept, vertex);
       }
-      tree_.set_feature(sides[k][0], sides[k][1],
-                        EdgeFeature{kind, sides[k][0], beside[0], beside[1]});
+      tree_.edges().set_feature(sides[k][0], sides[k][1],
+                                EdgeFeature{kind, sides[k][0], beside[0], beside[1]});
     }
   }
 
   /// The vertex in whose place a cut is: an end of its side, if it is within rounding of that.
   std::uint32_t place_to_keep(const Side& side, const std::array<std::uint32_t, 2>& beside) const {
     for (std::size_t end = 0; end < 2; ++end) {
-      if (tree_.place_between(beside[end]) == tree_.place_between(side[end])) return side[end];
+      if (tree_.vertices().place_between(beside[end]) == tree_.vertices().place_between(side[end]))
+        return side[end];
     }
     return beside[0];
   }
@@ -365,7 +369,7 @@ class FeatureTracer {
 bool is_crossed(const Leaf& leaf, const CellTree& tree) {
   bool is_crossed = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.feature(a, b);
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
     is_crossed = is_crossed || (feature && !feature->is_boundary());
   });
   return is_crossed;
@@ -375,7 +379,7 @@ bool is_crossed(const Leaf& leaf, const CellTree& tree) {
 template <class Look>
 void search_within_budget(std::span<const Side> sides, const TraceOptions& options,
                           const CellTree& tree, Look look) {
-  while (!sides.empty() && !tree.budget_spent(options.max_triangles)) {
+  while (!sides.empty() && !tree.budget().is_spent(options.max_triangles)) {
     const std::size_t count = std::min(sides.size(), kSidesAtATime);
     look(sides.first(count));
     sides = sides.subspan(count);
@@ -410,7 +414,7 @@ void find_poles_beside_cuts(std::span<const Side> sides, const TraceOptions& opt
 
 void append_unsearched(const Leaf& leaf, const CellTree& tree, std::vector<Side>& sides) {
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    if (!tree.is_searched(a, b)) sides.push_back({std::min(a, b), std::max(a, b)});
+    if (!tree.edges().is_searched(a, b)) sides.push_back({std::min(a, b), std::max(a, b)});
   });
 }
 
@@ -424,20 +428,21 @@ std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<
   std::vector<std::size_t> split;
   while (true) {
     std::vector<Side> sides;
-    const std::uint32_t now = tree.next_revision();
+    const std::uint32_t now = tree.revisions().next();
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       Leaf& leaf = leaves[k];
-      if (!tree.has_changed(leaf, leaf.bisected)) continue;
+      if (!tree.revisions().has_changed(leaf, leaf.bisected)) continue;
       leaf.bisected = now;
-      if (!leaf.is_split && tree.may_be_crossed(leaf) && is_crossed(leaf, tree)) {
-        leaf.is_split = true;
-        leaf.leads_to_pole = count_features(leaf, tree).leads_to_pole;
+      LeafState& state = leaf.state;
+      if (!state.is_cut_by_feature() && tree.edges().may_be_crossed(leaf) &&
+          is_crossed(leaf, tree)) {
+        state.set_features(true, count_features(leaf, tree).leads_to_pole);
         split.push_back(k);
       }
-      if (!leaf.on_boundary && !leaf.is_split) continue;
+      if (state.is_whole()) continue;
       append_unsearched(leaf, tree, sides);
     }
-    if (sides.empty() || tree.budget_spent(options.max_triangles)) return split;
+    if (sides.empty() || tree.budget().is_spent(options.max_triangles)) return split;
     sort_sides(sides);
     trace_features(sides, options, tree);
   }
@@ -448,7 +453,7 @@ void trace_features_across_seams(const Seams& seams, const TraceOptions& options
   std::vector<Side> sides;
   for (const SeamSide& both : seam_sides_with_features(seams, grid, tree)) {
     const auto [a, b] = std::minmax(both.other[0], both.other[1]);
-    if (!tree.is_searched(a, b)) sides.push_back({a, b});
+    if (!tree.edges().is_searched(a, b)) sides.push_back({a, b});
   }
   if (!sides.empty()) trace_features(sides, options, tree);
 }

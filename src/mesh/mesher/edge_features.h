@@ -30,7 +30,7 @@ void trace_features(std::span<const Side> sides, const TraceOptions& options, Ce
 /// The same but for creases. Sides that are continuous count as not looked at.
 void find_jumps(std::span<const Side> sides, const TraceOptions& options, CellTree& tree);
 
-/// Cuts sides that are known to lead to poles: CellTree::leads_to_pole().
+/// Cuts sides that are known to lead to poles: EdgeTable::leads_to_pole().
 void cut_poles(std::span<const Side> sides, const TraceOptions& options, CellTree& tree);
 
 /// Looks for poles between the ends of sides and what cuts them there, a boundary, a jump or a

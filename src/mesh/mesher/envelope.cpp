@@ -59,9 +59,9 @@ std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
   std::vector<std::uint32_t> copies(mesh.position.size());
   for (const std::uint32_t point : mesh.point) ++copies[point];
   for (const Leaf& leaf : leaves) {
-    const dvec2 size = glm::abs(tree.parameters(leaf.high) - tree.parameters(leaf.low));
-    const bool is_free =
-        !leaf.is_split && !leaf.on_boundary && !leaf.is_left_out && oscillates(leaf);
+    const dvec2 size =
+        glm::abs(tree.vertices().parameters(leaf.high) - tree.vertices().parameters(leaf.low));
+    const bool is_free = leaf.state.is_whole() && !leaf.state.is_left_out() && oscillates(leaf);
     for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
       Reach& reach = reaches[vertex];
       reach.size = is_free ? glm::min(reach.size, size) : dvec2(0);
@@ -73,7 +73,7 @@ std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
   for (std::uint32_t vertex = 0; vertex < reaches.size(); ++vertex) {
     Reach reach = reaches[vertex];
     if (!std::isfinite(reach.size.x) || reach.size == dvec2(0)) continue;
-    if (copies[mesh.point[vertex]] > 1 || !tree.is_regular(vertex)) continue;
+    if (copies[mesh.point[vertex]] > 1 || !tree.geometry().is_regular(vertex)) continue;
     reach.size *= free_ways(grid, mesh.uv[vertex]);
     movable.push_back({vertex, reach});
   }

@@ -57,7 +57,7 @@ void Oscillation::predict(LinearizationErrors linearization_errors) {
 
 glm::bvec2 Oscillation::predicted(const Leaf& leaf, const CellTree& tree) const {
   if (!forecast_.any()) return glm::bvec2(false);
-  return forecast_.at(tree.parameters(leaf.middle()));
+  return forecast_.at(tree.vertices().parameters(leaf.middle()));
 }
 
 void Oscillation::add(const Leaf& leaf, const ErrorRatios& distance, const CellTree& tree) {
@@ -115,7 +115,7 @@ bool Oscillation::is_sliver(const Leaf& leaf, const CellTree& tree) const {
 }
 
 dvec2 Oscillation::size_of(const Leaf& leaf, const CellTree& tree) const {
-  const dvec2 size = tree.parameters(leaf.high) - tree.parameters(leaf.low);
+  const dvec2 size = tree.vertices().parameters(leaf.high) - tree.vertices().parameters(leaf.low);
   return glm::abs(size) / grid_.range / narrow_;
 }
 

@@ -49,7 +49,7 @@ PointsInLeaves find_points(const Surface& surface, const CellTree& tree, const V
   std::vector<ParameterBox> boxes;
   for (const std::size_t k : unproved_boxes) {
     const Leaf& leaf = mesh.leaves[k];
-    boxes.push_back({tree.parameters(leaf.low), tree.parameters(leaf.high)});
+    boxes.push_back({tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)});
   }
   const auto found = find_point_singularities(surface, boxes, tree.mesh().bounds.diagonal());
   PointsInLeaves points;
@@ -88,8 +88,7 @@ bool is_along(const PointSingularity& singularity, const std::array<dvec3, 4>& c
 
 /// Whether halving did not help a leaf.
 bool exceeds_tolerance(const ValidatedMesh& mesh, std::size_t number) {
-  const Leaf& leaf = mesh.leaves[number];
-  return mesh.off(number) > 1 || (leaf.frozen && leaf.known_error > 1);
+  return mesh.off(number) > 1 || mesh.leaves[number].known_error > 1;
 }
 
 /// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
@@ -101,7 +100,7 @@ std::vector<std::size_t> leaves_with_singularities(const RefineOptions& options,
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
     const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
-    if (!leaf.on_boundary && (exceeds_tolerance(mesh, k) || is_deep) &&
+    if (!leaf.state.is_on_boundary() && (exceeds_tolerance(mesh, k) || is_deep) &&
         !is_clipped(leaf, options.clip, tree))
       unproved_boxes.push_back(k);
   }
@@ -171,7 +170,7 @@ void accept_around(const PointSingularity& singularity, const std::array<dvec3, 
       return is_finite(p) && !singularity.around.is_within(p, mesh.allowed[number]);
     };
     if (std::ranges::any_of(corners, exceeds_tolerance)) return;
-    if (!is_along(singularity, corners, mesh.allowed[number])) leaf.is_left_out = true;
+    if (!is_along(singularity, corners, mesh.allowed[number])) leaf.state.leave_out();
   }
   mesh.sampled_errors[number] = {};
   leaf.known_error = 0;
@@ -212,14 +211,14 @@ Sides classify_sides(const RefineOptions& options, const CellTree& tree,
     const Leaf& leaf = mesh.leaves[k];
     const bool is_unproved = exceeds_tolerance(mesh, k) || (has_poles && !options.clip);
     if (!is_unproved && !has_poles) continue;
-    if (leaf.is_left_out || is_clipped(leaf, options.clip, tree)) continue;
+    if (leaf.state.is_left_out() || is_clipped(leaf, options.clip, tree)) continue;
     for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
       const Side side = {std::min(a, b), std::max(a, b)};
-      if (const auto feature = tree.feature(a, b)) {
+      if (const auto feature = tree.edges().feature(a, b)) {
         if (!leaves_out(feature->kind)) result.cut.push_back(side);
-      } else if (tree.leads_to_pole(a, b)) {
+      } else if (tree.edges().leads_to_pole(a, b)) {
         result.lead_to_poles.push_back(side);
-      } else if (is_unproved && !tree.is_searched(a, b)) {
+      } else if (is_unproved && !tree.edges().is_searched(a, b)) {
         result.unsearched.push_back(side);
       }
     });
@@ -239,7 +238,7 @@ std::set<std::uint32_t> vertices_on_poles(const RefineOptions& options, const Ce
   double delta = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
-    if (leaf.is_left_out || !exceeds_tolerance(mesh, k)) continue;
+    if (leaf.state.is_left_out() || !exceeds_tolerance(mesh, k)) continue;
     delta = std::min(delta, mesh.allowed[k]);
     for (std::size_t c = 0; c < 4; ++c) {
       vertices.push_back(leaf.samples.corner[c]);
@@ -261,7 +260,7 @@ void leave_out_needles(const RefineOptions& options, const CellTree& tree, Valid
   if (on_poles.empty()) return;
   for (Leaf& leaf : mesh.leaves) {
     for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
-      leaf.is_left_out = leaf.is_left_out || on_poles.contains(vertex);
+      if (on_poles.contains(vertex)) leaf.state.leave_out();
     });
   }
 }
@@ -287,7 +286,7 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
     const bool has_no_limit = singularities[i].kind == PointSingularity::Kind::NoLimit &&
                               (are_alone[i] || has_many_limits(singularities[i], diagonal));
     if (!has_no_limit && singularities[i].kind != PointSingularity::Kind::Pole) continue;
-    mesh.leaves[leaves[i]].is_left_out = true;
+    mesh.leaves[leaves[i]].state.leave_out();
     const auto is_same = [&, place = places[i]](const PlacedSingularity& other) {
       const dvec2 off = glm::abs(other.uv - place) / range;
       return std::max(off.x, off.y) < kSameParameters;
@@ -295,9 +294,10 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
     if (std::ranges::none_of(result, is_same)) result.push_back({places[i], singularities[i]});
   }
   std::vector<const PointSingularity*> to_accept;
-  to_accept.reserve(result.size() + tree.singularities().size());
+  to_accept.reserve(result.size() + tree.geometry().singularities().size());
   for (const PlacedSingularity& placed : result) to_accept.push_back(&placed.singularity);
-  for (const auto& [vertex, singularity] : tree.singularities()) to_accept.push_back(&singularity);
+  for (const auto& [vertex, singularity] : tree.geometry().singularities())
+    to_accept.push_back(&singularity);
   accept_around(std::move(to_accept), tree, mesh);
   return result;
 }
@@ -312,7 +312,7 @@ void cut_walls(const RefineOptions& options, bool search, CellTree& tree, Valida
   follow_features(with_poles, mesh.leaves, tree);
   if (!search || !tree.has_poles()) return;
   for (const auto& [a, b] : sides.unsearched) {
-    const auto feature = tree.feature(a, b);
+    const auto feature = tree.edges().feature(a, b);
     if (feature && !leaves_out(feature->kind)) sides.cut.push_back({a, b});
   }
   find_poles_beside_cuts(sides.cut, with_poles, tree);

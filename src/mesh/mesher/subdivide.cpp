@@ -87,7 +87,7 @@ class Subdivider {
       request_samples(candidate.leaf, tree_);
       leaves.push_back(candidate.leaf);
     }
-    tree_.evaluate(limits_.threads);
+    tree_.geometry().evaluate(limits_.threads);
     const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
     next_.clear();
     oscillation_.clear();
@@ -111,7 +111,7 @@ class Subdivider {
       }
       Estimated estimated = judge(std::move(candidates[k]), fast_errors.error(fast));
       const Leaf& leaf = estimated.candidate.leaf;
-      if (!leaf.leads_to_pole) {
+      if (!leaf.state.leads_to_pole()) {
         oscillation_.add(leaf, estimated.error.distance, tree_);
       }
       const bool is_open =
@@ -136,7 +136,6 @@ class Subdivider {
  private:
   void keep_good(Leaf leaf, float distance) {
     leaf.stagnation = leaf.normal_stagnation = 0;
-    leaf.frozen = false;
     leaf.known_error = distance;
     result_.leaves.push_back(leaf);
   }
@@ -147,13 +146,14 @@ class Subdivider {
     const int done = halvings(leaf);
     const auto halves = done < wanted_halvings ? halve_if_allowed(leaf, across_u) : std::nullopt;
     if (!halves) {
-      leaf.frozen = done >= (leaf.on_boundary ? most_boundary_halvings(leaf) : kMostCutHalvings) ||
-                    tree_.is_full(goal_.max_triangles);
+      const int most =
+          leaf.state.is_on_boundary() ? most_boundary_halvings(leaf) : kMostCutHalvings;
+      if (done >= most || tree_.budget().is_full(goal_.max_triangles)) leaf.state.freeze();
       result_.leaves.push_back(leaf);
       return;
     }
     for (Leaf half : *halves) {
-      half.on_boundary = false;
+      half.state.forget_boundary();
       push(half, estimated.candidate, estimated.candidate.parent_distance,
            estimated.candidate.parent_turn);
     }
@@ -181,16 +181,16 @@ class Subdivider {
   /// none.
   bool keep_oscillating_boundary(Leaf leaf) {
     if (!known_.contains(leaf, tree_)) return false;
-    leaf.on_boundary = true;
+    leaf.state.cross_boundary();
     note_oscillation(leaf);
     result_.leaves.push_back(leaf);
     return true;
   }
 
   void note_oscillation(Leaf& leaf) {
-    leaf.oscillates = true;
+    leaf.state.stop_at_oscillation();
     known_.add(leaf, tree_);
-    if (!result_.oscillates) result_.oscillates = tree_.parameters(leaf.middle());
+    if (!result_.oscillates) result_.oscillates = tree_.vertices().parameters(leaf.middle());
   }
 
   /// Leaves on the boundary. Where the surface goes to infinity there, they are halved until what
@@ -205,9 +205,7 @@ class Subdivider {
     look_at(fine);
     for (const Estimated& boundary : boundaries) {
       Leaf leaf = boundary.candidate.leaf;
-      leaf.on_boundary = true;
-      // A pole that cut the whole may be its boundary.
-      if (leaf.leads_to_pole) leaf.is_split = leaf.leads_to_pole = false;
+      leaf.state.take_pole_for_boundary();
       const bool goes_far =
           limits_.clip && !indicator_.is_outside(leaf) && has_cut(FeatureKind::Pole, leaf, tree_);
       estimate_cut(
@@ -219,7 +217,7 @@ class Subdivider {
   /// Whether one of the samples has no limit: what of the leaf it is a corner of is left out.
   bool has_no_limit(const SampleVertices& samples) const {
     const auto has_none = [this](std::uint32_t vertex) {
-      return tree_.singularity(vertex) == PointSingularity::Kind::NoLimit;
+      return tree_.geometry().singularity(vertex) == PointSingularity::Kind::NoLimit;
     };
     return std::ranges::any_of(samples.corner, has_none) ||
            std::ranges::any_of(samples.side, has_none) || has_none(samples.centre);
@@ -247,7 +245,7 @@ class Subdivider {
     const auto is_due = [](std::uint8_t stagnation, std::uint8_t period) {
       return stagnation > 0 && stagnation % period == 0;
     };
-    return leaf.is_split || is_due(leaf.stagnation, kLookAfter) ||
+    return leaf.state.is_cut_by_feature() || is_due(leaf.stagnation, kLookAfter) ||
            is_due(leaf.normal_stagnation, kLookAfterTurned);
   }
 
@@ -285,18 +283,19 @@ class Subdivider {
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
       Leaf& leaf = doubtful[k].candidate.leaf;
       const FeatureCount cuts = count_features(leaf, tree_);
-      leaf.leads_to_pole = cuts.leads_to_pole;
-      if (leaf.leads_to_pole) doubtful[k].error.distance = doubtful[k].error.gap;
+      if (cuts.leads_to_pole) doubtful[k].error.distance = doubtful[k].error.gap;
       cuts_of[k] = cuts;
-      leaf.is_split = cuts.features > 0 || (doubtful[k].error.is_folded && cuts.is_through());
+      const bool is_creased = doubtful[k].error.is_folded && cuts.is_through();
+      leaf.state.set_features(cuts.features > 0 || is_creased, cuts.leads_to_pole);
     }
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
       Leaf& leaf = doubtful[k].candidate.leaf;
       const bool is_clear = cuts_of[k].is_through();
-      if (leaf.is_split && !is_clear && indicator_.is_too_small_to_see(leaf)) {
-        leaf.frozen = true;
+      const bool is_cut = leaf.state.is_cut_by_feature();
+      if (is_cut && !is_clear && indicator_.is_too_small_to_see(leaf)) {
+        leaf.state.freeze();
         result_.leaves.push_back(leaf);
-      } else if (leaf.is_split) {
+      } else if (is_cut) {
         estimate_cut(doubtful[k], leaf, cuts_of[k].is_parted_across_u(leaf),
                      wanted_halvings(cuts_of[k]));
       } else {
@@ -311,7 +310,7 @@ class Subdivider {
     Leaf& leaf = estimated.candidate.leaf;
     if (indicator_.is_clipped(leaf)) return estimated;
     estimated.error = known != nullptr ? *known : indicator_.estimate(leaf);
-    if (leaf.leads_to_pole) estimated.error.distance = estimated.error.gap;
+    if (leaf.state.leads_to_pole()) estimated.error.distance = estimated.error.gap;
     const double distance = estimated.error.distance.worst() * leaf.safety;
     const double turn = estimated.error.turn.worst() * leaf.normal_safety;
     const auto& [whole, counterexamples, parent_distance, parent_turn] = estimated.candidate;
@@ -325,13 +324,13 @@ class Subdivider {
     Leaf leaf = estimated.candidate.leaf;
     const CellError& error = estimated.error;
     const double distance = error.distance.worst() * leaf.safety;
-    const bool turn_counts = !tree_.has_many(allowed_for_normals(goal_.max_triangles));
+    const bool turn_counts = !tree_.budget().has_many(allowed_for_normals(goal_.max_triangles));
     const double turn = turn_counts ? error.turn.worst() * leaf.normal_safety : 0;
     // Toward a pole errors grow as leaves shrink: there is always more to do. Beside it, where the
     // surface comes back into sight, there is not.
     const int enough = error.may_jump ? kMostCutHalvings : kMostHalvingsBesidePole;
     const bool is_cut_off =
-        leaf.leads_to_pole && (halvings(leaf) >= enough || indicator_.is_outside(leaf));
+        leaf.state.leads_to_pole() && (halvings(leaf) >= enough || indicator_.is_outside(leaf));
     const bool is_far = distance > 1 && leaf.stagnation <= kMaxStagnation && !is_cut_off;
     const bool is_turned =
         turn > 1 && leaf.normal_stagnation <= kMaxNormalStagnation && !is_cut_off;
@@ -346,7 +345,7 @@ class Subdivider {
                                                  : indicator_.splits_u(leaf, ratios));
     }
     if (!halves) {
-      leaf.frozen = distance > 1 || turn > 1;
+      if (distance > 1 || turn > 1) leaf.state.freeze();
       leaf.known_error = static_cast<float>(error.distance.worst());
       result_.leaves.push_back(leaf);
       return;
@@ -360,7 +359,6 @@ class Subdivider {
 
   /// Nothing where the limit is reached, or the surface oscillates.
   std::optional<std::array<Leaf, 2>> halves_of(Leaf& leaf, bool across_u) {
-    leaf.oscillates = false;
     if (oscillates(leaf)) {
       note_oscillation(leaf);
       return std::nullopt;
@@ -370,7 +368,7 @@ class Subdivider {
 
   /// Nothing where the limit is reached.
   std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool across_u) {
-    const bool full = tree_.is_full(goal_.max_triangles);
+    const bool full = tree_.budget().is_full(goal_.max_triangles);
     result_.reached_limit = result_.reached_limit || full;
     return full ? std::nullopt : halve(leaf, across_u, tree_);
   }
@@ -379,8 +377,8 @@ class Subdivider {
   void push(const Leaf& half, const Candidate& whole, double distance, double turn) {
     Candidate candidate{half, {}, distance, turn};
     if (!whole.counterexamples.empty()) {
-      const dvec2 low = tree_.parameters(half.low);
-      const dvec2 size = tree_.parameters(half.high) - low;
+      const dvec2 low = tree_.vertices().parameters(half.low);
+      const dvec2 size = tree_.vertices().parameters(half.high) - low;
       for (const std::uint32_t counterexample : whole.counterexamples) {
         const dvec2 part = (counterexamples_[counterexample].uv - low) / size;
         const bool is_inside = part.x >= 0 && part.x <= 1 && part.y >= 0 && part.y <= 1;
@@ -415,7 +413,8 @@ class Subdivider {
 
 bool has_defined_corner(const Leaf& leaf, const CellTree& tree) {
   bool has = false;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t) { has = has || tree.is_defined(a); });
+  for_sides(leaf, tree,
+            [&](std::uint32_t a, std::uint32_t) { has = has || tree.geometry().is_defined(a); });
   return has;
 }
 

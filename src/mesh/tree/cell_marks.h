@@ -1,4 +1,4 @@
-// In which cells of the root grid there is something.
+// Marks on root cells.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,19 @@
 
 namespace saddle {
 
-/// Marks on cells of the root grid: numbers, 0 for none.
+/// A number for each root cell; 0 is no mark.
 class CellMarks {
  public:
   explicit CellMarks(const Grid& grid)
       : cells_u_(grid.cells_u), cells_v_(grid.cells_v), marks_(grid.cell_count(), 0) {}
 
-  /// Marks the cells that a place, in units, is in or on the border of.
+  /// Marks the root cells that contain a place, in units. A place on a line is in both cells.
   void add(const dvec2& place, std::uint32_t mark = 1);
-  /// The last mark of the cell that a leaf is in.
+  /// The last mark of a leaf's root cell.
   std::uint32_t of(const Leaf& leaf) const {
     return marks_[leaf.low.v / kCellUnit * cells_u_ + leaf.low.u / kCellUnit];
   }
-  /// Whether that is marked.
+  /// Whether a leaf's root cell has a mark.
   bool contains(const Leaf& leaf) const { return of(leaf) != 0; }
 
  private:

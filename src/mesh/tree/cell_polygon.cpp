@@ -7,27 +7,27 @@ namespace saddle {
 
 namespace {
 
-/// The vertices in use around a leaf, counter-clockwise in (u, v), defined or not.
-Polygon polygon_size(const Leaf& leaf, const CellTree& tree) {
+/// The cell polygon of a leaf, counter-clockwise in (u, v); vertices may be undefined.
+Polygon cell_polygon(const Leaf& leaf, const CellTree& tree) {
   Polygon polygon;
   polygon.reserve(8);
   for (std::size_t k = 0; k < 4; ++k) {
-    tree.walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint place) {
+    tree.vertices().walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint place) {
       polygon.push_back({vertex, {place.u, place.v}});
     });
   }
   return polygon;
 }
 
-/// Adds the point of the surface at a singular vertex, if it is not among those yet.
+/// Adds the point of the surface at a singular vertex, once.
 void add_singular_vertex(std::uint32_t vertex, const CellTree& tree,
                          std::vector<std::uint32_t>& points) {
-  if (tree.is_regular(vertex)) return;
+  if (tree.geometry().is_regular(vertex)) return;
   const std::uint32_t point = tree.mesh().point[vertex];
   if (std::ranges::count(points, point) == 0) points.push_back(point);
 }
 
-/// The different points of the surface at the singular vertices of a polygon.
+/// The points of the surface at the singular vertices of a polygon, each once.
 std::vector<std::uint32_t> singular_points(const Polygon& polygon, const CellTree& tree) {
   std::vector<std::uint32_t> points;
   for (const PolygonCorner& corner : polygon) add_singular_vertex(corner.corner, tree, points);
@@ -40,33 +40,34 @@ Bounds box_around(const Polygon& polygon) {
   return box;
 }
 
-/// Whether a leaf is defined in two opposite corners, and not in the others.
+/// Whether a leaf is defined at two opposite corners only.
 bool has_opposite_gaps(const Leaf& leaf, const CellTree& tree) {
   std::array<bool, 4> is_defined{};
-  for (std::size_t k = 0; k < 4; ++k) is_defined[k] = tree.is_defined(leaf.samples.corner[k]);
+  for (std::size_t k = 0; k < 4; ++k)
+    is_defined[k] = tree.geometry().is_defined(leaf.samples.corner[k]);
   return is_defined[0] == is_defined[2] && is_defined[1] == is_defined[3] &&
          is_defined[0] != is_defined[1];
 }
 
-/// A run of vertices between two cuts of the outline.
+/// A run of vertices between two features of the cell polygon.
 struct Run {
   Polygon polygon;
-  bool goes_far = false;  ///< to a pole, or to where there is no limit
+  bool goes_far = false;  ///< to a pole or a point without limit
 };
 
-/// Cuts an outline at its crossings.
+/// Cuts a cell polygon at its features.
 class Cutter {
  public:
   Cutter(const Polygon& whole, const CellTree& tree) : whole_(whole), tree_(tree) {
     for (std::size_t k = 0; k < whole.size(); ++k) go_on(k);
   }
 
-  /// `folded`: a crease goes through the leaf, from crossing to crossing or singular point.
-  /// `has_middle`: the surface is defined in the leaf's middle. `has_opposite_gaps`: of the leaf.
+  /// `folded`: a crease goes through the leaf, between features or singular points. `has_middle`:
+  /// the surface is defined in the leaf's middle. `has_opposite_gaps`: of the leaf.
   std::vector<Polygon> take(bool folded, bool has_middle, bool has_opposite_gaps) {
-    // A crease that ends here leaves the leaf whole; a jump or a pole that does would be a wall.
+    // A crease that ends in the leaf leaves it whole. A jump or a pole would make a wall.
     if (cuts_ == 1 && creases_.empty()) return {};
-    if (cuts_ > boundaries_ && faces_ % 2 == 1) return {};  // so would a pole that leaves unseen
+    if (cuts_ > boundaries_ && faces_ % 2 == 1) return {};  // so would a pole that leaves unnoticed
     if (cuts_ > 0) join_ends();
     const bool is_parted = lines_ > 1 || (faces_ > 0 && has_opposite_gaps);
     if (has_middle && cuts_ == boundaries_ && !is_parted) join_runs();
@@ -80,8 +81,8 @@ class Cutter {
   }
 
  private:
-  /// What creases that cross more than two sides leave between them: it has what is on a side
-  /// between two of them, which is no polygon by itself.
+  /// The polygon between creases that cross more than two sides. It takes the hanging vertices of
+  /// flat runs, which are no polygons by themselves.
   Polygon middle() {
     if (creases_.size() != runs_.size()) return std::move(creases_);
     Polygon polygon;
@@ -96,7 +97,7 @@ class Cutter {
   }
 
   void append(std::uint32_t vertex) {
-    runs_.back().polygon.push_back({vertex, tree_.place_between(vertex)});
+    runs_.back().polygon.push_back({vertex, tree_.vertices().place_between(vertex)});
   }
 
   void cut() {
@@ -104,40 +105,40 @@ class Cutter {
     runs_.emplace_back();
   }
 
-  /// Appends the k-th vertex, and what lies between it and the next.
+  /// Appends vertex k, and the feature between it and the next.
   void go_on(std::size_t k) {
     const std::uint32_t a = whole_[k].corner;
     const std::uint32_t b = whole_[(k + 1) % whole_.size()].corner;
-    if (tree_.is_defined(a)) {
+    if (tree_.geometry().is_defined(a)) {
       runs_.back().polygon.push_back(whole_[k]);
     } else {
       cut();
       ++boundaries_;
-      if (tree_.singularity(a) == PointSingularity::Kind::Line) ++lines_;
+      if (tree_.geometry().singularity(a) == PointSingularity::Kind::Line) ++lines_;
     }
-    const std::optional<EdgeFeature> feature = tree_.feature(a, b);
+    const std::optional<EdgeFeature> feature = tree_.edges().feature(a, b);
     if (!feature) return;
     const bool far = leaves_out(feature->kind);
-    if (tree_.is_defined(a)) {
+    if (tree_.geometry().is_defined(a)) {
       runs_.back().goes_far = runs_.back().goes_far || far;
       if (!far) append(feature->beside(a));
     }
     if (feature->is_boundary()) ++boundaries_;
-    if (feature->kind == FeatureKind::Face && tree_.is_defined(a)) ++faces_;
+    if (feature->kind == FeatureKind::Face && tree_.geometry().is_defined(a)) ++faces_;
     if (feature->kind == FeatureKind::Crease)
       creases_.push_back({feature->beside(a), place(*feature)});
     cut();
-    if (tree_.is_defined(b)) {
+    if (tree_.geometry().is_defined(b)) {
       runs_.back().goes_far = far;
       if (!far) append(feature->beside(b));
     }
   }
 
   dvec2 place(const EdgeFeature& feature) const {
-    return tree_.place_between(feature.beside_first);
+    return tree_.vertices().place_between(feature.beside_first);
   }
 
-  /// The outline is closed: its first run goes on where its last one ends.
+  /// The cell polygon is closed: its first run continues its last.
   void join_ends() {
     Run last = std::move(runs_.back());
     runs_.pop_back();
@@ -147,9 +148,9 @@ class Cutter {
     first.goes_far = first.goes_far || last.goes_far;
   }
 
-  /// Rims that leave the middle whole cut corners off, and no more. But a line on which it is not
-  /// defined goes from one of its places to the next, and of boundaries at infinity two may cross
-  /// there.
+  /// Joins the runs between boundaries that leave the middle whole: they only cut corners off. The
+  /// caller excludes undefined lines, which go from vertex to vertex, and boundaries at infinity,
+  /// which may cross in the leaf.
   void join_runs() {
     Polygon& whole = runs_.front().polygon;
     for (std::size_t k = 1; k < runs_.size(); ++k) {
@@ -158,8 +159,7 @@ class Cutter {
     runs_.resize(1);
   }
 
-  /// Where the crease ends in one singular point, or goes from one to another: a vertex as good as
-  /// on it.
+  /// Cuts along a crease that ends in a singular point, or goes from one to another.
   void cut_at_singular_points() {
     Polygon& whole = runs_.front().polygon;
     const std::vector<std::uint32_t> points = singular_points(whole, tree_);
@@ -181,15 +181,15 @@ class Cutter {
       return tree_.mesh().point[c.corner] == point;
     };
     const auto elsewhere = std::ranges::find_if_not(polygon, is_there);
-    // What is there is then inside or at the end.
+    // The point is then inside or at the end.
     std::rotate(polygon.begin(), elsewhere, polygon.end());
     const auto end = std::find_if(polygon.rbegin(), polygon.rend(), is_there).base();
     std::rotate(polygon.begin(), end, polygon.end());
     polygon.insert(polygon.begin(), polygon.back());
   }
 
-  /// A crossing beside a vertex is that vertex: it is there twice. Where nothing but boundaries
-  /// cuts a leaf, what is left may be a side of it, and no area; between creases that holds sheets
+  /// Adds a polygon without repeated corners: a feature may be at a vertex. Between boundaries
+  /// alone, a polygon that is only a side of the leaf is dropped; between creases it holds sheets
   /// together.
   void add(Polygon polygon, std::vector<Polygon>& result) const {
     const auto same = [](const PolygonCorner& a, const PolygonCorner& b) {
@@ -204,25 +204,26 @@ class Cutter {
   const Polygon& whole_;
   const CellTree& tree_;
   std::vector<Run> runs_{1};
-  Polygon creases_;  // where creases cross the sides
+  Polygon creases_;  // places where creases cross sides
   std::size_t cuts_ = 0;
-  std::size_t boundaries_ = 0;  // of the cuts, with what is not defined between them
-  std::size_t lines_ = 0;       // places on lines where it is not defined
-  std::size_t faces_ = 0;       // times that the surface leaves the box on its way around the leaf
+  std::size_t boundaries_ = 0;  // among the cuts
+  std::size_t lines_ = 0;       // vertices on undefined lines
+  std::size_t faces_ = 0;       // times that the surface leaves the clip box
 };
 
 }  // namespace
 
 std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree) {
-  if (leaf.is_left_out) return {};
-  Polygon whole = polygon_size(leaf, tree);
-  if (!tree.may_be_crossed(leaf) && !leaf.on_boundary && !leaf.is_split) {
+  if (leaf.state.is_left_out()) return {};
+  Polygon whole = cell_polygon(leaf, tree);
+  if (!tree.edges().may_be_crossed(leaf) && leaf.state.is_whole()) {
     std::vector<Polygon> result;
     result.push_back(std::move(whole));
     return result;
   }
   return Cutter(whole, tree)
-      .take(leaf.is_split, tree.is_defined(leaf.samples.centre), has_opposite_gaps(leaf, tree));
+      .take(leaf.state.is_cut_by_feature(), tree.geometry().is_defined(leaf.samples.centre),
+            has_opposite_gaps(leaf, tree));
 }
 
 std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree) {
@@ -241,21 +242,20 @@ std::array<dvec3, 4> corner_positions(const Leaf& leaf, const CellTree& tree) {
 
 std::vector<Side> sides_of(const Leaf& leaf, const CellTree& tree) {
   std::vector<Side> sides;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    sides.push_back({std::min(a, b), std::max(a, b)});
-  });
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) { sides.push_back(side_of(a, b)); });
   return sides;
 }
 
 std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, const CellTree& tree) {
-  if (leaf.on_boundary || leaf.is_split || leaf.is_left_out) return std::nullopt;
+  if (!leaf.state.is_whole() || leaf.state.is_left_out()) return std::nullopt;
   const auto& corners = leaf.samples.corner;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tree.is_halved(leaf, k) || !tree.is_defined(corners[k])) return std::nullopt;
+    if (tree.vertices().is_halved(leaf, k) || !tree.geometry().is_defined(corners[k]))
+      return std::nullopt;
   }
-  if (!tree.may_be_crossed(leaf)) return corners;
+  if (!tree.edges().may_be_crossed(leaf)) return corners;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (tree.feature(corners[k], corners[(k + 1) % 4])) return std::nullopt;
+    if (tree.edges().feature(corners[k], corners[(k + 1) % 4])) return std::nullopt;
   }
   return corners;
 }
@@ -277,7 +277,7 @@ std::optional<bool> flat_sub_polygon_along_u(const Leaf& leaf, const CellTree& t
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
   bool has_cut = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.feature(a, b);
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
     has_cut = has_cut || (feature && feature->kind == kind);
   });
   return has_cut;
@@ -285,17 +285,17 @@ bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
 
 bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree) {
   const auto& point = tree.mesh().point;
-  return tree.is_defined(a) && tree.is_defined(b) && !tree.is_regular(a) && !tree.is_regular(b) &&
-         point[a] != point[b];
+  return tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
+         !tree.geometry().is_regular(a) && !tree.geometry().is_regular(b) && point[a] != point[b];
 }
 
 bool is_cut_along_u(const Leaf& leaf, const CellTree& tree) {
   Bounds cuts;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.feature(a, b);
-    if (feature) cuts.add(dvec3(tree.place_between(feature->beside_first), 0));
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
+    if (feature) cuts.add(dvec3(tree.vertices().place_between(feature->beside_first), 0));
     if (!is_cusp(a, b, tree)) return;
-    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(tree.place_between(end), 0));
+    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(tree.vertices().place_between(end), 0));
   });
   const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
   const double along_u = size.x / leaf.size_u();
@@ -306,22 +306,23 @@ bool is_cut_along_u(const Leaf& leaf, const CellTree& tree) {
 
 namespace {
 
-/// Whether a side from or to a vertex is cut in the place of that vertex, but not at a crease:
-/// there it belongs to both sides.
+/// Whether a jump cuts a side at the place of its end `vertex`. A crease does not count: there the
+/// vertex belongs to both sheets.
 bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const CellTree& tree) {
-  const std::optional<EdgeFeature> feature = tree.feature(vertex, other);
+  const std::optional<EdgeFeature> feature = tree.edges().feature(vertex, other);
   return feature && feature->kind == FeatureKind::Jump &&
-         tree.place_between(feature->beside(other)) == tree.place_between(vertex);
+         tree.vertices().place_between(feature->beside(other)) ==
+             tree.vertices().place_between(vertex);
 }
 
 bool is_at_corner(const EdgeFeature& feature, const Leaf& leaf, const CellTree& tree) {
-  const dvec2 place = tree.place_between(feature.beside_first);
+  const dvec2 place = tree.vertices().place_between(feature.beside_first);
   return std::ranges::any_of(leaf.corners(), [&](const DyadicPoint& corner) {
     return place == dvec2(corner.u, corner.v);
   });
 }
 
-/// The vertices in whose place both sides are cut that meet there.
+/// The number of vertices at which jumps cut both sides.
 std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
   std::size_t count = 0;
   std::optional<bool> leaves_first;  // whether the first side is cut where it begins
@@ -343,13 +344,14 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   std::vector<std::uint32_t> singular;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
-    const std::optional<EdgeFeature> feature = tree.feature(a, b);
-    count.leads_to_pole = count.leads_to_pole || tree.leads_to_pole(a, b);
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
+    count.leads_to_pole = count.leads_to_pole || tree.edges().leads_to_pole(a, b);
     if (!feature) return;
-    // A pole that leaves through a vertex at which it is not defined leaves once.
-    if (feature->kind == FeatureKind::Face && !tree.is_defined(a)) return;
-    const bool on_side_of_u = tree.place_between(a).x == tree.place_between(b).x;
-    const std::size_t features = tree.has_more(a, b) ? 2 : 1;
+    // A pole that leaves the clip box at an undefined vertex counts once.
+    if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
+    const bool on_side_of_u =
+        tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
+    const std::size_t features = tree.edges().has_more(a, b) ? 2 : 1;
     count.features += features;
     (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
     if (is_at_corner(*feature, leaf, tree)) {

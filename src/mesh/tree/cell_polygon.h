@@ -1,4 +1,5 @@
-// The vertices around a leaf, and the polygons that boundaries, jumps and creases cut it into.
+// Cell polygons: the vertices around a leaf, and the sub-polygons into which boundaries, jumps and
+// creases cut it.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +14,14 @@ namespace saddle {
 
 using Polygon = std::vector<PolygonCorner>;
 
-/// Two neighbours among the vertices in use around a leaf, the one with the smaller number first.
-using Side = std::array<std::uint32_t, 2>;
-
-/// Calls f(a, b) for the neighbours a and b on the sides of a leaf, with all the vertices in use on
-/// them, counter-clockwise in (u, v).
+/// Calls f(a, b) for neighbours a and b around the cell polygon of a leaf, hanging vertices
+/// included, counter-clockwise in (u, v).
 template <class F>
 void for_sides(const Leaf& leaf, const CellTree& tree, F f) {
   const std::uint32_t first = leaf.samples.corner[0];
   std::uint32_t before = first;
   for (std::size_t k = 0; k < 4; ++k) {
-    tree.walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint) {
+    tree.vertices().walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint) {
       if (vertex == first) return;
       f(before, vertex);
       before = vertex;
@@ -32,46 +30,47 @@ void for_sides(const Leaf& leaf, const CellTree& tree, F f) {
   f(before, first);
 }
 
-/// How many vertices in use are around a leaf.
+/// The number of vertices of the cell polygon.
 std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree);
 
 /// The positions of a leaf's corners, counter-clockwise in (u, v).
 std::array<dvec3, 4> corner_positions(const Leaf& leaf, const CellTree& tree);
 
-/// The sides of a leaf as pairs.
+/// The sides of the cell polygon.
 std::vector<Side> sides_of(const Leaf& leaf, const CellTree& tree);
 
-/// The corners of a leaf that is cut by nothing and has no other vertices on its sides.
+/// The corners of a leaf that nothing cuts and that has no hanging vertices; else nothing.
 std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, const CellTree& tree);
 
-/// What of a leaf the mesh covers: the whole outline, or what its crossings cut it into. Left out
-/// is what is undefined, goes to infinity, or has a jump that ends inside of the leaf.
+/// The parts of a leaf that the mesh covers: the whole cell polygon, or those into which features
+/// cut it. Parts that are undefined or go to infinity are left out, and a leaf in which a jump
+/// ends.
 std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree);
 
-/// Whether a piece is a side of its leaf, but for rounding: a crease goes along it, on which
-/// neighbours have vertices.
+/// Whether a sub-polygon is a side of its leaf, within rounding: a crease runs along the side, and
+/// neighbours have vertices on it.
 bool is_flat(const Polygon& sub_polygon);
 
-/// Whether the flat piece of a leaf, if there is one, is a side along u.
+/// Whether the flat sub-polygon of a leaf lies along u; nothing if no sub-polygon is flat.
 std::optional<bool> flat_sub_polygon_along_u(const Leaf& leaf, const CellTree& tree);
 
-/// Whether a side of the leaf is cut like this.
+/// Whether a side of a leaf has a feature of this kind.
 bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree);
 
-/// What may cut a leaf.
+/// The features and singular points around a leaf.
 struct FeatureCount {
   std::size_t features = 0;
-  /// Crossings on the two sides of constant u, and on those of constant v.
+  /// Features on the two sides of constant u, and on those of constant v.
   std::size_t on_sides_of_u = 0, on_sides_of_v = 0;
-  /// Those of them that are at corners of the leaf: a line goes along the side from there.
+  /// Features at corners of the leaf, from where a line goes along a side.
   std::size_t at_ends_of_u = 0, at_ends_of_v = 0;
-  std::size_t at_vertices = 0;  ///< pairs of them, on either side of a vertex and in its place
+  std::size_t at_vertices = 0;  ///< pairs of features at one vertex, on both of its sides
   std::size_t singular_points = 0;
-  bool only_creases = true;    ///< of the crossings
-  bool leads_to_pole = false;  ///< across a side
+  bool only_creases = true;    ///< among the features
+  bool leads_to_pole = false;  ///< a side does
 
-  /// Which way to halve a leaf that more than one line cuts: lines that cross its sides of constant
-  /// u are parted along v. One that ends in it may do so anywhere, as on a line along a side.
+  /// The direction that separates several lines which cut a leaf: lines that cross its sides of
+  /// constant u are separated along v. Where a line ends in the leaf, the longer direction.
   bool is_parted_across_u(const Leaf& leaf) const {
     if (features <= 2 || on_sides_of_u == on_sides_of_v || meets_line_along_side()) {
       return leaf.size_u() >= leaf.size_v();
@@ -79,7 +78,7 @@ struct FeatureCount {
     return on_sides_of_v > on_sides_of_u;
   }
 
-  /// Whether a line goes along a side, and others come from there.
+  /// Whether a line goes along a side, and others start from it.
   bool meets_line_along_side() const {
     const std::size_t inner_u = on_sides_of_u - at_ends_of_u;
     const std::size_t inner_v = on_sides_of_v - at_ends_of_v;
@@ -87,18 +86,17 @@ struct FeatureCount {
            (at_ends_of_v > 0 && inner_v == 0 && inner_u > 0);
   }
 
-  /// Whether pieces() cuts a leaf that is split into two. A vertex on a jump may have a value of
-  /// its own, as sign(0) is 0: both sides that meet there are then cut by the line that goes
-  /// through it.
+  /// Whether one line goes through the leaf, so that sub_polygons() yields two. A vertex on a jump
+  /// may have a value of its own, as sign(0) is 0: the line then cuts both sides that meet there.
   bool is_through() const {
     return features == 2 || features - at_vertices == 2 ||
            (only_creases && features < 2 && features + singular_points == 2);
   }
 };
-/// Whether all of a side between neighbours may be singular without being one point.
+/// Whether a whole side may be singular: its ends are, and are different points.
 bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree);
-/// Whether what cuts a leaf, or goes along its sides, goes along u rather than along v, in sides of
-/// the leaf, or the leaf itself does.
+/// Whether the features and cusps of a leaf extend along u rather than along v, relative to its
+/// sides. Without any: whether u is its longer direction.
 bool is_cut_along_u(const Leaf& leaf, const CellTree& tree);
 
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree);

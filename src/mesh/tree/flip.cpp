@@ -5,12 +5,13 @@
 
 #include "mesh/grid/triangulate.h"
 #include "mesh/model/pair_table.h"
+#include "mesh/tree/polygon.h"
 
 namespace saddle {
 
 namespace {
 
-/// The sides of triangles that each pair of points has.
+/// The count of triangle sides between each pair of points.
 class SideCounts {
  public:
   explicit SideCounts(const Mesh& mesh) : mesh_(mesh) {}
@@ -28,14 +29,12 @@ class SideCounts {
   std::vector<std::size_t> counts_;
 };
 
-/// Twice the area in parameters.
-double doubled_area(const Mesh& mesh, const Triangle& t) {
-  const dvec2 a = mesh.uv[t[1]] - mesh.uv[t[0]];
-  const dvec2 b = mesh.uv[t[2]] - mesh.uv[t[0]];
-  return a.x * b.y - a.y * b.x;
+/// Twice the signed area in parameters.
+double doubled_area_of(const Mesh& mesh, const Triangle& t) {
+  return doubled_area(mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]);
 }
 
-/// Two triangles with a common side, the other way around: the same two corners of both.
+/// The common side of two triangles, which they run along in opposite directions.
 struct SharedSide {
   std::uint32_t a, b;  ///< the chord; from a to b in the first
   std::uint32_t c, d;  ///< the tips
@@ -54,8 +53,8 @@ std::optional<SharedSide> common_side(const Triangle& first, const Triangle& sec
   return std::nullopt;
 }
 
-/// Leaves that may have a chord in common with others: those of several triangles around a point
-/// that is more than one corner.
+/// Leaves that may have a chord in common with others: they have several triangles and touch a
+/// point that is more than one corner.
 class SharedPoints {
  public:
   SharedPoints(const Mesh& mesh, const LeafTriangles& triangles)
@@ -79,7 +78,7 @@ class SharedPoints {
   }
 
   const std::vector<std::size_t>& leaves() const { return leaves_; }
-  /// Whether a corner's point is one of those leaves'.
+  /// Whether a corner's point belongs to one of those leaves.
   bool is_near(std::uint32_t corner) const { return is_near_[mesh_.point[corner]] != 0; }
 
  private:
@@ -93,9 +92,9 @@ bool flip(const Grid& grid, SideCounts& sides, Triangle& first, Triangle& second
   if (!pair || sides.of(pair->a, pair->b) <= 2 || sides.of(pair->c, pair->d) > 0) return false;
   const Triangle one = {pair->c, pair->a, pair->d};
   const Triangle other = {pair->d, pair->b, pair->c};
-  const double front = doubled_area(grid.mesh, first);
+  const double front = doubled_area_of(grid.mesh, first);
   const bool faces_alike =
-      doubled_area(grid.mesh, one) * front > 0 && doubled_area(grid.mesh, other) * front > 0;
+      doubled_area_of(grid.mesh, one) * front > 0 && doubled_area_of(grid.mesh, other) * front > 0;
   if (!faces_alike || is_collapsed(grid, one) || is_collapsed(grid, other)) return false;
   sides.of(pair->a, pair->b) -= 2;
   sides.of(pair->c, pair->d) += 2;

@@ -1,13 +1,13 @@
-// Chords of leaves that lie on each other, where a surface meets itself.
+// Coinciding chords of different leaves, where a surface meets itself.
 #pragma once
 
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {
 
-/// Where more than two triangles meet in an edge and two of them are of one leaf, cuts the two
-/// along their other diagonal, if that is free: around the end of a folded edge, and around a pole
-/// that many lines come together in, chords of different leaves may join the same two points.
+/// Flips the diagonal of two triangles of a leaf if more than two triangles meet in it and the
+/// other diagonal is free. Chords of different leaves join the same two points around the end of a
+/// folded edge, and around a pole at which many lines meet.
 void flip_shared_chords(const Grid& grid, LeafTriangles& triangles);
 
 }  // namespace saddle

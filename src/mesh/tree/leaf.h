@@ -1,54 +1,53 @@
-// Leaves: rectangles of a grid that is refined here and there, in whole coordinates.
+// Leaves of the cell tree: rectangles between dyadic points.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "mesh/tree/leaf_state.h"
+
 namespace saddle {
 
-/// The side of a cell of the root grid; a cell can be halved as often as this is divided by 2.
+/// The side of a root cell in units: a power of 2, so that it can be halved 16 times in each
+/// direction.
 inline constexpr std::uint32_t kCellUnit = 1U << 16;
 
-/// (u, v) in units: line k of the root grid is at k * kCellUnit.
+/// A place in units: line k of the root grid is at k * kCellUnit.
 struct DyadicPoint {
   std::uint32_t u = 0;
   std::uint32_t v = 0;
   bool operator==(const DyadicPoint&) const = default;
 };
 
-/// The vertices that a leaf is judged by, counter-clockwise in (u, v) from its low corner.
+/// The nine vertices from which the error indicator of a leaf is made, counter-clockwise in (u, v)
+/// from its low corner.
 struct SampleVertices {
-  /// Not known: the cell tree is to be asked.
+  /// Not known yet.
   static constexpr std::uint32_t kUnasked = ~std::uint32_t{0};
 
   std::array<std::uint32_t, 4> corner = {kUnasked, kUnasked, kUnasked, kUnasked};
-  /// In the middles of sides; on one that is too short for a middle, one of its ends.
+  /// Middles of sides; an end of a side that is too short to halve.
   std::array<std::uint32_t, 4> side = {kUnasked, kUnasked, kUnasked, kUnasked};
   std::uint32_t centre = kUnasked;
 
-  /// Those of a half that are the whole's as well.
+  /// The samples of a half that the whole leaf has, too.
   SampleVertices of_half(bool across_u, bool is_lower) const;
 };
 
-/// A rectangle of the refined grid.
+/// A cell of the mesh.
 struct Leaf {
   DyadicPoint low, high;
-  SampleVertices samples =
-      {};                    ///< known once it was judged: nobody has to look its vertices up again
-  bool on_boundary = false;  ///< not defined at all of its samples
-  std::uint8_t stagnation = 0;         ///< halvings in a row that did not help distances
-  std::uint8_t normal_stagnation = 0;  ///< nor normals
-  bool is_split = false;               ///< a jump, a pole or a crease goes through it
-  bool leads_to_pole = false;          ///< the surface goes to infinity between two of its vertices
-  bool is_left_out = false;            ///< with a point in it that is a pole or has no limit
-  bool frozen = false;                 ///< halving does not help, or is not allowed
-  bool oscillates = false;             ///< an Oscillation that it is part of stopped its halving
-  std::uint32_t bisected = 0;  ///< when crossings into it were followed: CellTree::next_revision()
-  std::uint32_t measured = 0;  ///< when it was, or found to have the outline that it had then
-  std::uint32_t polygon_size = 0;  ///< vertices around it when it was measured
-  std::uint8_t sought = 0;         ///< halvings of its root cell until it was defined somewhere
-  float known_error = 0;           ///< what its tests found, in tolerances
-  /// How much worse fresh samples found ancestors than their tests had: distances and normals.
+  SampleVertices samples = {};  ///< known once the leaf was estimated
+  LeafState state = {};
+  std::uint8_t stagnation = 0;         ///< consecutive halvings that did not reduce the distance
+  std::uint8_t normal_stagnation = 0;  ///< the same of the error of normals
+  std::uint8_t sought = 0;             ///< halvings of the root cell until a sample was defined
+  std::uint32_t bisected = 0;          ///< revision at which features of its sides were followed
+  std::uint32_t measured = 0;          ///< revision at which it was validated with its polygon
+  std::uint32_t polygon_size = 0;      ///< vertices of its cell polygon at that revision
+  float known_error = 0;               ///< the error indicator of distances, in tolerances
+  /// Factors on the error indicator of distances and of normals: the product of the sampled errors
+  /// of ancestors, in tolerances, each clamped to [1, 4].
   float safety = 1;
   float normal_safety = 1;
 

@@ -1,115 +1,36 @@
 #include "mesh/tree/leaf_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
-#include <set>
+#include <optional>
+#include <utility>
 
 #include "mesh/grid/cell_loops.h"
-#include "mesh/grid/corners.h"
-#include "mesh/grid/lines.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
 #include "mesh/tree/polygon.h"
-#include "surface/parameter_box.h"
 
 namespace saddle {
 
 namespace {
 
-/// A leaf has at most one piece more than crossings, of which more than a few are cut no further.
-constexpr std::size_t kMostSubPolygons = 64;
-
-std::uint64_t key_of(std::size_t leaf, std::size_t sub_polygon, std::uint32_t vertex) {
-  const std::uint64_t owner = leaf * kMostSubPolygons + std::min(sub_polygon, kMostSubPolygons - 1);
-  return (owner << 32U) | vertex;
-}
-
-/// The normal of a leaf's face on its front; zero if it has no area.
-dvec3 face_normal(const Grid& grid, std::span<const PolygonCorner> polygon) {
-  dvec3 area(0);
-  const dvec3 first = grid.local(polygon[0].corner);
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    area += glm::cross(grid.local(polygon[k].corner) - first,
-                       grid.local(polygon[k + 1].corner) - first);
-  }
-  return front_normal(grid, area);
-}
-
-dvec2 middle(const Grid& grid, std::span<const PolygonCorner> polygon) {
-  dvec2 sum(0);
-  for (const PolygonCorner& corner : polygon) sum += grid.mesh.uv[corner.corner];
-  return sum / static_cast<double>(polygon.size());
-}
-
-/// A singular vertex as a leaf sees it.
-struct View {
-  std::uint32_t vertex;
-  std::size_t leaf;
-  std::size_t sub_polygon;  ///< which of the leaf's
-  dvec3 face;               ///< the normal of the leaf's face
-  dvec2 inside;             ///< parameters in the midst of what of the leaf is defined
-};
-
-std::vector<View> singular_views(std::span<const Leaf> leaves, const Grid& grid,
-                                 const CellTree& tree) {
-  std::vector<View> views;
-  if (!tree.has_singular()) return views;
-  const CellMarks& singular_cells = tree.singular_cells();
-  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-    if (!leaves[leaf].is_split && !singular_cells.contains(leaves[leaf])) continue;
-    bool is_regular = !leaves[leaf].is_split;
-    for_sides(leaves[leaf], tree, [&](std::uint32_t a, std::uint32_t) {
-      is_regular = is_regular && tree.is_regular(a);
-    });
-    if (is_regular) continue;
-    const std::vector<Polygon> polygons = sub_polygons(leaves[leaf], tree);
-    for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
-      const Polygon& polygon = polygons[sub_polygon];
-      for (const PolygonCorner& corner : polygon) {
-        if (tree.is_regular(corner.corner)) continue;
-        views.push_back(
-            {corner.corner, leaf, sub_polygon, face_normal(grid, polygon), middle(grid, polygon)});
-      }
-    }
-  }
-  std::ranges::stable_sort(views, {}, &View::vertex);
-  return views;
-}
-
-/// Vertices at which the surface is not defined but has a limit: singular only if its normal has
-/// several limits or none.
-std::set<std::uint32_t> filled_vertices(const Surface& surface, std::span<const View> views,
-                                        const Grid& grid, unsigned threads) {
-  std::vector<std::uint32_t> vertices;
-  std::vector<dvec2> uv;
-  for (const View& view : views) {
-    if (!vertices.empty() && vertices.back() == view.vertex) continue;
-    vertices.push_back(view.vertex);
-    uv.push_back(grid.mesh.uv[view.vertex]);
-  }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
-  std::set<std::uint32_t> filled;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    if (!is_finite(points[k].position)) filled.insert(vertices[k]);
-  }
-  return filled;
-}
-
 constexpr std::uint32_t kNoCell = 0xffffffff;
 
-/// The cell of the root grid that a plain leaf is, if that has been cut when it was sampled.
+/// The root cell that a plain leaf is, if the grid has triangulated it. Otherwise kNoCell.
 std::uint32_t cell_cut_before(const Leaf& leaf, const std::array<std::uint32_t, 4>& corners,
                               const Grid& grid, const CellTree& tree) {
   if (leaf.size_u() != kCellUnit || leaf.size_v() != kCellUnit) return kNoCell;
   const std::size_t cell = grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
   const bool is_cut =
-      grid.cells[cell] == GridCell::Two &&
-      std::ranges::all_of(corners, [&](std::uint32_t corner) { return tree.is_regular(corner); });
+      grid.cells[cell] == GridCell::Two && std::ranges::all_of(corners, [&](std::uint32_t corner) {
+        return tree.geometry().is_regular(corner);
+      });
   return is_cut ? static_cast<std::uint32_t>(cell) : kNoCell;
 }
 
-/// Leaves of four corners, cut as cells of a grid are: many at a time, the plain ones at once.
+/// Triangulates plain leaves by the loop of grid cells, a block at a time.
 class PlainCutter {
  public:
   explicit PlainCutter(const Grid& grid) : grid_(grid) {}
@@ -119,14 +40,13 @@ class PlainCutter {
     corners_.push_back(corners);
     if (corners_.size() % kBlock == 0) cut();
   }
-  /// Adds a leaf that is a cell of the root grid, which is cut already.
+  /// Adds a leaf that is a root cell with triangles.
   void add_cut(std::uint32_t cell) { cells_.push_back(cell); }
   void finish() {
     if (cuts_.size() < corners_.size()) cut();
   }
 
-  /// Appends the triangles of the next leaf; returns how many there would be if none were without
-  /// area.
+  /// Appends the triangles of the next leaf. Returns their count if all had an area.
   std::size_t take(Array<Triangle>& triangles) {
     const std::uint32_t cell = cells_[taken_++];
     if (cell != kNoCell) {
@@ -154,7 +74,7 @@ class PlainCutter {
 
  private:
   enum class Way : std::uint8_t { First, Second, Unknown };
-  /// Each takes two vertices of a strip: the cells between leaves are for nothing.
+  /// A leaf takes two vertices of each strip; the cells between leaves are not used.
   static constexpr std::size_t kBlock = kTileCells / 2;
   using Strips = std::array<Strip, 2>;
 
@@ -186,7 +106,7 @@ class PlainCutter {
   }
 
   const Grid& grid_;
-  std::vector<std::uint32_t> cells_;  // of all leaves; kNoCell: the next of the corners
+  std::vector<std::uint32_t> cells_;  // of all leaves; kNoCell stands for the next of corners_
   std::vector<std::array<std::uint32_t, 4>> corners_;
   std::vector<Way> cuts_;
   std::size_t taken_ = 0;
@@ -195,124 +115,7 @@ class PlainCutter {
   std::unique_ptr<Cuts> found_ = std::make_unique_for_overwrite<Cuts>();
 };
 
-/// Chains of vertices, interrupted where the surface is.
-class Chains {
- public:
-  Chains(const Grid& grid, const CellTree& tree, std::span<const Leaf> leaves)
-      : tree_(tree), chains_(grid.mesh) {
-    for (const Leaf& leaf : leaves) {
-      if (!leaf.oscillates) continue;
-      for_sides(leaf, tree,
-                [this](std::uint32_t a, std::uint32_t b) { oscillating_.insert(pair_of(a, b)); });
-    }
-  }
-
-  /// Goes on to the next vertex of a line, defined or not.
-  void go_to(std::uint32_t vertex) {
-    if (before_) cross(*before_, vertex);
-    if (before_ && oscillating_.contains(pair_of(*before_, vertex))) chains_.interrupt();
-    if (tree_.is_defined(vertex)) {
-      chains_.append(vertex);
-    } else {
-      chains_.interrupt();
-    }
-    before_ = vertex;
-  }
-  void end_line() {
-    chains_.interrupt();
-    before_.reset();
-  }
-  std::vector<std::vector<std::uint32_t>> take() { return chains_.take(); }
-
- private:
-  /// Goes to the next vertex by way of what is between.
-  void cross(std::uint32_t from, std::uint32_t to) {
-    const std::optional<EdgeFeature> feature = tree_.feature(from, to);
-    if (!feature) return;
-    if (leaves_out(feature->kind)) return chains_.interrupt();
-    chains_.append(feature->beside(from));
-    if (feature->kind == FeatureKind::Jump) chains_.interrupt();
-    chains_.append(feature->beside(to));
-  }
-
-  const CellTree& tree_;
-  PairTable oscillating_;  ///< sides of leaves
-  std::optional<std::uint32_t> before_;
-  ChainBuilder chains_;
-};
-
-/// Index of each of the even lines among the grid's, or of the nearest one, once each.
-std::vector<std::size_t> indices(const std::vector<double>& lines, int count) {
-  std::vector<std::size_t> result;
-  if (count < 1) return result;
-  const auto wanted =
-      even_lines(lines.front(), lines.back(), static_cast<std::size_t>(std::max(count, 2) - 1));
-  for (const double line : wanted) {
-    const auto nearest = std::ranges::min_element(
-        lines, {}, [line](double candidate) { return std::fabs(candidate - line); });
-    const auto index = static_cast<std::size_t>(nearest - lines.begin());
-    if (result.empty() || result.back() != index) result.push_back(index);
-  }
-  if (count == 1) result.resize(1);
-  return result;
-}
-
 }  // namespace
-
-const std::vector<NormalLimit>& LastLimits::find(const Surface& surface,
-                                                 std::vector<Approach> approaches,
-                                                 unsigned threads) {
-  const auto is_same = [](const Approach& a, const Approach& b) {
-    return a.corner == b.corner && a.inside == b.inside;
-  };
-  if (!std::ranges::equal(approaches, approaches_, is_same)) {
-    limits_ = limits_in_cells(surface, approaches, threads);
-    approaches_ = std::move(approaches);
-  }
-  return limits_;
-}
-
-SingularCorners::SingularCorners(std::span<const Leaf> leaves, const CellTree& tree,
-                                 unsigned threads, LastLimits& last, Grid& grid,
-                                 MeshReport& report) {
-  const Surface& surface = tree.surface();
-  const std::vector<View> views = singular_views(leaves, grid, tree);
-  std::vector<Approach> approaches;
-  approaches.reserve(views.size());
-  for (const View& view : views) {
-    approaches.push_back({grid.mesh.uv[view.vertex], view.inside});
-  }
-  const std::vector<NormalLimit>& limits = last.find(surface, std::move(approaches), threads);
-  const std::set<std::uint32_t> filled = filled_vertices(surface, views, grid, threads);
-  VertexCorners corners(grid.mesh);
-  for (std::size_t k = 0, end = 0; k < views.size(); k = end) {
-    const std::uint32_t vertex = views[k].vertex;
-    corners.begin(vertex);
-    bool has_limits = true;
-    bool has_one_normal = true;
-    for (end = k; end < views.size() && views[end].vertex == vertex; ++end) {
-      const View& view = views[end];
-      const NormalLimit& limit = limits[end];
-      const std::size_t corner = corners.find_or_add(limit.normal.value_or(view.face));
-      corners_[key_of(view.leaf, view.sub_polygon, vertex)] = static_cast<std::uint32_t>(corner);
-      has_limits = has_limits && limit.normal;
-      has_one_normal = has_one_normal && corner == vertex;
-      leaves_.push_back(view.leaf);
-    }
-    if (has_limits && has_one_normal && filled.contains(vertex)) continue;
-    add_singular_point(grid.mesh.uv[vertex], report);
-    if (!has_limits) mark_without_limit(report);
-  }
-  std::ranges::sort(leaves_);
-  leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());
-}
-
-std::uint32_t SingularCorners::corner(std::size_t leaf, std::size_t sub_polygon,
-                                      std::uint32_t vertex) const {
-  if (corners_.empty()) return vertex;
-  const auto found = corners_.find(key_of(leaf, sub_polygon, vertex));
-  return found == corners_.end() ? vertex : found->second;
-}
 
 std::size_t LeafTriangles::expected() const {
   std::size_t sum = 0;
@@ -327,7 +130,7 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   result.all.reserve(2 * which.size());
   result.ranges.reserve(which.size());
   const auto choose_corner = [&](std::size_t leaf, std::size_t sub_polygon, std::uint32_t& vertex) {
-    if (!tree.is_regular(vertex)) vertex = singular.corner(leaf, sub_polygon, vertex);
+    if (!tree.geometry().is_regular(vertex)) vertex = singular.corner(leaf, sub_polygon, vertex);
   };
   PlainCutter cutter(grid);
   const auto add_plain = [&](std::size_t leaf, std::array<std::uint32_t, 4> corners) {
@@ -367,26 +170,6 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     range.is_plain = range.is_plain && range.count == 2;
   }
   return result;
-}
-
-std::vector<std::vector<std::uint32_t>> leaf_lines(const Grid& grid, const CellTree& tree,
-                                                   std::span<const Leaf> leaves, int lines_u,
-                                                   int lines_v) {
-  Chains chains(grid, tree, leaves);
-  const auto follow = [&](std::size_t cells, auto place_of) {
-    const auto go_to = [&](std::uint32_t vertex, DyadicPoint) { chains.go_to(vertex); };
-    for (std::size_t k = 0; k < cells; ++k) tree.walk(place_of(k), place_of(k + 1), go_to);
-    chains.go_to(tree.used_vertex(place_of(cells)).value());
-    chains.end_line();
-  };
-  const auto unit = [](std::size_t line) { return static_cast<std::uint32_t>(line) * kCellUnit; };
-  for (const std::size_t i : indices(grid.u, lines_u)) {
-    follow(grid.cells_v, [&](std::size_t k) { return DyadicPoint{unit(i), unit(k)}; });
-  }
-  for (const std::size_t j : indices(grid.v, lines_v)) {
-    follow(grid.cells_u, [&](std::size_t k) { return DyadicPoint{unit(k), unit(j)}; });
-  }
-  return chains.take();
 }
 
 }  // namespace saddle

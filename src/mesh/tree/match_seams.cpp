@@ -7,8 +7,7 @@ namespace saddle {
 
 namespace {
 
-/// Where the side of the domain that vertices lie on meets the other, or itself: the place that is
-/// one point with `place`, or nothing.
+/// The place across a seam or fold that is one point with `place`; nothing off the seams.
 std::optional<DyadicPoint> partner(const Seams& seams, const Grid& grid, DyadicPoint place) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
@@ -33,18 +32,18 @@ std::optional<DyadicPoint> partner(const Seams& seams, const Grid& grid, DyadicP
   return std::nullopt;
 }
 
-/// Puts the middles of folded edges into use, where these turn back.
+/// Takes the middles of folded edges into use, where these turn back.
 void use_middles_of_folds(const Seams& seams, const Grid& grid, CellTree& tree) {
   const auto end_u = static_cast<std::uint32_t>(grid.cells_u) * kCellUnit;
   const auto end_v = static_cast<std::uint32_t>(grid.cells_v) * kCellUnit;
   for (std::uint32_t k = 0; k < 2; ++k) {
-    if (seams.folded_u[k]) tree.use(tree.vertex({k * end_u, end_v / 2}));
-    if (seams.folded_v[k]) tree.use(tree.vertex({end_u / 2, k * end_v}));
+    if (seams.folded_u[k]) tree.vertices().use(tree.vertices().vertex({k * end_u, end_v / 2}));
+    if (seams.folded_v[k]) tree.vertices().use(tree.vertices().vertex({end_u / 2, k * end_v}));
   }
 }
 
-/// Calls f(a, b) for the neighbours a and b on the sides of a leaf. Those on a side that is halved
-/// are corners of a leaf beyond it, and left to that, but at the domain's border.
+/// Calls f(a, b) for neighbours a and b on the sides of a leaf. The leaf beyond a halved side has
+/// its hanging vertices as corners; at the border of the domain there is none.
 template <class F>
 void for_own_sides(const Leaf& leaf, const Grid& grid, const CellTree& tree, F f) {
   const DyadicPoint end = {static_cast<std::uint32_t>(grid.cells_u) * kCellUnit,
@@ -56,7 +55,7 @@ void for_own_sides(const Leaf& leaf, const Grid& grid, const CellTree& tree, F f
   for (std::size_t k = 0; k < 4; ++k) f(corners[k], corners[(k + 1) % 4]);
 }
 
-/// Calls f(a, b) for the neighbours a and b around the pieces of a leaf.
+/// Calls f(a, b) for neighbours a and b around the sub-polygons of a leaf.
 template <class F>
 void for_sides_of_sub_polygons(const Leaf& leaf, const CellTree& tree, F f) {
   for (const Polygon& sub_polygon : sub_polygons(leaf, tree)) {
@@ -66,25 +65,25 @@ void for_sides_of_sub_polygons(const Leaf& leaf, const CellTree& tree, F f) {
   }
 }
 
-/// Points of the surface that sides of leaves are, and where in the domain.
+/// Points to which sides of leaves collapse, and the range of their places.
 class Poles {
  public:
   Poles(const Grid& grid, const CellTree& tree) : grid_(grid), tree_(tree) {}
 
-  /// Adds a side of a leaf or of a piece of one, if it is a point.
+  /// Adds a side of a leaf or of a sub-polygon, if it is a point.
   void add(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t point = grid_.mesh.point[a];
     if (point != grid_.mesh.point[b]) return;
-    const dvec2 place = tree_.place_between(a);
+    const dvec2 place = tree_.vertices().place_between(a);
     const auto [found, is_new] = ways_.try_emplace(point, Ways{place, place});
     Ways& ways = found->second;
-    for (const dvec2& other : {place, tree_.place_between(b)}) {
+    for (const dvec2& other : {place, tree_.vertices().place_between(b)}) {
       ways.low = glm::min(ways.low, other);
       ways.high = glm::max(ways.high, other);
     }
   }
 
-  /// Makes those at the same place one.
+  /// Makes poles at the same position one point.
   void join(PointUnion& points) {
     std::vector<std::uint32_t> distinct;
     for (const auto& [point, ways] : ways_) {
@@ -101,7 +100,7 @@ class Poles {
     meet_ = meet_ || distinct.size() < ways_.size();
   }
 
-  /// Whether one of them is more than a line of constant u or v.
+  /// Whether poles were joined, or one extends along both u and v.
   bool meet() const {
     return meet_ || std::ranges::any_of(ways_, [](const auto& pole) {
              const dvec2 size = pole.second.high - pole.second.low;
@@ -125,17 +124,17 @@ class Poles {
 std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& grid,
                                                const CellTree& tree) {
   std::vector<SeamSide> result;
-  for (const Side& side : tree.sides_with_features()) {
-    const DyadicPoint a = tree.place(side[0]);
-    const DyadicPoint b = tree.place(side[1]);
+  for (const Side& side : tree.edges().sides_with_features()) {
+    const DyadicPoint a = tree.vertices().place(side[0]);
+    const DyadicPoint b = tree.vertices().place(side[1]);
     if (a.u != b.u && a.v != b.v) continue;
     const auto place_c = partner(seams, grid, a);
     const auto place_d = place_c ? partner(seams, grid, b) : std::nullopt;
     if (!place_d) continue;
-    const auto vertex_c = tree.used_vertex(*place_c);
-    const auto vertex_d = tree.used_vertex(*place_d);
+    const auto vertex_c = tree.vertices().used_vertex(*place_c);
+    const auto vertex_d = tree.vertices().used_vertex(*place_d);
     if (!vertex_c || !vertex_d) continue;
-    // Both ends are on a seam; the side is, if its partners are as far apart.
+    // Both ends are on a seam. The side is on it if the partners are as far apart.
     const bool along_u = a.v == b.v;
     const auto length = [&](const DyadicPoint& p, const DyadicPoint& q) {
       const auto [low, high] = along_u ? std::minmax(p.u, q.u) : std::minmax(p.v, q.v);
@@ -150,23 +149,23 @@ std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& g
 void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTree& tree,
                   PointUnion& points) {
   use_middles_of_folds(seams, grid, tree);
-  // The corners of the domain may have two partners; they are root vertices, and welded.
+  // Corners of the domain may have two partners. They are vertices of the root grid, welded before.
   std::vector<Side> pairs;
-  for (const std::uint32_t vertex : tree.take_newly_used()) {
-    const std::optional<DyadicPoint> other = partner(seams, grid, tree.place(vertex));
+  for (const std::uint32_t vertex : tree.vertices().take_newly_used()) {
+    const std::optional<DyadicPoint> other = partner(seams, grid, tree.vertices().place(vertex));
     if (!other) continue;
-    const std::uint32_t twin = tree.vertex(*other);
-    tree.use(twin);
+    const std::uint32_t twin = tree.vertices().vertex(*other);
+    tree.vertices().use(twin);
     pairs.push_back({vertex, twin});
   }
-  tree.evaluate(threads);
+  tree.geometry().evaluate(threads);
   for (const auto& [a, b] : pairs) points.unite(a, b);
 }
 
 void join_features(const Seams& seams, const Grid& grid, const CellTree& tree, PointUnion& points) {
   for (const SeamSide& both : seam_sides_with_features(seams, grid, tree)) {
-    const auto feature = tree.feature(both.side[0], both.side[1]);
-    const auto other = tree.feature(both.other[0], both.other[1]);
+    const auto feature = tree.edges().feature(both.side[0], both.side[1]);
+    const auto other = tree.edges().feature(both.other[0], both.other[1]);
     if (!other || other->kind != feature->kind || leaves_out(other->kind)) continue;
     for (std::size_t k = 0; k < 2; ++k) {
       const std::uint32_t a = feature->beside(both.side[k]);
@@ -184,24 +183,25 @@ bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid
   const auto file = [&](std::uint32_t a, std::uint32_t b, std::vector<Neighbours>& as) {
     if (grid.mesh.point[a] == grid.mesh.point[b]) {
       joined.push_back({a, b});
-    } else if (tree.is_defined(a) && tree.is_defined(b) && is_one_point(grid, a, b)) {
+    } else if (tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
+               is_one_point(grid, a, b)) {
       as.push_back({a, b});
     }
   };
   for (const Leaf& leaf : leaves) {
     for_own_sides(leaf, grid, tree, [&](auto a, auto b) { file(a, b, sides); });
-    if (!leaf.is_split) continue;
+    if (!leaf.state.is_cut_by_feature()) continue;
     for_sides_of_sub_polygons(leaf, tree,
                               [&](std::uint32_t a, std::uint32_t b) { file(a, b, cuts); });
   }
   for (const auto& [a, b] : collapsed(tree.surface(), grid, sides, threads)) {
     points.unite(a, b);
-    tree.make_singular(a);
-    tree.make_singular(b);
+    tree.geometry().make_singular(a);
+    tree.geometry().make_singular(b);
   }
   for (const auto& [a, b] : cuts) points.unite(a, b);
   points.settle();
-  if (!tree.has_singular()) return false;
+  if (!tree.geometry().has_singular()) return false;
   Poles poles(grid, tree);
   for (const auto& which : {joined, sides, cuts}) {
     for (const auto& [a, b] : which) poles.add(a, b);

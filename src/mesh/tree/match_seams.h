@@ -1,5 +1,5 @@
-// Vertices of a refined grid that are one point of the surface: at seams, at poles, and where a
-// crease is a single point.
+// Seam matching on the cell tree: vertices that are one point of the surface, at seams, at poles,
+// and where a crease is a single point.
 #pragma once
 
 #include <span>
@@ -12,29 +12,28 @@
 
 namespace saddle {
 
-/// Puts the vertices in use on one side of each seam into use on the other, and makes both one
-/// point. Root vertices are welded already.
+/// Takes the partners of newly used vertices across seams into use, and makes both one point.
+/// Vertices of the root grid are welded before.
 void mirror_seams(const Seams& seams, unsigned threads, const Grid& grid, CellTree& tree,
                   PointUnion& points);
 
-/// The ends of a side on a seam, and their partners.
+/// A side on a seam, and its partner.
 struct SeamSide {
   Side side;
-  Side other;  ///< not in order: other[k] is the partner of side[k]
+  Side other;  ///< other[k] is the partner of side[k]: not ordered by number
 };
 
 /// The sides on seams that carry a feature.
 std::vector<SeamSide> seam_sides_with_features(const Seams& seams, const Grid& grid,
                                                const CellTree& tree);
 
-/// Makes the vertices beside cuts one point with those on the other side of a seam.
+/// Makes vertices beside features one point with their partners across seams.
 void join_features(const Seams& seams, const Grid& grid, const CellTree& tree, PointUnion& points);
 
-/// Makes neighbours on the sides of leaves that are at the same place one singular point, as at
-/// poles that no line of the root grid goes through, and neighbours on a cut as well, as at the
-/// apex of a double cone. Poles at the same place become one point, as where all of the lines on
-/// which a radius is 0 come together. Returns whether leaves may have chords in common there: some
-/// became one, or one is more than a line of constant u or v.
+/// Makes neighbours at the same position one singular point. On sides of leaves these are poles
+/// that no line of the root grid meets; on sub-polygons, apexes as of a double cone. Poles at
+/// the same position become one point, as where all lines of radius 0 meet. Returns whether leaves
+/// may have chords in common there: poles were joined, or one extends along both u and v.
 bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid, CellTree& tree,
                 PointUnion& points);
 

@@ -7,14 +7,15 @@
 namespace saddle {
 namespace {
 
-/// The worst feature on the sides of a leaf, or the boundary of the surface.
+/// The gap reason of the last feature on the sides of a leaf that is no boundary and no crease.
+/// Without one: Boundary or Crease, by the state of the leaf.
 GapReason worst_feature(const Leaf& leaf, const CellTree& tree) {
   constexpr std::array kReasonOfFeature = {GapReason::Boundary, GapReason::Jump,
                                            GapReason::Pole,     GapReason::Crease,
                                            GapReason::NoLimit,  GapReason::Pole};
-  GapReason worst = leaf.on_boundary ? GapReason::Boundary : GapReason::Crease;
+  GapReason worst = leaf.state.is_on_boundary() ? GapReason::Boundary : GapReason::Crease;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const auto feature = tree.feature(a, b);
+    const auto feature = tree.edges().feature(a, b);
     if (!feature || feature->kind == FeatureKind::Boundary || feature->kind == FeatureKind::Crease)
       return;
     worst = kReasonOfFeature[static_cast<std::size_t>(feature->kind)];
@@ -30,11 +31,12 @@ std::vector<Patch> patches_of(std::span<const Leaf> leaves, std::span<const doub
   patches.reserve(leaves.size());
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const Leaf& leaf = leaves[k];
-    patches.push_back({{tree.parameters(leaf.low), tree.parameters(leaf.high)},
-                       allowed[k],
-                       grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
-                       {}});
-    if (leaf.on_boundary || leaf.is_split) patches.back().cut_by = worst_feature(leaf, tree);
+    patches.push_back(
+        {{tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)},
+         allowed[k],
+         grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
+         {}});
+    if (!leaf.state.is_whole()) patches.back().cut_by = worst_feature(leaf, tree);
   }
   return patches;
 }

@@ -2,8 +2,8 @@
 
 namespace saddle {
 
-/// Where a key is, or else would be: from its own place on, the next one that is free. Source:
-/// D. E. Knuth, "The Art of Computer Programming" 3, section 6.4: multiplicative hashing.
+/// The slot of a key, or the free slot where it would go: linear probing. Source: D. E. Knuth, "The
+/// Art of Computer Programming" 3, section 6.4: multiplicative hashing.
 std::uint32_t PlaceMap::slot_of(const Table& table, std::uint32_t key) const {
   const std::uint32_t mask = ~std::uint32_t{0} >> table.shift;
   std::uint32_t slot = (key * 0x9e3779b9U) >> table.shift;  // 2^32 / golden ratio
@@ -38,7 +38,7 @@ std::uint32_t PlaceMap::find_or_insert(DyadicPoint place, std::uint32_t number) 
   return number;
 }
 
-/// Twice as many slots as before, behind all others.
+/// Doubles the slots of a table. Its new slots follow those of all tables.
 void PlaceMap::grow(Table& table) {
   constexpr std::uint32_t kFirstShift = 28;
   const bool is_first = table.shift == 32;

@@ -1,4 +1,4 @@
-// The numbers of vertices, by their places.
+// Vertex numbers by dyadic points.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace saddle {
 
-/// From place to vertex, for places that are not on the root grid. Every cell of that has a table
-/// of its own, with open addressing: a mesh asks for its vertices millions of times, cell by cell,
-/// and what it asks for next is then near to what it asked for before.
+/// A map from places to vertices, for places that are not on the root grid. Each root cell has a
+/// hash table of its own, with open addressing. Look-ups go cell by cell, so that successive ones
+/// stay in the cache.
 class PlaceMap {
  public:
   explicit PlaceMap(const Grid& grid)
@@ -33,7 +33,7 @@ class PlaceMap {
     std::uint32_t count = 0;
     std::uint32_t shift = 32;
   };
-  /// The corner of a cell is on the root grid.
+  /// The key of the corner of a root cell, which is on the root grid.
   static constexpr std::uint32_t kEmpty = 0;
 
   std::size_t table_of(DyadicPoint place) const {
@@ -46,8 +46,8 @@ class PlaceMap {
   void grow(Table& table);
 
   std::size_t pitch_;
-  std::vector<Table> tables_;  // of cells, and of the lines at the far ends
-  std::vector<Slot> slots_;    // of all; those of tables that have grown are abandoned
+  std::vector<Table> tables_;  // of root cells, and of the lines at the far ends
+  std::vector<Slot> slots_;    // of all tables; a table that grows abandons its slots
 };
 
 }  // namespace saddle

@@ -11,13 +11,7 @@ namespace saddle {
 
 namespace {
 
-/// Twice the area of a triangle in units of the cell tree; exact for whole places, which are less
-/// than 2^17 apart.
-double doubled_area(const dvec2& a, const dvec2& b, const dvec2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-double doubled_area(std::span<const PolygonCorner> polygon) {
+double doubled_area_of(std::span<const PolygonCorner> polygon) {
   double sum = 0;
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     sum += doubled_area(polygon[0].place, polygon[k].place, polygon[k + 1].place);
@@ -25,7 +19,8 @@ double doubled_area(std::span<const PolygonCorner> polygon) {
   return sum;
 }
 
-/// Twice an area that corners on one straight side may have: places of cuts are rounded.
+/// Bound on twice the area of a triangle of corners on one straight side. Its cause is the rounding
+/// of features' places.
 double rounding_of_area(std::span<const PolygonCorner> polygon) {
   double reach = 0;
   double rounding = 0;
@@ -37,7 +32,7 @@ double rounding_of_area(std::span<const PolygonCorner> polygon) {
   return 2 * rounding * reach;
 }
 
-/// How far from a chord a corner may be, in chords, that is on it but for rounding.
+/// A corner nearer to a chord than this share of its length lies on it.
 constexpr double kOnChord = 1e-12;
 
 /// Two points of the surface, in order.
@@ -47,9 +42,9 @@ PointPair points_of(const Mesh& mesh, const PolygonCorner& a, const PolygonCorne
   return std::minmax(mesh.point[a.corner], mesh.point[b.corner]);
 }
 
-/// The sides of a polygon that meets itself, as where an edge of the domain is folded in it: a
-/// chord beside a side of the same points would be an edge of four triangles. None of others:
-/// neighbours that are one point, as at a pole, are no meeting.
+/// The sides of a polygon that touches itself, as at a folded edge of the domain; none of another
+/// polygon. A chord between the same two points as a side would be an edge of four triangles.
+/// Neighbours that are one point, as at a pole, do not count.
 std::vector<PointPair> sides_that_meet(const Mesh& mesh, std::span<const PolygonCorner> polygon) {
   std::vector<PointPair> sides;
   std::vector<std::uint32_t> points;
@@ -64,8 +59,8 @@ std::vector<PointPair> sides_that_meet(const Mesh& mesh, std::span<const Polygon
   return meets ? sides : std::vector<PointPair>();
 }
 
-/// Whether a corner lies on an ear's chord, be it the tip: the ear or what is left would have a
-/// side without a neighbour, since triangles without area are left out. So at the apex of a cone.
+/// Whether a corner, possibly the tip, lies on the chord of an ear, as at the apex of a cone. The
+/// triangle without area would be left out, and leave an edge without a neighbour.
 bool passes_over_corner(const Grid& grid, std::span<const PolygonCorner> polygon, std::size_t tip) {
   const std::size_t count = polygon.size();
   const dvec3 from = grid.local(polygon[(tip + count - 1) % count].corner);
@@ -93,8 +88,8 @@ bool has_pole(const Mesh& mesh, std::span<const PolygonCorner> polygon) {
   return false;
 }
 
-/// Whether the triangle at an ear's tip faces away from the front that the normals of its corners
-/// tell, as where the polygon is bent so that the tip is beyond the chord.
+/// Whether an ear faces against the normals of its corners, as where a bent polygon has its tip
+/// beyond the chord.
 bool faces_away(const Grid& grid, const PolygonCorner& a, const PolygonCorner& tip,
                 const PolygonCorner& b) {
   const auto& [position, normal] = std::tie(grid.mesh.position, grid.mesh.normal);
@@ -104,7 +99,7 @@ bool faces_away(const Grid& grid, const PolygonCorner& a, const PolygonCorner& t
   return grid.mirrored ? front > 0 : front < 0;
 }
 
-/// A triangle that may be cut off a polygon, and how good its chord is.
+/// A triangle that may be cut off a polygon, and the quality of its chord.
 struct Ear {
   std::size_t tip;
   double sagitta;  ///< of the arc above the chord
@@ -117,8 +112,8 @@ struct Ear {
   }
 };
 
-/// What an ear is spoiled by, the worst counting most: its chord is one of `taken`, or passes over
-/// a corner; it faces away.
+/// The penalty of an ear: 2 if its chord is one of `taken` or passes over a corner, 1 if it faces
+/// away.
 int flaws_of(const Grid& grid, std::span<const PolygonCorner> polygon, std::size_t tip,
              bool is_at_pole, std::span<const PointPair> taken) {
   const PolygonCorner& before = polygon[(tip + polygon.size() - 1) % polygon.size()];
@@ -129,11 +124,10 @@ int flaws_of(const Grid& grid, std::span<const PolygonCorner> polygon, std::size
   return (is_taken ? 2 : 0) + (faces_away(grid, before, polygon[tip], after) ? 1 : 0);
 }
 
-/// The ear to cut off: its tip's index. It is the one of those with the fewest flaws whose chord is
-/// nearest to the surface.
+/// The index of the best ear's tip: the fewest flaws, then the chord nearest to the surface.
 std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, bool is_at_pole,
                      std::span<const PointPair> taken) {
-  const double whole = doubled_area(polygon);
+  const double whole = doubled_area_of(polygon);
   const double rounding = rounding_of_area(polygon);
   const Mesh& mesh = grid.mesh;
   std::optional<Ear> best;
@@ -141,7 +135,7 @@ std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, b
     const PolygonCorner& before = polygon[(k + polygon.size() - 1) % polygon.size()];
     const PolygonCorner& after = polygon[(k + 1) % polygon.size()];
     const double area = doubled_area(before.place, polygon[k].place, after.place);
-    // What is left must have area too: corners on one straight side are no polygon.
+    // The rest must have an area, too: corners on one straight side are no polygon.
     if (area <= rounding || area >= whole - rounding) continue;
     const dvec3& a = mesh.position[before.corner];
     const dvec3& b = mesh.position[after.corner];

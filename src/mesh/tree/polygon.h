@@ -1,4 +1,4 @@
-// A leaf of a refined grid, with all the vertices on its sides, into triangles.
+// Triangulation of convex polygons by ear clipping.
 #pragma once
 
 #include <algorithm>
@@ -12,23 +12,29 @@
 
 namespace saddle {
 
-/// A corner of the mesh and where it is in the leaf.
+/// A corner of the mesh, and its place in units of the cell tree.
 struct PolygonCorner {
   std::uint32_t corner;
-  dvec2 place;  ///< in units of the cell tree
+  dvec2 place;
 };
 
-/// By how much the place of a cut may be off a straight side that it is on, in units of the
-/// cell tree: it is mixed from those of the side's ends, which are exact.
+/// Bound on the distance of a feature's place from its side, in units of the cell tree. The place
+/// is an interpolation between the ends of the side, which are exact.
 inline double rounding_of_place(const dvec2& place) {
   return 4 * std::numeric_limits<double>::epsilon() *
          std::max(std::fabs(place.x), std::fabs(place.y));
 }
 
-/// Triangulates a convex polygon, counter-clockwise in (u, v), whose corners may lie on straight
-/// sides: ears are cut off one by one, the one with the smallest sagitta of its chord first, each
-/// of positive area in (u, v). Triangles without area in space are left out. Appends to
-/// `triangles`, counter-clockwise seen from the front.
+/// Twice the signed area of a triangle in the plane. Exact for dyadic points, which are less than
+/// 2^17 units apart within a root cell.
+inline double doubled_area(const dvec2& a, const dvec2& b, const dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Triangulates a convex polygon, counter-clockwise in (u, v); several corners may lie on one
+/// straight side. Cuts off ears of positive area in (u, v), the smallest sagitta of a chord first.
+/// Appends to `triangles`, counter-clockwise seen from the front, without triangles that have no
+/// area in space.
 void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
                          Array<Triangle>& triangles);
 

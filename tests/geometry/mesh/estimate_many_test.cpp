@@ -36,7 +36,7 @@ Surface ridges() {
 struct Subject {
   explicit Subject(const Surface& s, const RefineOptions& refine_options, std::size_t multiple = 1)
       : surface(s), options(refine_options), fine(multiple) {
-    tree.add_middles(1);
+    tree.geometry().add_middles(1);
     for (Leaf& leaf : leaves) request_samples(leaf, tree);
   }
 
@@ -158,7 +158,8 @@ TEST(ManyLeaves, LeaveFoldsToACloserLook) {
       ASSERT_TRUE(fast_errors.leaves[k].is_known) << column;
     }
   }
-  subject.leaves[0].is_split = subject.leaves[1].leads_to_pole = true;
+  subject.leaves[0].state.set_features(true, false);
+  subject.leaves[1].state.set_features(false, true);
   EXPECT_EQ(count_known(glances_at(subject)), count_known(fast_errors) - 2);
 }
 
@@ -189,8 +190,8 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
     std::vector<TwoTriangles> leaves;
     for (const std::size_t k : all) {
       ASSERT_TRUE(triangles.ranges[k].is_plain);
-      leaves.push_back({subject.tree.parameters(subject.leaves[k].low),
-                        subject.tree.parameters(subject.leaves[k].high),
+      leaves.push_back({subject.tree.vertices().parameters(subject.leaves[k].low),
+                        subject.tree.vertices().parameters(subject.leaves[k].high),
                         {triangles.of(k)[0], triangles.of(k)[1]},
                         places});
     }

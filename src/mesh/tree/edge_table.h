@@ -1,0 +1,167 @@
+// Sides between neighbouring vertices of a cell tree, and the features found on them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mesh/model/pair_table.h"
+#include "mesh/sizing/effort.h"
+#include "mesh/tree/cell_marks.h"
+#include "mesh/tree/dyadic_vertices.h"
+#include "mesh/tree/revision_clock.h"
+
+namespace saddle {
+
+/// Two neighbouring vertices in use, the smaller number first.
+using Side = std::array<std::uint32_t, 2>;
+
+inline Side side_of(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// The kind of discontinuity between two neighbours on a side of a leaf.
+enum class FeatureKind : std::uint8_t {
+  Boundary,   ///< one of them is not defined
+  Jump,       ///< the surface jumps
+  Pole,       ///< it goes to infinity
+  Crease,     ///< its normal jumps
+  Essential,  ///< one of them is a point without limit: PointSingularity::Kind::NoLimit
+  Face,       ///< it leaves the clip box, on its way to infinity
+};
+
+/// Whether the mesh leaves out what is between such a feature and the corners of a leaf.
+inline bool leaves_out(FeatureKind kind) {
+  return kind == FeatureKind::Pole || kind == FeatureKind::Essential;
+}
+
+/// Where a side is cut: the last vertices on either side of the cut. At a boundary they are one
+/// vertex. At a pole they are on the way to infinity, or where that leaves the clip box. At a
+/// crease they are one point with two normals.
+struct EdgeFeature {
+  FeatureKind kind;
+  std::uint32_t first;  ///< the neighbour with the smaller number
+  std::uint32_t beside_first, beside_second;
+
+  std::uint32_t beside(std::uint32_t neighbour) const {
+    return neighbour == first ? beside_first : beside_second;
+  }
+  /// Vertices of the mesh that the feature adds between the ends of its side.
+  std::size_t count_new_vertices() const {
+    if (leaves_out(kind)) return 0;
+    return beside_first == beside_second ? 1 : 2;
+  }
+  /// Whether the surface ends here, with nothing beyond.
+  bool is_boundary() const {
+    return (kind == FeatureKind::Boundary || kind == FeatureKind::Face) &&
+           beside_first == beside_second;
+  }
+};
+
+/// The facts known of a side; a side without a record has none.
+struct EdgeRecord {
+  static constexpr std::uint32_t kNoPole = ~std::uint32_t{0};
+
+  Side side;
+  std::optional<EdgeFeature> feature;
+  std::uint32_t pole = kNoPole;  ///< number of the pole that the side leads to
+  bool is_searched = false;      ///< `feature` says what the search found
+  bool is_continuous = false;    ///< positions are; normals need not be
+  bool has_more = false;         ///< more features than `feature`
+};
+
+/// The records of all sides, in one hash table.
+class EdgeTable {
+ public:
+  /// The last places before a pole, in parameters, the first nearer to the side's first end.
+  using PoleEnds = std::array<dvec2, 2>;
+
+  EdgeTable(const Grid& grid, DyadicVertices& vertices, RevisionClock& revisions, Effort& effort)
+      : vertices_(vertices), revisions_(revisions), effort_(effort), crossed_cells_(grid) {}
+
+  /// The feature of a side, if one has been found.
+  std::optional<EdgeFeature> feature(std::uint32_t a, std::uint32_t b) const {
+    return vertices_.is_beside_feature(a) && vertices_.is_beside_feature(b) ? find_feature(a, b)
+                                                                            : std::nullopt;
+  }
+  /// Whether a search for features has ended on a side.
+  bool is_searched(std::uint32_t a, std::uint32_t b) const {
+    const EdgeRecord* const record = find(a, b);
+    return record != nullptr && record->is_searched;
+  }
+  /// Files what a search found.
+  void set_feature(std::uint32_t a, std::uint32_t b, std::optional<EdgeFeature> feature);
+
+  /// Whether positions are known to be continuous along a side. Its normals need not be.
+  bool is_continuous(std::uint32_t a, std::uint32_t b) const {
+    const EdgeRecord* const record = find(a, b);
+    return record != nullptr && record->is_continuous;
+  }
+  void set_continuous(std::uint32_t a, std::uint32_t b) { record(a, b).is_continuous = true; }
+
+  /// Whether a side has more features than feature() tells.
+  bool has_more(std::uint32_t a, std::uint32_t b) const {
+    const EdgeRecord* const record = find(a, b);
+    return record != nullptr && record->has_more;
+  }
+  void set_has_more(std::uint32_t a, std::uint32_t b) { record(a, b).has_more = true; }
+
+  /// Whether the surface is known to go to infinity across a side.
+  bool leads_to_pole(std::uint32_t a, std::uint32_t b) const {
+    const EdgeRecord* const record = find(a, b);
+    return record != nullptr && record->pole != EdgeRecord::kNoPole;
+  }
+  /// Keeps the first ends that are filed for a side.
+  void set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends);
+  /// The ends of a side that leads to a pole.
+  const PoleEnds& pole_between(std::uint32_t a, std::uint32_t b) const {
+    return poles_[find(a, b)->pole];
+  }
+  /// Files a pole beyond a FeatureKind::Face.
+  void add_pole_beyond_face(const PoleEnds& ends) { poles_beyond_faces_.push_back(ends); }
+  bool has_poles() const { return has_pole_features_ || !poles_.empty(); }
+  /// The ends of all poles, found or cut, in the order of the searches.
+  std::vector<PoleEnds> poles(const Mesh& mesh) const;
+
+  bool has_features() const { return has_features_; }
+  /// Whether a feature may cut a leaf: one cuts its root cell.
+  bool may_be_crossed(const Leaf& leaf) const {
+    return has_features_ && crossed_cells_.contains(leaf);
+  }
+  /// The sides with a feature, in the order of the searches.
+  std::vector<Side> sides_with_features() const;
+
+  /// Vertices that features add to sides which are not halved.
+  std::size_t vertex_count() const { return vertex_count_; }
+  /// A side is halved: features of its halves take the place of its own.
+  void discount_feature(std::uint32_t a, std::uint32_t b) {
+    const auto cut = feature(a, b);
+    if (cut) vertex_count_ -= cut->count_new_vertices();
+  }
+
+ private:
+  const EdgeRecord* find(std::uint32_t a, std::uint32_t b) const {
+    const auto found = places_.find(pair_of(a, b));
+    return found ? &records_[*found] : nullptr;
+  }
+  EdgeRecord& record(std::uint32_t a, std::uint32_t b);
+  std::optional<EdgeFeature> find_feature(std::uint32_t a, std::uint32_t b) const;
+
+  DyadicVertices& vertices_;
+  RevisionClock& revisions_;
+  Effort& effort_;
+  PairTable places_;  // in records_
+  std::vector<EdgeRecord> records_;
+  std::vector<std::uint32_t> searched_;  // records, in the order of the searches
+  std::vector<PoleEnds> poles_;          // of sides that lead to poles
+  std::vector<PoleEnds> poles_beyond_faces_;
+  CellMarks crossed_cells_;
+  std::size_t vertex_count_ = 0;
+  bool has_features_ = false;
+  bool has_pole_features_ = false;
+};
+
+}  // namespace saddle

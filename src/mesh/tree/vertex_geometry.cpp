@@ -1,0 +1,271 @@
+#include "mesh/tree/vertex_geometry.h"
+
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "eval/batch.h"
+#include "mesh/features/singular.h"
+#include "mesh/grid/weld.h"
+#include "mesh/model/tolerances.h"
+
+namespace saddle {
+
+VertexGeometry::VertexGeometry(const Surface& surface, Grid& grid, DyadicVertices& vertices,
+                               RevisionClock& revisions, Effort& effort, unsigned threads)
+    : surface_(surface),
+      grid_(grid),
+      vertices_(vertices),
+      revisions_(revisions),
+      effort_(effort),
+      regular_(grid.vertex_count(), 1),
+      defined_(grid.vertex_count(), 1),
+      singular_cells_(grid),
+      evaluated_(grid.vertex_count()) {
+  repair_root_grid(threads);
+}
+
+void VertexGeometry::repair_root_grid(unsigned threads) {
+  for (const std::size_t vertex : grid_.singular) make_singular(static_cast<std::uint32_t>(vertex));
+  std::vector<dvec2> uv;
+  for (const std::size_t vertex : grid_.singular) uv.push_back(grid_.uv(vertex));
+  note_rounding(grid_.singular, saddle::evaluate(surface_, uv, threads));
+  replace_rounding(threads);
+  if (grid_.left_out_count == 0) return;
+  std::vector<std::uint32_t> undefined;
+  for (std::uint32_t vertex = 0; vertex < grid_.vertex_count(); ++vertex) {
+    const bool has_normal = is_finite(grid_.mesh.normal[vertex]);
+    if (!has_normal) grid_.mesh.normal[vertex] = dvec3(0);
+    if (!has_normal) make_singular(vertex);
+    defined_[vertex] = is_finite(grid_.mesh.position[vertex]) ? 1 : 0;
+    if (!is_defined(vertex)) undefined.push_back(vertex);
+  }
+  fill_removable(undefined, threads);
+}
+
+void VertexGeometry::reserve(std::size_t count) {
+  vertices_.reserve(count);
+  Mesh& mesh = grid_.mesh;
+  mesh.position.reserve(count);
+  mesh.normal.reserve(count);
+  mesh.uv.reserve(count);
+  mesh.point.reserve(count);
+  regular_.reserve(count);
+  defined_.reserve(count);
+}
+
+void VertexGeometry::add_middles(unsigned threads) {
+  reserve((2 * grid_.u.size() - 1) * (2 * grid_.v.size() - 1));
+  for (std::size_t kind = 1; kind < DyadicVertices::kSubGrids; ++kind) {
+    append_grid(vertices_.add_sub_grid(kind), threads);
+  }
+  finish_new(threads);
+}
+
+template <class Function>
+void VertexGeometry::append(const NormalColumns& columns, std::size_t count, Function uv) {
+  const double front = surface_.flip ? -1 : 1;
+  Mesh& mesh = grid_.mesh;
+  const std::size_t first = mesh.position.size();
+  mesh.position.resize(first + count);
+  mesh.normal.resize(first + count);
+  mesh.uv.resize(first + count);
+  mesh.point.resize(first + count);
+  regular_.resize(first + count, 1);
+  defined_.resize(first + count, 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const dvec3 position(columns[0][i], columns[1][i], columns[2][i]);
+    const dvec3 normal = front * dvec3(columns[kNormalColumn][i], columns[kNormalColumn + 1][i],
+                                       columns[kNormalColumn + 2][i]);
+    // |r_u x r_v| is compared with |r_u| |r_v|; each may be infinite or 0.
+    const double scale =
+        std::sqrt(columns[kSquareUColumn][i]) * std::sqrt(columns[kSquareVColumn][i]);
+    const bool regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal);
+    const std::size_t vertex = first + i;
+    mesh.position[vertex] = position;
+    mesh.normal[vertex] = regular ? normal : dvec3(0);
+    mesh.uv[vertex] = uv(i);
+    mesh.point[vertex] = static_cast<std::uint32_t>(vertex);
+    if (!regular) make_singular(static_cast<std::uint32_t>(vertex));
+    defined_[vertex] = is_finite(position) ? 1 : 0;
+    if (!regular && is_finite(position) && is_finite(normal)) steep_.push_back(vertex);
+  }
+  evaluations_ += count;
+  effort_.add_samples(count);
+}
+
+void VertexGeometry::append_places(const std::vector<double>& u, const std::vector<double>& v,
+                                   unsigned threads) {
+  append(evaluate_normals(surface_, u, v, threads), u.size(),
+         [&](std::size_t i) { return dvec2(u[i], v[i]); });
+}
+
+void VertexGeometry::append_grid(const DyadicVertices::Lines& lines, unsigned threads) {
+  const auto& [u, v] = lines;
+  append(evaluate_normals_on_grid(surface_, u, v, threads), u.size() * v.size(),
+         [&](std::size_t i) { return dvec2(u[i % u.size()], v[i / u.size()]); });
+}
+
+void VertexGeometry::evaluate(unsigned threads) {
+  if (evaluated_ == vertices_.size()) return;
+  std::vector<double> u;
+  std::vector<double> v;
+  for (std::size_t vertex = evaluated_; vertex < vertices_.size(); ++vertex) {
+    const dvec2 uv = vertices_.parameters(vertices_.place(static_cast<std::uint32_t>(vertex)));
+    u.push_back(uv.x);
+    v.push_back(uv.y);
+  }
+  append_places(u, v, threads);
+  finish_new(threads);
+}
+
+void VertexGeometry::finish_new(unsigned threads) {
+  take_known_normals();
+  std::vector<std::uint32_t> undefined;
+  for (auto vertex = static_cast<std::uint32_t>(evaluated_); vertex < vertices_.size(); ++vertex) {
+    join_pole(vertex);
+    if (!is_defined(vertex)) undefined.push_back(vertex);
+  }
+  evaluated_ = vertices_.size();
+  fill_removable(undefined, threads);
+  replace_rounding(threads);
+}
+
+void VertexGeometry::fill_removable(std::span<const std::uint32_t> undefined, unsigned threads) {
+  const std::vector<Beside> beside = look_beside(undefined, threads);
+  std::vector<std::uint32_t> singularities;
+  for (std::size_t k = 0; k < undefined.size(); ++k) {
+    if (beside[k].limit) {
+      fill(undefined[k], *beside[k].limit);
+    } else if (beside[k].is_defined) {
+      singularities.push_back(undefined[k]);
+    }
+  }
+  classify(singularities, threads);
+}
+
+/// Vertices whose positions are rounding keep these where nothing better is known.
+void VertexGeometry::replace_rounding(unsigned threads) {
+  std::vector<std::uint32_t> vertices;
+  std::swap(vertices, rounded_);
+  const std::vector<Beside> beside = look_beside(vertices, threads);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (beside[k].limit) fill(vertices[k], *beside[k].limit);
+  }
+}
+
+std::vector<Beside> VertexGeometry::look_beside(std::span<const std::uint32_t> vertices,
+                                                unsigned threads) {
+  if (vertices.empty()) return {};
+  std::vector<dvec2> places;
+  for (const std::uint32_t vertex : vertices) places.push_back(grid_.mesh.uv[vertex]);
+  std::size_t looks = 0;
+  auto beside = saddle::look_beside(surface_, places, grid_.mesh.bounds.diagonal(), threads, looks);
+  evaluations_ += looks;
+  effort_.add_places(looks);
+  return beside;
+}
+
+/// Gives a vertex the limit of the positions around it.
+void VertexGeometry::fill(std::uint32_t vertex, const dvec3& limit) {
+  grid_.mesh.position[vertex] = limit;
+  defined_[vertex] = 1;
+  make_singular(vertex);
+}
+
+void VertexGeometry::classify(std::span<const std::uint32_t> vertices, unsigned threads) {
+  std::vector<dvec2> places;
+  for (const std::uint32_t vertex : vertices) places.push_back(grid_.mesh.uv[vertex]);
+  const std::vector<PointSingularity> singularities =
+      classify_points(surface_, places, grid_.mesh.bounds.diagonal(), threads);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (singularities[k].kind != PointSingularity::Kind::Part)
+      singularities_[vertices[k]] = singularities[k];
+    has_poles_ = has_poles_ || singularities[k].kind == PointSingularity::Kind::Pole;
+  }
+}
+
+void VertexGeometry::take_known_normals() {
+  std::vector<dvec2> uv;
+  for (const std::size_t vertex : steep_) uv.push_back(grid_.mesh.uv[vertex]);
+  const std::vector<SurfacePoint> points = saddle::evaluate(surface_, uv, 1);
+  note_rounding(steep_, points);
+  std::vector<std::uint32_t> vertices;
+  std::vector<dvec2> places;
+  std::vector<dvec3> normals;
+  for (std::size_t k = 0; k < steep_.size(); ++k) {
+    const auto vertex = static_cast<std::uint32_t>(steep_[k]);
+    if (is_regular(vertex)) continue;
+    const auto normal = known_normal(points[k], surface_.flip);
+    if (!normal) continue;
+    vertices.push_back(vertex);
+    places.push_back(uv[k]);
+    normals.push_back(*normal);
+  }
+  // Tangents may be made of rounding themselves: are_singular() then finds others around them.
+  const std::vector<bool> are_zeros = are_singular(surface_, places, 1);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!are_zeros[k]) set_normal(vertices[k], normals[k]);
+  }
+  steep_.clear();
+}
+
+/// Files the vertices whose positions are rounding: is_rounding().
+void VertexGeometry::note_rounding(std::span<const std::size_t> vertices,
+                                   std::span<const SurfacePoint> points) {
+  const Mesh& mesh = grid_.mesh;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (!is_rounding(points[k], mesh.uv[vertices[k]], mesh.bounds.diagonal())) continue;
+    rounded_.push_back(static_cast<std::uint32_t>(vertices[k]));
+  }
+}
+
+std::uint32_t VertexGeometry::add_between(std::span<const Between> places, unsigned threads) {
+  assert(evaluated_ == vertices_.size());
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  std::vector<double> u;
+  std::vector<double> v;
+  for (const Between& between : places) {
+    const dvec2 from = grid_.mesh.uv[between.a];
+    const dvec2 whole = grid_.mesh.uv[between.b] - from;
+    const dvec2 part = between.uv - from;
+    double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
+    if (share < kSameOnLine || share > 1 - kSameOnLine) share = std::round(share);
+    vertices_.add_between(
+        glm::mix(vertices_.place_between(between.a), vertices_.place_between(between.b), share));
+    u.push_back(between.uv.x);
+    v.push_back(between.uv.y);
+  }
+  append_places(u, v, threads);
+  evaluated_ = vertices_.size();
+  return first;
+}
+
+void VertexGeometry::join(std::uint32_t from, std::uint32_t to) {
+  grid_.mesh.position[to] = grid_.mesh.position[from];
+  grid_.mesh.point[to] = grid_.mesh.point[from];
+}
+
+/// Joins a vertex between two vertices of the root grid that are one point, on the grid's line
+/// through them, to that point. Its tangent along the line is rounding.
+void VertexGeometry::join_pole(std::uint32_t vertex) {
+  const DyadicPoint p = vertices_.place(vertex);
+  const bool on_u = p.u % kCellUnit == 0;
+  if (!on_u && p.v % kCellUnit != 0) return;
+  const auto before = [](std::uint32_t c) { return c / kCellUnit * kCellUnit; };
+  const DyadicPoint a = {before(p.u), before(p.v)};
+  const DyadicPoint b =
+      on_u ? DyadicPoint{a.u, a.v + kCellUnit} : DyadicPoint{a.u + kCellUnit, a.v};
+  const std::uint32_t root = vertices_.vertex_on_grid(a);
+  const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[vertices_.vertex_on_grid(b)];
+  if (!ends_meet || !is_one_point(grid_, root, vertex)) return;
+  grid_.mesh.position[vertex] = grid_.mesh.position[root];
+  grid_.mesh.point[vertex] = grid_.mesh.point[root];
+  make_singular(root);
+  make_singular(vertex);
+}
+
+}  // namespace saddle
