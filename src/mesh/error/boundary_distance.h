@@ -7,9 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tree/cell_tree.h"
+#include "mesh/grid/grid.h"
+#include "mesh/proof/continuity.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
 
 class BoundaryDistance {
  public:

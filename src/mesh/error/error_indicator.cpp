@@ -14,6 +14,7 @@
 #include "mesh/grid/vertex_columns.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
@@ -51,6 +52,17 @@ double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner)
 }
 
 }  // namespace
+
+ErrorIndicator::ErrorIndicator(const RefineOptions& options, const Grid& grid, const CellTree& tree)
+    : options_(options), grid_(grid), mesh_(grid.mesh), tree_(tree) {
+  if (!options.clip) return;
+  const double margin = grid.mesh.bounds.diagonal();
+  far_ = Bounds{options.clip->low - margin, options.clip->high + margin};
+}
+
+bool ErrorIndicator::is_regular(std::uint32_t vertex) const {
+  return tree_.geometry().is_regular(vertex);
+}
 
 /// A chord and the sample above it.
 struct ErrorIndicator::ChordSample {

@@ -11,9 +11,13 @@
 
 #include "mesh/error/limits.h"
 #include "mesh/model/counterexample.h"
-#include "mesh/tree/cell_tree.h"
+#include "mesh/model/mesh.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
+struct Grid;
 
 /// Errors of a leaf along u, along v and at its centre, as parts of its tolerance. Distances fall
 /// with the square of a leaf's size, angles with the size itself. The ratio of an angle is
@@ -55,12 +59,7 @@ int count_defined(const CellTree& tree, const Leaf& leaf);
 /// Estimates the errors of leaves whose samples are known.
 class ErrorIndicator {
  public:
-  ErrorIndicator(const RefineOptions& options, const Grid& grid, const CellTree& tree)
-      : options_(options), grid_(grid), mesh_(grid.mesh), tree_(tree) {
-    if (!options.clip) return;
-    const double margin = grid.mesh.bounds.diagonal();
-    far_ = Bounds{options.clip->low - margin, options.clip->high + margin};
-  }
+  ErrorIndicator(const RefineOptions& options, const Grid& grid, const CellTree& tree);
 
   /// The tolerance in the ball around a leaf's nine samples.
   double allowed(const Leaf& leaf) const;
@@ -104,7 +103,7 @@ class ErrorIndicator {
 
   std::vector<dvec3> defined_positions(const SampleVertices& samples) const;
   double diameter(const Corners& corner) const;
-  bool is_regular(std::uint32_t vertex) const { return tree_.geometry().is_regular(vertex); }
+  bool is_regular(std::uint32_t vertex) const;
   bool has_opposed(const SampleVertices& samples) const;
   /// `vertices`: the chord's ends and the sample.
   double distance_of_sample(const ChordSample& arc, const std::array<std::uint32_t, 3>& vertices,

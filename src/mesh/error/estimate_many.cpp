@@ -8,6 +8,7 @@
 
 #include "mesh/error/error_loops.h"
 #include "mesh/grid/vertex_columns.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 

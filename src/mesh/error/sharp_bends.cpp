@@ -8,6 +8,7 @@
 
 #include "mesh/error/crease_distance.h"
 #include "mesh/model/sides.h"
+#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 

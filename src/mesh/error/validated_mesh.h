@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "mesh/error/sampled_error.h"
-#include "mesh/tree/cell_tree.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {

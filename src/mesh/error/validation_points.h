@@ -10,9 +10,10 @@
 
 #include "mesh/error/validate_many.h"
 #include "mesh/error/validated_mesh.h"
-#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
+
+class CellTree;
 
 /// A point at which the error of a leaf is measured.
 struct ValidationPoint {

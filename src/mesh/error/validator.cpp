@@ -9,9 +9,11 @@
 
 #include "mesh/error/boundary_distance.h"
 #include "mesh/error/crease_distance.h"
+#include "mesh/error/distance_maximizer.h"
 #include "mesh/error/sharp_bends.h"
 #include "mesh/error/validate_many.h"
 #include "mesh/model/sides.h"
+#include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
 

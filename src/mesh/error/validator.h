@@ -8,13 +8,15 @@
 #include <span>
 #include <vector>
 
-#include "mesh/error/distance_maximizer.h"
 #include "mesh/error/limits.h"
 #include "mesh/error/validated_mesh.h"
 #include "mesh/error/validation_points.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {
+
+class CellTree;
+class DistanceMaximizer;
 
 class Validator {
  public:

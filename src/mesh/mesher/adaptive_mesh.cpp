@@ -16,6 +16,7 @@
 #include "mesh/model/tidy.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/sizing/grid_sizing.h"
+#include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/leaf_lines.h"
 
 namespace saddle {

@@ -13,6 +13,7 @@
 #include "mesh/mesher/envelope.h"
 #include "mesh/mesher/subdivide.h"
 #include "mesh/proof/small_components.h"
+#include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/flip.h"
 #include "mesh/tree/patches.h"
 #include "surface/parameter_box.h"

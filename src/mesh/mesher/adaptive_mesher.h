@@ -10,6 +10,7 @@
 
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/validator.h"
+#include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/mesh_plan.h"
 #include "mesh/mesher/oscillation.h"
 #include "mesh/mesher/remove_singular_cells.h"
@@ -17,8 +18,10 @@
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/point_union.h"
 #include "mesh/proof/certify.h"
+#include "mesh/tree/cell_tree.h"
 #include "mesh/tree/leaf_mesh.h"
 #include "mesh/tree/match_seams.h"
+#include "mesh/tree/singular_corners.h"
 
 namespace saddle {
 

@@ -8,6 +8,8 @@
 #include "mesh/features/approach.h"
 #include "mesh/features/discontinuities.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/match_seams.h"
 #include "surface/normal.h"
 
 namespace saddle {

@@ -6,10 +6,14 @@
 #include <optional>
 #include <span>
 
-#include "mesh/sizing/probe.h"
-#include "mesh/tree/match_seams.h"
+#include "base/bounds.h"
+#include "mesh/model/seam.h"
+#include "mesh/model/tolerance.h"
+#include "mesh/tree/edge_table.h"
 
 namespace saddle {
+
+class CellTree;
 
 struct TraceOptions {
   Tolerance tolerance;

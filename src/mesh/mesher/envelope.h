@@ -5,9 +5,12 @@
 #include <functional>
 #include <span>
 
-#include "mesh/tree/cell_tree.h"
+#include "mesh/grid/grid.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
 
 /// Moves the vertices that have nothing but such leaves around them to where the surface is at its
 /// extremes nearby, alternately to either side: what waves sweep is filled as far as they reach, as

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/error/check_cells.h"
+#include "mesh/error/sampled_error.h"
 #include "mesh/grid/cut_grid.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/proof/certify.h"

@@ -1,4 +1,5 @@
 #include "mesh/mesher/oscillation.h"
+#include "mesh/tree/cell_tree.h"
 
 #include <algorithm>
 #include <bit>

@@ -5,10 +5,12 @@
 #include <unordered_map>
 
 #include "mesh/error/error_indicator.h"
+#include "mesh/grid/grid.h"
 #include "mesh/sizing/aliasing_forecast.h"
-#include "mesh/tree/cell_tree.h"
 
 namespace saddle {
+
+class CellTree;
 
 /// Where the surface oscillates faster than its tolerance shows: where leaves that are narrow and
 /// still far off fill an area, as no jump does, which is a line. They are halved no further.

@@ -7,8 +7,11 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/approach.h"
+#include "mesh/mesher/edge_features.h"
+#include "mesh/mesher/subdivide.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_polygon.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {

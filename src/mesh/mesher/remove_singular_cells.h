@@ -5,11 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/error/limits.h"
 #include "mesh/error/validated_mesh.h"
-#include "mesh/mesher/edge_features.h"
-#include "mesh/mesher/subdivide.h"
+#include "mesh/features/point_singularities.h"
 
 namespace saddle {
+
+class CellTree;
 
 /// A point at which the surface is not defined, or jumps.
 struct PlacedSingularity {

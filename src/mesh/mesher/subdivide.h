@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "mesh/error/limits.h"
-#include "mesh/sizing/probe.h"
-#include "mesh/tree/cell_tree.h"
+#include "mesh/model/counterexample.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
+struct Grid;
 
 class Oscillation;
 

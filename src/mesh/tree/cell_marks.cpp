@@ -1,10 +1,14 @@
 #include "mesh/tree/cell_marks.h"
+#include "mesh/grid/grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace saddle {
+
+CellMarks::CellMarks(const Grid& grid)
+    : cells_u_(grid.cells_u), cells_v_(grid.cells_v), marks_(grid.cell_count(), 0) {}
 
 void CellMarks::add(const dvec2& place, std::uint32_t mark) {
   const dvec2 cells = place / static_cast<double>(kCellUnit);

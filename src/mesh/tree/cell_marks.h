@@ -5,16 +5,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/grid/grid.h"
+#include "base/vec.h"
 #include "mesh/tree/leaf.h"
 
 namespace saddle {
 
+struct Grid;
+
 /// A number for each root cell; 0 is no mark.
 class CellMarks {
  public:
-  explicit CellMarks(const Grid& grid)
-      : cells_u_(grid.cells_u), cells_v_(grid.cells_v), marks_(grid.cell_count(), 0) {}
+  explicit CellMarks(const Grid& grid);
 
   /// Marks the root cells that contain a place, in units. A place on a line is in both cells.
   void add(const dvec2& place, std::uint32_t mark = 1);

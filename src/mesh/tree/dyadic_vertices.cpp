@@ -1,4 +1,5 @@
 #include "mesh/tree/dyadic_vertices.h"
+#include "mesh/grid/grid.h"
 
 #include <algorithm>
 #include <utility>

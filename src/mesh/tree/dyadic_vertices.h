@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/grid/grid.h"
+#include "base/vec.h"
 #include "mesh/tree/leaf.h"
 #include "mesh/tree/place_map.h"
 #include "mesh/tree/revision_clock.h"

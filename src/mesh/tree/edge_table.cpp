@@ -1,4 +1,5 @@
 #include "mesh/tree/edge_table.h"
+#include "mesh/model/mesh.h"
 
 namespace saddle {
 

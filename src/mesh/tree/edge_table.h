@@ -16,6 +16,8 @@
 
 namespace saddle {
 
+struct Mesh;
+
 /// Two neighbouring vertices in use, the smaller number first.
 using Side = std::array<std::uint32_t, 2>;
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/grid/grid.h"
 #include "mesh/grid/lines.h"
 #include "mesh/model/pair_table.h"
 #include "mesh/tree/cell_polygon.h"

@@ -5,9 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tree/cell_tree.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
+struct Grid;
 
 /// Chains of vertices along lines of constant u and v: the lines of the root grid that are nearest
 /// to even_lines(). A chain ends where the surface is interrupted and where it oscillates: a line

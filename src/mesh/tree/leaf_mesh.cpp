@@ -10,7 +10,9 @@
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
+#include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/polygon.h"
+#include "mesh/tree/singular_corners.h"
 
 namespace saddle {
 

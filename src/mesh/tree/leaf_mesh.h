@@ -5,10 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tree/cell_polygon.h"
-#include "mesh/tree/singular_corners.h"
+#include "mesh/model/mesh.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
+class SingularCorners;
+struct Grid;
 
 /// The triangles of some leaves.
 struct LeafTriangles {

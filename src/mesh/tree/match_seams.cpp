@@ -1,4 +1,5 @@
 #include "mesh/tree/match_seams.h"
+#include "mesh/tree/cell_polygon.h"
 
 #include <map>
 #include <optional>

@@ -7,10 +7,12 @@
 
 #include "mesh/grid/weld.h"
 #include "mesh/model/point_union.h"
-#include "mesh/tree/cell_polygon.h"
-#include "mesh/tree/cell_tree.h"
+#include "mesh/tree/edge_table.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
 
 /// Takes the partners of newly used vertices across seams into use, and makes both one point.
 /// Vertices of the root grid are welded before.

@@ -4,10 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "mesh/grid/grid.h"
 #include "mesh/proof/certify.h"
-#include "mesh/tree/cell_tree.h"
+#include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+class CellTree;
 
 /// The patch of each leaf. `allowed`: of each leaf, in units of length.
 std::vector<Patch> patches_of(std::span<const Leaf> leaves, std::span<const double> allowed,

@@ -1,4 +1,5 @@
 #include "mesh/tree/place_map.h"
+#include "mesh/grid/grid.h"
 
 namespace saddle {
 
@@ -12,6 +13,9 @@ std::uint32_t PlaceMap::slot_of(const Table& table, std::uint32_t key) const {
   }
   return table.begin + slot;
 }
+
+PlaceMap::PlaceMap(const Grid& grid)
+    : pitch_(grid.u.size()), tables_(grid.u.size() * grid.v.size()) {}
 
 const std::uint32_t* PlaceMap::find(DyadicPoint place) const {
   const Table& table = tables_[table_of(place)];

@@ -5,18 +5,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/grid/grid.h"
 #include "mesh/tree/leaf.h"
 
 namespace saddle {
+
+struct Grid;
 
 /// A map from places to vertices, for places that are not on the root grid. Each root cell has a
 /// hash table of its own, with open addressing. Look-ups go cell by cell, so that successive ones
 /// stay in the cache.
 class PlaceMap {
  public:
-  explicit PlaceMap(const Grid& grid)
-      : pitch_(grid.u.size()), tables_(grid.u.size() * grid.v.size()) {}
+  explicit PlaceMap(const Grid& grid);
   /// The number stored for a place, or nullptr; valid until the next find_or_insert().
   const std::uint32_t* find(DyadicPoint place) const;
   /// The number stored for a place; stores this one if there is none.

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mesh/grid/grid.h"
 #include "mesh/grid/triangulate.h"
 
 namespace saddle {

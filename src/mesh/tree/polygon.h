@@ -8,9 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tree/cell_tree.h"
+#include "mesh/model/mesh.h"
 
 namespace saddle {
+
+struct Grid;
 
 /// A corner of the mesh, and its place in units of the cell tree.
 struct PolygonCorner {

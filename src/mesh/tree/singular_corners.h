@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "mesh/model/mesh_report.h"
-#include "mesh/tree/cell_tree.h"
+#include "mesh/tree/leaf.h"
 #include "surface/normal.h"
 
 namespace saddle {
+
+class CellTree;
+struct Grid;
 
 /// A cache of the last set of limits of normals. Most meshes have the same singular vertices when
 /// they are validated and when they are finished.

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "mesh/sizing/effort.h"
-#include "mesh/tree/dyadic_vertices.h"
-#include "mesh/tree/edge_table.h"
 
 namespace saddle {
+
+class DyadicVertices;
+class EdgeTable;
 
 class TriangleBudget {
  public:
@@ -15,9 +16,7 @@ class TriangleBudget {
   /// Whether one more halving could make more triangles than these. A halving takes up to two
   /// vertices into use. A mesh has fewer than two triangles per vertex (Euler), and one more per
   /// vertex along which it is cut.
-  bool has_many(std::size_t triangles) const {
-    return 2 * (vertices_.used_count() + 2) + edges_.vertex_count() > triangles;
-  }
+  bool has_many(std::size_t triangles) const;
   /// Whether the effort was made that so many triangles are worth.
   bool is_spent(std::size_t max_triangles) const {
     return effort_.total() > most_effort(max_triangles);

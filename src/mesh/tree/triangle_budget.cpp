@@ -1,0 +1,12 @@
+#include "mesh/tree/triangle_budget.h"
+
+#include "mesh/tree/dyadic_vertices.h"
+#include "mesh/tree/edge_table.h"
+
+namespace saddle {
+
+bool TriangleBudget::has_many(std::size_t triangles) const {
+  return 2 * (vertices_.used_count() + 2) + edges_.vertex_count() > triangles;
+}
+
+}  // namespace saddle
