@@ -10,6 +10,8 @@
 #include "mesh/error/validate_many.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/mesher/subdivide.h"
+#include "mesh/tree/cell_tree.h"
+#include "mesh/tree/singular_corners.h"
 #include "surface/parameter_box.h"
 #include "surface_from_text.h"
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/tree/leaf_mesh.h"
+#include "mesh/tree/singular_corners.h"
 #include "surface_from_text.h"
 
 namespace saddle {

@@ -1,6 +1,9 @@
 // Records of sides, on the vertices of a small root grid.
 #include "mesh/tree/edge_table.h"
 
+#include "mesh/grid/grid.h"
+#include "mesh/model/mesh.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
