@@ -30,7 +30,7 @@ struct Pipe {
   }
 };
 
-/// What to do to the descriptors of a new process.
+/// Changes to the descriptors of a new process.
 class FileActions {
  public:
   FileActions() { posix_spawn_file_actions_init(&actions_); }

@@ -142,7 +142,7 @@ void check_folder(const fs::path& path, const fs::path& file) {
   }
 }
 
-/// What is at a path: nothing, or its kind, permissions and owner.
+/// The kind, permissions and owner of the file at a path; nothing if there is none.
 using Existing = std::optional<struct stat>;
 
 /// Throws unless `file`, which `path` leads to, could be written; returns what is there now.
@@ -173,7 +173,7 @@ void keep_owner_and_mode(const Descriptor& file, const fs::path& path, const str
   const bool other_owner =
       fstat(file.number(), &now) == 0 && (now.st_uid != old.st_uid || now.st_gid != old.st_gid);
   const bool kept = !other_owner || fchown(file.number(), old.st_uid, old.st_gid) == 0;
-  // Without the owner, its set-id bits and the group's rights would go to somebody else.
+  // Without the owner, its set-id bits and the group's rights would go to another user.
   const mode_t mode = old.st_mode & (kept ? 07777u : 0707u);
   if (fchmod(file.number(), mode) != 0) fail_write(path, reason(errno));
 }

@@ -16,7 +16,7 @@ void write_file_whole(const std::filesystem::path& path,
                       const std::function<void(std::ostream&)>& write);
 
 /// Throws Error (Machine) if a file could not be written there: a missing folder, no permission, a
-/// path that is a folder. Called before the computing starts, so that nobody waits in vain.
+/// path that is a folder. Called before the computing starts, so that a run fails early.
 void check_writable(const std::filesystem::path& path);
 
 /// The whole content of a file, at most 1 GiB. Throws Error (Machine) with the system's reason.

@@ -5,7 +5,7 @@
 
 namespace saddle {
 
-/// What printf writes.
+/// The text that printf would write.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 /// A number rounded to so many digits, without zeros at its end; 0 has no sign.

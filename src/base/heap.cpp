@@ -20,7 +20,7 @@ namespace saddle {
 
 namespace {
 
-/// What the heap grows by at a time, and the size from which allocations get memory of their own:
+/// The heap's step of growth, and the size from which allocations get memory of their own:
 /// a picture of 800x600 with its surface needs less. It costs addresses; memory is what is touched.
 constexpr int kHeapStep = 64 << 20;
 constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;

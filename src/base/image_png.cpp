@@ -24,7 +24,7 @@
 namespace saddle {
 namespace {
 
-// Bounds for files that somebody else made.
+// Bounds for files from elsewhere.
 constexpr png_uint_32 kLargestSide = 16384;  ///< also the largest picture that we write
 constexpr png_uint_32 kMostTextChunks = 128;
 constexpr png_alloc_size_t kLargestChunk = 4 << 20;  ///< bytes of a text chunk, unpacked
@@ -83,7 +83,7 @@ bool is_opaque(const Image& image) {
 constexpr std::array<png_byte, 5> kPixelChunk{'I', 'D', 'A', 'T'};
 constexpr std::array<png_byte, 5> kEndChunk{'I', 'E', 'N', 'D'};
 
-/// What goes into the file, in its order.
+/// The contents of the file, in their order.
 struct Contents {
   const Image& image;
   bool opaque;

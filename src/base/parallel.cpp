@@ -15,16 +15,16 @@
 namespace saddle {
 namespace {
 
-/// Of the Abandonable that lives on this thread; without one it is never asked to stop.
+/// The stop token of the Abandonable that lives on this thread; empty without one.
 thread_local std::stop_token wanted_no_longer;
 
-/// What the threads of one loop share.
+/// The state that the threads of one loop share.
 struct Loop {
   std::size_t count;
   std::size_t chunk;
   const std::function<void(std::size_t, std::size_t)>& body;
   std::stop_token abandoned;
-  std::atomic<std::size_t> next{0};  ///< number of the chunk that nobody has taken yet
+  std::atomic<std::size_t> next{0};  ///< number of the next free chunk
   std::mutex mutex{};
   std::exception_ptr first_exception{};
 

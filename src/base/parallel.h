@@ -18,7 +18,7 @@ namespace saddle {
 void parallel_chunks(std::size_t count, std::size_t chunk, unsigned threads,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// What `work` returns, computed on a thread of its own; if the system starts none, on the thread
+/// The result of `work`, computed on a thread of its own; if the system starts none, on the thread
 /// that gets it.
 template <typename Work>
 auto run_beside(Work work) -> std::future<decltype(work())> {

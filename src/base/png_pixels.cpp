@@ -28,7 +28,7 @@ constexpr int kMemory = 8;       ///< zlib's default
 constexpr char kStreamHeader[] = {0x78, 0x01};
 
 /// Rows of the picture as a PNG has them: the kind of filter, then each byte less the same one of
-/// the pixel to the left. Of each pixel the first kChannels of its four bytes.
+/// the pixel to the left. Each pixel has the first kChannels of its four bytes.
 template <std::size_t kChannels>
 std::vector<std::uint8_t> filtered(const Image& image, int begin, int end) {
   const auto width = static_cast<std::size_t>(image.width);

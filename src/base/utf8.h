@@ -11,7 +11,7 @@ struct Character {
   std::size_t bytes = 1;  ///< how many bytes of the text it is made of, at least 1
 };
 
-/// What stands for bytes that are not UTF-8.
+/// Replaces bytes that are not UTF-8.
 inline constexpr char32_t kReplacementCharacter = 0xFFFD;
 
 /// The character at byte `at` (< text.size()) of `text`. A byte that begins no well-formed

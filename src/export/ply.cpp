@@ -62,7 +62,7 @@ bool needs_doubles(std::span<const Mesh> meshes) {
   return std::isinf(worst) || worst > kFloatRounding * bounds.diagonal();
 }
 
-/// What the header tells.
+/// The layout that the header declares.
 struct Layout {
   bool doubles = false;
   bool colored = false;

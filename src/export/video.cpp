@@ -22,9 +22,9 @@ constexpr const char* kPackage = "ffmpeg";
 constexpr const char* kMp4Quality = "18";
 constexpr const char* kWebmQuality = "24";
 
-/// Of ffmpeg's filters and encoders. It is constant because the encoders' bytes depend on it. With
-/// drawing beside them, 48 frames of 800x600 take 3.0 s with one thread, 2.5 s with two and 2.8 s
-/// with four as MP4; as WebM 5.4 s, 3.3 s and 3.3 s, on two processors.
+/// Threads of ffmpeg's filters and encoders. Constant, because the encoders' bytes depend on it.
+/// With drawing beside them, 48 frames of 800x600 take 3.0 s with one thread, 2.5 s with two
+/// and 2.8 s with four as MP4; as WebM 5.4 s, 3.3 s and 3.3 s, on two processors.
 constexpr const char* kThreads = "2";
 
 using Words = std::vector<std::string>;

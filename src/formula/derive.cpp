@@ -18,8 +18,8 @@ Infinite infinite(Op op) {
   return arity(op) == 0 ? Infinite::Never : row_of(op).infinite;
 }
 
-/// Whether an operation exceeds the largest of doubles at arguments that people give it. Of cosh
-/// and sinh, beyond 710, nobody does, and surfaces that are divided by them would all pay for it.
+/// Whether an operation exceeds the largest of doubles at common arguments. cosh and sinh do so
+/// beyond 710 only, and every surface divided by them would pay for the guard.
 bool outgrows_doubles(const Graph& graph, const Node& node) {
   if (node.op == Op::Pow) return !graph.is_constant(node.args[1]);
   return infinite(node.op) == Infinite::Overflows;
@@ -50,8 +50,8 @@ bool may_be_infinite(const Expression& of) {
 }
 
 /// Whether the value of a node may be infinite because doubles end, and for no other reason: at the
-/// pole of exp(u)/v its reciprocal goes through 0 with a slope. What is in an exponent does not
-/// matter: exp(1/u) has outgrown doubles before.
+/// pole of exp(u)/v its reciprocal goes through 0 with a slope. Exponents do not matter: exp(1/u)
+/// has outgrown doubles before.
 bool only_outgrows_doubles(const Expression& of) {
   const Graph& graph = *of.graph;
   std::vector<bool> is_part(of.id + 1, false);
@@ -75,8 +75,8 @@ Tangent unless_infinite(Expression of, Tangent t) {
   return select(abs(of) > std::numeric_limits<double>::max(), Tangent{}, t);
 }
 
-/// The same where doubles end. What is bounded then does not change any more: 1/(1+exp(1000*u)) is
-/// 0 from where exp overflows, and its derivative not inf*0.
+/// The same where doubles end. Bounded values do not change any more there: 1/(1+exp(1000*u)) is 0
+/// from where exp overflows, and its derivative not inf*0.
 Tangent unless_beyond_doubles(Expression of, Tangent t) {
   return t.slope && only_outgrows_doubles(of) ? unless_infinite(of, t) : t;
 }

@@ -14,7 +14,7 @@ namespace saddle {
 std::string_view glsl_text(Op op);
 
 /// Statements that compute every output from the floats `u` and `v` and assign it to the variable
-/// of its name, which the surrounding code declares. What the outputs share is computed once, into
+/// of its name, which the surrounding code declares. Shared parts are computed once, into
 /// variables t0, t1 ... The code may call any function of shaders/functions.glsl, so that text
 /// goes in front of the shader's main function, whole: it is short, and what is not called costs
 /// only its parsing. Returns nothing if an operation has no GLSL: see operation_without_glsl().

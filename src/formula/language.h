@@ -33,7 +33,7 @@ std::optional<double> find_constant(std::string_view name);
 std::vector<std::string> function_names();
 std::vector<std::string> constant_names();
 
-/// What a name of another program or of school means here: "arctan" -> "atan".
+/// The name used here for a name of another program or of school: "arctan" -> "atan".
 std::optional<std::string> known_elsewhere_as(std::string_view name);
 
 /// One line for each operator, function and constant, under headings: the text of

@@ -9,7 +9,7 @@
 
 namespace saddle {
 
-/// What becomes of whole-number powers: products are faster in doubles; kept whole, they have
+/// How whole-number powers are lowered: products are faster in doubles; kept whole, they have
 /// narrower enclosures (u^3 over [-1, 2] is [-1, 8], while u * u^2 is [-4, 8]).
 enum class Powers : std::uint8_t { Products, Whole };
 

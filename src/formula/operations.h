@@ -1,4 +1,4 @@
-// What the table of operations says of each of them, other than how it is computed.
+// The columns of the table of operations, other than how an operation is computed.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ enum class Kind : std::uint8_t {
 
 /// Where an operation is infinite though its arguments are not.
 enum class Infinite : std::uint8_t {
-  Never,     ///< or at arguments that nobody gives it, as cosh beyond 710
+  Never,     ///< or at rare arguments only, as cosh beyond 710
   AtPoles,   ///< Div by a constant and Pow to one that is at least 0 have none
   Overflows  ///< the result outgrows doubles
 };

@@ -103,7 +103,7 @@ const Token& unmatched_question(const std::vector<Token>& tokens) {
   return open.back().empty() ? tokens.back() : *open.back().back();
 }
 
-/// What a muparser error means, in terms of the formula.
+/// A muparser error in terms of the formula.
 Error explain_grammar_error(const FormulaText& formula, const std::vector<Token>& tokens,
                             const Skeleton& skeleton, const mu::ParserError& error) {
   // muparser objects to a colon after it has passed it, to everything else before.
@@ -164,7 +164,7 @@ class Lifter {
 
  private:
   /// Names that stand where they cannot: a function without brackets, a variable that is called,
-  /// a name that nobody knows.
+  /// an unknown name.
   void explain_misused_names() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i].kind != TokenKind::Name) continue;

@@ -21,7 +21,7 @@ struct HelperFunction {
   NodeId body = 0;
 };
 
-/// What names mean where the formula stands.
+/// The meaning of names where the formula stands.
 struct Names {
   /// The node of a variable, constant or definition; nothing if there is none of that name.
   std::function<std::optional<NodeId>(std::string_view)> variable;

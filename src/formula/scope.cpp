@@ -59,7 +59,7 @@ struct Scope::Impl {
   std::vector<Entry> entries;
   std::vector<std::size_t> running;  // entries being parsed, outermost first
   std::unordered_map<Symbol, NodeId> parameter_values;
-  /// What constant() has found: many numbers of a scene have the same text.
+  /// A result of constant(): many numbers of a scene have the same text.
   struct KnownConstant {
     NodeId node = 0;
     double value = 0;
@@ -212,7 +212,7 @@ struct Scope::Impl {
     return &entry->function;
   }
 
-  /// What names mean inside a function with these arguments, which shadow everything else.
+  /// The meaning of names inside a function with these arguments, which shadow everything else.
   Names names(const std::vector<std::string>& arguments, const std::vector<Symbol>& symbols) {
     const auto argument = [arguments, symbols](std::string_view name) -> std::optional<Symbol> {
       const auto found = std::find(arguments.begin(), arguments.end(), name);

@@ -1,5 +1,5 @@
-// Mistakes that people make in formulas, found in the tokens and explained in their words. What
-// passes is left to the grammar.
+// Mistakes that people make in formulas, found in the tokens and explained in their words. The
+// grammar finds the others.
 #pragma once
 
 #include <string_view>

@@ -186,7 +186,7 @@ class ProportionateMesher {
   /// clipped; `whole`: a box around all that was seen of the surface.
   std::optional<MeshResult> without_poles(MeshReport known, const Bounds& whole) {
     const std::vector<dvec3> balanced = balanced_positions(surface_, request_.threads);
-    // Of a small part of a surface the probe knows more.
+    // The probe knows more about a small part of a surface.
     const bool knows_more = balanced.size() > positions_.size();
     const Bounds box = clip_box(around_, knows_more ? balanced : positions_);
     known.beside_poles.add(far_from(box, whole));

@@ -40,7 +40,8 @@ constexpr double kFrame = 1000.0 / 60;  // milliseconds
 constexpr double kNoError = 1e-16;
 constexpr double kLargestError = 1e12;
 
-/// Okabe and Ito's colours that anybody can tell apart, without the yellow, which is lost on white.
+/// Okabe and Ito's colours for all kinds of colour vision, without the yellow, which is lost on
+/// white.
 struct Style {
   const char* color;
   int filled;  // gnuplot's point types
@@ -240,7 +241,7 @@ class PanelScript {
     return anchors;
   }
 
-  /// Of curve k: limits are grey, and take no colour from the others.
+  /// The colour of curve k: limits are grey, and take no colour from the others.
   const char* color(std::size_t k) const {
     return curves_[k].is_limit() ? "#606060" : style(k).color;
   }

@@ -19,7 +19,7 @@ class LabelPlacer {
  public:
   explicit LabelPlacer(const Rectangle& panel) : panel_(panel) {}
 
-  /// What texts should not cover.
+  /// Adds a curve that texts should not cover.
   void avoid_curve(const std::vector<dvec2>& points);
 
   /// The lower left corner of a text of that size beside one of the anchors, of which the first are

@@ -13,7 +13,7 @@ struct CheckedSurface {
   Facts facts;
 };
 
-/// Of surface `spec` of `scene`, meshed as for a file. Throws Error as tessellate() does.
+/// Checks surface `spec` of `scene`, meshed as for a file. Throws Error as tessellate() does.
 CheckedSurface check_surface(const Scene& scene, const SurfaceSpec& spec, unsigned threads);
 
 }  // namespace saddle

@@ -17,7 +17,7 @@ constexpr int kMostHalvings = 26;
 constexpr int kRimHalvings = 3;
 constexpr int kRimBisections = 48;  // of an edge: to the last bit of a parameter
 constexpr std::size_t kMostTriangles = 4'000'000;
-/// Pieces of a generation. Those of a smooth surface are small enough long before; along poles and
+/// Pieces of a generation. A smooth surface has small enough ones long before; along poles and
 /// jumps that run across both parameters each generation has twice as many, without end.
 constexpr std::size_t kMostPieces = 2'000'000;
 constexpr std::size_t kPieceBlock = 16'384;  // that are evaluated at a time

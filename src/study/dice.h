@@ -33,8 +33,8 @@ struct DicedTriangle {
   std::array<dvec2, 3> uv;
 };
 
-/// What may be seen of the surface. Cells across which it jumps are left out, and cells at its rim
-/// end there.
+/// The visible triangles of the surface. Cells across which it jumps are left out; cells at its
+/// boundary end there.
 std::vector<DicedTriangle> dice(const Subject& subject, const Projection& projection);
 
 }  // namespace saddle

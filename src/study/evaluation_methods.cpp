@@ -37,7 +37,7 @@ Samples sample(const Domain& domain) {
   return s;
 }
 
-/// What the outputs of a method are compared with.
+/// The reference for the outputs of a method.
 struct Reference {
   std::vector<std::size_t> vertices;
   std::vector<TruePosition> truth;

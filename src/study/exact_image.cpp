@@ -21,7 +21,7 @@ constexpr int kNewtonSteps = 4;
 /// A step of Newton's method leads no farther than so many times the cell it starts in.
 constexpr double kLongestStep = 2;
 
-/// What is nearest at a sample.
+/// The nearest triangle at a sample.
 struct Hit {
   float depth = std::numeric_limits<float>::infinity();
   std::uint32_t triangle = 0;

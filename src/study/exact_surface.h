@@ -23,7 +23,7 @@ struct ExactPoint {
   RealVector r, r_u, r_v;
 };
 
-/// What a surface is written as.
+/// The texts of a surface.
 struct SurfaceTexts {
   std::vector<Definition> definitions;
   std::array<std::string, 2> ends_of_v;

@@ -1,4 +1,4 @@
-// What is true of a surface besides what its mesh tells: for `saddle check`.
+// Facts about a surface beyond its mesh, for `saddle check`.
 #pragma once
 
 #include <string>

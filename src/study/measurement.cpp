@@ -14,7 +14,7 @@ constexpr double kEnoughTime = 120;  // milliseconds
 constexpr std::size_t kMost = 101;
 constexpr double kMostTime = 1000;
 
-/// What finding the truth takes of a panel's time, about.
+/// The share of a panel's time that finding the truth takes, about.
 constexpr double kTruthShare = 0.3;
 
 }  // namespace

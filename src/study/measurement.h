@@ -1,4 +1,4 @@
-// What a study finds out: a point of the chart.
+// One measurement of a study: a point of the chart.
 #pragma once
 
 #include <cstddef>

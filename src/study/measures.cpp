@@ -74,8 +74,8 @@ class SampleMeasurer {
   }
 
  private:
-  /// Takes the integrals over the domain if they are the better known ones. What the triangles say
-  /// is not known better than the two agree, as where the integrand goes to infinity.
+  /// Takes the integrals over the domain if they are the better known ones. The triangles' ones
+  /// are not known better than the two agree, as where the integrand goes to infinity.
   void take_domain() {
     Integrals all = integrate_domain(surface_, centre_, mesh_.bounds.diagonal(), threads_);
     result_.evaluations += all.evaluations;

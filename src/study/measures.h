@@ -25,14 +25,14 @@ struct Measures {
   Estimate area;
   Estimate volume;  ///< inside of a closed surface; negative if its back is outside
   Bounds extents;   ///< of the surface, if all of it was meshed; else of the mesh
-  /// Curvatures where the surface is regular. What grows toward a singular point is what was found
-  /// at the mesh's vertices.
+  /// Curvatures where the surface is regular. Beside a singular point at which they grow without
+  /// end, those at the mesh's vertices.
   Extremes gauss;
   Extremes mean;
   std::size_t evaluations = 0;
 };
 
-/// What a mesh covers: all of the domain, all that is defined of it, or less.
+/// The part that a mesh covers: the whole domain, its defined part, or less.
 enum class Covered { Whole, Defined, Part };
 
 /// Integrals over the domain, or over each triangle of parameters by a rule that is exact for

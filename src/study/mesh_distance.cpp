@@ -46,7 +46,7 @@ dvec2 random_pair(std::size_t k) {
   return {random_unit(kSeed + 2 * k), random_unit(kSeed + 2 * k + 1)};
 }
 
-/// Of the scanned points of each tile the one where the surface bends most, as parameters.
+/// The scanned point of each tile where the surface bends most, as parameters.
 void append_bends(const Subject& subject, std::vector<dvec2>& uv) {
   constexpr int kSide = kTiles * kScan;
   std::vector<dvec2> scan;

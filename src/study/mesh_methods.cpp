@@ -16,7 +16,7 @@ namespace saddle {
 namespace {
 
 const std::array<int, 7> kGrids = {8, 16, 32, 64, 128, 256, 512};
-/// In pixels, from what everybody sees to what nobody does.
+/// In pixels, from plainly visible to invisible.
 const std::array<double, 9> kMeshTolerances = {8, 4, 2, 1, 0.5, 0.25, 0.125, 0.0625, 0.03125};
 /// Fewer are no limit worth drawing.
 constexpr double kSomeTriangles = 2;
@@ -104,7 +104,7 @@ class MeshStudy {
     return options;
   }
 
-  /// What a mesher would take that made the least number of triangles, each at the least cost of
+  /// Adds the time of a mesher that makes the least number of triangles, each at the least cost of
   /// those measured.
   void add_limit() {
     if (least_ / kMeshTolerances.back() < kSomeTriangles) return;  // developable, but for rounding

@@ -43,7 +43,7 @@ constexpr std::array kFunctions = {
 #include "formula/ops.def"
 };
 
-/// What formulas call an operation; its name in C++ if that is nothing.
+/// The name of an operation in formulas; its name in C++ if that is empty.
 std::string name_of(const Operation& row) {
   return *row.name == '\0' ? row.function : row.name;
 }

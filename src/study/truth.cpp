@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t kChunk = 16;
 
 /// |r_u x r_v| up to this share of |r_u| |r_v| inside is zero but for the rounding of parameters:
-/// pi as a double is 1e-16 beside a pole, on a side that nobody meant.
+/// pi as a double is 1e-16 beside a pole, on an arbitrary side.
 const char* const kNoDirection = "1e-14";
 
 /// The way to a corner: shares tau^2 of the way from inside. In tau, normals with a square root in
-/// them are analytic. Of a cross product that vanishes like the square of the way, 26 digits are
-/// left at the last.
+/// them are analytic. A cross product that vanishes like the square of the way keeps 26 digits at
+/// the last.
 constexpr int kExtrapolations = 4;
 constexpr int kFirstExponent = 3;  // tau = 1e-3, 1e-4 ...
 

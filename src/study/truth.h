@@ -1,4 +1,4 @@
-// What a surface really is: positions and normals from 50-digit arithmetic, independent of every
+// The true surface: positions and normals from 50-digit arithmetic, independent of every
 // method that is measured against them.
 #pragma once
 

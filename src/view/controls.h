@@ -21,10 +21,10 @@ struct Ray {
   dvec3 direction;
 };
 
-/// What is under a pixel: from the eye, or with an orthographic camera from its plane.
+/// The ray through a pixel: from the eye, or with an orthographic camera from its plane.
 Ray ray_through(const Grip& grip, const dvec2& pixel);
 
-/// What of the plane through the target that faces the eye is under a pixel.
+/// The point under a pixel on the plane through the target that faces the eye.
 dvec3 point_on_target_plane(const Grip& grip, const dvec2& pixel);
 
 /// The camera with its target and distance as numbers, which do not follow the surface any more.

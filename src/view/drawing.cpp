@@ -11,7 +11,7 @@ namespace {
 /// A moving picture that takes longer is drawn with one sample per pixel.
 constexpr double kSmoothMs = 20;
 
-/// Of the normals that are shown, as a share of the surface's size.
+/// Length of the normals shown, as a share of the surface's size.
 constexpr double kNormalLength = 0.03;
 
 }  // namespace

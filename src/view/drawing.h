@@ -13,7 +13,7 @@
 
 namespace saddle {
 
-/// What drawing takes.
+/// The cost of drawing.
 struct Figures {
   std::size_t frames = 0;             ///< pictures drawn so far
   double frame_ms = 0;                ///< the last one, from scene to finished pixels
@@ -31,7 +31,7 @@ class Drawing {
   void show_normals(const Model& model, bool shown);
   bool has_normals() const { return normals_; }
 
-  /// What is to be seen is another picture.
+  /// The visible picture has changed.
   void change();
 
   /// A finer picture of what rests by now is due.

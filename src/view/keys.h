@@ -48,7 +48,7 @@ struct KeyBinding {
 
 std::span<const KeyBinding> key_table();
 
-/// What a character, or a special key with its name, does; nullptr: nothing.
+/// The binding of a character, or of a special key by its name; nullptr if there is none.
 const KeyBinding* find_key(std::string_view name);
 
 /// The key types a character, so it is for fields alone while text is edited.

@@ -29,7 +29,7 @@ using Tessellate = std::function<Tessellation(const Scene& scene, std::size_t su
 /// tessellate() for a picture; a preview takes a coarse grid, or that of --samples.
 Tessellate tessellate_for_picture(unsigned threads);
 
-/// What became of a request.
+/// The result of a request.
 struct Meshed {
   Scene scene;  ///< as it was requested
   /// One per surface of the scene; none if there is an error.

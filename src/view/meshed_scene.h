@@ -1,4 +1,4 @@
-// What is asked of a scene and its meshes, as they are shown: how large it is, which camera holds
+// Questions about a scene and its meshes, as they are shown: how large it is, which camera holds
 // it, what is under a pixel.
 #pragma once
 

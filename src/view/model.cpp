@@ -26,7 +26,7 @@ constexpr double kKeepsUpMs = 100;
 /// While t plays there are at most so many steps a second: that of most displays.
 constexpr std::chrono::microseconds kStep{16'667};
 
-/// What they look at, and from how far.
+/// Whether two cameras look at the same point from the same distance.
 bool are_placed_alike(const Camera& a, const Camera& b) {
   return a.distance == b.distance && a.target == b.target;
 }
@@ -141,7 +141,7 @@ void Model::edit(Scene scene, const std::string& what) {
   request_meshes(Manner::PreviewFirst);
 }
 
-/// While somebody types, the camera stays.
+/// While a field is being edited, the camera stays.
 void Model::end_edit() {
   history_.end_edit();
   if (!is_edited_) return;

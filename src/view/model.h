@@ -1,4 +1,4 @@
-// What the viewer knows, without window and OpenGL: the scene that is edited, the meshes that are
+// The viewer's state, without window and OpenGL: the scene that is edited, the meshes that are
 // shown, and what keys and hands do to them.
 #pragma once
 
@@ -43,8 +43,8 @@ class Model {
   /// `wake`: called from another thread when a mesh is there.
   Model(ViewerSetup setup, std::function<void()> wake);
 
-  // What is shown. `scene` is as it is edited, right or wrong; `drawn_scene` has its looks, and one
-  // surface for each of the meshes.
+  // The scenes and meshes that are shown. `scene` is as it is edited, right or wrong; `drawn_scene`
+  // has its looks, and one surface for each of the meshes.
   const Scene& scene() const { return scene_; }
   Scene drawn_scene() const;
   const std::vector<std::shared_ptr<const Tessellation>>& meshes() const { return good_.surfaces; }
@@ -88,7 +88,7 @@ class Model {
 
   /// Takes what the worker has; true if the picture is another.
   bool take_result();
-  /// What the user should read, since the last call.
+  /// The message for the user since the last call.
   std::optional<std::string> take_news() { return std::exchange(news_, std::nullopt); }
   /// Time goes by: t if it plays, a finer mesh some time after the camera has moved.
   void pass(Clock::time_point now);

@@ -1,4 +1,4 @@
-// What lies over the picture: the mark of a picked point, messages, help.
+// The overlay of the picture: the mark of a picked point, messages, help.
 #pragma once
 
 #include <optional>

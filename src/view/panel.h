@@ -26,7 +26,7 @@ class Panel {
   /// Something was changed that the picture shows, since the last call.
   bool take_change() { return std::exchange(changed_, false); }
 
-  /// What a button asked for, since the last call.
+  /// The action of a button that was pressed since the last call.
   std::optional<Action> take_action() { return std::exchange(action_, std::nullopt); }
 
   /// The scene's error was that of a field, and is shown there.

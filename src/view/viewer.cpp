@@ -332,7 +332,7 @@ Overlay Viewer::overlay() {
   Overlay overlay;
   overlay.left = panel_width();
   overlay.message = message_;
-  // What a field shows is not said twice.
+  // An error that a field shows is not shown twice.
   if (model_.error() && !(panel_shown_ && panel_.has_shown_error())) {
     overlay.message = format_error(*model_.error());
   }

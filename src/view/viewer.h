@@ -18,7 +18,7 @@
 
 namespace saddle {
 
-/// What a viewer has spent its time on.
+/// The time that a viewer has spent, by task.
 struct Spent {
   std::chrono::steady_clock::duration busy{};     ///< from what happened to the screen
   std::chrono::steady_clock::duration drawing{};  ///< of that, pictures

@@ -96,7 +96,7 @@ std::string special_key(int key, int mods) {
   }
 }
 
-// What one frame of Dear ImGui 1.86 makes of keys: it sees which keys are down, inserts the
+// One frame of Dear ImGui 1.86 handles keys like this: it sees which keys are down, inserts the
 // characters typed, unless Ctrl is down, and then does what one editing key says.
 
 bool is_key(const Event& event) {

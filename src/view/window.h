@@ -1,5 +1,5 @@
-// A window with OpenGL 3.3 and a panel toolkit in it: GLFW and Dear ImGui, started and ended. What
-// happens in the window is collected between two frames.
+// A window with OpenGL 3.3 and a panel toolkit in it: GLFW and Dear ImGui, started and ended.
+// Events of the window are collected between two frames.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct GLFWwindow;
 
 namespace saddle {
 
-/// What hand and keyboard did. Places are in pixels from the window's upper left.
+/// An event of mouse or keyboard. Places are in pixels from the window's upper left.
 struct Event {
   enum class Kind { Press, Release, Move, Scroll, Character, KeyDown, KeyUp };
   Kind kind = Kind::Move;
@@ -46,7 +46,7 @@ class Window {
   /// As if it had just happened at a place of the window: for GLFW, and for tests that play a hand.
   void receive(Event event);
 
-  /// What has happened, in order, but no more than what one frame of the panel can tell apart: it
+  /// The events so far, in order, but no more than one frame of the panel can tell apart: it
   /// sees only what is down when it looks. The rest waits for the next frame. tell_panel() passes
   /// an event on.
   std::vector<Event> take_events();
@@ -68,7 +68,7 @@ class Window {
   /// Around what Dear ImGui is told to show.
   void begin_panel();
   void end_panel();
-  /// What was drawn comes to the screen.
+  /// Shows the drawn frame on the screen.
   void swap();
 
  private:
@@ -84,7 +84,7 @@ class Window {
   dvec2 pointer_{0, 0};  ///< where events have brought it; GLFW tells where it is by now
   bool is_inside_ = false;
   bool damaged_ = true;
-  // What the panel was told.
+  // The state that the panel was told.
   dvec2 shown_pointer_{0, 0};
   std::array<bool, 3> shown_buttons_{};
   double last_press_time_ = -1;

@@ -20,8 +20,8 @@ constexpr std::size_t kMostMeasuredCells = 2048;
 /// Places in a cell where an error is largest: its middle and the middles of two edges (the other
 /// two belong to the neighbours).
 constexpr std::array<dvec2, 3> kWorstPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(0, 0.5)};
-/// Random offset from the middle, in cells. Of an error that is a parabola over the cell at least
-/// 1 - (2 * 0.1)^2 = 96 % are measured.
+/// Random offset from the middle, in cells. At least 1 - (2 * 0.1)^2 = 96 % are measured of an
+/// error that is a parabola over the cell.
 constexpr double kMiddleJitter = 0.1;
 constexpr std::size_t kCellChunk = 256;
 

@@ -31,7 +31,7 @@ class SharpBends {
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  /// What to sample of a leaf.
+  /// The parts of a leaf to sample.
   struct Targets {
     bool places, sides;
     bool everywhere = false;  ///< at a lattice of places: corners do not show the turn

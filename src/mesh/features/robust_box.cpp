@@ -77,8 +77,8 @@ std::size_t count_within(Numbers sorted, const Stretch& window) {
 }
 
 /// The window of this length whose least share of a cluster is largest: it shows both sides of a
-/// pole, not the larger one alone. Of several, one that shows the most in all, and of these the
-/// middle one.
+/// pole, not the larger one alone. A tie goes to the window that shows the most in all, then to
+/// the middle one.
 Stretch fairest_window(Numbers sorted, double length) {
   const std::vector<Numbers> parts = parts_of(sorted, kApart * length);
   const auto worth = [&](const Stretch& window) {

@@ -63,8 +63,8 @@ void close_gaps(Grid& grid) {
   grid.mesh.triangles.resize(count);
 }
 
-/// Of the vertices and of some centres of cells: all vertices of a sphere of one cell are on a
-/// line.
+/// The box around the vertices and some centres of cells: all vertices of a sphere of one cell are
+/// on a line.
 dvec3 extent(const Surface& surface, const Grid& grid, unsigned threads) {
   constexpr std::size_t kCentres = 1024;
   std::vector<dvec2> centres;

@@ -12,14 +12,12 @@ namespace saddle {
 
 namespace {
 
-/// Vertices closer than this part of the extent, in each coordinate, may be one point. It is some
-/// digits above the error of sin(2 pi), and far below what a float or a picture shows.
-constexpr double kJoinFraction = 1e-9;
-/// They are one point only if they are also closer than this part of the grid's steps beside them.
+/// Vertices within kSamePosition are one point only if they are also closer than this part of the
+/// grid's steps beside them.
 /// Otherwise the extent of a spike, as of tan near its pole (1e16), would weld all of a surface.
 constexpr double kJoinStep = 1e-3;
 
-/// Whether all of a box (in local units) is one point: by kJoinFraction, or within rounding. Each
+/// Whether all of a box (in local units) is one point: by kSamePosition, or within rounding. Each
 /// coordinate has its own extent: heights of 1e9 do not weld vertices that are apart in x.
 bool is_one_point(const Grid& grid, const Bounds& box) {
   const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
