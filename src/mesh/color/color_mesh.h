@@ -25,9 +25,9 @@ struct ColorOptions {
 };
 
 struct ColorReport {
-  bool is_clamped = false;  ///< the numbers go to infinity: most of them have a colour of their own
-  bool reached_limit = false;  ///< more triangles were not allowed
-  double undefined_share = 0;  ///< of the area
+  bool is_clamped = false;     ///< the numbers go to infinity: the range holds most of them
+  bool reached_limit = false;  ///< max_triangles was reached
+  double undefined_share = 0;  ///< part of the area without a number
 };
 
 /// Gives `mesh`, of a surface that has a colour, its numbers and their range. Triangles are halved

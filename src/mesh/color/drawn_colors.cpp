@@ -63,7 +63,7 @@ std::vector<Sample> samples_of(const Mesh& mesh) {
   return samples;
 }
 
-/// The same for the parts of triangles: a triangle is cut along even lines into kParts^2 of them.
+/// The same for parts of triangles: even lines cut each into kParts^2.
 std::vector<Sample> fine_samples_of(const Surface& surface, const Mesh& mesh) {
   std::vector<dvec2> middles;
   std::vector<Sample> samples;
@@ -145,7 +145,7 @@ class Climber {
     return is_higher;
   }
 
-  /// Whether numbers fall that much on both sides, as they do not beside a jump.
+  /// Whether numbers fall by that much on two opposite sides; beside a jump they do on one.
   bool is_needle(const dvec2& step, double fall) const {
     const std::array<dvec2, 8> places = around(step);
     const std::vector<double> numbers = evaluate_color(surface_, places, 1);

@@ -92,7 +92,7 @@ double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, std::uint32_
   return square > 0 ? glm::dot(grid_.local(above) - grid_.local(from), edge) / square : 0.5;
 }
 
-/// Where the surface, or what is in the box, ends on ways across chords.
+/// Where the surface, or its part in the clip box, ends on ways across chords.
 std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
   std::vector<dvec2> ends = last_defined(surface_, ways, kWayHalvings, threads_, clip_);
   std::vector<Line> to_faces;

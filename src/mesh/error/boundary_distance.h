@@ -63,8 +63,8 @@ class BoundaryDistance {
   const std::optional<Bounds>& clip_;
   unsigned threads_;
   std::vector<BoundaryChord> chords_;
-  std::vector<std::size_t> omitted_;      ///< leaves that have no triangles
-  std::vector<dvec2> places_in_omitted_;  ///< of each, places and what is beside them on its border
+  std::vector<std::size_t> omitted_;      ///< leaves without triangles
+  std::vector<dvec2> places_in_omitted_;  ///< in each, places and their projections on its border
   std::size_t evaluations_ = 0;
 };
 

@@ -202,8 +202,7 @@ std::vector<double> distances_from_surface(const Surface& surface,
   std::vector<dvec2> middles(chords.size());
   std::ranges::transform(chords, middles.begin(), [](const auto& c) { return middle_of(c.ends); });
   std::vector<double> distances = distances_from(middles, surface, chords, threads);
-  // Where a surface is ever steeper on its way to a cusp, as abs(u)^0.2, steps leap from one side
-  // of that to the other.
+  // Steps leap across a cusp that the surface approaches ever more steeply; bisection does not.
   std::vector<MiddleOfChord> rest;
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < chords.size(); ++k) {

@@ -148,8 +148,8 @@ bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, PointUn
   return true;
 }
 
-/// Neighbours at the same place are one point if what is between them is. A cell between two of
-/// them is not plain, so it is open.
+/// Unites neighbours at the same place if the surface between them stays there. A cell beside them
+/// is not plain, so it is open.
 void join_equal_neighbours(const Surface& surface, unsigned threads, const Grid& grid,
                            PointUnion& points) {
   std::vector<Neighbours> sides;
