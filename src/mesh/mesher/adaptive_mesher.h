@@ -10,11 +10,11 @@
 
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/validator.h"
-#include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/mesh_plan.h"
 #include "mesh/mesher/oscillation.h"
 #include "mesh/mesher/remove_singular_cells.h"
 #include "mesh/mesher/subdivide.h"
+#include "mesh/mesher/trace_options.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/point_union.h"
 #include "mesh/proof/certify.h"

@@ -8,6 +8,8 @@
 
 #include "mesh/features/approach.h"
 #include "mesh/mesher/edge_features.h"
+#include "mesh/mesher/follow_features.h"
+#include "mesh/mesher/pole_features.h"
 #include "mesh/mesher/subdivide.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"

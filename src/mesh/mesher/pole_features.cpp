@@ -1,0 +1,165 @@
+#include "mesh/mesher/pole_features.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesh/features/approach.h"
+#include "mesh/features/discontinuities.h"
+#include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+namespace {
+
+/// A line in the domain from a vertex to a pole.
+struct PoleWay {
+  std::uint32_t from;
+  dvec2 last;    ///< the last place before the pole at which the surface was found to be finite
+  dvec2 beyond;  ///< the pole, or a place beyond it
+};
+
+/// The pole between the two places at which bisection ended. A coordinate that changes its sign
+/// there is 0.
+dvec2 place_of_pole(const dvec2& a, const dvec2& b) {
+  dvec2 place = 0.5 * a + 0.5 * b;
+  for (int k = 0; k < 2; ++k) {
+    if (std::signbit(a[k]) != std::signbit(b[k])) place[k] = 0;
+  }
+  return place;
+}
+
+/// The places where ways leave the clip box. A way that begins outside of it leaves at its start.
+std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& options,
+                             const CellTree& tree) {
+  std::vector<dvec2> last;
+  for (const PoleWay& way : ways) last.push_back(way.last);
+  const auto at_last = evaluate(tree.surface(), last, options.threads);
+  std::vector<dvec2> places;
+  std::vector<Line> inside;
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const PoleWay& way = ways[k];
+    places.push_back(tree.mesh().uv[way.from]);
+    if (!options.clip->contains(tree.mesh().position[way.from])) continue;
+    const bool goes_on = options.clip->contains(at_last[k].position);
+    inside.push_back(goes_on ? Line{way.last, way.beyond} : Line{places.back(), way.last});
+    numbers.push_back(k);
+  }
+  const auto faces =
+      last_defined(tree.surface(), inside, kHalvingsToLeast, options.threads, options.clip);
+  for (std::size_t i = 0; i < faces.size(); ++i) places[numbers[i]] = faces[i];
+  return places;
+}
+
+void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellTree& tree) {
+  if (sides.empty()) return;
+  std::vector<Between> places;
+  std::vector<PoleWay> ways;
+  for (const auto& [a, b] : sides) {
+    const auto& [beside_a, beside_b] = tree.edges().pole_between(a, b);
+    places.push_back({a, b, beside_a});
+    places.push_back({a, b, beside_b});
+    const dvec2 pole = place_of_pole(beside_a, beside_b);
+    ways.push_back({a, beside_a, pole});
+    ways.push_back({b, beside_b, pole});
+  }
+  const bool to_faces = options.clip && has_room_for_faces(options, tree);
+  if (to_faces) {
+    const std::vector<dvec2> faces = leave_box(ways, options, tree);
+    for (std::size_t k = 0; k < faces.size(); ++k) places[k].uv = faces[k];
+  }
+  std::uint32_t next = tree.geometry().add_between(places, options.threads);
+  tree.geometry().take_known_normals();
+  for (const auto& [a, b] : sides) {
+    const FeatureKind kind = to_faces ? FeatureKind::Face : FeatureKind::Pole;
+    tree.edges().set_feature(a, b, EdgeFeature{kind, a, next, next + 1});
+    next += 2;
+  }
+}
+
+}  // namespace
+
+bool has_room_for_faces(const TraceOptions& options, const CellTree& tree) {
+  return options.max_triangles == 0 || !tree.budget().has_many(options.max_triangles);
+}
+
+void cut_poles(std::span<const Side> sides, const TraceOptions& options, CellTree& tree) {
+  for (std::size_t begin = 0; begin < sides.size(); begin += kSidesAtATime) {
+    const std::size_t count = std::min(sides.size() - begin, kSidesAtATime);
+    cut_at_once(sides.subspan(begin, count), options, tree);
+  }
+}
+
+void find_poles_beside_cuts(std::span<const Side> sides, const TraceOptions& options,
+                            CellTree& tree) {
+  const Mesh& mesh = tree.mesh();
+  double delta = std::numeric_limits<double>::infinity();
+  std::vector<Line> parts;
+  std::vector<Side> whole;  // the side of each part; the part begins at its first end
+  for (const Side& side : sides) {
+    const std::optional<EdgeFeature> cut = tree.edges().feature(side[0], side[1]);
+    for (std::size_t end = 0; end < 2; ++end) {
+      const std::uint32_t from = side[end];
+      const std::uint32_t to = cut->beside(from);
+      if (!tree.geometry().is_defined(from) || mesh.uv[from] == mesh.uv[to]) continue;
+      parts.push_back({mesh.uv[from], mesh.uv[to]});
+      whole.push_back({from, side[1 - end]});
+      delta = std::min(delta, options.tolerance(mesh.position[from]));
+    }
+  }
+  const auto found =
+      find_discontinuities(tree.surface(), parts, delta, options.threads, tree.effort().looks());
+  std::vector<Side> poles;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto& [from, to] = whole[k];
+    const Side side = {std::min(from, to), std::max(from, to)};
+    if (found[k].kind != Discontinuity::Pole || tree.edges().leads_to_pole(from, to)) continue;
+    const auto& [near, far] = found[k].ends;
+    tree.edges().set_leads_to_pole(from, to,
+                                   from < to ? std::array{near, far} : std::array{far, near});
+    poles.push_back(side);
+  }
+  cut_at_once(poles, options, tree);
+}
+
+std::vector<bool> diverge_at(std::span<const Between> boundaries, const TraceOptions& options,
+                             const CellTree& tree) {
+  std::vector<Line> ways;
+  double delta = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, boundary] : boundaries) {
+    const std::uint32_t defined = tree.geometry().is_defined(a) ? a : b;
+    ways.push_back({boundary, tree.mesh().uv[defined]});
+    delta = std::min(delta, options.tolerance(tree.mesh().position[defined]));
+  }
+  return diverge(tree.surface(), ways, delta, options.threads);
+}
+
+std::vector<bool> end_at_faces(const std::vector<bool>& goes_far, std::span<Between> boundaries,
+                               const TraceOptions& options, CellTree& tree) {
+  std::vector<bool> at_face(boundaries.size(), false);
+  if (!options.clip) return at_face;
+  std::vector<PoleWay> ways;
+  for (std::size_t k = 0; k < boundaries.size(); ++k) {
+    const Between& boundary = boundaries[k];
+    const bool first = tree.geometry().is_defined(boundary.a);
+    const auto [end, other] =
+        first ? std::pair(boundary.a, boundary.b) : std::pair(boundary.b, boundary.a);
+    if (!goes_far[k] || tree.geometry().singularity(other) == PointSingularity::Kind::NoLimit)
+      continue;
+    at_face[k] = true;
+    tree.edges().add_pole_beyond_face({boundary.uv, boundary.uv});
+    ways.push_back({end, boundary.uv, tree.mesh().uv[other]});
+  }
+  const std::vector<dvec2> faces = leave_box(ways, options, tree);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < boundaries.size(); ++k) {
+    if (at_face[k]) boundaries[k].uv = faces[next++];
+  }
+  return at_face;
+}
+
+}  // namespace saddle
