@@ -13,6 +13,7 @@
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/envelope.h"
 #include "mesh/mesher/follow_features.h"
+#include "mesh/mesher/halve.h"
 #include "mesh/mesher/subdivide.h"
 #include "mesh/proof/small_components.h"
 #include "mesh/tree/cell_polygon.h"

@@ -257,6 +257,13 @@ void append_unsearched(const Leaf& leaf, const CellTree& tree, std::vector<Side>
   });
 }
 
+std::vector<Side> unsearched_sides(std::span<const Leaf> leaves, const CellTree& tree) {
+  std::vector<Side> sides;
+  for (const Leaf& leaf : leaves) append_unsearched(leaf, tree, sides);
+  sort_sides(sides);
+  return sides;
+}
+
 void sort_sides(std::vector<Side>& sides) {
   std::ranges::sort(sides);
   sides.erase(std::unique(sides.begin(), sides.end()), sides.end());

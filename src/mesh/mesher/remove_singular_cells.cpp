@@ -10,7 +10,6 @@
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/follow_features.h"
 #include "mesh/mesher/pole_features.h"
-#include "mesh/mesher/subdivide.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"

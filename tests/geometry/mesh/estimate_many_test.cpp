@@ -9,7 +9,7 @@
 #include "mesh/error/estimate_many.h"
 #include "mesh/error/validate_many.h"
 #include "mesh/grid/sample_grid.h"
-#include "mesh/mesher/subdivide.h"
+#include "mesh/mesher/halve.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/singular_corners.h"
 #include "surface/parameter_box.h"

@@ -1,0 +1,45 @@
+#include "mesh/mesher/halve.h"
+
+#include "mesh/grid/grid.h"
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+bool has_defined_corner(const Leaf& leaf, const CellTree& tree) {
+  bool has = false;
+  for_sides(leaf, tree,
+            [&](std::uint32_t a, std::uint32_t) { has = has || tree.geometry().is_defined(a); });
+  return has;
+}
+
+std::vector<Leaf> root_leaves(const Grid& grid) {
+  std::vector<Leaf> leaves;
+  leaves.reserve(grid.cell_count());
+  for (std::uint32_t j = 0; j < grid.cells_v; ++j) {
+    for (std::uint32_t i = 0; i < grid.cells_u; ++i) {
+      leaves.push_back(
+          {{i * kCellUnit, j * kCellUnit}, {(i + 1) * kCellUnit, (j + 1) * kCellUnit}});
+    }
+  }
+  return leaves;
+}
+
+std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, CellTree& tree) {
+  if ((across_u ? leaf.size_u() : leaf.size_v()) < 2) return std::nullopt;
+  const DyadicPoint middle = leaf.middle();
+  std::array<Leaf, 2> halves = {leaf, leaf};
+  for (Leaf& half : halves) half.bisected = 0;
+  halves[0].samples = leaf.samples.of_half(across_u, true);
+  halves[1].samples = leaf.samples.of_half(across_u, false);
+  if (across_u) {
+    halves[0].high.u = halves[1].low.u = middle.u;
+  } else {
+    halves[0].high.v = halves[1].low.v = middle.v;
+  }
+  const std::size_t first = across_u ? 0 : 1;
+  for (const std::size_t k : {first, first + 2}) tree.use_middle(leaf, k);
+  return halves;
+}
+
+}  // namespace saddle

@@ -1,0 +1,47 @@
+#include "mesh/mesher/halving_limits.h"
+
+#include <cmath>
+
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+namespace {
+
+/// The sides of a leaf are searched after every 3 consecutive halvings that did not reduce the
+/// distance, and every 2 that did not reduce the error of normals. A single halving in the wrong
+/// direction does not help either.
+constexpr std::uint8_t kSearchPeriod = 3;
+constexpr std::uint8_t kNormalSearchPeriod = 2;
+/// Halvings that follow a boundary, at most: 24 reach a corner of two boundaries with vertical
+/// tangents. Boundaries that meet at a pole or a clip face end at kMostCutHalvings.
+constexpr int kMostBoundaryHalvings = 24;
+
+}  // namespace
+
+int most_boundary_halvings(const Leaf& leaf, const CellTree& tree) {
+  const bool goes_far =
+      has_cut(FeatureKind::Pole, leaf, tree) || has_cut(FeatureKind::Face, leaf, tree);
+  return goes_far ? kMostCutHalvings : kMostBoundaryHalvings;
+}
+
+int boundary_halvings(const Leaf& leaf, const CellTree& tree) {
+  return std::min(kBoundaryHalvings + std::ilogb(leaf.safety), most_boundary_halvings(leaf, tree));
+}
+
+int wanted_halvings(const FeatureCount& features) {
+  if (!features.is_through()) return kMostCutHalvings;
+  // A leaf with a pole is cut like one with a boundary.
+  return features.leads_to_pole ? kBoundaryHalvings : 0;
+}
+
+bool is_search_due(const Leaf& leaf) {
+  const auto is_due = [](std::uint8_t stagnation, std::uint8_t period) {
+    return stagnation > 0 && stagnation % period == 0;
+  };
+  return leaf.state.is_cut_by_feature() || is_due(leaf.stagnation, kSearchPeriod) ||
+         is_due(leaf.normal_stagnation, kNormalSearchPeriod);
+}
+
+}  // namespace saddle

@@ -1,0 +1,60 @@
+// Limits of subdivision: how many halvings of a root cell lead to a leaf, by what is in the leaf,
+// and when halving a leaf no longer helps.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "mesh/tree/leaf.h"
+
+namespace saddle {
+
+class CellTree;
+struct FeatureCount;
+
+/// A halving helps if the error ratio falls to at most 0.8 of the parent's: a smooth arc falls to
+/// 0.25, a kink to 0.5, a vertical tangent to 0.71.
+inline constexpr double kHelps = 0.8;
+/// A leaf is frozen after more consecutive halvings that did not help: 14 for distances, 12 for
+/// normals. Normals turn at any size around a point where sheets meet; 12 halvings make it
+/// invisible.
+inline constexpr std::uint8_t kMaxStagnation = 14;
+inline constexpr std::uint8_t kMaxNormalStagnation = 12;
+
+/// Halvings of a root cell that the boundary crosses, at first: 4.
+inline constexpr int kBoundaryHalvings = 4;
+/// Halvings of a root cell whose edge features are more than one line, at most: 14.
+inline constexpr int kMostCutHalvings = 14;
+/// Halvings along a pole, at most: 28, twice those that lead to it.
+inline constexpr int kMostHalvingsBesidePole = 2 * kMostCutHalvings;
+/// Halvings of a root cell that lead to where the surface is defined, at most: 24.
+inline constexpr int kMostSeekHalvings = 24;
+
+/// Halvings of the root cell of a leaf.
+inline int halvings_of_root(const Leaf& leaf) {
+  return std::countr_zero(kCellUnit / leaf.size_u()) + std::countr_zero(kCellUnit / leaf.size_v());
+}
+/// The same without those that led to where the surface is defined.
+inline int halvings(const Leaf& leaf) {
+  return halvings_of_root(leaf) - leaf.sought;
+}
+
+/// Halvings of a leaf with a boundary that reach the boundary's wanted precision: 4, and one more
+/// for each time that validation doubled its safety.
+int boundary_halvings(const Leaf& leaf, const CellTree& tree);
+/// The largest number of them.
+int most_boundary_halvings(const Leaf& leaf, const CellTree& tree);
+/// Halvings of a leaf with these edge features: none for a single line.
+int wanted_halvings(const FeatureCount& features);
+
+/// Consecutive halvings that did not help, from those of the parent.
+inline std::uint8_t count_stagnation(std::uint8_t before, double ratio, double parent_ratio) {
+  return ratio <= std::max(kHelps * parent_ratio, 1.0) ? std::uint8_t{0}
+                                                       : static_cast<std::uint8_t>(before + 1);
+}
+
+/// Whether the sides of a leaf are searched for features: it has one already, or stagnates.
+bool is_search_due(const Leaf& leaf);
+
+}  // namespace saddle
