@@ -54,11 +54,8 @@ class PlaceList {
 /// What becomes of leaves.
 class Finisher {
  public:
-  explicit Finisher(AdaptiveMesher& halving)
-      : halving_(halving),
-        mesh_(halving.measured()),
-        tree_(halving.tree()),
-        grid_(halving.grid()) {}
+  explicit Finisher(AdaptiveMesher& mesher)
+      : mesher_(mesher), mesh_(mesher.mesh()), tree_(mesher.tree()), grid_(mesher.grid()) {}
 
   /// Lists where the surface goes to infinity, and where it is before it does.
   void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
@@ -125,10 +122,10 @@ class Finisher {
   void take_errors(const LeafTriangles& triangles, MeshReport& report) const {
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
       const Leaf& leaf = mesh_.leaves[k];
-      if (triangles.of(k).empty() || halving_.is_clipped(leaf)) continue;
+      if (triangles.of(k).empty() || mesher_.is_clipped(leaf)) continue;
       const double eps = mesh_.allowed[k];
       // Of a leaf that crosses the box its tests do not tell what is in it.
-      const double known = halving_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
+      const double known = mesher_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
       const double off = std::max(mesh_.sampled_errors[k].distance, known);
       // Where the tolerance depends on the place: as if it were the strictest everywhere.
       const double error = eps > *report.tolerance ? off / eps * *report.tolerance : off;
@@ -137,7 +134,8 @@ class Finisher {
       }
       report.max_error = std::max(report.max_error, error);
       const double degrees = mesh_.sampled_errors[k].degrees;
-      if (degrees <= report.max_normal_error || halving_.width(leaf) <= kSeenTurn * eps) continue;
+      if (degrees <= report.max_normal_error || thickness_of(leaf, grid_, tree_) <= kSeenTurn * eps)
+        continue;
       report.max_normal_error = degrees;
     }
   }
@@ -149,7 +147,7 @@ class Finisher {
     for (const auto& [vertex, singularity] : tree_.geometry().singularities()) {
       if (singularity.kind == kind) f(grid_.mesh.uv[vertex], singularity);
     }
-    for (const auto& [uv, singularity] : halving_.singularities()) {
+    for (const auto& [uv, singularity] : mesher_.singularities()) {
       if (singularity.kind == kind) f(uv, singularity);
     }
   }
@@ -211,7 +209,7 @@ class Finisher {
     return is_thin;
   }
 
-  const AdaptiveMesher& halving_;
+  const AdaptiveMesher& mesher_;
   const ValidatedMesh& mesh_;
   const CellTree& tree_;
   const Grid& grid_;
@@ -235,20 +233,20 @@ void keep_singular_points_within(const Bounds& box, const Surface& surface, unsi
 
 /// The mesh; nothing if none of its triangles has any area.
 std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& request,
-                                 const SingularSet& singular, AdaptiveMesher& halving,
+                                 const SingularSet& singular, AdaptiveMesher& mesher,
                                  MeshResult result) {
   MeshReport& report = result.report;
-  const Finisher finisher(halving);
-  report.effort = halving.tree().effort().total();
+  const Finisher finisher(mesher);
+  report.effort = mesher.tree().effort().total();
   finisher.list_poles(surface, request.threads, report);
-  if (halving.stops_early()) {
-    report.beside_poles.add(halving.far());
+  if (mesher.stops_early()) {
+    report.beside_poles.add(mesher.far_vertices());
     report.stopped_early = true;
     return result;
   }
   finisher.list_jumps(report);
   finisher.list_cusps(report);
-  LeafTriangles triangles = halving.triangulate(report);
+  LeafTriangles triangles = mesher.triangulate(report);
   finisher.take_errors(triangles, report);
   if (triangles.all.empty()) return std::nullopt;
   report.undefined_fraction = finisher.undefined_fraction(surface.domain);
@@ -259,12 +257,12 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
                                             : std::max(triangles.expected(), triangles.all.size()) -
                                                   triangles.all.size();
   name_singular(singular, surface.domain, report);
-  halving.complete(report);
-  Grid& grid = halving.grid();
-  halving.reach_extremes();
+  mesher.complete(report);
+  Grid& grid = mesher.grid();
+  mesher.reach_extremes();
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =
-      leaf_lines(grid, halving.tree(), halving.measured().leaves, request.lines_u, request.lines_v);
+      leaf_lines(grid, mesher.tree(), mesher.mesh().leaves, request.lines_u, request.lines_v);
   face_own_triangles(surface, request.threads, grid.mesh);
   if (request.clip) {
     clip_mesh(*request.clip, grid.mesh);
@@ -289,9 +287,9 @@ std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const Me
   MeshResult result{{}, report_of(plan)};
   std::vector<Counterexample> counterexamples =
       find_counterexamples(plan.probe, plan.lines, tolerance_within(request.clip, plan.aim));
-  AdaptiveMesher halving(surface, request, plan);
-  halving.run(std::move(counterexamples));
-  return finish(surface, request, plan.singular, halving, std::move(result));
+  AdaptiveMesher mesher(surface, request, plan);
+  mesher.run(std::move(counterexamples));
+  return finish(surface, request, plan.singular, mesher, std::move(result));
 }
 
 }  // namespace saddle

@@ -1,0 +1,125 @@
+#include "mesh/mesher/leaf_proof.h"
+
+#include <algorithm>
+
+#include "mesh/error/error_indicator.h"
+#include "mesh/grid/grid.h"
+#include "mesh/proof/small_components.h"
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/cell_tree.h"
+#include "mesh/tree/patches.h"
+#include "mesh/tree/singular_corners.h"
+#include "surface/parameter_box.h"
+
+namespace saddle {
+
+namespace {
+
+/// The search for small components may take 1/12 of the boxes of proofs.
+constexpr std::size_t kProofsPerComponent = 12;
+/// A hole is visible if a box in it is longer than 0.5 tolerances: a hole holds boxes about half as
+/// wide as itself.
+constexpr double kVisibleHole = 0.5;
+
+}  // namespace
+
+LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree,
+                     unsigned threads)
+    : surface_(surface),
+      grid_(grid),
+      tree_(tree),
+      threads_(threads),
+      budget_(surface.bounds),
+      component_boxes_(budget_.boxes / kProofsPerComponent) {}
+
+std::vector<std::optional<dvec2>> LeafProof::find_defined_in(std::span<const Leaf> leaves) {
+  std::vector<ParameterBox> boxes;
+  for (const Leaf& leaf : leaves) {
+    boxes.push_back(
+        {tree_.vertices().parameters(leaf.low), tree_.vertices().parameters(leaf.high)});
+  }
+  return find_defined(surface_, boxes, component_boxes_, threads_);
+}
+
+Certification LeafProof::certify_leaves(const ValidatedMesh& mesh) {
+  return certify(surface_, root_lines(grid_), patches_of(mesh.leaves, mesh.allowed, grid_, tree_),
+                 budget_);
+}
+
+std::vector<UnprovedBox> LeafProof::prove(const ValidatedMesh& mesh) {
+  Certification proof = certify_leaves(mesh);
+  gaps_ = std::move(proof.proof_gaps);
+  return std::move(proof.unproved_boxes);
+}
+
+std::vector<UnprovedBox> LeafProof::find_unproved(const ValidatedMesh& mesh) {
+  return certify_leaves(mesh).unproved_boxes;
+}
+
+std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
+                                              ValidatedMesh& mesh) const {
+  std::vector<dvec2> middles;
+  std::vector<std::size_t> leaves;
+  for (const UnprovedBox& box : boxes) {
+    middles.push_back(box.middle);
+    leaves.push_back(box.patch);
+  }
+  std::ranges::sort(leaves);
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  const LeafTriangles triangles =
+      triangulate_leaves(mesh.leaves, leaves, SingularCorners(), grid_, tree_);
+  const std::vector<SurfacePoint> points = evaluate(surface_, middles, threads_);
+  std::vector<Counterexample> counterexamples;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const UnprovedBox& box = boxes[k];
+    const auto number = std::ranges::lower_bound(leaves, box.patch) - leaves.begin();
+    const double distance = distance_from(grid_, triangles.of(static_cast<std::size_t>(number)),
+                                          box.middle, points[k].position);
+    mesh.add(box.patch, distance);
+    const bool exceeds_tolerance =
+        box.is_undefined ? is_visible_hole(box, mesh) : distance > mesh.allowed[box.patch];
+    if (exceeds_tolerance)
+      counterexamples.push_back({box.middle, points[k].position, box.size, box.bend, box.patch});
+  }
+  return counterexamples;
+}
+
+/// Whether a box in which the surface is undefined shows in the mesh.
+bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const {
+  const Leaf& leaf = mesh.leaves[box.patch];
+  const dvec2 size =
+      glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
+  const dvec2 part = box.size / size;
+  const auto p = corner_positions(leaf, tree_);
+  const double along_u = std::max(glm::distance(p[0], p[1]), glm::distance(p[3], p[2]));
+  const double along_v = std::max(glm::distance(p[0], p[3]), glm::distance(p[1], p[2]));
+  return std::max(part.x * along_u, part.y * along_v) > kVisibleHole * mesh.allowed[box.patch];
+}
+
+void LeafProof::complete(bool reached_limit, MeshReport& report) {
+  if (reached_limit) leave_domain_unproved(GapReason::Triangles);
+  if (!gaps_) leave_domain_unproved(GapReason::NotTried);
+  report.certified = gaps_->empty();
+  name_gaps(report);
+  report.proof_gaps = merged(*gaps_, surface_.domain);
+  report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
+}
+
+void LeafProof::leave_domain_unproved(GapReason why) {
+  const Domain& d = surface_.domain;
+  gaps_ = {{why, {d.u0, d.v0}, {d.u1, d.v1}}};
+}
+
+/// Replaces the reasons that follow from bounds alone by what the report says of places in the
+/// gaps.
+void LeafProof::name_gaps(const MeshReport& report) {
+  GapReasons names;
+  for (const dvec2& uv : report.without_limit) names.add(GapReason::NoLimit, uv);
+  for (const dvec2& uv : report.poles) names.add(GapReason::Pole, uv);
+  for (const dvec2& uv : report.jumps) names.add(GapReason::Jump, uv);
+  for (const SingularPoint& point : report.singular_points)
+    names.add(GapReason::Singular, point.uv);
+  names.give_to(*gaps_);
+}
+
+}  // namespace saddle

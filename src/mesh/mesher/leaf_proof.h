@@ -1,0 +1,55 @@
+// Interval proofs over the leaves of a mesh: the boxes of parameters without a proof, the
+// counterexamples in them, and the proof gaps that the report names.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/error/validated_mesh.h"
+#include "mesh/model/counterexample.h"
+#include "mesh/model/mesh_report.h"
+#include "mesh/proof/certify.h"
+
+namespace saddle {
+
+class CellTree;
+
+class LeafProof {
+ public:
+  LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads);
+
+  /// Places in leaves without defined samples at which the surface is defined; empty where none was
+  /// found. All calls share 1/12 of the budget.
+  std::vector<std::optional<dvec2>> find_defined_in(std::span<const Leaf> leaves);
+
+  /// The boxes without a proof. Keeps the proof gaps for the report.
+  std::vector<UnprovedBox> prove(const ValidatedMesh& mesh);
+  /// The boxes without a proof; the report keeps its gaps.
+  std::vector<UnprovedBox> find_unproved(const ValidatedMesh& mesh);
+
+  /// The middles of boxes that are farther from their leaf's triangles than allowed, or in a
+  /// visible hole. `cell` is the index of the leaf. The distances are added to the sampled errors.
+  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, ValidatedMesh& mesh) const;
+
+  /// Fills in whether the mesh is certified, and its proof gaps. `reached_limit`: subdivision ended
+  /// at the limit of triangles, which leaves the whole domain unproved.
+  void complete(bool reached_limit, MeshReport& report);
+
+ private:
+  Certification certify_leaves(const ValidatedMesh& mesh);
+  bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;
+  void leave_domain_unproved(GapReason why);
+  void name_gaps(const MeshReport& report);
+
+  const Surface& surface_;
+  const Grid& grid_;
+  const CellTree& tree_;
+  unsigned threads_;
+  ProofBudget budget_;
+  std::size_t component_boxes_;                // of the budget, for find_defined_in()
+  std::optional<std::vector<ProofGap>> gaps_;  // empty: no proof was tried
+};
+
+}  // namespace saddle

@@ -1,0 +1,131 @@
+#include "mesh/mesher/leaf_validation.h"
+
+#include <cstdint>
+
+#include "mesh/error/error_indicator.h"
+#include "mesh/error/validator.h"
+#include "mesh/grid/degenerate.h"
+#include "mesh/grid/grid.h"
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+double thickness_of(const Leaf& leaf, const Grid& grid, const CellTree& tree) {
+  if (!leaf.state.is_on_boundary()) return thickness(grid.mesh, leaf.samples.corner);
+  const auto& position = grid.mesh.position;
+  Bounds bounds;
+  double area = 0;
+  for (const Polygon& sub_polygon : sub_polygons(leaf, tree)) {
+    const dvec3& first = position[sub_polygon[0].corner];
+    for (std::size_t k = 1; k + 1 < sub_polygon.size(); ++k) {
+      const dvec3 a = position[sub_polygon[k].corner] - first;
+      const dvec3 b = position[sub_polygon[k + 1].corner] - first;
+      area += glm::length(glm::cross(a, b)) / 2;
+    }
+    for (const PolygonCorner& corner : sub_polygon) bounds.add(position[corner.corner]);
+  }
+  return area > 0 ? area / bounds.diagonal() : 0;
+}
+
+bool LeafValidation::is_turned(std::size_t leaf) const {
+  return turn_of_line(mesh_.sampled_errors[leaf].degrees) > limits_.normal_tolerance;
+}
+
+void LeafValidation::validate_new(std::vector<std::size_t> changed) {
+  const auto& leaves = mesh_.leaves;
+  const std::size_t validated = mesh_.sampled_errors.size();
+  std::erase_if(changed, [validated](std::size_t k) { return k >= validated; });
+  for (std::size_t k = mesh_.allowed.size(); k < leaves.size(); ++k) {
+    mesh_.allowed.push_back(tolerance_of(leaves[k], limits_.tolerance, tree_));
+  }
+  for (std::size_t k = validated; k < leaves.size(); ++k) changed.push_back(k);
+  validate(changed, SingularCorners());
+}
+
+bool LeafValidation::revalidate() {
+  std::vector<std::size_t> changed;
+  std::vector<double> degrees;
+  const std::uint32_t now = tree_.revisions().next();
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    Leaf& leaf = mesh_.leaves[k];
+    if (!tree_.revisions().has_changed(leaf, leaf.measured)) continue;
+    leaf.measured = now;
+    if (count_polygon_vertices(leaf, tree_) == leaf.polygon_size) continue;
+    changed.push_back(k);
+    degrees.push_back(mesh_.sampled_errors[k].degrees);
+  }
+  if (changed.empty()) return false;
+  validate(changed, SingularCorners());
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    mesh_.sampled_errors[changed[i]].degrees = degrees[i];
+  }
+  return true;
+}
+
+/// The error of normals counts only in leaves thicker than kSeenTurn tolerances.
+void LeafValidation::validate(std::span<const std::size_t> which, const SingularCorners& singular) {
+  const std::uint32_t now = tree_.revisions().next();
+  for (const std::size_t k : which) mesh_.leaves[k].measured = now;
+  const LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
+  Validator validator(surface_, grid_, tree_, limits_);
+  validator.measure(mesh_, which, triangles);
+  evaluations_ += validator.evaluations();
+  tree_.effort().add_places(validator.evaluations());
+  mesh_.put(which, triangles, now);
+  for (const std::size_t k : which) {
+    const bool is_thin =
+        is_turned(k) && thickness_of(mesh_.leaves[k], grid_, tree_) <= kSeenTurn * mesh_.allowed[k];
+    if (is_thin) mesh_.sampled_errors[k].degrees = 0;
+  }
+}
+
+bool LeafValidation::validate_singular() {
+  if (!tree_.geometry().has_singular()) return false;
+  Mesh& mesh = grid_.mesh;
+  const std::size_t count = mesh.position.size();
+  MeshReport unused;
+  const SingularCorners singular(mesh_.leaves, tree_, limits_.threads, normal_limits_, grid_,
+                                 unused);
+  validate(singular.leaves(), singular);
+  // The corners with limits are removed again, and so the triangles at them are out of date.
+  for (const std::size_t k : singular.leaves()) mesh_.made[k] = 0;
+  mesh.position.resize(count);
+  mesh.normal.resize(count);
+  mesh.uv.resize(count);
+  mesh.point.resize(count);
+  return true;
+}
+
+LeafTriangles LeafValidation::triangulate(MeshReport& report) {
+  const auto& leaves = mesh_.leaves;
+  const SingularCorners singular(leaves, tree_, limits_.threads, normal_limits_, grid_, report);
+  validate(singular.leaves(), singular);
+  std::vector<std::size_t> stale;
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    if (!has_lasting_triangles(k)) stale.push_back(k);
+  }
+  mesh_.put(stale, triangulate_leaves(leaves, stale, singular, grid_, tree_),
+            tree_.revisions().next());
+  return mesh_.all_triangles();
+}
+
+/// Whether the triangles of a leaf's last validation are still those of its cell polygon.
+bool LeafValidation::has_lasting_triangles(std::size_t number) const {
+  const Leaf& leaf = mesh_.leaves[number];
+  if (leaf.state.is_left_out()) return false;
+  if (!tree_.revisions().has_changed(leaf, mesh_.made[number])) return true;
+  if (!leaf.state.is_whole() || tree_.edges().may_be_crossed(leaf)) return false;
+  // The change was beside the leaf if its polygon has as many vertices, and each is regular and a
+  // point of its own.
+  std::uint32_t count = 0;
+  bool is_regular = true;
+  for_sides(leaf, tree_, [&](std::uint32_t vertex, std::uint32_t) {
+    ++count;
+    is_regular =
+        is_regular && tree_.geometry().is_regular(vertex) && grid_.mesh.point[vertex] == vertex;
+  });
+  return is_regular && count == leaf.polygon_size;
+}
+
+}  // namespace saddle

@@ -1,0 +1,55 @@
+#include "mesh/mesher/split_direction.h"
+
+#include <algorithm>
+
+#include "mesh/mesher/oscillation.h"
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+namespace {
+
+/// An error estimate below 0.5 tolerances says nothing about the direction of a sampled error.
+constexpr double kSignificant = 0.5;
+
+}  // namespace
+
+bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicted) const {
+  const Leaf& leaf = mesh_.leaves[number];
+  const bool is_far = mesh_.off(number) > 1;
+  if (const auto across_u = predicted.splits_predicted_u(leaf, tree_)) return *across_u;
+  if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.state.is_cut_by_feature()) {
+    if (const auto along_u = flat_sub_polygon_along_u(leaf, tree_)) return *along_u;
+  }
+  if (is_far && mesh_.sampled_errors[number].on_crease) return is_cut_along_u(leaf, tree_);
+  if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
+  if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_across_u(leaf);
+  const CellError error = indicator_.estimate(leaf);
+  const ErrorRatios ratios = is_far ? error.distance : error.turn;
+  const bool is_significant = std::max(ratios.along_u, ratios.along_v) > kSignificant;
+  const bool is_narrow = Oscillation(grid_, limits_.share).is_sliver(leaf, tree_);
+  if (is_significant && !is_narrow) return ratios.along_u >= ratios.along_v;
+  // The normals at a singular side are not known yet, but turn most there.
+  if (!is_far && has_singular_side(leaf.samples, 0) != has_singular_side(leaf.samples, 1)) {
+    return has_singular_side(leaf.samples, 1);
+  }
+  return leaf.size_u() >= leaf.size_v();
+}
+
+/// Whether one of a leaf's two sides along u (0) or along v (1) is singular at both ends.
+bool SplitDirection::has_singular_side(const SampleVertices& samples, std::size_t along) const {
+  const auto& corner = samples.corner;
+  return is_cusp(corner[along], corner[along + 1], tree_) ||
+         is_cusp(corner[along + 2], corner[(along + 3) % 4], tree_);
+}
+
+bool SplitDirection::is_cut_unclearly(std::size_t number) const {
+  const Leaf& leaf = mesh_.leaves[number];
+  if (!leaf.state.is_cut_by_feature() || !leaf.state.may_be_halved()) return false;
+  const FeatureCount features = count_features(leaf, tree_);
+  if (features.only_creases) return mesh_.triangles.ranges[number].has_flat_sub_polygon;
+  return !features.is_through();
+}
+
+}  // namespace saddle

@@ -1,0 +1,37 @@
+// The direction in which a leaf that failed validation is halved: across its edge features, or the
+// one with the larger error estimate, or the longer one.
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/error/error_indicator.h"
+#include "mesh/error/validated_mesh.h"
+
+namespace saddle {
+
+class CellTree;
+class Oscillation;
+
+class SplitDirection {
+ public:
+  SplitDirection(const RefineOptions& limits, const Grid& grid, const CellTree& tree,
+                 const ValidatedMesh& mesh)
+      : limits_(limits), grid_(grid), tree_(tree), mesh_(mesh), indicator_(limits, grid, tree) {}
+
+  /// Whether to halve a leaf across u. `predicted`: where the surface oscillates.
+  bool is_across_u(std::size_t leaf, const Oscillation& predicted) const;
+  /// Whether the edge features of a leaf do not divide it into clear sub-polygons: more than one
+  /// jump, or one that ends inside. A leaf with creases only is unclear if a sub-polygon is flat.
+  bool is_cut_unclearly(std::size_t leaf) const;
+
+ private:
+  bool has_singular_side(const SampleVertices& samples, std::size_t along) const;
+
+  const RefineOptions& limits_;
+  const Grid& grid_;
+  const CellTree& tree_;
+  const ValidatedMesh& mesh_;
+  ErrorIndicator indicator_;
+};
+
+}  // namespace saddle
