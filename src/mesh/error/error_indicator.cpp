@@ -53,11 +53,11 @@ double narrow_side(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner)
 
 }  // namespace
 
-ErrorIndicator::ErrorIndicator(const RefineOptions& options, const Grid& grid, const CellTree& tree)
-    : options_(options), grid_(grid), mesh_(grid.mesh), tree_(tree) {
-  if (!options.clip) return;
+ErrorIndicator::ErrorIndicator(const CellLimits& limits, const Grid& grid, const CellTree& tree)
+    : limits_(limits), grid_(grid), mesh_(grid.mesh), tree_(tree) {
+  if (!limits.clip) return;
   const double margin = grid.mesh.bounds.diagonal();
-  far_ = Bounds{options.clip->low - margin, options.clip->high + margin};
+  far_ = Bounds{limits.clip->low - margin, limits.clip->high + margin};
 }
 
 bool ErrorIndicator::is_regular(std::uint32_t vertex) const {
@@ -213,7 +213,7 @@ ErrorRatios ErrorIndicator::turn_ratios(const ErrorRatios& squares_of_tangents) 
 }
 
 double ErrorIndicator::allowed(const Leaf& leaf) const {
-  if (options_.tolerance.is_same_everywhere()) return options_.tolerance(dvec3(0));
+  if (limits_.tolerance.is_same_everywhere()) return limits_.tolerance(dvec3(0));
   const SampleVertices& samples = leaf.samples;
   Ball ball;
   ball.add(mesh_.position[samples.centre]);
@@ -221,7 +221,7 @@ double ErrorIndicator::allowed(const Leaf& leaf) const {
     ball.add(mesh_.position[samples.corner[k]]);
     ball.add(mesh_.position[samples.side[k]]);
   }
-  return ball.allowed_by(options_.tolerance);
+  return ball.allowed_by(limits_.tolerance);
 }
 
 bool ErrorIndicator::misses(const Leaf& leaf, const Counterexample& counterexample) const {
@@ -233,7 +233,7 @@ bool ErrorIndicator::misses(const Leaf& leaf, const Counterexample& counterexamp
   Array<Triangle> triangles;
   cut_cell(grid_, leaf.samples.corner, triangles);
   return distance_from(grid_, triangles, counterexample.uv, counterexample.position) >
-         options_.tolerance(counterexample.position);
+         limits_.tolerance(counterexample.position);
 }
 
 bool ErrorIndicator::splits_u(const Leaf& leaf, const Counterexample& counterexample) const {
@@ -286,13 +286,13 @@ std::vector<dvec3> ErrorIndicator::defined_positions(const SampleVertices& sampl
 }
 
 bool ErrorIndicator::is_clipped(const Leaf& leaf) const {
-  return options_.clip && is_beyond(*options_.clip, defined_positions(leaf.samples));
+  return limits_.clip && is_beyond(*limits_.clip, defined_positions(leaf.samples));
 }
 
 bool ErrorIndicator::is_outside(const Leaf& leaf) const {
-  return options_.clip &&
+  return limits_.clip &&
          std::ranges::all_of(defined_positions(leaf.samples), [&](const dvec3& position) {
-           return is_beyond(*options_.clip, std::span(&position, 1));
+           return is_beyond(*limits_.clip, std::span(&position, 1));
          });
 }
 
@@ -314,13 +314,13 @@ bool ErrorIndicator::is_seen(const Leaf& leaf, std::size_t side) const {
   };
   switch (side) {
     case 0:
-      return is_among(leaf.low.v, options_.seen_v);
+      return is_among(leaf.low.v, limits_.seen_v);
     case 1:
-      return is_among(leaf.high.u, options_.seen_u);
+      return is_among(leaf.high.u, limits_.seen_u);
     case 2:
-      return is_among(leaf.high.v, options_.seen_v);
+      return is_among(leaf.high.v, limits_.seen_v);
     default:
-      return is_among(leaf.low.u, options_.seen_u);
+      return is_among(leaf.low.u, limits_.seen_u);
   }
 }
 
@@ -382,7 +382,7 @@ double ErrorIndicator::square_of_tangent(std::uint32_t a, std::uint32_t b,
 double ErrorIndicator::turn_ratio(double square_of_tangent) const {
   if (square_of_tangent == 0) return 0;
   const double degrees = std::atan(std::sqrt(square_of_tangent)) * 180 / std::numbers::pi;
-  const double share = degrees / options_.normal_tolerance;
+  const double share = degrees / limits_.normal_tolerance;
   return share * share;
 }
 

@@ -59,7 +59,7 @@ int count_defined(const CellTree& tree, const Leaf& leaf);
 /// Estimates the errors of leaves whose samples are known.
 class ErrorIndicator {
  public:
-  ErrorIndicator(const RefineOptions& options, const Grid& grid, const CellTree& tree);
+  ErrorIndicator(const CellLimits& limits, const Grid& grid, const CellTree& tree);
 
   /// The tolerance in the ball around a leaf's nine samples.
   double allowed(const Leaf& leaf) const;
@@ -114,7 +114,7 @@ class ErrorIndicator {
   double square_of_tangent(std::uint32_t a, std::uint32_t b, std::uint32_t sample) const;
   double turn_ratio(double square_of_tangent) const;
 
-  const RefineOptions& options_;
+  const CellLimits& limits_;
   const Grid& grid_;
   std::optional<Bounds> far_;  ///< the clip box and a margin; positions are clamped to it
   const Mesh& mesh_;

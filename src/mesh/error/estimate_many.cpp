@@ -58,13 +58,13 @@ double squared_tangent_of(double degrees) {
 
 }  // namespace
 
-FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& options,
+FastCellErrors estimate_many(std::span<const Leaf> leaves, const CellLimits& limits,
                              const ErrorIndicator& indicator, const CellTree& tree) {
   FastCellErrors result{std::vector<FastCellError>(leaves.size()), {}};
   const auto block = std::make_unique_for_overwrite<LeafSamples>();
   const auto errors = std::make_unique_for_overwrite<LeafErrors>();
   const EstimateLeaves loop = estimate_loop(cpu_level());
-  const double allowed_turn = squared_tangent_of(options.normal_tolerance);
+  const double allowed_turn = squared_tangent_of(limits.normal_tolerance);
   std::array<std::size_t, kLeafBlock> which;
   LeafNumbers tolerance;
   std::size_t count = 0;
@@ -76,14 +76,14 @@ FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& 
     const double safety = leaf.normal_safety;
     const double allowed = safety == 1
                                ? allowed_turn
-                               : squared_tangent_of(options.normal_tolerance / std::sqrt(safety));
+                               : squared_tangent_of(limits.normal_tolerance / std::sqrt(safety));
     const double worst = distance.worst() / tolerance[i];
     if (worst * leaf.safety <= 1 && turn.worst() <= allowed) {
       fast.is_known = fast.passes = true;
       fast.distance = static_cast<float>(worst);
       return;
     }
-    if (options.clip || has_limits(leaf.samples, tree)) return;
+    if (limits.clip || has_limits(leaf.samples, tree)) return;
     fast.is_known = true;
     fast.error = static_cast<std::uint32_t>(result.errors.size());
     CellError& error = result.errors.emplace_back();

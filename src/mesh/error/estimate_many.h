@@ -29,7 +29,7 @@ struct FastCellErrors {
 /// Estimates leaves whose samples are known. The loops do not know leaves that fold, bend too much
 /// for arcs or are not smooth, have edge features or are beside a pole. With a clip box they know
 /// only leaves that pass.
-FastCellErrors estimate_many(std::span<const Leaf> leaves, const RefineOptions& options,
+FastCellErrors estimate_many(std::span<const Leaf> leaves, const CellLimits& limits,
                              const ErrorIndicator& indicator, const CellTree& tree);
 
 }  // namespace saddle

@@ -9,6 +9,7 @@
 
 #include "base/bounds.h"
 #include "mesh/model/tolerance.h"
+#include "mesh/tree/triangle_limit.h"
 
 namespace saddle {
 
@@ -27,10 +28,10 @@ inline double turn_of_line(double degrees) {
 }
 
 /// The limits that each leaf of a mesh keeps. They stay the same from the first leaf to the last.
-struct RefineOptions {
+struct CellLimits {
   Tolerance tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
-  std::size_t max_triangles = 4'000'000;
+  TriangleLimit triangles = {};
   std::optional<Bounds> clip = {};  ///< errors outside of this box do not count
   std::vector<std::uint8_t> seen_u,
       seen_v;  ///< the grid's lines that are drawn or the domain's ends
@@ -38,12 +39,12 @@ struct RefineOptions {
   double share = 1e-3;  ///< the tolerance as a share of the surface's diagonal
 };
 
-/// Leaves are halved for their normals alone up to this many triangles: 250,000, about half the
+/// The limit for halvings that reduce the error of normals alone: 250,000 triangles, about half the
 /// pixels of an 800 x 600 picture, or 1/16 of the limit if that is more.
-inline std::size_t allowed_for_normals(std::size_t max_triangles) {
+inline TriangleLimit limit_for_normals(const TriangleLimit& limit) {
   constexpr std::size_t kEnough = 250'000;
   constexpr std::size_t kShare = 16;
-  return std::min(max_triangles, std::max(kEnough, max_triangles / kShare));
+  return {std::min(limit.triangles, std::max(kEnough, limit.triangles / kShare)), limit.is_refined};
 }
 
 }  // namespace saddle

@@ -20,16 +20,16 @@ class DistanceMaximizer;
 
 class Validator {
  public:
-  /// Errors outside of the options' clip box do not count.
+  /// Errors outside of the limits' clip box do not count.
   Validator(const Surface& surface, const Grid& grid, const CellTree& tree,
-            const RefineOptions& options)
+            const CellLimits& limits)
       : surface_(surface),
         grid_(grid),
         tree_(tree),
         placer_(grid, tree),
-        clip_(options.clip),
-        normal_tolerance_(options.normal_tolerance),
-        threads_(options.threads) {}
+        clip_(limits.clip),
+        normal_tolerance_(limits.normal_tolerance),
+        threads_(limits.threads) {}
 
   /// Measures some leaves of a mesh against their triangles, one range for each: the largest error
   /// of a leaf at a few random points, which are always the same for the same leaf.

@@ -42,7 +42,7 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       request_(request),
       limits_{plan.aim,
               request.normal_tolerance,
-              request.method == MeshRequest::Method::Samples ? 0 : request.max_triangles,
+              {request.max_triangles, request.method != MeshRequest::Method::Samples},
               request.clip,
               seen_lines(plan.lines.u, plan.drawn.u),
               seen_lines(plan.lines.v, plan.drawn.v),
@@ -69,12 +69,11 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
                       : may_stop()  ? Until::Poles
                                     : Until::Done;
   tree_.geometry().add_middles(request_.threads);
-  const auto first = static_cast<std::size_t>(kFirst * static_cast<double>(limits_.max_triangles));
-  refine({root_leaves(grid_), std::move(counterexamples)}, {until, first});
+  refine({root_leaves(grid_), std::move(counterexamples)}, {until, limits_.triangles.part(kFirst)});
   for (int round = 0; round < kRounds && !stops_early(); ++round) {
     const ActiveLeaves active = next_active();
     if (active.leaves.empty()) break;
-    refine(active, {until, limits_.max_triangles});
+    refine(active, {until, limits_.triangles});
   }
   if (stops_early()) return;
   const bool is_finished = !reached_limit_ || is_unrefined();
@@ -111,7 +110,7 @@ void AdaptiveMesher::complete(MeshReport& report) {
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
-  report.budget_spent = stopped && tree_.budget().is_spent(limits_.max_triangles);
+  report.budget_spent = stopped && tree_.budget().is_spent(limits_.triangles);
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
   proof_.complete(stopped, report);
@@ -132,13 +131,13 @@ Seams AdaptiveMesher::weld_if_two_dimensional(const Probe& probe) {
 }
 
 TraceOptions AdaptiveMesher::trace_options() const {
-  return {limits_.tolerance, false, request_.threads, request_.clip, limits_.max_triangles};
+  return {limits_.tolerance, false, request_.threads, request_.clip, limits_.triangles};
 }
 
 /// Whether one more halving could exceed the limit of triangles or of effort. Notes it for the
 /// report.
 bool AdaptiveMesher::stop_if_full() {
-  const bool full = tree_.budget().is_full(limits_.max_triangles);
+  const bool full = tree_.budget().is_full(limits_.triangles);
   reached_limit_ = reached_limit_ || full;
   return full;
 }
@@ -212,7 +211,7 @@ double AdaptiveMesher::normal_error_ratio(std::size_t number) {
   const Leaf& leaf = mesh_.leaves[number];
   const double share =
       turn_of_line(mesh_.sampled_errors[number].degrees) / request_.normal_tolerance;
-  if (!tree_.budget().has_many(allowed_for_normals(limits_.max_triangles))) return share * share;
+  if (!tree_.budget().has_many(limit_for_normals(limits_.triangles))) return share * share;
   if (!coarse_normals_) coarse_normals_ = tree_.vertices().parameters(leaf.middle());
   return 0;
 }

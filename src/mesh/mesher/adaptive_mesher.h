@@ -68,7 +68,7 @@ class AdaptiveMesher {
     std::vector<Counterexample> counterexamples;
   };
 
-  bool is_unrefined() const { return request_.method == MeshRequest::Method::Samples; }
+  bool is_unrefined() const { return !limits_.triangles.is_refined; }
   bool certifies() const { return request_.certify && !is_unrefined(); }
   bool may_stop() const { return request_.stop != MeshRequest::Stop::Never; }
   Seams weld_if_two_dimensional(const Probe& probe);
@@ -95,7 +95,7 @@ class AdaptiveMesher {
 
   const Surface& surface_;
   const MeshRequest& request_;
-  const RefineOptions limits_;
+  const CellLimits limits_;
   Grid grid_;
   Seams seams_;
   PointUnion points_;

@@ -118,7 +118,7 @@ class FeatureTracer {
           poles.push_back(sides[k]);
       }
     }
-    if (options_.poles || (options_.clip && has_room_for_faces(options_, tree_)))
+    if (options_.poles || (options_.clip && tree_.budget().has_room_for_faces(options_.triangles)))
       cut_poles(poles, options_, tree_);
     add_pairs(FeatureKind::Jump, jumping, jumps);
   }
@@ -230,7 +230,7 @@ class FeatureTracer {
 template <class Search>
 void search_within_budget(std::span<const Side> sides, const TraceOptions& options,
                           const CellTree& tree, Search search) {
-  while (!sides.empty() && !tree.budget().is_spent(options.max_triangles)) {
+  while (!sides.empty() && !tree.budget().is_spent(options.triangles)) {
     const std::size_t count = std::min(sides.size(), kSidesAtATime);
     search(sides.first(count));
     sides = sides.subspan(count);

@@ -44,7 +44,7 @@ std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<
       if (state.is_whole()) continue;
       append_unsearched(leaf, tree, sides);
     }
-    if (sides.empty() || tree.budget().is_spent(options.max_triangles)) return split;
+    if (sides.empty() || tree.budget().is_spent(options.triangles)) return split;
     sort_sides(sides);
     trace_features(sides, options, tree);
   }

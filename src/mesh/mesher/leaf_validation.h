@@ -21,7 +21,7 @@ double thickness_of(const Leaf& leaf, const Grid& grid, const CellTree& tree);
 
 class LeafValidation {
  public:
-  LeafValidation(const Surface& surface, const RefineOptions& limits, Grid& grid, CellTree& tree,
+  LeafValidation(const Surface& surface, const CellLimits& limits, Grid& grid, CellTree& tree,
                  ValidatedMesh& mesh)
       : surface_(surface), limits_(limits), grid_(grid), tree_(tree), mesh_(mesh) {}
 
@@ -47,7 +47,7 @@ class LeafValidation {
   bool has_lasting_triangles(std::size_t leaf) const;
 
   const Surface& surface_;
-  const RefineOptions& limits_;
+  const CellLimits& limits_;
   Grid& grid_;
   CellTree& tree_;
   ValidatedMesh& mesh_;

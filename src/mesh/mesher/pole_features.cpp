@@ -67,7 +67,7 @@ void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellT
     ways.push_back({a, beside_a, pole});
     ways.push_back({b, beside_b, pole});
   }
-  const bool to_faces = options.clip && has_room_for_faces(options, tree);
+  const bool to_faces = options.clip && tree.budget().has_room_for_faces(options.triangles);
   if (to_faces) {
     const std::vector<dvec2> faces = leave_box(ways, options, tree);
     for (std::size_t k = 0; k < faces.size(); ++k) places[k].uv = faces[k];
@@ -82,10 +82,6 @@ void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellT
 }
 
 }  // namespace
-
-bool has_room_for_faces(const TraceOptions& options, const CellTree& tree) {
-  return options.max_triangles == 0 || !tree.budget().has_many(options.max_triangles);
-}
 
 void cut_poles(std::span<const Side> sides, const TraceOptions& options, CellTree& tree) {
   for (std::size_t begin = 0; begin < sides.size(); begin += kSidesAtATime) {

@@ -32,7 +32,4 @@ std::vector<bool> diverge_at(std::span<const Between> boundaries, const TraceOpt
 std::vector<bool> end_at_faces(const std::vector<bool>& goes_far, std::span<Between> boundaries,
                                const TraceOptions& options, CellTree& tree);
 
-/// Whether sides may be cut at faces, which doubles the number of their leaves' triangles.
-bool has_room_for_faces(const TraceOptions& options, const CellTree& tree);
-
 }  // namespace saddle

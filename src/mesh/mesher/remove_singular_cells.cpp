@@ -97,15 +97,14 @@ bool exceeds_tolerance(const ValidatedMesh& mesh, std::size_t number) {
 
 /// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
 /// is no larger than the tolerance is right, whatever is in it.
-std::vector<std::size_t> leaves_with_singularities(const RefineOptions& options,
-                                                   const CellTree& tree,
+std::vector<std::size_t> leaves_with_singularities(const CellLimits& limits, const CellTree& tree,
                                                    const ValidatedMesh& mesh) {
   std::vector<std::size_t> unproved_boxes;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
     const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
     if (!leaf.state.is_on_boundary() && (exceeds_tolerance(mesh, k) || is_deep) &&
-        !is_clipped(leaf, options.clip, tree))
+        !is_clipped(leaf, limits.clip, tree))
       unproved_boxes.push_back(k);
   }
   const auto area = [&](std::size_t k) {
@@ -207,15 +206,14 @@ struct Sides {
 
 /// A wall need not be far off: where nothing clips a surface that goes to infinity, tolerances are
 /// a share of its height without end, and all sides of leaves may lead to poles.
-Sides classify_sides(const RefineOptions& options, const CellTree& tree,
-                     const ValidatedMesh& mesh) {
+Sides classify_sides(const CellLimits& limits, const CellTree& tree, const ValidatedMesh& mesh) {
   Sides result;
   const bool has_poles = tree.has_poles();
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
-    const bool is_unproved = exceeds_tolerance(mesh, k) || (has_poles && !options.clip);
+    const bool is_unproved = exceeds_tolerance(mesh, k) || (has_poles && !limits.clip);
     if (!is_unproved && !has_poles) continue;
-    if (leaf.state.is_left_out() || is_clipped(leaf, options.clip, tree)) continue;
+    if (leaf.state.is_left_out() || is_clipped(leaf, limits.clip, tree)) continue;
     for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
       const Side side = {std::min(a, b), std::max(a, b)};
       if (const auto feature = tree.edges().feature(a, b)) {
@@ -235,7 +233,7 @@ Sides classify_sides(const RefineOptions& options, const CellTree& tree,
 }
 
 /// Vertices that are on poles, at a finite place by rounding alone, of leaves that are off.
-std::set<std::uint32_t> vertices_on_poles(const RefineOptions& options, const CellTree& tree,
+std::set<std::uint32_t> vertices_on_poles(const CellLimits& limits, const CellTree& tree,
                                           const ValidatedMesh& mesh) {
   std::vector<Line> ways;
   std::vector<std::uint32_t> vertices;
@@ -250,7 +248,7 @@ std::set<std::uint32_t> vertices_on_poles(const RefineOptions& options, const Ce
       ways.push_back({tree.mesh().uv[vertices.back()], tree.mesh().uv[across]});
     }
   }
-  const std::vector<bool> on_pole = diverge(tree.surface(), ways, delta, options.threads);
+  const std::vector<bool> on_pole = diverge(tree.surface(), ways, delta, limits.threads);
   std::set<std::uint32_t> result;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (on_pole[k]) result.insert(vertices[k]);
@@ -259,8 +257,8 @@ std::set<std::uint32_t> vertices_on_poles(const RefineOptions& options, const Ce
 }
 
 /// Nothing clips the needles to such vertices.
-void leave_out_needles(const RefineOptions& options, const CellTree& tree, ValidatedMesh& mesh) {
-  const std::set<std::uint32_t> on_poles = vertices_on_poles(options, tree, mesh);
+void leave_out_needles(const CellLimits& limits, const CellTree& tree, ValidatedMesh& mesh) {
+  const std::set<std::uint32_t> on_poles = vertices_on_poles(limits, tree, mesh);
   if (on_poles.empty()) return;
   for (Leaf& leaf : mesh.leaves) {
     for_sides(leaf, tree, [&](std::uint32_t vertex, std::uint32_t) {
@@ -276,13 +274,13 @@ bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const CellT
 }
 
 std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
-                                                       const RefineOptions& options,
+                                                       const CellLimits& limits,
                                                        const CellTree& tree, ValidatedMesh& mesh) {
   const auto [places, leaves, are_alone] =
-      find_points(surface, tree, mesh, leaves_with_singularities(options, tree, mesh));
+      find_points(surface, tree, mesh, leaves_with_singularities(limits, tree, mesh));
   const double diagonal = tree.mesh().bounds.diagonal();
   const std::vector<PointSingularity> singularities =
-      classify_points(surface, places, diagonal, options.threads);
+      classify_points(surface, places, diagonal, limits.threads);
   const Domain& d = surface.domain;
   const dvec2 range = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
   std::vector<PlacedSingularity> result;
@@ -306,11 +304,11 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
   return result;
 }
 
-void cut_walls(const RefineOptions& options, bool search, CellTree& tree, ValidatedMesh& mesh) {
-  const TraceOptions with_poles{options.tolerance, true, options.threads, options.clip,
-                                options.max_triangles};
-  if (!options.clip && tree.has_poles()) leave_out_needles(options, tree, mesh);
-  Sides sides = classify_sides(options, tree, mesh);
+void cut_walls(const CellLimits& limits, bool search, CellTree& tree, ValidatedMesh& mesh) {
+  const TraceOptions with_poles{limits.tolerance, true, limits.threads, limits.clip,
+                                limits.triangles};
+  if (!limits.clip && tree.has_poles()) leave_out_needles(limits, tree, mesh);
+  Sides sides = classify_sides(limits, tree, mesh);
   cut_poles(sides.lead_to_poles, with_poles, tree);
   if (search) find_jumps(sides.unsearched, with_poles, tree);
   follow_features(with_poles, mesh.leaves, tree);

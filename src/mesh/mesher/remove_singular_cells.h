@@ -25,13 +25,13 @@ bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const CellT
 /// Leaves out those leaves in which the surface goes to infinity at a point, or has no limit there.
 /// Returns these points, each of them once.
 std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
-                                                       const RefineOptions& options,
+                                                       const CellLimits& limits,
                                                        const CellTree& tree, ValidatedMesh& mesh);
 
 /// Cuts the sides of leaves that lead to poles, which would be walls, where that is known or is
 /// found by following the poles from leaf to leaf. If `search`, those too that do beside a boundary
 /// or a jump, and all others of leaves that halving did not help or, of a surface that has poles
 /// and is not clipped, of any.
-void cut_walls(const RefineOptions& options, bool search, CellTree& tree, ValidatedMesh& mesh);
+void cut_walls(const CellLimits& limits, bool search, CellTree& tree, ValidatedMesh& mesh);
 
 }  // namespace saddle

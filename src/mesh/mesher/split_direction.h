@@ -14,7 +14,7 @@ class Oscillation;
 
 class SplitDirection {
  public:
-  SplitDirection(const RefineOptions& limits, const Grid& grid, const CellTree& tree,
+  SplitDirection(const CellLimits& limits, const Grid& grid, const CellTree& tree,
                  const ValidatedMesh& mesh)
       : limits_(limits), grid_(grid), tree_(tree), mesh_(mesh), indicator_(limits, grid, tree) {}
 
@@ -27,7 +27,7 @@ class SplitDirection {
  private:
   bool has_singular_side(const SampleVertices& samples, std::size_t along) const;
 
-  const RefineOptions& limits_;
+  const CellLimits& limits_;
   const Grid& grid_;
   const CellTree& tree_;
   const ValidatedMesh& mesh_;

@@ -34,7 +34,7 @@ struct Estimated {
 /// Subdivides active leaves generation by generation.
 class Subdivider {
  public:
-  Subdivider(std::span<const Counterexample> counterexamples, const RefineOptions& limits,
+  Subdivider(std::span<const Counterexample> counterexamples, const CellLimits& limits,
              const SubdivisionGoal& goal, const Grid& grid, Oscillation known_oscillation,
              CellTree& tree)
       : counterexamples_(counterexamples),
@@ -116,7 +116,7 @@ class Subdivider {
     if (!halves) {
       const int most =
           leaf.state.is_on_boundary() ? most_boundary_halvings(leaf, tree_) : kMostCutHalvings;
-      if (done >= most || tree_.budget().is_full(goal_.max_triangles)) leaf.state.freeze();
+      if (done >= most || tree_.budget().is_full(goal_.triangles)) leaf.state.freeze();
       result_.leaves.push_back(leaf);
       return;
     }
@@ -197,7 +197,7 @@ class Subdivider {
   }
 
   TraceOptions trace_options() const {
-    return {limits_.tolerance, false, limits_.threads, limits_.clip, goal_.max_triangles};
+    return {limits_.tolerance, false, limits_.threads, limits_.clip, goal_.triangles};
   }
 
   /// Searches the sides of leaves and halves those with features. Creases are searched only where
@@ -258,7 +258,7 @@ class Subdivider {
     Leaf leaf = estimated.candidate.leaf;
     const CellError& error = estimated.error;
     const double distance = error.distance.worst() * leaf.safety;
-    const bool turn_counts = !tree_.budget().has_many(allowed_for_normals(goal_.max_triangles));
+    const bool turn_counts = !tree_.budget().has_many(limit_for_normals(goal_.triangles));
     const double turn = turn_counts ? error.turn.worst() * leaf.normal_safety : 0;
     // Toward a pole errors grow as leaves shrink, so halvings are limited: to 14 where the leaf may
     // jump, to 28 beside the pole.
@@ -303,7 +303,7 @@ class Subdivider {
 
   /// Empty where the limit is reached.
   std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool across_u) {
-    const bool full = tree_.budget().is_full(goal_.max_triangles);
+    const bool full = tree_.budget().is_full(goal_.triangles);
     result_.reached_limit = result_.reached_limit || full;
     return full ? std::nullopt : halve(leaf, across_u, tree_);
   }
@@ -334,7 +334,7 @@ class Subdivider {
   }
 
   std::span<const Counterexample> counterexamples_;
-  const RefineOptions& limits_;
+  const CellLimits& limits_;
   SubdivisionGoal goal_;
   CellTree& tree_;
   ErrorIndicator indicator_;
@@ -347,7 +347,7 @@ class Subdivider {
 }  // namespace
 
 Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexample> counterexamples,
-                      Oscillation known_oscillation, const RefineOptions& limits,
+                      Oscillation known_oscillation, const CellLimits& limits,
                       const SubdivisionGoal& goal, const Grid& grid, CellTree& tree) {
   Subdivider subdivider(counterexamples, limits, goal, grid, std::move(known_oscillation), tree);
   std::vector<Candidate> candidates;

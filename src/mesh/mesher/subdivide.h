@@ -25,7 +25,7 @@ enum class Until : std::uint8_t { Done, Poles, OneGeneration };
 
 struct SubdivisionGoal {
   Until until;
-  std::size_t max_triangles;  ///< no leaf is halved beyond it
+  TriangleLimit triangles;  ///< no leaf is halved beyond it
 };
 
 struct Subdivision {
@@ -40,7 +40,7 @@ struct Subdivision {
 /// active leaf; in a leaf without defined samples it is a place where the surface is defined.
 /// `known_oscillation`: of leaves that are not active.
 Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexample> counterexamples,
-                      Oscillation known_oscillation, const RefineOptions& limits,
+                      Oscillation known_oscillation, const CellLimits& limits,
                       const SubdivisionGoal& goal, const Grid& grid, CellTree& tree);
 
 }  // namespace saddle

@@ -6,6 +6,7 @@
 
 #include "base/bounds.h"
 #include "mesh/model/tolerance.h"
+#include "mesh/tree/triangle_limit.h"
 
 namespace saddle {
 
@@ -21,8 +22,8 @@ struct TraceOptions {
   unsigned threads = 0;
   /// The mesh is clipped to this box: a surface that goes to infinity ends on a face of it.
   std::optional<Bounds> clip = {};
-  /// The search ends once a mesh of so many triangles has spent its effort; 0: it does not.
-  std::size_t max_triangles = 0;
+  /// The search ends once the effort of this limit is spent.
+  TriangleLimit triangles = {};
 };
 
 }  // namespace saddle

@@ -19,9 +19,8 @@ inline constexpr std::size_t kPlacesPerSample = 2;
 /// Places for keeping an edge feature of a side.
 inline constexpr std::size_t kPlacesPerDiscontinuity = 15;
 
-/// The budget of a mesh, in places. A mesh that is not refined (0) has no limit.
+/// The budget of a mesh with a limit of triangles, in places.
 inline constexpr std::size_t most_effort(std::size_t max_triangles) {
-  if (max_triangles == 0) return SIZE_MAX;
   return std::max(kLeastEffort, kPlacesPerTriangle * max_triangles);
 }
 

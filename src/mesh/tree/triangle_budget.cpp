@@ -5,8 +5,9 @@
 
 namespace saddle {
 
-bool TriangleBudget::has_many(std::size_t triangles) const {
-  return 2 * (vertices_.used_count() + 2) + edges_.vertex_count() > triangles;
+bool TriangleBudget::has_many(const TriangleLimit& limit) const {
+  if (!limit.is_refined) return true;
+  return 2 * (vertices_.used_count() + 2) + edges_.vertex_count() > limit.triangles;
 }
 
 }  // namespace saddle

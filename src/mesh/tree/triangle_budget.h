@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/sizing/effort.h"
+#include "mesh/tree/triangle_limit.h"
 
 namespace saddle {
 
@@ -13,17 +14,19 @@ class TriangleBudget {
   TriangleBudget(const DyadicVertices& vertices, const EdgeTable& edges, const Effort& effort)
       : vertices_(vertices), edges_(edges), effort_(effort) {}
 
-  /// Whether one more halving could make more triangles than these. A halving takes up to two
+  /// Whether one more halving could make more triangles than the limit. A halving takes up to two
   /// vertices into use. A mesh has fewer than two triangles per vertex (Euler), and one more per
   /// vertex along which it is cut.
-  bool has_many(std::size_t triangles) const;
-  /// Whether the effort was made that so many triangles are worth.
-  bool is_spent(std::size_t max_triangles) const {
-    return effort_.total() > most_effort(max_triangles);
+  bool has_many(const TriangleLimit& limit) const;
+  /// Whether the effort is spent that the limit of triangles is worth.
+  bool is_spent(const TriangleLimit& limit) const {
+    return limit.is_refined && effort_.total() > most_effort(limit.triangles);
   }
   /// Whether either limit is reached.
-  bool is_full(std::size_t max_triangles) const {
-    return has_many(max_triangles) || is_spent(max_triangles);
+  bool is_full(const TriangleLimit& limit) const { return has_many(limit) || is_spent(limit); }
+  /// Whether sides may be cut at faces of the clip box, which doubles their leaves' triangles.
+  bool has_room_for_faces(const TriangleLimit& limit) const {
+    return !limit.is_refined || !has_many(limit);
   }
 
  private:

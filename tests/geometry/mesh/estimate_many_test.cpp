@@ -36,32 +36,32 @@ Surface ridges() {
 
 /// A lattice on 20 x 17 cells, or a multiple of that each way, with all samples of its root leaves.
 struct Subject {
-  explicit Subject(const Surface& s, const RefineOptions& refine_options, std::size_t multiple = 1)
-      : surface(s), options(refine_options), fine(multiple) {
+  explicit Subject(const Surface& s, const CellLimits& cell_limits, std::size_t multiple = 1)
+      : surface(s), limits(cell_limits), fine(multiple) {
     tree.geometry().add_middles(1);
     for (Leaf& leaf : leaves) request_samples(leaf, tree);
   }
 
   const Surface& surface;
-  RefineOptions options;
+  CellLimits limits;
   std::size_t fine;
   Grid grid = sample_grid(surface, even_lines(surface.domain.u0, surface.domain.u1, 20 * fine),
                           even_lines(surface.domain.v0, surface.domain.v1, 17 * fine), 1);
   CellTree tree{surface, grid, 1};
-  ErrorIndicator judge{options, grid, tree};
+  ErrorIndicator indicator{limits, grid, tree};
   std::vector<Leaf> leaves = root_leaves(grid);
 };
 
-RefineOptions options_for(double tolerance, double degrees) {
-  RefineOptions options{tolerance, degrees, 1000, {}, {}, {}, 1};
-  options.seen_u.assign(21, 0);
-  options.seen_v.assign(18, 0);
-  options.seen_u[4] = options.seen_v[0] = 1;
-  return options;
+CellLimits limits_for(double tolerance, double degrees) {
+  CellLimits limits{tolerance, degrees, {1000}, {}, {}, {}, 1};
+  limits.seen_u.assign(21, 0);
+  limits.seen_v.assign(18, 0);
+  limits.seen_u[4] = limits.seen_v[0] = 1;
+  return limits;
 }
 
 FastCellErrors glances_at(const Subject& subject) {
-  return estimate_many(subject.leaves, subject.options, subject.judge, subject.tree);
+  return estimate_many(subject.leaves, subject.limits, subject.indicator, subject.tree);
 }
 
 std::size_t count_known(const FastCellErrors& fast_errors) {
@@ -78,7 +78,7 @@ void expect_near(const ErrorRatios& a, const ErrorRatios& b, std::size_t leaf) {
 TEST(ManyLeaves, AreJudgedAsOneByOne) {
   for (const double safety : {1.0, 1.5}) {
     const Surface surface = waves();
-    Subject subject(surface, options_for(0.02, 9));
+    Subject subject(surface, limits_for(0.02, 9));
     for (Leaf& leaf : subject.leaves) {
       leaf.safety = static_cast<float>(safety);
       leaf.normal_safety = static_cast<float>(2 * safety);
@@ -87,7 +87,7 @@ TEST(ManyLeaves, AreJudgedAsOneByOne) {
     std::size_t good = 0;
     std::size_t unknown = 0;
     for (std::size_t k = 0; k < fast_errors.leaves.size(); ++k) {
-      const CellError error = subject.judge.estimate(subject.leaves[k]);
+      const CellError error = subject.indicator.estimate(subject.leaves[k]);
       const bool passes = safety * std::max(error.distance.worst(), 2 * error.turn.worst()) <= 1;
       if (!fast_errors.leaves[k].is_known) {
         EXPECT_FALSE(passes) << k;
@@ -112,8 +112,8 @@ TEST(ManyLeaves, AreJudgedAsOneByOne) {
 
 TEST(ManyLeaves, ThatFailLeaveClippingAndLimitsToACloserLook) {
   const Surface surface = waves();
-  const Subject whole(surface, options_for(0.02, 9));
-  RefineOptions clipped = whole.options;
+  const Subject whole(surface, limits_for(0.02, 9));
+  CellLimits clipped = whole.limits;
   clipped.clip = Bounds{dvec3(-9), dvec3(9)};
   const std::vector<FastCellError> of_whole = glances_at(whole).leaves;
   const std::vector<FastCellError> of_clipped = glances_at(Subject(surface, clipped)).leaves;
@@ -124,7 +124,7 @@ TEST(ManyLeaves, ThatFailLeaveClippingAndLimitsToACloserLook) {
   // On the cone's tip is no normal but the one that each leaf sees.
   const Surface cone =
       surface_from_text("v*cos(u)", "v*sin(u)", "v", {0, 6, 0, 1}, {}, Order::Second);
-  const std::vector<FastCellError> of_cone = glances_at(Subject(cone, options_for(1e-4, 9))).leaves;
+  const std::vector<FastCellError> of_cone = glances_at(Subject(cone, limits_for(1e-4, 9))).leaves;
   for (std::size_t k = 0; k < of_cone.size(); ++k) EXPECT_EQ(of_cone[k].is_known, k >= 20) << k;
 }
 
@@ -132,10 +132,10 @@ TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
   const Surface surface = ridges();
   constexpr double kThickness = 0.014;  // of all cells
   for (const double seen : {0.9 * kThickness, 1.2 * kThickness}) {
-    const Subject subject(surface, options_for(seen / kSeenTurn, 3));
+    const Subject subject(surface, limits_for(seen / kSeenTurn, 3));
     const FastCellErrors fast_errors = glances_at(subject);
     for (std::size_t k = 0; k < fast_errors.leaves.size(); ++k) {
-      const CellError error = subject.judge.estimate(subject.leaves[k]);
+      const CellError error = subject.indicator.estimate(subject.leaves[k]);
       ASSERT_LT(error.distance.worst(), 0.5);
       if (seen < kThickness) {
         ASSERT_GT(error.turn.worst(), 1);
@@ -151,7 +151,7 @@ TEST(ManyLeaves, CountHowNormalsTurnAcrossSliversOnlyIfItIsSeen) {
 
 TEST(ManyLeaves, LeaveFoldsToACloserLook) {
   const Surface surface = folded();
-  Subject subject(surface, options_for(0.5, 180));
+  Subject subject(surface, limits_for(0.5, 180));
   const FastCellErrors fast_errors = glances_at(subject);
   for (std::size_t k = 0; k < fast_errors.leaves.size(); ++k) {
     // The line u = 0.1 is that of the grid: the two columns beside it touch it.
@@ -167,7 +167,7 @@ TEST(ManyLeaves, LeaveFoldsToACloserLook) {
 
 TEST(ManyLeaves, LeaveWhatIsUndefinedToACloserLook) {
   const Surface surface = height_field("sqrt(u)");
-  Subject subject(surface, options_for(10, 180));
+  Subject subject(surface, limits_for(10, 180));
   const FastCellErrors fast_errors = glances_at(subject);
   for (std::size_t k = 0; k < fast_errors.leaves.size(); ++k) {
     if (k % 20 < 11) {
@@ -181,7 +181,7 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
   for (const bool flip : {false, true}) {
     Surface surface = waves();
     surface.flip = flip;
-    Subject subject(surface, options_for(1, 180), 4);
+    Subject subject(surface, limits_for(1, 180), 4);
     std::vector<std::size_t> all(subject.leaves.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
     const LeafTriangles triangles =
@@ -217,7 +217,7 @@ TEST(ManyLeaves, AreMeasuredAsOneByOne) {
 TEST(ManyLeaves, AreNotMeasuredWhereTheSurfaceIsUndefinedOrSingular) {
   const Surface surface =
       surface_from_text("u^3", "v^3", "u+v+0*sqrt(u)", {0, 1, 0, 1}, {}, Order::Second);
-  Subject subject(surface, options_for(1, 180));
+  Subject subject(surface, limits_for(1, 180));
   TwoTriangles leaf{{0.5, 0.5}, {0.55, 0.6}, {}, {}};
   leaf.triangles = {Triangle{0, 1, 22}, Triangle{22, 21, 0}};
   leaf.places = {dvec2(0.3, 0.2), dvec2(0.3, 0.2), dvec2(0.3, 0.2), dvec2(-50, 0.2)};
@@ -226,7 +226,7 @@ TEST(ManyLeaves, AreNotMeasuredWhereTheSurfaceIsUndefinedOrSingular) {
 
 TEST(ManyLeaves, PlacesOnTheirTrianglesAreMeasuredAsOneByOne) {
   const Surface surface = waves();
-  Subject subject(surface, options_for(1, 180), 4);
+  Subject subject(surface, limits_for(1, 180), 4);
   const std::vector<std::size_t> which = {5, 700};
   const LeafTriangles triangles =
       triangulate_leaves(subject.leaves, which, SingularCorners(), subject.grid, subject.tree);

@@ -1,0 +1,21 @@
+// The limit of triangles of a mesh.
+#pragma once
+
+#include <cstddef>
+
+namespace saddle {
+
+/// Only TriangleBudget interprets it.
+struct TriangleLimit {
+  std::size_t triangles = 4'000'000;
+  /// false: root cells are not subdivided, so the limit counts as reached; searches for the edge
+  /// features of root cells have no end then.
+  bool is_refined = true;
+
+  /// A limit with a share of the triangles.
+  TriangleLimit part(double share) const {
+    return {static_cast<std::size_t>(share * static_cast<double>(triangles)), is_refined};
+  }
+};
+
+}  // namespace saddle
