@@ -18,7 +18,7 @@ constexpr int kMostSteps = 5;
 bool may_be_missed(const ValidatedMesh& mesh, std::size_t leaf, double predicted) {
   const double known = mesh.leaves[leaf].known_error;
   const double share = std::clamp(kMoreThanKnown * known, kLeastShare, 1.0);
-  return mesh.off(leaf) <= 1 && predicted > share * mesh.allowed[leaf];
+  return mesh.error_ratio(leaf) <= 1 && predicted > share * mesh.allowed[leaf];
 }
 
 /// Moves on to a predicted place that is farther from the surface; half of the way back else.
@@ -49,7 +49,7 @@ void DistanceMaximizer::evaluate_predicted(ValidatedMesh& mesh) {
 
 void DistanceMaximizer::climb(ValidatedMesh& mesh) {
   const auto is_done = [&](const Ascent& ascent) {
-    return mesh.off(ascent.leaf) > 1 ||
+    return mesh.error_ratio(ascent.leaf) > 1 ||
            (ascent.distance >= 0 && !may_be_missed(mesh, ascent.leaf, ascent.predicted.distance));
   };
   for (int step = 0; step < kMostSteps; ++step) {

@@ -93,7 +93,7 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
 std::optional<SharpBends::Targets> SharpBends::targets_of(
     const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
-  const Targets targets{mesh.off(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
+  const Targets targets{mesh.error_ratio(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
   if (!targets.places && !targets.sides) return std::nullopt;
   if (turns_sharply(grid_.mesh, leaf.samples.corner)) return targets;
   if (mesh.sampled_errors[number].degrees > kSharpDegrees) {

@@ -21,8 +21,10 @@ struct ValidatedMesh {
   LeafTriangles triangles;
   std::vector<std::uint32_t> made;  ///< revisions of the triangles: RevisionClock::next()
 
-  /// The error ratio of a leaf: its distance, as a part of its tolerance.
-  double off(std::size_t leaf) const { return sampled_errors[leaf].distance / allowed[leaf]; }
+  /// The distance of a leaf divided by its tolerance.
+  double error_ratio(std::size_t leaf) const {
+    return sampled_errors[leaf].distance / allowed[leaf];
+  }
   /// Whether the known distance is within the tolerance.
   bool is_near(std::size_t leaf) const { return sampled_errors[leaf].distance <= allowed[leaf]; }
   /// Takes a distance found at a leaf, if it is larger than the known one.

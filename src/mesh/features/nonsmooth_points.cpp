@@ -71,9 +71,9 @@ NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, u
   const std::vector<PointSingularity> singularities =
       classify_points(surface, undefined, diagonal, threads);
   for (std::size_t k = 0; k < undefined.size(); ++k) {
-    if (singularities[k].kind == PointSingularity::Kind::NoLimit)
+    if (singularities[k].kind == PointSingularity::Kind::Essential)
       rough.without_limit.push_back(undefined[k]);
-    const bool is_filled = singularities[k].kind == PointSingularity::Kind::Limit;
+    const bool is_filled = singularities[k].kind == PointSingularity::Kind::Removable;
     if (is_filled && normals_around(surface, undefined[k]).size() > 1)
       rough.conical.push_back(undefined[k]);
   }

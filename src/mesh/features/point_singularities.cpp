@@ -92,8 +92,8 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
   if (std::ranges::count(far, true) > 0) return PointSingularity::Kind::Pole;
   const double before = ways.at_looks[0].diagonal();
   const double near = ways.at_looks[1].diagonal();
-  return near > agree && near > kApproaches * before ? PointSingularity::Kind::NoLimit
-                                                     : PointSingularity::Kind::Limit;
+  return near > agree && near > kApproaches * before ? PointSingularity::Kind::Essential
+                                                     : PointSingularity::Kind::Removable;
 }
 
 /// Positions all around a place, 1e-12 ranges from it; empty if one of them is undefined.
@@ -264,7 +264,7 @@ std::vector<PointSingularity> classify_points(const Surface& surface, std::span<
     if (ways.is_open && !ways.lines.empty()) {
       singularity = {kind_of_point(surface, ways, kLimitsAgree * diagonal, threads),
                      ways.at_looks[1]};
-      if (singularity.kind == PointSingularity::Kind::NoLimit && ways.lines.size() == kWays) {
+      if (singularity.kind == PointSingularity::Kind::Essential && ways.lines.size() == kWays) {
         singularity.around = ClosedCurve(look_around(surface, ways.lines[0][0], threads));
       }
     } else if (ways.is_open_aslant) {

@@ -35,14 +35,13 @@ class ClosedCurve {
 
 struct PointSingularity {
   enum class Kind : std::uint8_t {
-    Part,     ///< region: the surface is undefined beside the place, too, or the place is on its
-              ///< boundary
-    Line,     ///< line: the surface is defined on both sides
-    Pole,     ///< pole: on some ways to the point the surface diverges
-    NoLimit,  ///< essential: limits on different ways to the point differ
-    Limit,    ///< removable: all ways to the point have one limit
+    Region,     ///< the surface is undefined beside the place, too, or the place is on its boundary
+    Line,       ///< the surface is undefined on a line and defined on both sides
+    Pole,       ///< on some ways to the point the surface diverges
+    Essential,  ///< limits on different ways to the point differ
+    Removable,  ///< all ways to the point have one limit
   };
-  Kind kind = Kind::Part;
+  Kind kind = Kind::Region;
   Bounds near;  ///< of positions 1e-12 ranges from the point
   /// Positions around an essential point within the domain, in the order of the ways to it.
   ClosedCurve around = {};

@@ -78,7 +78,7 @@ class Finisher {
   /// Lists the single points that have no limit, then where the sides of leaves are cut by jumps.
   void list_jumps(MeshReport& report) const {
     PlaceList jumps(grid_.range, report.jumps, report.jump_count);
-    for_singularities(PointSingularity::Kind::NoLimit,
+    for_singularities(PointSingularity::Kind::Essential,
                       [&](const dvec2& uv, const PointSingularity&) {
                         if (jumps.add(uv) && report.without_limit.size() < kMaxListed)
                           report.without_limit.push_back(uv);
@@ -204,7 +204,7 @@ class Finisher {
     bool is_thin = true;
     for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t) {
       is_thin = is_thin && (tree_.geometry().is_defined(a) ||
-                            tree_.geometry().singularity(a) != PointSingularity::Kind::Part);
+                            tree_.geometry().singularity(a) != PointSingularity::Kind::Region);
     });
     return is_thin;
   }

@@ -232,7 +232,7 @@ Oscillation AdaptiveMesher::oscillation() const {
     if (leaf.state.oscillates()) {
       oscillation.add(leaf, tree_);
     } else if (!leaf.state.leads_to_pole() && !mesh_.is_near(k)) {
-      oscillation.add(leaf, {.centre = mesh_.off(k)}, tree_);
+      oscillation.add(leaf, {.centre = mesh_.error_ratio(k)}, tree_);
     }
   }
   return oscillation;
@@ -261,7 +261,7 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     const bool is_cut_anew = is_cut && tree_.revisions().has_changed(leaf, halved_);
     if (leaf.measured <= halved_ && !is_cut_anew) continue;
     if (mesh_.is_near(k) && !is_cut && !validation_.is_turned(k)) continue;
-    const double distance_ratio = mesh_.off(k);
+    const double distance_ratio = mesh_.error_ratio(k);
     const double normal_ratio = normal_error_ratio(k);
     if (!(distance_ratio > 1) && !(normal_ratio > 1) && !direction_.is_cut_unclearly(k)) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());

@@ -81,7 +81,7 @@ class FeatureTracer {
           tree_.geometry().singularity(tree_.geometry().is_defined(a) ? b : a);
       const FeatureKind kind =
           at_face[k]                                                   ? FeatureKind::Face
-          : singularity == PointSingularity::Kind::NoLimit             ? FeatureKind::Essential
+          : singularity == PointSingularity::Kind::Essential           ? FeatureKind::Essential
           : goes_far[k] || singularity == PointSingularity::Kind::Pole ? FeatureKind::Pole
                                                                        : FeatureKind::Boundary;
       tree_.edges().set_feature(a, b, EdgeFeature{kind, a, boundary, boundary});

@@ -144,7 +144,7 @@ std::vector<bool> end_at_faces(const std::vector<bool>& goes_far, std::span<Betw
     const bool first = tree.geometry().is_defined(boundary.a);
     const auto [end, other] =
         first ? std::pair(boundary.a, boundary.b) : std::pair(boundary.b, boundary.a);
-    if (!goes_far[k] || tree.geometry().singularity(other) == PointSingularity::Kind::NoLimit)
+    if (!goes_far[k] || tree.geometry().singularity(other) == PointSingularity::Kind::Essential)
       continue;
     at_face[k] = true;
     tree.edges().add_pole_beyond_face({boundary.uv, boundary.uv});

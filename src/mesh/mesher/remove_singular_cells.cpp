@@ -92,7 +92,7 @@ bool is_along(const PointSingularity& singularity, const std::array<dvec3, 4>& c
 
 /// Whether halving did not help a leaf.
 bool exceeds_tolerance(const ValidatedMesh& mesh, std::size_t number) {
-  return mesh.off(number) > 1 || mesh.leaves[number].known_error > 1;
+  return mesh.error_ratio(number) > 1 || mesh.leaves[number].known_error > 1;
 }
 
 /// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
@@ -182,7 +182,7 @@ void accept_around(const PointSingularity& singularity, const std::array<dvec3, 
 void accept_around(std::vector<const PointSingularity*> singularities, const CellTree& tree,
                    ValidatedMesh& mesh) {
   std::erase_if(singularities, [](const PointSingularity* singularity) {
-    return singularity->kind != PointSingularity::Kind::NoLimit &&
+    return singularity->kind != PointSingularity::Kind::Essential &&
            singularity->kind != PointSingularity::Kind::Pole;
   });
   if (singularities.empty()) return;
@@ -285,7 +285,7 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
   const dvec2 range = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
   std::vector<PlacedSingularity> result;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool has_no_limit = singularities[i].kind == PointSingularity::Kind::NoLimit &&
+    const bool has_no_limit = singularities[i].kind == PointSingularity::Kind::Essential &&
                               (are_alone[i] || has_many_limits(singularities[i], diagonal));
     if (!has_no_limit && singularities[i].kind != PointSingularity::Kind::Pole) continue;
     mesh.leaves[leaves[i]].state.leave_out();

@@ -17,7 +17,7 @@ constexpr double kSignificant = 0.5;
 
 bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicted) const {
   const Leaf& leaf = mesh_.leaves[number];
-  const bool is_far = mesh_.off(number) > 1;
+  const bool is_far = mesh_.error_ratio(number) > 1;
   if (const auto across_u = predicted.splits_predicted_u(leaf, tree_)) return *across_u;
   if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.state.is_cut_by_feature()) {
     if (const auto along_u = flat_sub_polygon_along_u(leaf, tree_)) return *along_u;

@@ -184,7 +184,7 @@ class Subdivider {
   /// Whether a sample is an essential point: the triangles at it are left out.
   bool has_essential(const SampleVertices& samples) const {
     const auto is_essential = [this](std::uint32_t vertex) {
-      return tree_.geometry().singularity(vertex) == PointSingularity::Kind::NoLimit;
+      return tree_.geometry().singularity(vertex) == PointSingularity::Kind::Essential;
     };
     return std::ranges::any_of(samples.corner, is_essential) ||
            std::ranges::any_of(samples.side, is_essential) || is_essential(samples.centre);

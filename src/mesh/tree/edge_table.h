@@ -31,7 +31,7 @@ enum class FeatureKind : std::uint8_t {
   Jump,       ///< the surface jumps
   Pole,       ///< it goes to infinity
   Crease,     ///< its normal jumps
-  Essential,  ///< one of them is a point without limit: PointSingularity::Kind::NoLimit
+  Essential,  ///< one of them is a point without limit: PointSingularity::Kind::Essential
   Face,       ///< it leaves the clip box, on its way to infinity
 };
 

@@ -182,7 +182,7 @@ void VertexGeometry::classify(std::span<const std::uint32_t> vertices, unsigned 
   const std::vector<PointSingularity> singularities =
       classify_points(surface_, places, grid_.mesh.bounds.diagonal(), threads);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    if (singularities[k].kind != PointSingularity::Kind::Part)
+    if (singularities[k].kind != PointSingularity::Kind::Region)
       singularities_[vertices[k]] = singularities[k];
     has_poles_ = has_poles_ || singularities[k].kind == PointSingularity::Kind::Pole;
   }

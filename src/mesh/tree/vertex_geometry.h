@@ -57,7 +57,7 @@ class VertexGeometry {
   /// The kind of the point singularity at an undefined vertex.
   PointSingularity::Kind singularity(std::uint32_t vertex) const {
     const auto found = singularities_.find(vertex);
-    return found == singularities_.end() ? PointSingularity::Kind::Part : found->second.kind;
+    return found == singularities_.end() ? PointSingularity::Kind::Region : found->second.kind;
   }
   /// Point singularities that are no regions, by their vertices.
   const std::map<std::uint32_t, PointSingularity>& singularities() const { return singularities_; }

@@ -33,24 +33,24 @@ TEST(Holes, AreToldApart) {
     dvec2 place;
     Kind kind;
   } cases[] = {
-      {"sqrt(u)", {-0.5, 0}, Kind::Part},
-      {"ln(u)", {0, 0.2}, Kind::Part},
+      {"sqrt(u)", {-0.5, 0}, Kind::Region},
+      {"ln(u)", {0, 0.2}, Kind::Region},
       {"1/u", {0, 0.2}, Kind::Line},
       {"1/(u^2-v^2)", {0.5, 0.5}, Kind::Line},
       {"1/(u+1)", {-1, 0.2}, Kind::Line},  // on the edge of the domain
       {"1/(u^2+v^2)", {0, 0}, Kind::Pole},
       {"ln(u^2+v^2)", {0, 0}, Kind::Pole},
-      {"u/(u^2+v^2)", {0, 0}, Kind::Pole},       // 0 along v
-      {"u*v/(u^2+v^2)^2", {0, 0}, Kind::Pole},   // 0 along both
-      {"u*v/(u^2+v^2)", {0, 0}, Kind::NoLimit},  // 0 along both, too
-      {"sin(1/(u^2+v^2))", {0, 0}, Kind::NoLimit},
-      {"(u^2+v^2)^0.1*u/sqrt(u^2+v^2)", {0, 0}, Kind::Limit},
+      {"u/(u^2+v^2)", {0, 0}, Kind::Pole},         // 0 along v
+      {"u*v/(u^2+v^2)^2", {0, 0}, Kind::Pole},     // 0 along both
+      {"u*v/(u^2+v^2)", {0, 0}, Kind::Essential},  // 0 along both, too
+      {"sin(1/(u^2+v^2))", {0, 0}, Kind::Essential},
+      {"(u^2+v^2)^0.1*u/sqrt(u^2+v^2)", {0, 0}, Kind::Removable},
   };
   for (const auto& [z, place, kind] : cases) {
     EXPECT_EQ(static_cast<int>(hole_at(z, place).kind), static_cast<int>(kind)) << z;
   }
   const Domain quarter{0, 1, 0, 1};
-  EXPECT_EQ(hole_at("u*v/(u^2+v^2)", {0, 0}, quarter).kind, Kind::NoLimit) << "from one quarter";
+  EXPECT_EQ(hole_at("u*v/(u^2+v^2)", {0, 0}, quarter).kind, Kind::Essential) << "from one quarter";
   EXPECT_GT(hole_at("u*v/(u^2+v^2)^2", {0, 0}).near.high.z, 1e18);
 }
 
