@@ -23,19 +23,19 @@ namespace saddle {
 
 namespace {
 
-/// A share of the domain that is no more than what rounding of areas makes.
+/// An uncovered share of the domain up to 1e-12 is rounding error of areas.
 constexpr double kAllCovered = 1e-12;
-/// The cosine of normals that are opposite: across a cusp they are, but for what their limits lose.
+/// Normals are opposite, as across a cusp, if their cosine is below -0.9999: limits lose digits.
 constexpr double kOpposite = -0.9999;
 
-/// Lists places, each of them once.
+/// A list of different places.
 class PlaceList {
  public:
-  /// Adds to these, which the report lists and counts. `range`: of the parameters.
+  /// `listed`, `count`: of the report. `range`: of the parameters.
   PlaceList(const dvec2& range, std::vector<dvec2>& listed, std::size_t& count)
       : range_(range), listed_(listed), count_(count) {}
 
-  /// False if the place is known.
+  /// Adds a place. False if it is in the list.
   bool add(const dvec2& uv) {
     const dvec2 place = glm::round(uv / range_ / kSameParameters);
     if (!seen_.insert({place.x, place.y}).second) return false;
@@ -51,18 +51,18 @@ class PlaceList {
   std::set<std::array<double, 2>> seen_;
 };
 
-/// What becomes of leaves.
+/// Fills a report from the leaves of a mesh.
 class Finisher {
  public:
   explicit Finisher(AdaptiveMesher& mesher)
       : mesher_(mesher), mesh_(mesher.mesh()), tree_(mesher.tree()), grid_(mesher.grid()) {}
 
-  /// Lists where the surface goes to infinity, and where it is before it does.
+  /// Lists poles, and adds the positions beside them to the report.
   void list_poles(const Surface& surface, unsigned threads, MeshReport& report) const {
     PlaceList poles(grid_.range, report.poles, report.pole_count);
     std::vector<dvec2> ends;
     for (const std::array<dvec2, 2>& pole : tree_.edges().poles(tree_.mesh())) {
-      poles.add(0.5 * (pole[0] + pole[1]));  // beyond doubles they are apart
+      poles.add(0.5 * (pole[0] + pole[1]));  // no double lies between them
       ends.insert(ends.end(), pole.begin(), pole.end());
     }
     for_singularities(PointSingularity::Kind::Pole,
@@ -75,7 +75,7 @@ class Finisher {
     }
   }
 
-  /// Lists the single points that have no limit, then where the sides of leaves are cut by jumps.
+  /// Lists essential points, then places where jumps cut the sides of leaves.
   void list_jumps(MeshReport& report) const {
     PlaceList jumps(grid_.range, report.jumps, report.jump_count);
     for_singularities(PointSingularity::Kind::Essential,
@@ -91,7 +91,7 @@ class Finisher {
     }
   }
 
-  /// Lists where the sides of leaves are cut by cusps, which are singular.
+  /// Lists as singular points the places where cusps cut the sides of leaves.
   void list_cusps(MeshReport& report) const {
     const auto& n = grid_.mesh.normal;
     for_features(FeatureKind::Crease, [&](const Side&, const EdgeFeature& cut) {
@@ -100,8 +100,7 @@ class Finisher {
     });
   }
 
-  /// The share of the domain that no leaf covers, and of leaves on the boundary what their pieces
-  /// leave out.
+  /// The share of the domain that is in no leaf, nor in a sub-polygon of a leaf with a boundary.
   double undefined_fraction(const Domain& d) const {
     double covered = 0;
     for (const Leaf& leaf : mesh_.leaves) {
@@ -124,10 +123,10 @@ class Finisher {
       const Leaf& leaf = mesh_.leaves[k];
       if (triangles.of(k).empty() || mesher_.is_clipped(leaf)) continue;
       const double eps = mesh_.allowed[k];
-      // Of a leaf that crosses the box its tests do not tell what is in it.
+      // The samples of a leaf that crosses the clip box may be outside of it.
       const double known = mesher_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
       const double off = std::max(mesh_.sampled_errors[k].distance, known);
-      // Where the tolerance depends on the place: as if it were the strictest everywhere.
+      // A tolerance that varies: errors are scaled to the strictest one.
       const double error = eps > *report.tolerance ? off / eps * *report.tolerance : off;
       if (error > std::max(report.max_error, *report.tolerance)) {
         report.worst_place = tree_.vertices().parameters(leaf.middle());
@@ -141,7 +140,7 @@ class Finisher {
   }
 
  private:
-  /// Calls f(uv, hole) for all holes of this kind: vertices, then those in the midst of leaves.
+  /// Calls f(uv, singularity) for all of this kind: at vertices, then inside leaves.
   template <class F>
   void for_singularities(PointSingularity::Kind kind, F f) const {
     for (const auto& [vertex, singularity] : tree_.geometry().singularities()) {
@@ -152,8 +151,8 @@ class Finisher {
     }
   }
 
-  /// The last places before each vertex on a line on which the surface is not defined, as of
-  /// abs(u)/u, on all sides on which it is.
+  /// The positions beside each vertex on a line where the surface is undefined, as abs(u)/u at
+  /// u = 0, on both sides of the line.
   std::map<std::uint32_t, Bounds> beside_lines() const {
     std::map<std::uint32_t, Bounds> result;
     for_features(FeatureKind::Boundary, [&](const Side& side, const EdgeFeature& cut) {
@@ -166,14 +165,14 @@ class Finisher {
     return result;
   }
 
-  /// Whether parameters of vertices are the same to rounding. Along a line on which it is rounding
-  /// whether a formula is defined, boundaries are anywhere.
+  /// Whether the parameters of vertices are the same up to rounding. A boundary farther away does
+  /// not belong to the line.
   bool is_same_place(std::uint32_t a, std::uint32_t b) const {
     const dvec2 apart = glm::abs(grid_.mesh.uv[a] - grid_.mesh.uv[b]);
     return glm::all(glm::lessThanEqual(apart, kSameParameters * glm::abs(grid_.range)));
   }
 
-  /// Calls f(side, crossing) for each side of a leaf that is cut like this.
+  /// Calls f(side, feature) for each side of a leaf with a feature of this kind.
   template <class F>
   void for_features(FeatureKind kind, F f) const {
     if (!tree_.edges().has_features()) return;
@@ -187,7 +186,7 @@ class Finisher {
     }
   }
 
-  /// In parameters.
+  /// Signed, in parameters.
   double area_of(const Polygon& polygon) const {
     double area = 0;
     const dvec2& first = grid_.mesh.uv[polygon[0].corner];
@@ -199,7 +198,7 @@ class Finisher {
     return area;
   }
 
-  /// Whether all of a leaf is defined but points and lines.
+  /// Whether a leaf is undefined only at points and lines.
   bool has_only_thin_holes(const Leaf& leaf) const {
     bool is_thin = true;
     for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t) {
@@ -215,7 +214,7 @@ class Finisher {
   const Grid& grid_;
 };
 
-/// Forgets the singular points that are beyond a box.
+/// Removes the singular points outside of a box from a report.
 void keep_singular_points_within(const Bounds& box, const Surface& surface, unsigned threads,
                                  MeshReport& report) {
   auto& listed = report.singular_points;
@@ -231,7 +230,7 @@ void keep_singular_points_within(const Bounds& box, const Surface& surface, unsi
   listed = std::move(kept);
 }
 
-/// The mesh; nothing if none of its triangles has any area.
+/// The mesh and its report; empty if no triangle has an area.
 std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& request,
                                  const SingularSet& singular, AdaptiveMesher& mesher,
                                  MeshResult result) {
@@ -250,8 +249,8 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   finisher.take_errors(triangles, report);
   if (triangles.all.empty()) return std::nullopt;
   report.undefined_fraction = finisher.undefined_fraction(surface.domain);
-  // A polygon that meets itself at a pole may have more triangles than it has corners for.
-  // Beside a box most of those without area are beyond it.
+  // A polygon that meets itself at a pole may have more triangles than its corners suggest. Flat
+  // triangles outside of a clip box are not counted, so none are with a box.
   report.is_clipped = request.clip.has_value();
   report.flat_triangles = report.is_clipped ? 0
                                             : std::max(triangles.expected(), triangles.all.size()) -

@@ -1,5 +1,6 @@
-// Tessellation within a tolerance, with as few triangles as that needs: a tensor grid whose lines
-// are as close as curvature asks, and cells halved where that is not enough.
+// Way of meshing 1 of 4 (mesher.h), MeshRequest::Method::FewestTriangles: a mesh within a tolerance
+// from a cell tree. A sizing field places the root lines; leaves are subdivided where that is not
+// enough.
 #pragma once
 
 #include <optional>
@@ -10,11 +11,11 @@
 
 namespace saddle {
 
-/// Tessellates a surface of second order. Cells that the boundary of the surface crosses are
-/// clipped at it. Nothing if there is no plan, no cell of the root grid is defined or no triangle
-/// has any area: mesh_on_grid() deals with those. Throws Error (Nothing) as mesh_on_grid() does.
+/// Tessellates a surface with second derivatives. Empty if there is no plan, no cell of the root
+/// grid is defined, or no triangle has an area: mesh_uniformly() handles these surfaces. Throws
+/// Error (Nothing) as mesh_on_grid() does.
 std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const MeshRequest& request);
-/// The same, as planned.
+/// The same from a plan.
 std::optional<MeshResult> mesh_within_tolerance(const Surface& surface, const MeshRequest& request,
                                                 MeshPlan plan);
 

@@ -11,15 +11,16 @@
 namespace saddle {
 namespace {
 
-/// By how much a grid may be off by the outlook: it is right to a hundredth where it is right.
+/// A grid is made if its forecast error is at most 1.005 tolerances: forecasts are right to 0.01.
 constexpr double kPredicted = 1.005;
-/// Lines are placed for a tolerance that is smaller by this factor at least: since a whole number
-/// of cells is between drawn lines, a little closer is often no closer.
+/// Closer lines are placed for a tolerance smaller by a factor of 1.2 at least. The number of cells
+/// between drawn lines is whole, so a smaller step often changes nothing.
 constexpr double kToleranceStep = 1.2;
-/// A grid that misses by more tolerances does so because of one place, not of its lines' distance.
+/// Closer lines do not help a grid that is off by more than 3 tolerances: the error is at one
+/// place.
 constexpr double kWorthCloserLines = 3;
-/// Grids that come to nothing may cost so much of what halving cells does.
-constexpr double kMostStagnation = 0.5;
+/// Discarded grids may cost 0.5 times as much as the cell tree.
+constexpr double kMostDiscarded = 0.5;
 constexpr double kTrianglesOfCell = 2;
 
 using Why = MeshChoice::Why;
@@ -35,11 +36,11 @@ class Chooser {
     choice_.halving_cost = cost_of(work_of_halving(grid_forecast_.cells), grid_forecast_.cells);
   }
 
-  /// The mesh of a grid, if that is cheaper and keeps the tolerance.
+  /// The mesh of a grid, if it is cheaper and keeps the tolerance.
   std::optional<MeshResult> grid() {
     if (!may_be_grid()) return std::nullopt;
     FixedLines lines = plan_.lines;
-    double worst = grid_forecast_.worst;  // cell, in tolerances
+    double worst = grid_forecast_.worst;  // error of a cell, in tolerances
     for (double safer = 1;;) {
       if (!is_cheaper(cells_of(lines))) return std::nullopt;
       ++choice_.grids;
@@ -52,15 +53,15 @@ class Chooser {
         if (!(worst > 0 && worst <= kWorthCloserLines)) return std::nullopt;
       }
       safer *= std::max(worst, kToleranceStep);
-      // Errors grow with areas. That bounds the search, too: lines need not come closer at once,
-      // nor ever, where it is one place that misses.
+      // Errors grow with the areas of cells. The check also ends the loop where lines do not come
+      // closer.
       if (!is_cheaper(cells_of(plan_.lines) * std::sqrt(safer))) return std::nullopt;
       lines = place_lines(plan_.probe, plan_.fixed, plan_.sizing, std::sqrt(safer));
       worst = forecast_grid(plan_.probe, lines, plan_.aim).worst;
     }
   }
 
-  /// Fills in what was chosen.
+  /// Fills in the choice and the work.
   void complete(MeshReport& report) const {
     report.choice = choice_;
     report.work.add(work_);
@@ -87,13 +88,13 @@ class Chooser {
 
   bool is_cheaper(const dvec2& sides) {
     const double cells = sides.x * sides.y;
-    // Not so for NaN.
+    // False for NaN.
     const bool is_allowed = kTrianglesOfCell * cells <= static_cast<double>(request_.max_triangles);
     const MeshWork work = is_allowed ? work_of_grid(cells) : MeshWork();
-    const double stagnation = cost(work_, operations_);
-    if (stagnation > 0 &&
-        stagnation + cost(work, operations_) > kMostStagnation * choice_.halving_cost) {
-      return false;  // that it missed remains the reason
+    const double discarded = cost(work_, operations_);
+    if (discarded > 0 &&
+        discarded + cost(work, operations_) > kMostDiscarded * choice_.halving_cost) {
+      return false;  // the reason stays: the grid missed
     }
     if (is_allowed) {
       choice_.cells_u = static_cast<std::size_t>(sides.x);
@@ -112,7 +113,7 @@ class Chooser {
   Operations operations_;
   GridForecast grid_forecast_;
   MeshChoice choice_;
-  MeshWork work_;  // of grids that came to nothing
+  MeshWork work_;  // of discarded grids
 };
 
 }  // namespace

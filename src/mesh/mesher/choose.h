@@ -1,4 +1,5 @@
-// The cheapest of the meshes that keep a tolerance: a grid, or cells halved where they need it.
+// Way of meshing 2 of 4 (mesher.h), MeshRequest::Method::LeastCost: a grid (grid_within.h) or a
+// cell tree (adaptive_mesh.h), whichever is cheaper by the cost model.
 #pragma once
 
 #include <optional>
@@ -8,11 +9,10 @@
 
 namespace saddle {
 
-/// Tessellates a surface of second order within the tolerance, by the method that costs least by
-/// the model (mesh/sizing/cost_model.h): making the mesh, and drawing it so many `times`. A grid
-/// that turns out to miss the tolerance is made anew with closer lines, if that still costs less,
-/// or given up. The report's `choice` says which method it was and why. Nothing, and errors, as
-/// those of mesh_within_tolerance().
+/// Tessellates a surface with second derivatives within the tolerance. The cost
+/// (mesh/sizing/cost_model.h) is that of making the mesh once and drawing it request.draws times. A
+/// grid that misses the tolerance gets closer lines while it stays cheaper. The report's `choice`
+/// tells the method and the reason. Empty, and throws, as mesh_within_tolerance() does.
 std::optional<MeshResult> mesh_at_least_cost(const Surface& surface, const MeshRequest& request);
 
 }  // namespace saddle

@@ -13,19 +13,19 @@ namespace saddle {
 
 namespace {
 
-/// Places that all vertices together may try, about a tenth of what a mesh that halves nothing may
-/// take; at most so many for one, of which the highest is in the last twentieth of a sine's range
-/// nearly always, and at least so many.
+/// Evaluations for all vertices: 1/10 of the least budget of a mesh.
 constexpr std::size_t kAllTries = kLeastEffort / 10;
+/// Evaluations for a vertex: 4 to 16. The highest of 16 is nearly always in the last 1/20 of a
+/// sine's range.
 constexpr std::size_t kMostTries = 16;
 constexpr std::size_t kLeastTries = 4;
-/// The part of a leaf's sides, at most, that a corner is moved by: with less than a quarter the
-/// halves of a leaf are not turned over in (u, v).
+/// A corner moves by at most 0.24 of a leaf's sides: below 1/4 the triangles of a leaf do not turn
+/// over in (u, v).
 constexpr double kMostShift = 0.24;
-/// Vertices that are moved at a time, to save memory.
+/// Vertices that are moved together, to save memory.
 constexpr std::size_t kVertexBlock = 4096;
 
-/// What is known of a vertex.
+/// How far a vertex may move, and in which direction.
 struct Reach {
   dvec2 size{std::numeric_limits<double>::infinity()};  ///< of the smallest leaf beside it
   bool is_upper = false;                                ///< which extreme it goes to
@@ -36,13 +36,13 @@ struct Movable {
   Reach reach;
 };
 
-/// Whether a leaf's low corner is on an even line, of those along its longer sides.
+/// Whether the low corner of a leaf is on an even one of the lines along its longer sides.
 bool is_even(const Leaf& leaf, const dvec2& size, const dvec2& range) {
   const bool is_narrow_u = size.x / range.x <= size.y / range.y;
   return (is_narrow_u ? leaf.low.u / leaf.size_u() : leaf.low.v / leaf.size_v()) % 2 == 0;
 }
 
-/// A vertex on an edge of the domain stays on it.
+/// 1 for each parameter that may change: a vertex on an edge of the domain stays on it.
 dvec2 free_ways(const Grid& grid, const dvec2& uv) {
   const auto is_inside = [](const std::vector<double>& lines, double parameter) {
     return parameter != lines.front() && parameter != lines.back() ? 1.0 : 0.0;
@@ -50,7 +50,7 @@ dvec2 free_ways(const Grid& grid, const dvec2& uv) {
   return {is_inside(grid.u, uv.x), is_inside(grid.v, uv.y)};
 }
 
-/// The vertices in use around no other leaves, that are points of their own.
+/// The regular vertices that are in oscillating leaves only and are points of their own.
 std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
                                       const std::function<bool(const Leaf&)>& oscillates,
                                       const CellTree& tree, const Grid& grid) {
@@ -80,7 +80,7 @@ std::vector<Movable> movable_vertices(std::span<const Leaf> leaves,
   return movable;
 }
 
-/// The axis along which places are spread most.
+/// The axis along which points are spread most.
 int main_axis(std::span<const SurfacePoint> points) {
   Bounds bounds;
   for (const SurfacePoint& point : points) {

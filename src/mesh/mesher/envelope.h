@@ -1,4 +1,4 @@
-// Vertices where the surface oscillates too fast for its mesh to follow.
+// The envelope of a surface that oscillates too fast for its mesh: vertices move to its extremes.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,9 @@ namespace saddle {
 
 class CellTree;
 
-/// Moves the vertices that have nothing but such leaves around them to where the surface is at its
-/// extremes nearby, alternately to either side: what waves sweep is filled as far as they reach, as
-/// a trace on an oscilloscope is, in place of chords between places that samples happened to meet.
-/// They stay on the surface, nearer to their own places in (u, v) than to those of others.
+/// Moves the vertices between oscillating leaves to minima and maxima of the surface nearby, on
+/// alternate lines, so that the mesh fills the band that the waves sweep. Vertices stay on the
+/// surface; in (u, v) each one stays nearest to its own place.
 /// Source: S. Steinarsson, "Downsampling time series for visual representation", 2013, on minima
 /// and maxima of intervals.
 void reach_extremes(const Surface& surface, std::span<const Leaf> leaves,

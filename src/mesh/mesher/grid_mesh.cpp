@@ -16,15 +16,16 @@ namespace saddle {
 
 namespace {
 
-/// The error of a smooth surface falls to a quarter when cells are halved. Where it does not fall
-/// to this share, at a kink or at the edge of a hole, finer cells do not help.
+/// Halving helps if the error falls to at most 0.5. It falls to 0.25 on a smooth surface, and to
+/// more at a kink or at the boundary of a hole.
 constexpr double kWorthHalving = 0.5;
-/// A coarse grid may miss most of a wave, and so of its own error: one halving proves nothing.
-constexpr int kHalvingsInVain = 2;
-/// At most this many cells each way: two million triangles.
+/// Halving ends after 2 consecutive halvings that did not help. After one, the grid may have been
+/// too coarse to sample its own error.
+constexpr int kMostStagnation = 2;
+/// At most 1,000 cells each way: two million triangles.
 constexpr int kMostUniformCells = 1000;
 
-/// Indices of the mesh lines nearest to `lines` evenly spaced ones, without repetition.
+/// Indices of the mesh lines nearest to `lines` evenly spaced lines, each once.
 std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
   std::vector<std::size_t> indices;
   for (int k = 0; k < lines; ++k) {
@@ -65,8 +66,8 @@ MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request)
   const std::size_t before = surface.evaluations();
   GridOptions grid = request.grid;
   MeshResult result = mesh_on_grid(surface, grid);
-  int stagnation = 0;  // halvings in a row that did not help
-  while (request.share && stagnation < kHalvingsInVain &&
+  int stagnation = 0;  // consecutive halvings that did not help
+  while (request.share && stagnation < kMostStagnation &&
          result.report.max_error > *request.share * result.mesh.bounds.diagonal() &&
          2 * std::max(grid.cells_u, grid.cells_v) <= kMostUniformCells) {
     grid.cells_u *= 2;

@@ -11,7 +11,7 @@
 namespace saddle {
 namespace {
 
-/// Which of the grid's lines are among those that are drawn.
+/// Indices of the grid's lines that are drawn.
 std::vector<std::size_t> indices_of(std::span<const double> drawn, std::span<const double> lines) {
   std::vector<std::size_t> indices;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -26,7 +26,7 @@ std::vector<std::uint8_t> marks(std::span<const std::size_t> indices, std::size_
   return marks;
 }
 
-/// Whether the grid's edges meet as the probe's samples of them do, and turn back at vertices.
+/// Whether the edges of the grid join as the probe's do, and fold at vertices only.
 bool is_joined_alike(const Seams& seams, const MeshReport& report, const Grid& grid) {
   const auto turns_at_vertex = [](const std::array<bool, 2>& folded, std::size_t cells) {
     return !(folded[0] || folded[1]) || cells % 2 == 0;
@@ -37,7 +37,7 @@ bool is_joined_alike(const Seams& seams, const MeshReport& report, const Grid& g
          turns_at_vertex(seams.folded_v, grid.cells_u);
 }
 
-/// Whether all that is not plain of a grid's cells is a side that is a single point.
+/// Whether every opened cell has a side that is a single point.
 bool has_poles_only(const Grid& grid, std::span<const std::size_t> opened) {
   const auto& point = grid.mesh.point;
   return std::ranges::all_of(opened, [&](std::size_t cell) {
@@ -49,7 +49,7 @@ bool has_poles_only(const Grid& grid, std::span<const std::size_t> opened) {
   });
 }
 
-/// Whether bounds leave room for a place that no triangle may lie across.
+/// Whether the surface may be undefined or jump in a gap; no triangle may lie across.
 bool may_be_broken(const ProofGap& place) {
   return place.why == GapReason::Undefined || place.why == GapReason::Discontinuous;
 }
@@ -64,8 +64,8 @@ std::vector<Patch> cells_as_patches(const Grid& grid, double allowed) {
   return patches;
 }
 
-/// Whether bounds find a place that is farther off than allowed, or none to be; `certified`: they
-/// prove that there is none.
+/// Whether interval bounds refute the mesh: it may be broken, or an unproved box is farther away
+/// than allowed. Fills in the report's proof gaps.
 bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned threads, Grid& grid,
                        MeshReport& report) {
   const double allowed = aim(grid.mesh.bounds.centre());
@@ -73,7 +73,7 @@ bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned th
   const Certification proof =
       certify(surface, {grid.u, grid.v}, cells_as_patches(grid, allowed), budget);
   report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
-  // Jumps along the surface, as in a plane, are no distance off.
+  // A jump along the surface, as within a plane, shows in no distance.
   if (std::ranges::any_of(proof.proof_gaps, may_be_broken)) return true;
   report.certified = proof.proof_gaps.empty();
   report.proof_gaps = merged(proof.proof_gaps, surface.domain);
@@ -116,10 +116,10 @@ GridTrial try_grid(const Surface& surface, const MeshRequest& request, const Mes
     trial.excess = excess;
     return trial;
   }
-  const bool off =
+  const bool is_refuted =
       request.certify && exceeds_tolerance(surface, plan.aim, request.threads, grid, report);
   trial.work.boxes = report.work.boxes;
-  if (off) return trial;
+  if (is_refuted) return trial;
   name_singular(plan.singular, surface.domain, report);
   report.cells = grid.cell_count();
   report.work = trial.work;

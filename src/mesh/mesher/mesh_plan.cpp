@@ -15,16 +15,16 @@
 namespace saddle {
 namespace {
 
-/// The part of the tolerance that is aimed at: samples miss some of the largest distance.
+/// Meshing aims at 0.98 of the tolerance: samples miss part of the largest distance.
 constexpr double kAim = 0.98;
-/// Cells of the root grid each way around an island that no sample has met.
+/// Cells of the root grid each way in a small component between the probe's samples.
 constexpr std::size_t kComponentCells = 16;
-/// A root grid has no more lines each way than this over the tolerance as a share of the diagonal:
-/// its cells are as narrow as leaves of an Oscillation, or a little narrower.
+/// A root grid has at most 0.28 lines each way over the tolerance as a share of the diagonal: its
+/// narrowest cells are about as wide as the narrow leaves of an Oscillation.
 constexpr double kMostRootLines = 0.28;
-/// Lines become fewer by steps for tolerances that are larger by this factor, or by this one while
-/// they are more than twice too many, which halves them, up to so much: of sin(1e15*u) 1e15 lines
-/// would be within tolerance.
+/// Too many lines become fewer in steps: the tolerance that they are placed for grows by 1.25; by
+/// 4, which halves their number, while they are more than twice too many; by 1e40 in all. A surface
+/// like sin(1e15*u) would take 1e15 lines.
 constexpr double kCoarser = 1.25;
 constexpr double kMuchCoarser = 4;
 constexpr double kCoarsest = 1e40;
@@ -41,7 +41,7 @@ std::size_t cells(const FixedLines& lines) {
   return (lines.u.size() - 1) * (lines.v.size() - 1);
 }
 
-/// Lines and more lines within their range, in order and once each.
+/// Lines and more lines within their range, sorted, each once.
 std::vector<double> merged_lines(std::vector<double> lines, std::span<const double> more) {
   const bool backwards = lines.front() > lines.back();
   lines.insert(lines.end(), more.begin(), more.end());
@@ -54,11 +54,11 @@ std::vector<double> merged_lines(std::vector<double> lines, std::span<const doub
   return lines;
 }
 
-/// The lines of the root grid: coarser than the tolerance asks where that would take more triangles
-/// than are allowed.
+/// Places the lines of the root grid, as close as the tolerance asks or the limit of triangles
+/// allows.
 void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
   plan.sizing = sizing_field(plan.probe, plan.fixed, tolerance_within(request.clip, plan.aim));
-  // For a tolerance that is larger by a factor.
+  // Places lines for the tolerance times a factor.
   const auto place = [&plan](double factor) {
     plan.lines = place_lines(plan.probe, plan.fixed, plan.sizing, 1 / std::sqrt(factor));
   };
@@ -89,7 +89,7 @@ void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
   }
 }
 
-/// What descents from the probe's samples find, and bounds.
+/// Singular points and lines: by descents from the probe's samples, and by interval bounds.
 SingularSet singular_set(const Surface& surface, const MeshRequest& request, const MeshPlan& plan) {
   const Domain& d = surface.domain;
   const auto even = [](std::vector<double> lines, double first, double last) {
@@ -99,16 +99,16 @@ SingularSet singular_set(const Surface& surface, const MeshRequest& request, con
   };
   SingularSet set = find_singular(surface, plan.probe.dips(), even(plan.drawn.u, d.u0, d.u1),
                                   even(plan.drawn.v, d.v0, d.v1), request.threads);
-  NonsmoothPoints rough =
+  NonsmoothPoints nonsmooth =
       find_nonsmooth_points(surface, plan.probe.bounds().diagonal(), request.threads);
-  set.points.insert(set.points.end(), rough.conical.begin(), rough.conical.end());
-  set.without_limit = std::move(rough.without_limit);
+  set.points.insert(set.points.end(), nonsmooth.conical.begin(), nonsmooth.conical.end());
+  set.without_limit = std::move(nonsmooth.without_limit);
   return set;
 }
 
 bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
   const double diagonal = bounds.diagonal();
-  if (!std::isnormal(diagonal * diagonal)) return false;  // the judge takes squares of lengths
+  if (!std::isnormal(diagonal * diagonal)) return false;  // the error indicator squares lengths
   const double eps = tolerance(bounds.centre());
   return eps > 0 && std::isfinite(eps);
 }

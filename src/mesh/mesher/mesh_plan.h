@@ -1,4 +1,4 @@
-// What is decided of a mesh before any cell is made: its tolerance, and the lines of its root grid.
+// The plan of a mesh, made before any cell: its tolerance and the lines of its root grid.
 #pragma once
 
 #include <optional>
@@ -14,21 +14,20 @@
 
 namespace saddle {
 
-/// What is known of a mesh before it is made.
 struct MeshPlan {
   Probe probe;
   Tolerance tolerance;
-  Tolerance aim;            ///< a little less: samples miss some of the largest distance
-  FixedLines drawn;         ///< lines that are drawn, and the ends of the ranges
-  SingularSet singular;     ///< where a root line goes, if they are few
+  Tolerance aim;            ///< 0.98 of the tolerance: samples miss part of the largest distance
+  FixedLines drawn;         ///< the drawn lines and the ends of the ranges
+  SingularSet singular;     ///< singular points and lines; root lines pass through them, if few
   FixedLines fixed;         ///< lines that the root grid must have: fixed_lines()
   FixedLines lines;         ///< of the root grid
-  SizingField sizing;       ///< that they were placed for
-  bool is_limited = false;  ///< they are farther apart than the tolerance asks for: max_triangles
+  SizingField sizing;       ///< for which the lines were placed
+  bool is_limited = false;  ///< the limit of triangles made the lines coarser than the tolerance
 };
 
-/// Nothing if the surface is so large or small that its tolerance is not a positive number, or
-/// takes more lines than can be numbered.
+/// Empty if the surface is so large or small that its tolerance is not a positive number, or if it
+/// needs more lines than can be numbered.
 std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& request);
 
 /// A tolerance that is infinite outside of the clip box.
@@ -37,7 +36,7 @@ Tolerance tolerance_within(const std::optional<Bounds>& clip, const Tolerance& t
 /// The tolerance as a share of the surface's diagonal.
 double share_of_diagonal(const MeshPlan& plan);
 
-/// What a report says of a mesh before it is made.
+/// A report with the tolerance and the limits of the plan.
 MeshReport report_of(const MeshPlan& plan);
 
 }  // namespace saddle

@@ -1,4 +1,4 @@
-// The request for a mesh: how it is to be made, and what it is to keep.
+// The request for a mesh: the way of meshing, the tolerances and limits that the mesh keeps.
 #pragma once
 
 #include <cstddef>
@@ -20,31 +20,31 @@ struct CellCounts {
 struct MeshRequest {
   enum class Method {
     FewestTriangles,  ///< cells are subdivided where the tolerance asks for it
-    LeastCost,        ///< the same or a grid, whichever costs less to make and to draw
+    LeastCost,        ///< the same or a grid: whichever costs less to make and to draw
     Samples,          ///< a grid of `samples`, cut along its features, not subdivided
   };
   Method method = Method::FewestTriangles;
 
-  /// The tolerance of a surface that the probe describes; called once. With Method::Samples it is
-  /// not kept, but tells jumps from slopes.
+  /// The tolerance of a surface that the probe describes; called once. Method::Samples does not
+  /// keep it, but tells jumps from slopes by it.
   std::function<Tolerance(const Probe&)> tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
-  bool certify = true;  ///< prove that nothing hides between samples, within the budget
+  bool certify = true;  ///< interval proofs find what hides between samples, within a budget
 
   /// The mesh is cut along this box; its faces may be infinitely far.
   std::optional<Bounds> clip = {};
-  /// Conditions under which the work stops without a mesh; the report then tells what was found.
+  /// When meshing stops early, without a mesh; the report tells what was found.
   enum class Stop {
     Never,
-    AtPoles,      ///< where the surface goes to infinity
-    AtPolesOrFar  ///< the same, or where a vertex is beyond `far`
+    AtPoles,      ///< at a pole
+    AtPolesOrFar  ///< at a pole, or at a vertex beyond `far`
   };
   Stop stop = Stop::Never;
-  double far = 0;  ///< diagonals of the box that most of the probe's samples keep to
+  double far = 0;  ///< in diagonals of the box around most of the probe's samples
 
-  /// Lines of constant u and of constant v, evenly spaced, first and last on the ends of the range;
-  /// 0: none. They are among the mesh's edges.
+  /// Drawn lines of constant u and of constant v, evenly spaced from end to end of the range; 0:
+  /// none. They run along edges of the mesh.
   int lines_u = 16;
   int lines_v = 16;
 

@@ -3,8 +3,12 @@
 // A forest of binary trees over a tensor grid of parameters covers the domain. Cells are subdivided
 // until error indicators, validation points and interval bounds find nothing more; each leaf is cut
 // along the boundaries, jumps, poles and creases in it, and its polygon is triangulated. Hanging
-// vertices are corners of these polygons. A grid without subdivided cells, where it is enough, is
-// the same at less cost. ../README.md has the whole story on one page.
+// vertices are corners of these polygons. There are four ways of meshing:
+//   adaptive_mesh  a cell tree within the tolerance, with few triangles
+//   choose         a grid (grid_within) or a cell tree within the tolerance, whichever is cheaper
+//   sampled_mesh   a given number of cells, cut along edge features, not subdivided
+//   grid_mesh      a uniform grid, for surfaces that the others cannot mesh
+// ../README.md describes the mesher on one page.
 #pragma once
 
 #include <optional>
@@ -17,14 +21,14 @@
 
 namespace saddle {
 
-/// Meshes a surface of second order by the method of the request. Nothing where there is no such
-/// mesh: the surface's size is no normal number, it would take more lines than can be numbered, no
-/// cell is defined, or no triangle has any area. Throws Error (Nothing) if the surface is undefined
-/// everywhere, a point or a curve; the message says which. `report.evaluations` counts every point
-/// of the surface that was computed meanwhile.
+/// Meshes a surface with second derivatives by the method of the request. Empty if the diagonal of
+/// the surface is not a normal number, if the mesh would need more lines than can be numbered, if
+/// no cell is defined, or if no triangle has an area. Throws Error (Nothing) if the surface is
+/// undefined everywhere, a point or a curve; the message says which. `report.evaluations` counts
+/// all points at which the surface was evaluated.
 std::optional<MeshResult> try_mesh(const Surface& surface, const MeshRequest& request);
 
-/// try_mesh(), or the uniform mesh where that has none.
+/// try_mesh(), or mesh_uniformly() where try_mesh() has no mesh.
 MeshResult make_mesh(const Surface& surface, const MeshRequest& request,
                      const UniformRequest& fallback);
 

@@ -12,33 +12,33 @@ namespace saddle {
 
 namespace {
 
-/// A leaf is narrow that is so many tolerances wide, or two pixels: no wave within it shows. Ranges
-/// are taken for as long as the surface's diagonal.
+/// A leaf of up to 4 tolerances, or two pixels, is narrow: no wave in it is visible. The image of
+/// a parameter range is taken to be as long as the surface's diagonal.
 constexpr double kNarrow = 4;
-/// A leaf that is foreseen to be hopeless is narrow enough if it is so many times as wide: cells of
-/// a root grid that are about as narrow as they may be need not be halved.
+/// A leaf predicted to be unresolvable is narrow enough at 1.5 times the width of a narrow one:
+/// the narrowest cells of a root grid need no halving.
 constexpr double kPredictedWidth = 1.5;
-/// In ranges: about half a pixel.
+/// The width of a sliver, in ranges: about half a pixel.
 constexpr double kSliver = 1.0 / 2048;
-/// It is hopeless if errors that fall with the square of its width would have it narrower by this
-/// factor, which is a quarter of a tolerance, to be within tolerance.
+/// A leaf is unresolvable if it would have to be more than 16 times narrower than a narrow one, 1/4
+/// of a tolerance, to be within tolerance. Errors fall with the square of the width.
 constexpr double kMostNarrowing = 16;
 constexpr double kUnresolvable = kMostNarrowing * kMostNarrowing;
-/// Before a mesh is made, so many times as much: the largest of a few samples stand for a whole
-/// neighbourhood, of which a part may be within reach yet.
+/// Predictions need 4 times the error: they take the largest of a few samples for a whole
+/// neighbourhood, a part of which may be resolvable.
 constexpr double kPredictedUnresolvable = 4 * kUnresolvable;
-/// Hopeless leaves are an oscillation if they cover this share of a block, which is about so many
-/// times as wide as a narrow leaf, or if laid end to end they cross it so many times. Along a line
-/// to which the surface is ever steeper, as sqrt and ln are, some ten leaves side by side are still
-/// to be halved at any size, and a slanting line meets them twice.
+/// Unresolvable leaves are an oscillation if they cover 0.4 of a block, which is 16 narrow leaves
+/// wide, or if laid end to end they cross it 16 times. Along a line with a vertical tangent, as of
+/// sqrt and ln, about ten leaves side by side fail at any size, twice as many along a slanting
+/// line.
 constexpr double kOscillatingShare = 0.4;
 constexpr double kBlockWidths = 16;
 constexpr double kMostFeatures = 16;
-/// Lines of a mesh that are dense make blocks as narrow as leaves: across what is narrow, one leaf
-/// counts for no more of a block than this, so that a row of them, along a pole, is no area.
+/// Across its narrow direction a leaf counts for at most 1/4 of a block. Where root lines are
+/// dense, blocks are as narrow as leaves, and a row of leaves along a pole would fill them.
 constexpr double kMostOfOne = 0.25;
 
-/// The side of a block in units: root cells, of which a range has so many, halved or doubled.
+/// The side of a block in units: a root cell, halved or doubled. `cells`: of the range.
 std::uint32_t block_size(std::size_t cells, double narrow) {
   const double size = kBlockWidths * narrow * static_cast<double>(cells);  // in root cells
   return std::bit_floor(static_cast<std::uint32_t>(std::clamp(size * kCellUnit, 1.0, 0x1p31)));
@@ -64,12 +64,12 @@ glm::bvec2 Oscillation::predicted(const Leaf& leaf, const CellTree& tree) const 
 void Oscillation::add(const Leaf& leaf, const ErrorRatios& distance, const CellTree& tree) {
   if (!(distance.worst() > 1)) return;
   const dvec2 size = size_of(leaf, tree);
-  // What a leaf is off by along a side that is not narrow will be less of its halves.
+  // Halving reduces the error along a side that is not narrow.
   const bool is_long_in_u = size.x > 1 && distance.along_u > 1;
   const bool is_long_in_v = size.y > 1 && distance.along_v > 1;
   if (is_long_in_u || is_long_in_v) return;
-  const auto is_unresolvable = [](double off, double width) {
-    return width <= 1 && off > kUnresolvable * width * width;
+  const auto is_unresolvable = [](double ratio, double width) {
+    return width <= 1 && ratio > kUnresolvable * width * width;
   };
   const auto [narrower, wider] = std::minmax(size.x, size.y);
   if (is_unresolvable(distance.along_u, size.x) || is_unresolvable(distance.along_v, size.y) ||
@@ -95,8 +95,8 @@ bool Oscillation::contains(const Leaf& leaf, const CellTree& tree) const {
   if (block == blocks_.end()) return false;
   const auto& [area, length] = block->second;
   const dvec2 size = size_of(leaf, tree);
-  // A leaf that is narrow in one direction would be halved in the other as well, whenever its
-  // samples happen to be alike.
+  // One narrow direction is enough: a leaf whose samples happen to be alike would be halved in the
+  // other one as well.
   return (area > kOscillatingShare || length > kMostFeatures) && std::min(size.x, size.y) <= 1;
 }
 

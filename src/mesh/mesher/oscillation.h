@@ -1,4 +1,4 @@
-// Where halving comes to no end.
+// Detects aliasing: where the surface oscillates faster than leaves of visible size can follow.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace saddle {
 
 class CellTree;
 
-/// Where the surface oscillates faster than its tolerance shows: where leaves that are narrow and
-/// still far off fill an area, as no jump does, which is a line. They are halved no further.
+/// Counts unresolvable leaves: narrow ones whose error is still large. Where they fill an area, the
+/// surface oscillates, and leaves are not halved further; along a line, as at a jump, they are.
 class Oscillation {
  public:
   /// `tolerance`: as a share of the surface's diagonal.
@@ -21,32 +21,32 @@ class Oscillation {
 
   /// The size of the widest narrow leaf, in parameters.
   dvec2 narrow_size() const { return narrow_ * grid_.range; }
-  /// Takes for hopeless what leaves of that size will be, by how far they depart from their linear
-  /// approximation: second derivatives tell how short waves are before any leaf is halved.
+  /// Predicts which leaves of that size will be unresolvable, by linearisation errors: second
+  /// derivatives tell the lengths of waves before a leaf is halved.
   void predict(LinearizationErrors linearization_errors);
 
   void clear() { blocks_.clear(); }
-  /// Counts a leaf that is off by so many tolerances, if it is hopeless.
+  /// Counts a leaf with these error ratios, if it is unresolvable.
   void add(const Leaf& leaf, const ErrorRatios& distance, const CellTree& tree);
-  /// Counts a hopeless leaf.
+  /// Counts an unresolvable leaf.
   void add(const Leaf& leaf, const CellTree& tree);
-  /// Whether a leaf, narrow as well, is part of an oscillation, as far as leaves have been counted.
-  /// There is no use in looking for what cuts it, either: jumps would be too many.
+  /// Whether a leaf is narrow and part of an oscillation, by the leaves counted so far. Its sides
+  /// are not searched for features either: there would be too many.
   bool contains(const Leaf& leaf, const CellTree& tree) const;
-  /// Whether to halve a leaf across u, if it is foreseen to be hopeless once it is narrow, and is
-  /// not yet: its samples, of many waves, do not tell.
+  /// Whether to halve a leaf across u, if it is not narrow yet and predicted to be unresolvable
+  /// once it is; else empty. The samples of a leaf with many waves do not tell the direction.
   std::optional<bool> splits_predicted_u(const Leaf& leaf, const CellTree& tree) const;
-  /// Whether a leaf is so narrow in one direction that it had better be halved in the other.
+  /// Whether a leaf is too narrow in one direction to be halved in it.
   bool is_sliver(const Leaf& leaf, const CellTree& tree) const;
 
  private:
-  /// What there is in a block of hopeless leaves.
+  /// The unresolvable leaves in a block of the domain.
   struct Block {
     double area = 0;    ///< in blocks
-    double length = 0;  ///< of their longer sides, in blocks' sides
+    double length = 0;  ///< sum of their longer sides, in sides of a block
   };
   glm::bvec2 predicted(const Leaf& leaf, const CellTree& tree) const;
-  dvec2 size_of(const Leaf& leaf, const CellTree& tree) const;  ///< in widths of narrow ones
+  dvec2 size_of(const Leaf& leaf, const CellTree& tree) const;  ///< in widths of narrow leaves
   std::uint64_t block_of(const Leaf& leaf) const;
 
   const Grid& grid_;

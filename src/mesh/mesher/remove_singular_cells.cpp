@@ -19,20 +19,19 @@ namespace saddle {
 
 namespace {
 
-/// Leaves in which points that are no part of the surface are looked for, at most: most take one
-/// proof.
+/// At most 4,096 leaves are searched for point singularities; most take one proof.
 constexpr std::size_t kMostSingularities = 4096;
 /// The area of a leaf, in units, after 14 halvings of its root cell.
 constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
-/// Limits that are this near to each other, in diagonals, are one; and so many are where the ways
-/// to a point cross sixteen lines of jumps, no more.
+/// Limits up to 1e-6 diagonals apart are the same.
 constexpr double kSameLimit = 1e-6;
+/// Up to 32 limits at a point are those of up to 16 lines of jumps through it.
 constexpr std::size_t kLimitsOfLines = 32;
-/// How near each coordinate of a corner must be for it, in what is allowed: a square's corners are
-/// 1.41 times as far away as its sides.
-constexpr double kNearHole = 0.7;
+/// A corner is near if each coordinate is within 0.7 tolerances: the corners of a square are 1.41
+/// times as far away as its sides.
+constexpr double kNearPoint = 0.7;
 
-/// What is around a place in a box, as far as the box goes on either side of it, in the domain.
+/// A box around a place, twice as large as `box`, within the domain.
 ParameterBox box_around(const dvec2& place, const ParameterBox& box, const Domain& d) {
   const dvec2 size = box.high - box.low;
   const dvec2 first = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
@@ -40,28 +39,29 @@ ParameterBox box_around(const dvec2& place, const ParameterBox& box, const Domai
   return {glm::clamp(place - size, first, last), glm::clamp(place + size, first, last)};
 }
 
-/// Single points in leaves where bounds leave room for a break.
+/// Single points in leaves at which bounds do not prove the surface to be continuous.
 struct PointsInLeaves {
   std::vector<dvec2> places;
   std::vector<std::size_t> leaves;  ///< their numbers
-  /// Whether there is no room around a point either: a leaf may touch a line of jumps in one point.
+  /// Whether a point is the only one in a box around it: a leaf may touch a line of jumps in one
+  /// point.
   std::vector<bool> are_alone;
 };
 
 PointsInLeaves find_points(const Surface& surface, const CellTree& tree, const ValidatedMesh& mesh,
-                           std::span<const std::size_t> unproved_boxes) {
+                           std::span<const std::size_t> searched) {
   std::vector<ParameterBox> boxes;
-  for (const std::size_t k : unproved_boxes) {
+  for (const std::size_t k : searched) {
     const Leaf& leaf = mesh.leaves[k];
     boxes.push_back({tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)});
   }
   const auto found = find_point_singularities(surface, boxes, tree.mesh().bounds.diagonal());
   PointsInLeaves points;
   std::vector<ParameterBox> around;
-  for (std::size_t i = 0; i < unproved_boxes.size(); ++i) {
+  for (std::size_t i = 0; i < searched.size(); ++i) {
     if (!found[i]) continue;
     points.places.push_back(*found[i]);
-    points.leaves.push_back(unproved_boxes[i]);
+    points.leaves.push_back(searched[i]);
     around.push_back(box_around(*found[i], boxes[i], surface.domain));
   }
   for (const auto& place : find_point_singularities(surface, around)) {
@@ -70,15 +70,15 @@ PointsInLeaves find_points(const Surface& surface, const CellTree& tree, const V
   return points;
 }
 
-/// Whether a point that is not alone has no limit: along a line of jumps, ways lead to few places.
+/// Whether the ways to a point have more limits than lines of jumps through it explain.
 bool has_many_limits(const PointSingularity& singularity, double diagonal) {
   return singularity.around.count_chords(kSameLimit * diagonal) > kLimitsOfLines;
 }
 
-/// Whether chords between corners keep to the places to which ways to a point lead: they may be a
-/// curve, which chords cut short.
-bool is_along(const PointSingularity& singularity, const std::array<dvec3, 4>& corners,
-              double allowed) {
+/// Whether the chords between corners are within tolerance of the limits at an essential point. The
+/// limits may lie on a curve, which chords cut short.
+bool are_chords_near(const PointSingularity& singularity, const std::array<dvec3, 4>& corners,
+                     double allowed) {
   for (std::size_t a = 0; a < 4; ++a) {
     for (std::size_t b = a + 1; b < 4; ++b) {
       for (const double share : {0.25, 0.5, 0.75}) {
@@ -90,36 +90,36 @@ bool is_along(const PointSingularity& singularity, const std::array<dvec3, 4>& c
   return true;
 }
 
-/// Whether halving did not help a leaf.
+/// Whether the known error of a leaf exceeds its tolerance.
 bool exceeds_tolerance(const ValidatedMesh& mesh, std::size_t number) {
   return mesh.error_ratio(number) > 1 || mesh.leaves[number].known_error > 1;
 }
 
-/// The smallest of the leaves that halving did not help, or that took many halvings: a leaf that
-/// is no larger than the tolerance is right, whatever is in it.
-std::vector<std::size_t> leaves_with_singularities(const CellLimits& limits, const CellTree& tree,
-                                                   const ValidatedMesh& mesh) {
-  std::vector<std::size_t> unproved_boxes;
+/// The leaves that may hold a point singularity, up to 4,096, smallest first: those that exceed the
+/// tolerance or took 14 halvings, and have no boundary.
+std::vector<std::size_t> leaves_to_search(const CellLimits& limits, const CellTree& tree,
+                                          const ValidatedMesh& mesh) {
+  std::vector<std::size_t> searched;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
     const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
     if (!leaf.state.is_on_boundary() && (exceeds_tolerance(mesh, k) || is_deep) &&
         !is_clipped(leaf, limits.clip, tree))
-      unproved_boxes.push_back(k);
+      searched.push_back(k);
   }
   const auto area = [&](std::size_t k) {
     const Leaf& leaf = mesh.leaves[k];
     return std::uint64_t{leaf.size_u()} * leaf.size_v();
   };
-  std::ranges::stable_sort(unproved_boxes, {}, area);
-  if (unproved_boxes.size() > kMostSingularities) unproved_boxes.resize(kMostSingularities);
-  return unproved_boxes;
+  std::ranges::stable_sort(searched, {}, area);
+  if (searched.size() > kMostSingularities) searched.resize(kMostSingularities);
+  return searched;
 }
 
-/// Points that are poles or have no limit, by where the surface is around them.
-class HolesInSpace {
+/// Poles and essential points, indexed by the positions of the surface around them.
+class SingularitiesInSpace {
  public:
-  explicit HolesInSpace(std::vector<const PointSingularity*> singularities)
+  explicit SingularitiesInSpace(std::vector<const PointSingularity*> singularities)
       : singularities_(std::move(singularities)) {
     dvec3 widest(0);
     Bounds lows;
@@ -127,7 +127,7 @@ class HolesInSpace {
       widest = glm::max(widest, singularity->near.size());
       lows.add(singularity->near.low);
     }
-    // The axis along which they are best told apart; poles are as long as doubles go along others.
+    // The axis that separates them best; along others, poles may extend to the largest double.
     const auto told_apart = [&](int axis) { return lows.size()[axis] / widest[axis]; };
     for (int axis = 1; axis < 3; ++axis) {
       if (told_apart(axis) > told_apart(axis_)) axis_ = axis;
@@ -138,7 +138,7 @@ class HolesInSpace {
     });
   }
 
-  /// Calls f(hole) for all that a place may be near to.
+  /// Calls f(singularity) for all that may be within `near` of a place.
   template <class F>
   void for_near(const dvec3& place, double near, F f) const {
     const auto first = std::ranges::lower_bound(
@@ -159,11 +159,12 @@ class HolesInSpace {
   double widest_ = 0;
 };
 
-/// Ways to a point that is a pole or has no limit lead to all places around which it is: what is
-/// nearer to them than is allowed is near enough to the surface, whichever part of it is measured.
+/// Sets the errors of a leaf to 0 if its corners are within tolerance of the limits at a pole or an
+/// essential point: they are near the surface then, wherever a validation point is. A leaf whose
+/// chords are farther away is left out.
 void accept_around(const PointSingularity& singularity, const std::array<dvec3, 4>& corners,
                    std::size_t number, ValidatedMesh& mesh) {
-  const double near = kNearHole * mesh.allowed[number];
+  const double near = kNearPoint * mesh.allowed[number];
   const Bounds around{singularity.near.low - near, singularity.near.high + near};
   const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
   if (!std::ranges::all_of(corners, is_near)) return;
@@ -173,7 +174,7 @@ void accept_around(const PointSingularity& singularity, const std::array<dvec3, 
       return is_finite(p) && !singularity.around.is_within(p, mesh.allowed[number]);
     };
     if (std::ranges::any_of(corners, exceeds_tolerance)) return;
-    if (!is_along(singularity, corners, mesh.allowed[number])) leaf.state.leave_out();
+    if (!are_chords_near(singularity, corners, mesh.allowed[number])) leaf.state.leave_out();
   }
   mesh.sampled_errors[number] = {};
   leaf.known_error = 0;
@@ -186,26 +187,26 @@ void accept_around(std::vector<const PointSingularity*> singularities, const Cel
            singularity->kind != PointSingularity::Kind::Pole;
   });
   if (singularities.empty()) return;
-  const HolesInSpace in_space(std::move(singularities));
+  const SingularitiesInSpace in_space(std::move(singularities));
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const std::array<dvec3, 4> corners = corner_positions(mesh.leaves[k], tree);
     const auto* const known = std::ranges::find_if(corners, is_finite);
     if (known == corners.end()) continue;
     in_space.for_near(
-        *known, kNearHole * mesh.allowed[k],
+        *known, kNearPoint * mesh.allowed[k],
         [&](const PointSingularity& singularity) { accept_around(singularity, corners, k, mesh); });
   }
 }
 
-/// Sides of leaves of which something is left, in the order of their numbers.
+/// Sides of leaves that are left in the mesh, sorted.
 struct Sides {
-  std::vector<Side> lead_to_poles;  ///< and are not cut
-  std::vector<Side> unsearched;     ///< that may lead there
-  std::vector<Side> cut;            ///< by what is no pole
+  std::vector<Side> lead_to_poles;  ///< without an edge feature
+  std::vector<Side> unsearched;     ///< may lead to poles
+  std::vector<Side> cut;            ///< by an edge feature other than a pole
 };
 
-/// A wall need not be far off: where nothing clips a surface that goes to infinity, tolerances are
-/// a share of its height without end, and all sides of leaves may lead to poles.
+/// Without a clip box, the tolerance is a share of the height of the surface, which has no end at a
+/// pole. Walls may be within tolerance then, so all leaves of a surface with poles count.
 Sides classify_sides(const CellLimits& limits, const CellTree& tree, const ValidatedMesh& mesh) {
   Sides result;
   const bool has_poles = tree.has_poles();
@@ -232,7 +233,7 @@ Sides classify_sides(const CellLimits& limits, const CellTree& tree, const Valid
   return result;
 }
 
-/// Vertices that are on poles, at a finite place by rounding alone, of leaves that are off.
+/// Vertices of failed leaves that are on poles: rounding made their positions finite.
 std::set<std::uint32_t> vertices_on_poles(const CellLimits& limits, const CellTree& tree,
                                           const ValidatedMesh& mesh) {
   std::vector<Line> ways;
@@ -256,7 +257,7 @@ std::set<std::uint32_t> vertices_on_poles(const CellLimits& limits, const CellTr
   return result;
 }
 
-/// Nothing clips the needles to such vertices.
+/// Leaves out the needles to vertices on poles, which no box clips.
 void leave_out_needles(const CellLimits& limits, const CellTree& tree, ValidatedMesh& mesh) {
   const std::set<std::uint32_t> on_poles = vertices_on_poles(limits, tree, mesh);
   if (on_poles.empty()) return;
@@ -277,7 +278,7 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
                                                        const CellLimits& limits,
                                                        const CellTree& tree, ValidatedMesh& mesh) {
   const auto [places, leaves, are_alone] =
-      find_points(surface, tree, mesh, leaves_with_singularities(limits, tree, mesh));
+      find_points(surface, tree, mesh, leaves_to_search(limits, tree, mesh));
   const double diagonal = tree.mesh().bounds.diagonal();
   const std::vector<PointSingularity> singularities =
       classify_points(surface, places, diagonal, limits.threads);

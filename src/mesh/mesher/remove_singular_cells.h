@@ -1,5 +1,5 @@
-// What halving does not help is cut out of a mesh: points and lines at which the surface goes to
-// infinity, and points at which it has no limit.
+// Removes singular cells, which no halving resolves: leaves at poles and at essential points, and
+// the walls that poles along a line would leave.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,24 @@ namespace saddle {
 
 class CellTree;
 
-/// A point at which the surface is not defined, or jumps.
+/// A point singularity and its place.
 struct PlacedSingularity {
   dvec2 uv;
   PointSingularity singularity;
 };
 
-/// Whether nothing of a leaf is within a box, if there is one.
+/// Whether all of a leaf is outside of the clip box; false without one.
 bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const CellTree& tree);
 
-/// Leaves out those leaves in which the surface goes to infinity at a point, or has no limit there.
-/// Returns these points, each of them once.
+/// Leaves out the leaves with a pole or an essential point inside. Returns these points, each once.
+/// Accepts the leaves within the tolerance of an essential point.
 std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
                                                        const CellLimits& limits,
                                                        const CellTree& tree, ValidatedMesh& mesh);
 
-/// Cuts the sides of leaves that lead to poles, which would be walls, where that is known or is
-/// found by following the poles from leaf to leaf. If `search`, those too that do beside a boundary
-/// or a jump, and all others of leaves that halving did not help or, of a surface that has poles
-/// and is not clipped, of any.
+/// Cuts the sides of leaves that lead to poles; uncut, they would be walls to far vertices. The
+/// poles are known or found by following features. With `search`, other sides are searched too:
+/// those with a boundary or a jump, those of failed leaves, and all if poles are not clipped.
 void cut_walls(const CellLimits& limits, bool search, CellTree& tree, ValidatedMesh& mesh);
 
 }  // namespace saddle

@@ -14,10 +14,10 @@ namespace saddle {
 
 namespace {
 
-/// Boxes that the proof may take. A smooth surface needs a few.
+/// The budget of boxes for the proof that a surface is smooth; most take a few.
 constexpr std::size_t kBoxes = 1024;
 
-/// Whether bounds prove position and tangents to be defined and continuous everywhere.
+/// Whether interval bounds prove position and tangents to be defined and continuous.
 bool is_smooth(const Surface& surface) {
   SurfaceEnclosure enclosure(surface, Bounded::Tangents);
   const auto search =

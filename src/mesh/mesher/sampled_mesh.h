@@ -1,4 +1,5 @@
-// A mesh of a given number of cells, cut along boundaries, jumps, poles and creases.
+// Way of meshing 3 of 4 (mesher.h), MeshRequest::Method::Samples: a given number of cells, cut
+// along boundaries, jumps, poles and creases, not subdivided.
 #pragma once
 
 #include <optional>
@@ -9,10 +10,9 @@
 
 namespace saddle {
 
-/// Tessellates a surface of second order by the cells of request.samples, which is set: two
-/// triangles each where nothing cuts them. Cells that a boundary, a jump or a crease crosses are
-/// cut along it; a cell in which the surface goes to infinity is left out. Nothing as plan_mesh()
-/// does, and where no cell is left.
+/// Tessellates a surface with second derivatives by the cells of request.samples, which is set. A
+/// cell without edge features has two triangles. A cell with a boundary, a jump or a crease is cut
+/// along it; a cell with a pole is left out. Empty as plan_mesh() is, and if no cell is left.
 std::optional<MeshResult> mesh_of_samples(const Surface& surface, const MeshRequest& request);
 
 }  // namespace saddle
