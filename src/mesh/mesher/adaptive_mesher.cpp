@@ -1,7 +1,6 @@
 #include "mesh/mesher/adaptive_mesher.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "mesh/features/robust_box.h"

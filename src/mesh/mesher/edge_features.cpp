@@ -1,7 +1,7 @@
 #include "mesh/mesher/edge_features.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -10,7 +10,6 @@
 #include "mesh/mesher/pole_features.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
-#include "surface/normal.h"
 
 namespace saddle {
 
