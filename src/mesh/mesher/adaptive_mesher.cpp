@@ -258,7 +258,7 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     Leaf& leaf = mesh_.leaves[k];
     const bool is_cut = leaf.state.is_cut_by_feature();
     const bool is_cut_anew = is_cut && tree_.revisions().has_changed(leaf, halved_);
-    if (leaf.measured <= halved_ && !is_cut_anew) continue;
+    if (leaf.validated_at <= halved_ && !is_cut_anew) continue;
     if (mesh_.is_near(k) && !is_cut && !validation_.is_turned(k)) continue;
     const double distance_ratio = mesh_.error_ratio(k);
     const double normal_ratio = normal_error_ratio(k);

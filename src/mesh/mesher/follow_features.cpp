@@ -33,8 +33,8 @@ std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<
     const std::uint32_t now = tree.revisions().next();
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       Leaf& leaf = leaves[k];
-      if (!tree.revisions().has_changed(leaf, leaf.bisected)) continue;
-      leaf.bisected = now;
+      if (!tree.revisions().has_changed(leaf, leaf.followed_at)) continue;
+      leaf.followed_at = now;
       LeafState& state = leaf.state;
       if (!state.is_cut_by_feature() && tree.edges().may_be_crossed(leaf) &&
           is_crossed(leaf, tree)) {

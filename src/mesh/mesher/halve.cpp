@@ -25,19 +25,19 @@ std::vector<Leaf> root_leaves(const Grid& grid) {
   return leaves;
 }
 
-std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, CellTree& tree) {
-  if ((across_u ? leaf.size_u() : leaf.size_v()) < 2) return std::nullopt;
+std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool along_u, CellTree& tree) {
+  if ((along_u ? leaf.size_u() : leaf.size_v()) < 2) return std::nullopt;
   const DyadicPoint middle = leaf.middle();
   std::array<Leaf, 2> halves = {leaf, leaf};
-  for (Leaf& half : halves) half.bisected = 0;
-  halves[0].samples = leaf.samples.of_half(across_u, true);
-  halves[1].samples = leaf.samples.of_half(across_u, false);
-  if (across_u) {
+  for (Leaf& half : halves) half.followed_at = 0;
+  halves[0].samples = leaf.samples.of_half(along_u, true);
+  halves[1].samples = leaf.samples.of_half(along_u, false);
+  if (along_u) {
     halves[0].high.u = halves[1].low.u = middle.u;
   } else {
     halves[0].high.v = halves[1].low.v = middle.v;
   }
-  const std::size_t first = across_u ? 0 : 1;
+  const std::size_t first = along_u ? 0 : 1;
   for (const std::size_t k : {first, first + 2}) tree.use_middle(leaf, k);
   return halves;
 }

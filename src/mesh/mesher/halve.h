@@ -17,7 +17,7 @@ std::vector<Leaf> root_leaves(const Grid& grid);
 
 /// The two halves of a leaf whose samples are known; their new corners go into use. Empty if the
 /// leaf is one unit wide.
-std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool across_u, CellTree& tree);
+std::optional<std::array<Leaf, 2>> halve(const Leaf& leaf, bool along_u, CellTree& tree);
 
 /// Whether the surface is defined at a vertex of a leaf's cell polygon.
 bool has_defined_corner(const Leaf& leaf, const CellTree& tree);

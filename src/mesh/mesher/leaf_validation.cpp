@@ -49,8 +49,8 @@ bool LeafValidation::revalidate() {
   const std::uint32_t now = tree_.revisions().next();
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     Leaf& leaf = mesh_.leaves[k];
-    if (!tree_.revisions().has_changed(leaf, leaf.measured)) continue;
-    leaf.measured = now;
+    if (!tree_.revisions().has_changed(leaf, leaf.validated_at)) continue;
+    leaf.validated_at = now;
     if (count_polygon_vertices(leaf, tree_) == leaf.polygon_size) continue;
     changed.push_back(k);
     degrees.push_back(mesh_.sampled_errors[k].degrees);
@@ -66,7 +66,7 @@ bool LeafValidation::revalidate() {
 /// The error of normals counts only in leaves thicker than kSeenTurn tolerances.
 void LeafValidation::validate(std::span<const std::size_t> which, const SingularCorners& singular) {
   const std::uint32_t now = tree_.revisions().next();
-  for (const std::size_t k : which) mesh_.leaves[k].measured = now;
+  for (const std::size_t k : which) mesh_.leaves[k].validated_at = now;
   const LeafTriangles triangles = triangulate_leaves(mesh_.leaves, which, singular, grid_, tree_);
   Validator validator(surface_, grid_, tree_, limits_);
   validator.measure(mesh_, which, triangles);

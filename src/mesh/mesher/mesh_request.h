@@ -25,8 +25,8 @@ struct MeshRequest {
   };
   Method method = Method::FewestTriangles;
 
-  /// The tolerance of a surface that the probe describes; called once. Method::Samples does not
-  /// keep it, but tells jumps from slopes by it.
+  /// The tolerance of a surface that the probe describes; called once, and required.
+  /// Method::Samples does not keep it, but tells jumps from slopes by it.
   std::function<Tolerance(const Probe&)> tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;

@@ -8,7 +8,12 @@
 //   choose         a grid (grid_within) or a cell tree within the tolerance, whichever is cheaper
 //   sampled_mesh   a given number of cells, cut along edge features, not subdivided
 //   grid_mesh      a uniform grid, for surfaces that the others cannot mesh
-// ../README.md describes the mesher on one page.
+// ../README.md describes the mesher on one page. A mesh within a thousandth of the diagonal:
+//   MeshRequest request;
+//   request.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
+//   std::optional<MeshResult> result = try_mesh(surface, request);
+// The mesh keeps it if report.max_error <= *report.tolerance, as far as samples tell; bounds prove
+// it if report.certified. Limits of triangles and of effort may come first; the report says so.
 #pragma once
 
 #include <optional>

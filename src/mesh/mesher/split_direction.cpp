@@ -18,13 +18,13 @@ constexpr double kSignificant = 0.5;
 bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicted) const {
   const Leaf& leaf = mesh_.leaves[number];
   const bool is_far = mesh_.error_ratio(number) > 1;
-  if (const auto across_u = predicted.splits_predicted_u(leaf, tree_)) return *across_u;
+  if (const auto along_u = predicted.splits_predicted_u(leaf, tree_)) return *along_u;
   if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.state.is_cut_by_feature()) {
     if (const auto along_u = flat_sub_polygon_along_u(leaf, tree_)) return *along_u;
   }
   if (is_far && mesh_.sampled_errors[number].on_crease) return is_cut_along_u(leaf, tree_);
   if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
-  if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_across_u(leaf);
+  if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_along_u(leaf);
   const CellError error = indicator_.estimate(leaf);
   const ErrorRatios ratios = is_far ? error.distance : error.turn;
   const bool is_significant = std::max(ratios.along_u, ratios.along_v) > kSignificant;

@@ -109,10 +109,10 @@ class Subdivider {
 
   /// Halves a leaf until its edge feature is nearly straight; validation points tell whether that
   /// is enough. The features of the halves are counted anew.
-  void halve_toward_feature(const Estimated& estimated, Leaf leaf, bool across_u,
+  void halve_toward_feature(const Estimated& estimated, Leaf leaf, bool along_u,
                             int wanted_halvings) {
     const int done = halvings(leaf);
-    const auto halves = done < wanted_halvings ? halve_if_allowed(leaf, across_u) : std::nullopt;
+    const auto halves = done < wanted_halvings ? halve_if_allowed(leaf, along_u) : std::nullopt;
     if (!halves) {
       const int most =
           leaf.state.is_on_boundary() ? most_boundary_halvings(leaf, tree_) : kMostCutHalvings;
@@ -230,7 +230,7 @@ class Subdivider {
         leaf.state.freeze();
         result_.leaves.push_back(leaf);
       } else if (is_cut) {
-        halve_toward_feature(to_search[k], leaf, features_of[k].is_parted_across_u(leaf),
+        halve_toward_feature(to_search[k], leaf, features_of[k].is_parted_along_u(leaf),
                              wanted_halvings(features_of[k]));
       } else {
         keep_or_halve(to_search[k]);
@@ -292,20 +292,20 @@ class Subdivider {
   }
 
   /// Empty where the limit is reached or the surface oscillates.
-  std::optional<std::array<Leaf, 2>> halves_of(Leaf& leaf, bool across_u) {
+  std::optional<std::array<Leaf, 2>> halves_of(Leaf& leaf, bool along_u) {
     if (oscillates(leaf)) {
       note_oscillation(leaf);
       return std::nullopt;
     }
     return halve_if_allowed(leaf,
-                            known_oscillation_.splits_predicted_u(leaf, tree_).value_or(across_u));
+                            known_oscillation_.splits_predicted_u(leaf, tree_).value_or(along_u));
   }
 
   /// Empty where the limit is reached.
-  std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool across_u) {
+  std::optional<std::array<Leaf, 2>> halve_if_allowed(const Leaf& leaf, bool along_u) {
     const bool full = tree_.budget().is_full(goal_.triangles);
     result_.reached_limit = result_.reached_limit || full;
-    return full ? std::nullopt : halve(leaf, across_u, tree_);
+    return full ? std::nullopt : halve(leaf, along_u, tree_);
   }
 
   /// Adds a half to the next generation, with the counterexamples in it.
@@ -355,7 +355,7 @@ Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexamp
   for (const Leaf& leaf : active) {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     candidates.push_back({leaf, {}, kUnknown, kUnknown});
-    candidates.back().leaf.bisected = 0;
+    candidates.back().leaf.followed_at = 0;
   }
   for (std::uint32_t k = 0; k < counterexamples.size(); ++k) {
     candidates[counterexamples[k].cell].counterexamples.push_back(k);

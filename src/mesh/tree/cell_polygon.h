@@ -71,7 +71,7 @@ struct FeatureCount {
 
   /// The direction that separates several lines which cut a leaf: lines that cross its sides of
   /// constant u are separated along v. Where a line ends in the leaf, the longer direction.
-  bool is_parted_across_u(const Leaf& leaf) const {
+  bool is_parted_along_u(const Leaf& leaf) const {
     if (features <= 2 || on_sides_of_u == on_sides_of_v || meets_line_along_side()) {
       return leaf.size_u() >= leaf.size_v();
     }

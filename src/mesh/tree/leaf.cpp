@@ -2,9 +2,9 @@
 
 namespace saddle {
 
-SampleVertices SampleVertices::of_half(bool across_u, bool is_lower) const {
+SampleVertices SampleVertices::of_half(bool along_u, bool is_lower) const {
   SampleVertices half;
-  if (across_u) {
+  if (along_u) {
     half.corner = is_lower ? std::array{corner[0], side[0], side[2], corner[3]}
                            : std::array{side[0], corner[1], corner[2], side[2]};
     half.side[1] = is_lower ? centre : side[1];

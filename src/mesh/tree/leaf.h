@@ -31,7 +31,7 @@ struct SampleVertices {
   std::uint32_t centre = kUnasked;
 
   /// The samples of a half that the whole leaf has, too.
-  SampleVertices of_half(bool across_u, bool is_lower) const;
+  SampleVertices of_half(bool along_u, bool is_lower) const;
 };
 
 /// A cell of the mesh.
@@ -42,8 +42,8 @@ struct Leaf {
   std::uint8_t stagnation = 0;         ///< consecutive halvings that did not reduce the distance
   std::uint8_t normal_stagnation = 0;  ///< the same of the error of normals
   std::uint8_t sought = 0;             ///< halvings of the root cell until a sample was defined
-  std::uint32_t bisected = 0;          ///< revision at which features of its sides were followed
-  std::uint32_t measured = 0;          ///< revision at which it was validated with its polygon
+  std::uint32_t followed_at = 0;       ///< revision at which features of its sides were followed
+  std::uint32_t validated_at = 0;      ///< revision at which it was validated with its polygon
   std::uint32_t polygon_size = 0;      ///< vertices of its cell polygon at that revision
   float known_error = 0;               ///< the error indicator of distances, in tolerances
   /// Factors on the error indicator of distances and of normals: the product of the sampled errors
