@@ -80,8 +80,9 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   cut_walls(limits_, is_finished, tree_, mesh_);
 }
 
-/// The leaves that fail the cheapest check that finds any: validation, search for small components,
-/// validation at singular vertices, interval proofs.
+/// Runs the checks in the order of their cost and returns the leaves of the first that finds any:
+/// validation, validation of changed polygons, the search for small components, validation at
+/// singular vertices, interval proofs.
 AdaptiveMesher::ActiveLeaves AdaptiveMesher::next_active() {
   ActiveLeaves active{halve_failed(), {}};
   if (active.leaves.empty() && validation_.revalidate()) active.leaves = halve_failed();

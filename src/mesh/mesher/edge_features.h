@@ -17,7 +17,8 @@ class CellTree;
 /// remaining sides stay unsearched.
 void trace_features(std::span<const Side> sides, const TraceOptions& options, CellTree& tree);
 
-/// The same without creases. Continuous sides stay unsearched.
+/// Finds boundaries, jumps and poles. A side without any is recorded as continuous, not as
+/// searched: it may have a crease.
 void find_jumps(std::span<const Side> sides, const TraceOptions& options, CellTree& tree);
 
 /// Appends the unsearched sides of a leaf.

@@ -16,9 +16,9 @@ struct FeatureCount;
 /// A halving helps if the error ratio falls to at most 0.8 of the parent's: a smooth arc falls to
 /// 0.25, a kink to 0.5, a vertical tangent to 0.71.
 inline constexpr double kHelps = 0.8;
-/// A leaf is frozen after more consecutive halvings that did not help: 14 for distances, 12 for
-/// normals. Normals turn at any size around a point where sheets meet; 12 halvings make it
-/// invisible.
+/// An error above tolerance no longer halves a leaf once more consecutive halvings did not help: 14
+/// for distances, 12 for normals. Normals turn at any size around a point where sheets meet; 12
+/// halvings make it invisible.
 inline constexpr std::uint8_t kMaxStagnation = 14;
 inline constexpr std::uint8_t kMaxNormalStagnation = 12;
 

@@ -26,7 +26,7 @@ class LeafProof {
 
   /// The boxes without a proof. Keeps the proof gaps for the report.
   std::vector<UnprovedBox> prove(const ValidatedMesh& mesh);
-  /// The boxes without a proof; the report keeps its gaps.
+  /// The boxes without a proof. The gaps of the last prove() stay for the report.
   std::vector<UnprovedBox> find_unproved(const ValidatedMesh& mesh);
 
   /// The middles of boxes that are farther from their leaf's triangles than allowed, or in a

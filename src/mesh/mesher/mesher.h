@@ -12,8 +12,8 @@
 //   MeshRequest request;
 //   request.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
 //   std::optional<MeshResult> result = try_mesh(surface, request);
-// The mesh keeps it if report.max_error <= *report.tolerance, as far as samples tell; bounds prove
-// it if report.certified. Limits of triangles and of effort may come first; the report says so.
+// By samples, the mesh is within it if report.max_error <= *report.tolerance. If report.certified,
+// bounds prove the mesh to be within eight tolerances. report.reached_limit: a limit came first.
 #pragma once
 
 #include <optional>

@@ -28,9 +28,9 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
                                                        const CellLimits& limits,
                                                        const CellTree& tree, ValidatedMesh& mesh);
 
-/// Cuts the sides of leaves that lead to poles; uncut, they would be walls to far vertices. The
-/// poles are known or found by following features. With `search`, other sides are searched too:
-/// those with a boundary or a jump, those of failed leaves, and all if poles are not clipped.
+/// Cuts the sides that are known to lead to poles, and follows their features; uncut, they would be
+/// walls to far vertices. With `search`, searches unsearched sides of leaves above tolerance, too,
+/// or of all leaves if there are poles and no clip box.
 void cut_walls(const CellLimits& limits, bool search, CellTree& tree, ValidatedMesh& mesh);
 
 }  // namespace saddle

@@ -200,8 +200,8 @@ class Subdivider {
     return {limits_.tolerance, false, limits_.threads, limits_.clip, goal_.triangles};
   }
 
-  /// Searches the sides of leaves and halves those with features. Creases are searched only where
-  /// normals are opposite or stagnate; a large arc may hide a jump.
+  /// Searches the sides of leaves and halves those with features. Searches for creases, too, in
+  /// folded leaves and where a search is due; in others, for jumps only.
   void search_features(std::span<Estimated> to_search) {
     std::vector<Leaf> only_jumps;
     std::vector<Leaf> all_features;

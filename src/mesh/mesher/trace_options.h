@@ -16,8 +16,8 @@ inline constexpr std::size_t kSidesAtATime = 512;
 
 struct TraceOptions {
   Tolerance tolerance;
-  /// Whether poles become edge features. A leaf is removed with its pole, so only small leaves may
-  /// have one.
+  /// Whether sides that lead to poles are cut without a clip box, too. A leaf is removed with its
+  /// pole, so this waits until leaves are small.
   bool poles = false;
   unsigned threads = 0;
   /// The mesh is clipped to this box: a surface that goes to infinity ends on a face of it.
