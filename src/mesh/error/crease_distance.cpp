@@ -172,6 +172,7 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
   };
   bisect_together(surface, searches, open, kUntilDone, threads, next, is_done);
   std::vector<dvec2> places;
+  places.reserve(searches.size());
   for (const Search& search : searches) places.push_back(search.place);
   return places;
 }

@@ -90,7 +90,8 @@ SlotTriangles slot_triangles(const CellCorners& cell, bool mirrored) {
 /// Whether the diagonal from slot 1 to 3 is better than that from 0 to 2, where both cuts make
 /// triangles that are equally good.
 bool second_diagonal_is_nearer(const CellCorners& cell) {
-  const auto& [p, n, point] = cell;
+  const auto& p = cell.position;
+  const auto& n = cell.normal;
   const auto diagonal = [&](std::size_t a, std::size_t b) {
     const dvec3 along = p[b] - p[a];
     return Diagonal{sagitta(p[a], n[a], p[b], n[b]), glm::dot(along, along)};

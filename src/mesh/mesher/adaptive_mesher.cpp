@@ -83,7 +83,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
 /// Runs the checks in the order of their cost and returns the leaves of the first that finds any:
 /// validation, validation of changed polygons, the search for small components, validation at
 /// singular vertices, interval proofs.
-AdaptiveMesher::ActiveLeaves AdaptiveMesher::next_active() {
+ActiveLeaves AdaptiveMesher::next_active() {
   ActiveLeaves active{halve_failed(), {}};
   if (active.leaves.empty() && validation_.revalidate()) active.leaves = halve_failed();
   if (active.leaves.empty() && certifies()) active = activate_small_components();
@@ -172,8 +172,7 @@ void AdaptiveMesher::find_far_vertices() {
 /// Subdivides active leaves, follows the features found on their sides, and validates the leaves
 /// that are new or cut.
 void AdaptiveMesher::refine(const ActiveLeaves& active, const SubdivisionGoal& goal) {
-  append(
-      subdivide(active.leaves, active.counterexamples, oscillation(), limits_, goal, grid_, tree_));
+  append(subdivide(active, oscillation(), limits_, goal, grid_, tree_));
   find_far_vertices();
   if (stops_early()) return;
   mirror_seams(seams_, request_.threads, grid_, tree_, points_);
@@ -295,7 +294,7 @@ std::vector<Leaf> AdaptiveMesher::reactivate_defined() {
 }
 
 /// Empty leaves in which bounds lead to a place where the surface is defined.
-AdaptiveMesher::ActiveLeaves AdaptiveMesher::activate_small_components() {
+ActiveLeaves AdaptiveMesher::activate_small_components() {
   const auto found = proof_.find_defined_in(empty_);
   ActiveLeaves active;
   std::vector<Leaf> kept;
@@ -312,7 +311,7 @@ AdaptiveMesher::ActiveLeaves AdaptiveMesher::activate_small_components() {
 }
 
 /// Leaves with counterexamples or jumps in their unproved boxes.
-AdaptiveMesher::ActiveLeaves AdaptiveMesher::activate_refuted() {
+ActiveLeaves AdaptiveMesher::activate_refuted() {
   const std::vector<UnprovedBox> boxes = proof_.prove(mesh_);
   std::vector<Counterexample> counterexamples = proof_.refute(boxes, mesh_);
   const Oscillation unresolvable = oscillation();
@@ -327,7 +326,7 @@ AdaptiveMesher::ActiveLeaves AdaptiveMesher::activate_refuted() {
 }
 
 /// Leaves with jumps in their unproved boxes.
-AdaptiveMesher::ActiveLeaves AdaptiveMesher::activate_jumping() {
+ActiveLeaves AdaptiveMesher::activate_jumping() {
   const std::vector<std::size_t> jumping = find_jumping(proof_.find_unproved(mesh_));
   return activate({jumping.begin(), jumping.end()}, {});
 }
@@ -358,8 +357,8 @@ std::vector<std::size_t> AdaptiveMesher::find_jumping(std::span<const UnprovedBo
 }
 
 /// Removes leaves from the mesh. The counterexamples' cells become indices of the active leaves.
-AdaptiveMesher::ActiveLeaves AdaptiveMesher::activate(const std::set<std::size_t>& numbers,
-                                                      std::vector<Counterexample> counterexamples) {
+ActiveLeaves AdaptiveMesher::activate(const std::set<std::size_t>& numbers,
+                                      std::vector<Counterexample> counterexamples) {
   for (Counterexample& counterexample : counterexamples) {
     const auto place = numbers.find(counterexample.cell);
     counterexample.cell = static_cast<std::size_t>(std::distance(numbers.begin(), place));

@@ -62,12 +62,6 @@ class AdaptiveMesher {
   void complete(MeshReport& report);
 
  private:
-  /// Leaves taken out of the mesh to be subdivided, and counterexamples against them.
-  struct ActiveLeaves {
-    std::vector<Leaf> leaves;
-    std::vector<Counterexample> counterexamples;
-  };
-
   bool is_unrefined() const { return !limits_.triangles.is_refined; }
   bool certifies() const { return request_.certify && !is_unrefined(); }
   bool may_stop() const { return request_.stop != MeshRequest::Stop::Never; }

@@ -346,13 +346,14 @@ class Subdivider {
 
 }  // namespace
 
-Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexample> counterexamples,
-                      Oscillation known_oscillation, const CellLimits& limits,
-                      const SubdivisionGoal& goal, const Grid& grid, CellTree& tree) {
+Subdivision subdivide(const ActiveLeaves& active, Oscillation known_oscillation,
+                      const CellLimits& limits, const SubdivisionGoal& goal, const Grid& grid,
+                      CellTree& tree) {
+  const auto& [leaves, counterexamples] = active;
   Subdivider subdivider(counterexamples, limits, goal, grid, std::move(known_oscillation), tree);
   std::vector<Candidate> candidates;
-  candidates.reserve(active.size());
-  for (const Leaf& leaf : active) {
+  candidates.reserve(leaves.size());
+  for (const Leaf& leaf : leaves) {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     candidates.push_back({leaf, {}, kUnknown, kUnknown});
     candidates.back().leaf.followed_at = 0;

@@ -35,12 +35,18 @@ struct Subdivision {
   std::optional<dvec2> oscillates;  ///< a place where an oscillation stopped it
 };
 
+/// Leaves to be subdivided, and counterexamples against them: `cell` is the index of a leaf. In a
+/// leaf without defined samples a counterexample is a place where the surface is defined.
+struct ActiveLeaves {
+  std::vector<Leaf> leaves;
+  std::vector<Counterexample> counterexamples;
+};
+
 /// Halves active leaves in one direction at a time, until each one passes its error indicator and
-/// its counterexamples, or halving does not help. A counterexample's `cell` is the index of an
-/// active leaf; in a leaf without defined samples it is a place where the surface is defined.
-/// `known_oscillation`: of leaves that are not active.
-Subdivision subdivide(std::span<const Leaf> active, std::span<const Counterexample> counterexamples,
-                      Oscillation known_oscillation, const CellLimits& limits,
-                      const SubdivisionGoal& goal, const Grid& grid, CellTree& tree);
+/// its counterexamples, or halving does not help. `known_oscillation`: of leaves that are not
+/// active.
+Subdivision subdivide(const ActiveLeaves& active, Oscillation known_oscillation,
+                      const CellLimits& limits, const SubdivisionGoal& goal, const Grid& grid,
+                      CellTree& tree);
 
 }  // namespace saddle

@@ -104,7 +104,8 @@ void VertexGeometry::append_places(const std::vector<double>& u, const std::vect
 }
 
 void VertexGeometry::append_grid(const DyadicVertices::Lines& lines, unsigned threads) {
-  const auto& [u, v] = lines;
+  const std::vector<double>& u = lines.u;
+  const std::vector<double>& v = lines.v;
   append(evaluate_normals_on_grid(surface_, u, v, threads), u.size() * v.size(),
          [&](std::size_t i) { return dvec2(u[i % u.size()], v[i / u.size()]); });
 }

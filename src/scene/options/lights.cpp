@@ -55,6 +55,7 @@ struct LightKey {
 template <typename Rows>
 std::vector<std::string> keys_in(const Rows& rows) {
   std::vector<std::string> keys;
+  keys.reserve(std::size(rows));
   for (const auto& row : rows) keys.emplace_back(row.key);
   return keys;
 }
