@@ -77,6 +77,14 @@ Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
   return box;
 }
 
+/// The tolerance of the part of a surface that is in a box, or of the whole.
+auto tolerance_in(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                  const std::optional<Bounds>& box) {
+  return [&scene, &spec, &purpose, box](const Probe& probe) {
+    return tolerance_of(scene, spec, purpose, probe, box);
+  };
+}
+
 /// A picture's mesh is the one that costs least; a file's has the fewest triangles, and reports are
 /// about that.
 MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
@@ -90,9 +98,7 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
   }
   request.draws = static_cast<double>(std::max<std::size_t>(purpose.moments.size(), 1));
   request.clip = scene.clip.box;
-  request.tolerance = [&scene, &spec, &purpose, clip = request.clip](const Probe& probe) {
-    return tolerance_of(scene, spec, purpose, probe, clip);
-  };
+  request.tolerance = tolerance_in(scene, spec, purpose, request.clip);
   request.normal_tolerance = scene.mesh.normal_tolerance;
   request.max_triangles = most_triangles(scene);
   request.lines_u = spec.grid_u;
@@ -123,10 +129,10 @@ class ProportionateMesher {
         purpose_(purpose),
         surface_(surface),
         request_(first_request(scene, spec, purpose, threads)) {
-    request_.tolerance = [this](const Probe& probe) {
+    request_.tolerance = [this, tolerance = request_.tolerance](const Probe& probe) {
       around_ = probe.bounds();
       positions_ = probe.positions();
-      return tolerance_of(scene_, spec_, purpose_, probe, {});
+      return tolerance(probe);
     };
   }
 
@@ -136,7 +142,7 @@ class ProportionateMesher {
       request_.stop = MeshRequest::Stop::AtPolesOrFar;
       request_.far = kNeedle;
     }
-    std::optional<MeshResult> mesh = next_mesh();
+    std::optional<MeshResult> mesh = next_mesh(request_);
     Bounds whole = around_;  // what a mesh follows between the samples may go much farther
     if (mesh) {
       whole.add(mesh->mesh.bounds);
@@ -148,7 +154,7 @@ class ProportionateMesher {
       // Out of proportion as far as was looked; or with a peak that no sample has met.
       if (readable) clip_to(*readable);
       request_.stop = readable ? MeshRequest::Stop::Never : MeshRequest::Stop::AtPoles;
-      mesh = next_mesh();
+      mesh = next_mesh(request_);
     } else if (!has_poles() && readable) {
       clip_to(*readable);
       request_.stop = MeshRequest::Stop::Never;
@@ -161,23 +167,21 @@ class ProportionateMesher {
   }
 
  private:
-  /// Clips the next meshes to a box, whose tolerance then is that of what is in it.
-  void clip_to(const Bounds& box) {
+  /// Clips the next meshes to a box, or not at all. Their tolerance is that of the part in the box.
+  void clip_to(const std::optional<Bounds>& box) {
     request_.clip = box;
-    request_.tolerance = [this, box](const Probe& probe) {
-      return tolerance_of(scene_, spec_, purpose_, probe, box);
-    };
+    request_.tolerance = tolerance_in(scene_, spec_, purpose_, box);
   }
 
-  /// A mesh whose triangles are deducted from those that the next mesh of the run may have. A
+  /// A mesh whose triangles are deducted from those that the next mesh of the request may have. A
   /// number that the user gave stays.
-  std::optional<MeshResult> next_mesh() {
-    std::optional<MeshResult> mesh = try_mesh(surface_, request_);
+  std::optional<MeshResult> next_mesh(MeshRequest& request) const {
+    std::optional<MeshResult> mesh = try_mesh(surface_, request);
     if (mesh && !scene_.mesh.max_triangles) {
       const auto least =
           static_cast<std::size_t>(kLeastShare * static_cast<double>(most_triangles(scene_)));
       const std::size_t taken = mesh->report.effort / kPlacesPerTriangle;
-      request_.max_triangles = std::max(request_.max_triangles, least + taken) - taken;
+      request.max_triangles = std::max(request.max_triangles, least + taken) - taken;
     }
     return mesh;
   }
@@ -193,30 +197,26 @@ class ProportionateMesher {
     clip_to(box);
     std::optional<MeshResult> mesh = mesh_clipped(known, box);
     if (mesh) return mesh;
-    request_.clip = std::nullopt;
-    request_.tolerance = [this](const Probe& probe) {
-      return tolerance_of(scene_, spec_, purpose_, probe, {});
-    };
+    clip_to(std::nullopt);
     return try_mesh(surface_, request_);
   }
 
   /// The mesh within those faces of the box that the surface goes through on its way to its poles:
   /// only the poles tell which ones that are.
-  std::optional<MeshResult> mesh_clipped(const MeshReport& known, const Bounds& box) {
+  std::optional<MeshResult> mesh_clipped(const MeshReport& known, const Bounds& box) const {
     Bounds beside_poles = known.beside_poles;
-    const std::size_t max_triangles = request_.max_triangles;
+    MeshRequest request = request_;
     std::optional<MeshResult> mesh;
     for (int k = 0; k < kMostBoxes; ++k) {
-      request_.clip = open_where_it_stays(box, beside_poles);
-      mesh = next_mesh();
-      if (!mesh) break;
-      mesh->report.clip = request_.clip;
+      request.clip = open_where_it_stays(box, beside_poles);
+      mesh = next_mesh(request);
+      if (!mesh) return std::nullopt;
+      mesh->report.clip = request.clip;
       beside_poles.add(mesh->report.beside_poles);
-      if (open_where_it_stays(box, beside_poles) == *request_.clip) break;
+      if (open_where_it_stays(box, beside_poles) == *request.clip) break;
     }
-    request_.max_triangles = max_triangles;
     // Cells outside of the box are not looked at any more.
-    if (mesh && known.pole_count > mesh->report.pole_count) {
+    if (known.pole_count > mesh->report.pole_count) {
       mesh->report.poles = known.poles;
       mesh->report.pole_count = known.pole_count;
     }

@@ -4,11 +4,8 @@ pictures, meshes, scenes, messages and reports (without times and memory). The c
 the examples, the surfaces of docs/STABILITY.md, those of stress.py, and the features below. Each is
 written to files of all kinds, drawn by itself, and meshed with --samples.
 
-    hashes.py PROGRAM [WORD...]                    prints them, or those whose name has a WORD
-    hashes.py PROGRAM --against OTHER [WORD...]    prints those that differ from OTHER's: a program,
-                                                   or a file with the lines that one printed
-
-With --without KEY first, reports are hashed without this key of surfaces."""
+Prints the hashes, or with --against those that differ."""
+import argparse
 import concurrent.futures
 import hashlib
 import json
@@ -55,7 +52,6 @@ FEATURES = [
 # Keys of the report that differ from run to run.
 VOLATILE = ("times", "peak_memory_bytes")
 SIZE = "240x180"
-WITHOUT = sys.argv[2] if sys.argv[1:2] == ["--without"] else None
 
 
 def gallery(program):
@@ -84,7 +80,7 @@ def listed(formulas):
     return {formula: formula.split() for formula in formulas}
 
 
-def content(path):
+def content(path, without):
     data = path.read_bytes()
     if path.suffix != ".json":
         return data
@@ -92,7 +88,7 @@ def content(path):
     for key in VOLATILE:
         report.pop(key, None)
     for surface in report.get("surfaces", []):
-        surface.pop(WITHOUT, None)
+        surface.pop(without, None)
     return json.dumps(report, sort_keys=True).encode()
 
 
@@ -100,7 +96,7 @@ def short(data):
     return hashlib.sha256(data).hexdigest()[:16]
 
 
-def hashes(program, name, way, arguments):
+def hashes(program, without, name, way, arguments):
     """Lines of one run. What is not written has the exit status in place of a hash."""
     options, kinds = WAYS[way]
     with tempfile.TemporaryDirectory() as folder:
@@ -112,35 +108,42 @@ def hashes(program, name, way, arguments):
                              check=False)
         lines = [f"{short(run.stderr.encode())} {way} said {name}"]
         for path in files:
-            found = short(content(path)) if path.exists() else f"exit {run.returncode}"
+            found = short(content(path, without)) if path.exists() else f"exit {run.returncode}"
             lines.append(f"{found:16} {way} {path.suffix[1:]} {name}")
         return lines
 
 
-def all_hashes(program, words):
+def all_hashes(program, options):
     cases = {**gallery(program), **examples(), **stability(), **listed(stress.CASES),
              **listed(FEATURES)}
     runs = [(name, way, arguments) for name, arguments in cases.items() for way in WAYS
-            if not words or any(word in name for word in words)]
+            if not options.words or any(word in name for word in options.words)]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = pool.map(lambda run: hashes(program, *run), runs)
+        found = pool.map(lambda run: hashes(program, options.without, *run), runs)
         return [line for lines in found for line in lines]
 
 
-def lines_of(other, words):
+def lines_of(other, options):
     """The lines of a program, or of a file that holds them."""
     if other.read_bytes()[:4] == b"\x7fELF":
-        return all_hashes(str(other), words)
+        return all_hashes(str(other), options)
     return other.read_text(encoding="utf-8").splitlines()
 
 
 def main():
-    program, *words = sys.argv[3:] if WITHOUT else sys.argv[1:]
-    if words[:1] != ["--against"]:
-        print("\n".join(all_hashes(program, words)))
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program")
+    parser.add_argument("words", nargs="*", help="cases whose name has one of them; default: all")
+    parser.add_argument("--against", metavar="OTHER", type=pathlib.Path,
+                        help="a program, or a file with the lines that one printed")
+    parser.add_argument("--without", metavar="KEY",
+                        help="hash reports without this key of their surfaces")
+    options = parser.parse_intermixed_args()
+    ours = all_hashes(options.program, options)
+    if not options.against:
+        print("\n".join(ours))
         return
-    ours = all_hashes(program, words[2:])
-    theirs = set(lines_of(pathlib.Path(words[1]), words[2:]))
+    theirs = set(lines_of(options.against, options))
     different = [line for line in ours if line not in theirs]
     print("\n".join(different + [f"{len(ours)} hashes, {len(different)} differ"]))
     sys.exit(1 if different or not ours else 0)

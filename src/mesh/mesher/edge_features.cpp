@@ -252,7 +252,7 @@ void find_jumps(std::span<const Side> sides, const TraceOptions& options, CellTr
 
 void append_unsearched(const Leaf& leaf, const CellTree& tree, std::vector<Side>& sides) {
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    if (!tree.edges().is_searched(a, b)) sides.push_back({std::min(a, b), std::max(a, b)});
+    if (!tree.edges().is_searched(a, b)) sides.push_back(side_of(a, b));
   });
 }
 

@@ -54,8 +54,8 @@ void trace_features_across_seams(const Seams& seams, const TraceOptions& options
                                  CellTree& tree) {
   std::vector<Side> sides;
   for (const SeamSide& both : seam_sides_with_features(seams, grid, tree)) {
-    const auto [a, b] = std::minmax(both.other[0], both.other[1]);
-    if (!tree.edges().is_searched(a, b)) sides.push_back({a, b});
+    const Side side = side_of(both.other[0], both.other[1]);
+    if (!tree.edges().is_searched(side[0], side[1])) sides.push_back(side);
   }
   if (!sides.empty()) trace_features(sides, options, tree);
 }

@@ -112,12 +112,11 @@ void find_poles_beside_cuts(std::span<const Side> sides, const TraceOptions& opt
   std::vector<Side> poles;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto& [from, to] = whole[k];
-    const Side side = {std::min(from, to), std::max(from, to)};
     if (found[k].kind != Discontinuity::Pole || tree.edges().leads_to_pole(from, to)) continue;
     const auto& [near, far] = found[k].ends;
     tree.edges().set_leads_to_pole(from, to,
                                    from < to ? std::array{near, far} : std::array{far, near});
-    poles.push_back(side);
+    poles.push_back(side_of(from, to));
   }
   cut_at_once(poles, options, tree);
 }

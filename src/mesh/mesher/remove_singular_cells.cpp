@@ -216,7 +216,7 @@ Sides classify_sides(const CellLimits& limits, const CellTree& tree, const Valid
     if (!is_unproved && !has_poles) continue;
     if (leaf.state.is_left_out() || is_clipped(leaf, limits.clip, tree)) continue;
     for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-      const Side side = {std::min(a, b), std::max(a, b)};
+      const Side side = side_of(a, b);
       if (const auto feature = tree.edges().feature(a, b)) {
         if (!leaves_out(feature->kind)) result.cut.push_back(side);
       } else if (tree.edges().leads_to_pole(a, b)) {
