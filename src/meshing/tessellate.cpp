@@ -12,6 +12,7 @@
 
 #include "mesh/color/color_mesh.h"
 #include "mesh/features/robust_box.h"
+#include "mesh/features/singular_in_space.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
@@ -291,6 +292,9 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
   for (SingularPoint& point : report.singular_points) {
     take_user_parameters(surface, std::span(&point.uv, 1));
   }
+  for (SingularInSpace& point : report.singular_in_space) {
+    take_user_parameters(surface, std::span(&point.uv, 1));
+  }
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const dvec2& uv : mesh.mesh.uv) {
@@ -320,6 +324,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   Mesh& mesh = result.mesh.mesh;
   MeshReport& report = result.mesh.report;
   report.orientable = is_orientable(mesh, report);
+  report.singular_in_space = singular_in_space(surface, mesh, report);
   if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
   if (!report.certified && report.proof_gaps.empty()) {
     const Domain& d = surface.domain;

@@ -17,6 +17,11 @@ void name_parameters(const Surface& surface, const SurfaceSpec& spec, const Doma
   for (SingularPlace& place : facts.singular) {
     take_user_parameters(surface, std::span(&place.uv, 1));
   }
+  for (auto* const place : {&facts.defined.undefined_at, &facts.defined.undecided_at,
+                            &facts.measures.gauss.falls_toward, &facts.measures.gauss.grows_toward,
+                            &facts.measures.mean.falls_toward, &facts.measures.mean.grows_toward}) {
+    if (*place) take_user_parameters(surface, std::span(&**place, 1));
+  }
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ struct SingularPlace {
   bool is_alone = false;  ///< as in the mesh's report
 };
 
+/// Whether a surface is closed. A closed mesh does not show it of the surface.
+enum class Closed { No, Unknown, Yes };
+
 struct Facts {
   Domain domain;
   std::string range_v;  ///< as it was written, where its ends depend on u
@@ -29,6 +32,7 @@ struct Facts {
   Measures measures;
   std::vector<SingularPlace> singular;  ///< those of the mesh's report
   std::vector<double> singular_u, singular_v;
+  Closed closed = Closed::No;
 };
 
 /// For a surface of second order and its mesh, all of it or what is left in a box.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "surface/parameter_box.h"
@@ -11,14 +12,22 @@ namespace saddle {
 
 namespace {
 
-/// Rectangles in each direction to begin with: their halves have 256 x 320 points.
-constexpr std::size_t kFirstRectangles = 32;
+/// Rectangles in each direction to begin with: their halves have 192 x 240 points.
+constexpr std::size_t kFirstRectangles = 24;
 /// Points that may be evaluated: some tenths of a second.
 constexpr std::size_t kMostPoints = 600'000;
 /// Differences that together are no more than this share are rounding.
 constexpr double kRounded = 1e-12;
 /// In each round those are halved whose differences are at least this part of the largest.
 constexpr double kWorst = 1.0 / 16;
+
+/// Where the surface is not defined everywhere: panels of u to begin with; samples of a line of v,
+/// between which one end of a defined part may be; panels of such a part.
+constexpr std::size_t kFirstPanels = 8;
+constexpr std::size_t kLineSamples = 64;
+constexpr std::size_t kLinePanels = 8;
+/// An area by lines that is off by no more than this share is taken: six digits and some more.
+constexpr double kGoodArea = 1e-8;
 
 /// A place in [-1, 1] and its weight; the weights add up to 1.
 struct GaussNode {
@@ -51,6 +60,159 @@ struct Cell {
   int axis = 0;      ///< the one to halve
 };
 
+/// Area and volume per unit of parameters at a point; nothing where one is not finite.
+std::optional<Sums> integrand(const SurfacePoint& point, const dvec3& centre) {
+  const dvec3 across = glm::cross(point.r_u, point.r_v);
+  const Sums sums = {glm::length(across), glm::dot(point.position - centre, across) / 3};
+  if (!std::isfinite(sums.area) || !std::isfinite(sums.volume)) return std::nullopt;
+  return sums;
+}
+
+void add_to(Integrals& sum, const Integrals& part, double weight = 1) {
+  sum.area.value += weight * part.area.value;
+  sum.area.error += weight * part.area.error;
+  sum.volume.value += weight * part.volume.value;
+  sum.volume.error += weight * part.volume.error;
+}
+
+/// Integrals over the defined parts of lines of constant u, whose ends bisection finds. A
+/// substitution with slopes of 0 at the ends makes 1 / sqrt(distance) smooth there.
+class LineIntegrator {
+ public:
+  LineIntegrator(const Surface& surface, const dvec3& centre, unsigned threads)
+      : surface_(surface), threads_(threads), centre_(centre) {}
+
+  Integrals run() {
+    const Domain& d = surface_.domain;
+    const std::vector<double> ends = even_lines(d.u0, d.u1, kFirstPanels);
+    for (std::size_t k = 0; k < kFirstPanels; ++k) add(ends[k], ends[k + 1]);
+    while (evaluations_ < kMostPoints) {
+      const auto worst = std::ranges::max_element(panels_, {}, &Panel::error);
+      const double middle = 0.5 * worst->low + 0.5 * worst->high;
+      if (!(worst->error > kRounded * total().area.value)) break;
+      if (middle == worst->low || middle == worst->high) break;
+      const Panel panel = *worst;
+      panels_.erase(worst);
+      add(panel.low, middle);
+      add(middle, panel.high);
+    }
+    return total();
+  }
+
+ private:
+  struct Panel {
+    double low, high;
+    Integrals sum;
+    double error;  ///< of the area that halving may mend
+  };
+
+  Integrals total() const {
+    Integrals all;
+    for (const Panel& panel : panels_) add_to(all, panel.sum);
+    all.evaluations = evaluations_;
+    return all;
+  }
+
+  std::vector<std::optional<Sums>> integrands(const std::vector<dvec2>& uv) {
+    evaluations_ += uv.size();
+    std::vector<std::optional<Sums>> result;
+    result.reserve(uv.size());
+    for (const SurfacePoint& point : evaluate(surface_, uv, threads_)) {
+      result.push_back(integrand(point, centre_));
+    }
+    return result;
+  }
+
+  /// The ends of what is defined along a line, in pairs.
+  std::vector<double> defined_ends(double u) {
+    const Domain& d = surface_.domain;
+    std::vector<dvec2> uv;
+    for (const double v : even_lines(d.v0, d.v1, kLineSamples)) uv.emplace_back(u, v);
+    const auto found = integrands(uv);
+    std::vector<double> ends;
+    if (found.front()) ends.push_back(d.v0);
+    for (std::size_t k = 0; k < kLineSamples; ++k) {
+      if (found[k].has_value() == found[k + 1].has_value()) continue;
+      ends.push_back(found[k] ? last_defined(u, uv[k].y, uv[k + 1].y)
+                              : last_defined(u, uv[k + 1].y, uv[k].y));
+    }
+    if (found.back()) ends.push_back(d.v1);
+    return ends;
+  }
+
+  double last_defined(double u, double defined, double undefined) {
+    for (;;) {
+      const double middle = 0.5 * defined + 0.5 * undefined;
+      if (middle == defined || middle == undefined) return defined;
+      (integrands({dvec2(u, middle)})[0] ? defined : undefined) = middle;
+    }
+  }
+
+  Integrals line(double u) {
+    Integrals result;
+    const std::vector<double> ends = defined_ends(u);
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) add_part(u, ends[k], ends[k + 1], result);
+    return result;
+  }
+
+  void add_part(double u, double low, double high, Integrals& to) {
+    const Sums fine = part(u, low, high, kAlongV);
+    const Sums coarse = part(u, low, high, kAlongU);
+    to.area.value += fine.area;
+    to.area.error += std::fabs(fine.area - coarse.area);
+    to.volume.value += fine.volume;
+    to.volume.error += std::fabs(fine.volume - coarse.volume);
+  }
+
+  template <std::size_t Count>
+  Sums part(double u, double low, double high, const std::array<GaussNode, Count>& rule) {
+    std::vector<dvec2> uv;
+    std::vector<double> weights;
+    for (std::size_t k = 0; k < kLinePanels; ++k) {
+      for (const GaussNode& node : rule) {
+        const double s = (static_cast<double>(k) + 0.5 + 0.5 * node.place) / kLinePanels;
+        const double way = s * s * (3 - 2 * s);
+        uv.emplace_back(u, low * (1 - way) + high * way);
+        weights.push_back(node.weight / kLinePanels * 6 * s * (1 - s) * std::fabs(high - low));
+      }
+    }
+    const auto found = integrands(uv);
+    Sums sums;
+    for (std::size_t k = 0; k < uv.size(); ++k) {
+      if (!found[k]) continue;
+      sums.area += weights[k] * found[k]->area;
+      sums.volume += weights[k] * found[k]->volume;
+    }
+    return sums;
+  }
+
+  Integrals over(double low, double high) {
+    Integrals sum;
+    for (const GaussNode& node : kAlongV) {
+      add_to(sum, line(0.5 * (low + high) + 0.5 * (high - low) * node.place),
+             node.weight * std::fabs(high - low));
+    }
+    return sum;
+  }
+
+  void add(double low, double high) {
+    const double middle = 0.5 * low + 0.5 * high;
+    const Integrals whole = over(low, high);
+    Integrals sum = over(low, middle);
+    add_to(sum, over(middle, high));
+    const double off = std::fabs(sum.area.value - whole.area.value);
+    sum.area.error += off;
+    sum.volume.error += std::fabs(sum.volume.value - whole.volume.value);
+    panels_.push_back({low, high, sum, off});
+  }
+
+  const Surface& surface_;
+  unsigned threads_;
+  dvec3 centre_;
+  std::vector<Panel> panels_;
+  std::size_t evaluations_ = 0;
+};
+
 class Integrator {
  public:
   Integrator(const Surface& surface, const dvec3& centre, double size, unsigned threads)
@@ -58,12 +220,18 @@ class Integrator {
 
   Integrals run() {
     begin();
+    std::optional<Integrals> by_lines;
+    if (has_holes_) {
+      by_lines = LineIntegrator(surface_, centre_, threads_).run();
+      if (by_lines->area.error <= kGoodArea * by_lines->area.value) return *by_lines;
+    }
     Integrals all = total();
     while (evaluations_ < kMostPoints && error_of(all) > kRounded * std::fabs(all.area.value)) {
       if (!halve_worst()) break;
       all = total();
     }
-    all.evaluations = evaluations_;
+    if (by_lines && by_lines->area.error < all.area.error) all = *by_lines;
+    all.evaluations = evaluations_ + (by_lines ? by_lines->evaluations : 0);
     return all;
   }
 
@@ -122,13 +290,14 @@ class Integrator {
     return result;
   }
 
-  void add_point(const SurfacePoint& point, double weight, Sums& sums) const {
-    const dvec3 across = glm::cross(point.r_u, point.r_v);
-    const double area = glm::length(across);
-    const double volume = glm::dot(point.position - centre_, across) / 3;
-    if (!std::isfinite(area) || !std::isfinite(volume)) return;
-    sums.area += weight * area;
-    sums.volume += weight * volume;
+  void add_point(const SurfacePoint& point, double weight, Sums& sums) {
+    const std::optional<Sums> found = integrand(point, centre_);
+    if (!found) {
+      has_holes_ = true;
+      return;
+    }
+    sums.area += weight * found->area;
+    sums.volume += weight * found->volume;
   }
 
   /// Adds cells whose own sums are known.
@@ -202,14 +371,7 @@ class Integrator {
 
   Integrals total() const {
     Integrals all;
-    const auto add = [](const Estimate& part, Estimate& sum) {
-      sum.value += part.value;
-      sum.error += part.error;
-    };
-    for (const Cell& cell : cells_) {
-      add(cell.area, all.area);
-      add(cell.volume, all.volume);
-    }
+    for (const Cell& cell : cells_) add_to(all, {cell.area, cell.volume});
     return all;
   }
 
@@ -219,6 +381,7 @@ class Integrator {
   double size_;
   std::vector<Cell> cells_;
   std::size_t evaluations_ = 0;
+  bool has_holes_ = false;  // some points are not defined
 };
 
 }  // namespace

@@ -24,9 +24,10 @@ struct Integrals {
 /// Over what of the domain is defined. Rectangles of parameters, the worst first, are halved across
 /// the axis along which halves make the larger difference, until all differences together are
 /// rounding or the work is too much: toward a line at which the integrand goes to infinity they
-/// become narrower and narrower. `size`: the surface's, by which volumes are compared with areas.
-/// Method: Gauss's rule with 4 x 5 points, adaptive as of P. van Dooren, L. de Ridder, "An adaptive
-/// algorithm for numerical integration over an n-dimensional cube", 1976.
+/// become narrower and narrower. Where a part is not defined, integrals along lines between its
+/// ends are taken if they are better. `size`: the surface's, by which volumes are compared with
+/// areas. Method: Gauss's rule with 4 x 5 points, adaptive as of P. van Dooren, L. de Ridder, "An
+/// adaptive algorithm for numerical integration over an n-dimensional cube", 1976.
 Integrals integrate_domain(const Surface& surface, const dvec3& centre, double size,
                            unsigned threads);
 

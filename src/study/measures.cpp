@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
-
-#include "study/climb.h"
-#include "surface/normal.h"
 
 namespace saddle {
 
@@ -18,13 +16,7 @@ constexpr std::size_t kTriangleBlock = 4096;
 /// An integral over a triangle that differs from the flat triangle's by more than this share is
 /// spoilt by a derivative that goes to infinity; the flat one is then the better.
 constexpr double kSpoilt = 0.1;
-/// |r_u x r_v| below this part of |r_u| |r_v|, and tangents below this part of the usual, cost
-/// curvatures more than half of their digits.
-constexpr double kWellConditioned = 1e-3;
-constexpr double kShortTangent = 1e-5;
-/// A curvature that a search from a vertex finds may be larger by this part of the largest; one
-/// that is more so grows toward a place where there is none.
-constexpr double kBetweenVertices = 0.25;
+
 /// Corner weights and weight of a point of Radon's rule.
 struct RadonNode {
   std::array<double, 3> corners;
@@ -47,18 +39,6 @@ std::array<RadonNode, 7> radon_rule() {
   return nodes;
 }
 
-/// The median length of a tangent.
-double usual_length(const std::vector<SurfacePoint>& points, dvec3 SurfacePoint::*tangent) {
-  std::vector<double> lengths;
-  for (const SurfacePoint& p : points) {
-    if (is_finite(p.*tangent)) lengths.push_back(safe_length(p.*tangent));
-  }
-  if (lengths.empty()) return 0;
-  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
-}
-
 class SampleMeasurer {
  public:
   SampleMeasurer(const Surface& surface, const Mesh& mesh, unsigned threads)
@@ -66,10 +46,8 @@ class SampleMeasurer {
 
   Measures run(Covered covered) {
     integrate_triangles();
-    result_.extents = mesh_.bounds;
     if (covered != Covered::Part) take_domain();
-    if (covered == Covered::Whole) extend();
-    add_curvatures();
+    find_ranges(covered);
     return result_;
   }
 
@@ -144,86 +122,21 @@ class SampleMeasurer {
     flat_.volume += flat_volume;
   }
 
-  /// The largest values of `value` at the mesh's vertices, and from there on.
-  Peak largest(const ValuesAt& value, std::span<const double> at_vertices) const {
-    const auto best = std::ranges::max_element(
-        at_vertices, [](double a, double b) { return a < b || (std::isnan(a) && !std::isnan(b)); });
-    return climb(surface_.domain,
-                 {mesh_.uv[static_cast<std::size_t>(best - at_vertices.begin())], *best}, value);
-  }
-
-  void extend() {
+  void find_ranges(Covered covered) {
+    std::optional<Bounds> within;
+    if (covered == Covered::Part) within = mesh_.bounds;
+    const ValueRanges ranges = find_extremes(surface_, mesh_.uv, within, threads_);
+    result_.gauss = ranges[kGauss];
+    result_.mean = ranges[kMean];
+    result_.extents = result_.extents_bounds = mesh_.bounds;
+    if (covered == Covered::Part) return;
     for (int k = 0; k < 3; ++k) {
-      for (const double sign : {1.0, -1.0}) {
-        const ValuesAt value = [&](std::span<const dvec2> uv) {
-          std::vector<double> numbers;
-          for (const SurfacePoint& p : evaluate(surface_, uv, 1)) {
-            numbers.push_back(sign * p.position[k]);
-          }
-          return numbers;
-        };
-        std::vector<double> at_vertices;
-        for (const dvec3& p : mesh_.position) at_vertices.push_back(sign * p[k]);
-        const double farthest = sign * largest(value, at_vertices).value;
-        dvec3& corner = sign > 0 ? result_.extents.high : result_.extents.low;
-        if (std::isfinite(farthest)) corner[k] = farthest;
-      }
-    }
-  }
-
-  /// Curvatures; Gauss and mean are NaN where they would have lost most of their digits.
-  std::vector<Curvature> curvatures(std::span<const dvec2> uv,
-                                    std::span<const SurfacePoint> points) const {
-    std::vector<Curvature> result = evaluate_curvature(surface_, uv, threads_);
-    for (std::size_t k = 0; k < uv.size(); ++k) {
-      const double size_u = safe_length(points[k].r_u);
-      const double size_v = safe_length(points[k].r_v);
-      const dvec3 across = glm::cross(points[k].r_u / size_u, points[k].r_v / size_v);
-      const bool usable = glm::length(across) > kWellConditioned &&
-                          size_u >= kShortTangent * usual_u_ && size_v >= kShortTangent * usual_v_;
-      if (!usable) result[k].gauss = result[k].mean = std::nan("");
-    }
-    return result;
-  }
-
-  static std::vector<double> numbers(std::span<const Curvature> curvatures,
-                                     double Curvature::*which) {
-    std::vector<double> result;
-    result.reserve(curvatures.size());
-    for (const Curvature& c : curvatures) {
-      result.push_back(std::isfinite(c.*which) ? c.*which : std::nan(""));
-    }
-    return result;
-  }
-
-  void add_curvatures() {
-    const std::vector<SurfacePoint> points = evaluate(surface_, mesh_.uv, threads_);
-    usual_u_ = usual_length(points, &SurfacePoint::r_u);
-    usual_v_ = usual_length(points, &SurfacePoint::r_v);
-    result_.evaluations += points.size();
-    const std::vector<Curvature> all = curvatures(mesh_.uv, points);
-    add_curvature(&Curvature::gauss, numbers(all, &Curvature::gauss), result_.gauss);
-    add_curvature(&Curvature::mean, numbers(all, &Curvature::mean), result_.mean);
-  }
-
-  void add_curvature(double Curvature::*which, const std::vector<double>& at_vertices,
-                     Extremes& range) const {
-    for (const double x : at_vertices) {
-      if (!std::isnan(x)) range.add(x);
-    }
-    if (range.empty()) return;
-    const double most = kBetweenVertices * std::max(std::fabs(range.low), std::fabs(range.high));
-    for (const double sign : {1.0, -1.0}) {
-      const auto turned = [sign](std::vector<double> numbers) {
-        for (double& x : numbers) x *= sign;
-        return numbers;
-      };
-      const ValuesAt value = [&](std::span<const dvec2> uv) {
-        return turned(numbers(curvatures(uv, evaluate(surface_, uv, threads_)), which));
-      };
-      double& end = sign > 0 ? range.high : range.low;
-      const double found = sign * largest(value, turned(at_vertices)).value;
-      if (std::fabs(found - end) <= most) end = found;
+      const ValueRange& range = ranges[static_cast<std::size_t>(k)];
+      if (range.empty()) continue;
+      result_.extents.low[k] = std::min(result_.extents.low[k], range.low);
+      result_.extents.high[k] = std::max(result_.extents.high[k], range.high);
+      result_.extents_bounds.low[k] = range.bounds.low;
+      result_.extents_bounds.high[k] = range.bounds.high;
     }
   }
 
@@ -232,8 +145,6 @@ class SampleMeasurer {
   unsigned threads_;
   dvec3 centre_;  // volumes are taken around it, which keeps their digits far from the origin
   std::array<RadonNode, 7> rule_ = radon_rule();
-  double usual_u_ = 0;  // lengths of tangents
-  double usual_v_ = 0;
   struct {
     double area = 0;
     double volume = 0;

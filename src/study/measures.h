@@ -1,34 +1,19 @@
 // Area, volume and curvatures of a surface, from its derivatives.
 #pragma once
 
-#include <limits>
-
 #include "mesh/model/mesh.h"
+#include "study/extremes.h"
 #include "study/integrals.h"
 #include "surface/surface.h"
 
 namespace saddle {
 
-/// The smallest and the largest of some numbers.
-struct Extremes {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  bool empty() const { return low > high; }
-  void add(double x) {
-    low = x < low ? x : low;
-    high = x > high ? x : high;
-  }
-};
-
 struct Measures {
   Estimate area;
-  Estimate volume;  ///< inside of a closed surface; negative if its back is outside
-  Bounds extents;   ///< of the surface, if all of it was meshed; else of the mesh
-  /// Curvatures where the surface is regular. Beside a singular point at which they grow without
-  /// end, those at the mesh's vertices.
-  Extremes gauss;
-  Extremes mean;
+  Estimate volume;         ///< inside of a closed surface; negative if its back is outside
+  Bounds extents;          ///< of the surface, if all of it was meshed; else of the mesh
+  Bounds extents_bounds;   ///< proved to hold the surface, or the mesh of a part
+  ValueRange gauss, mean;  ///< of the surface's regular points
   std::size_t evaluations = 0;
 };
 

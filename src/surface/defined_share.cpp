@@ -14,8 +14,22 @@ namespace {
 /// Places each way at which exceeds_doubles() looks: it finds only wide parts.
 constexpr int kPlaces = 32;
 
+/// Open boxes of a level at which a proof of continuity gives up: those along a jump double.
+constexpr std::size_t kMostDiscontinuous = 1024;
+
 double area_of(const ParameterBox& box) {
   return box.size().x * box.size().y;
+}
+
+/// Whether boxes prove that a surface has neither a jump nor a pole.
+bool prove_continuous(const Surface& surface, std::size_t boxes) {
+  SurfaceEnclosure enclosure(surface, Bounded::Position);
+  const auto search = subdivide(
+      box_of(surface.domain), {.boxes = boxes, .most_open = kMostDiscontinuous},
+      [&](const ParameterBox& box) {
+        return are_continuous(enclosure.enclose(box)) ? ProofOutcome::Proved : ProofOutcome::Open;
+      });
+  return search.open().empty();
 }
 
 }  // namespace
@@ -24,14 +38,19 @@ DefinedShare prove_defined(const Surface& surface, std::size_t boxes) {
   const Domain& d = surface.domain;
   SurfaceEnclosure enclosure(surface, Bounded::Position);
   DefinedShare share;
+  bool may_jump = false;
   const ParameterBox whole = {dvec2(0), dvec2(1)};  // in parts of the domain
   const auto search = subdivide(whole, {.boxes = boxes}, [&](const ParameterBox& part) {
-    switch (least_defined(enclosure.enclose({d.at(part.low), d.at(part.high)}))) {
+    const auto bounds = enclosure.enclose({d.at(part.low), d.at(part.high)});
+    switch (least_defined(bounds)) {
       case Defined::Yes:
         share.yes += area_of(part);
+        may_jump = may_jump || !are_continuous(bounds);
         return ProofOutcome::Proved;
       case Defined::No:
         share.no += area_of(part);
+        // The first is the largest: a level is tested before its boxes' halves.
+        if (!share.undefined_at) share.undefined_at = d.at(part.middle());
         return ProofOutcome::Refuted;
       case Defined::Maybe:
         return ProofOutcome::Open;
@@ -39,6 +58,8 @@ DefinedShare prove_defined(const Surface& surface, std::size_t boxes) {
     return ProofOutcome::Open;
   });
   share.everywhere = search.open().empty() && share.no == 0;
+  if (!search.open().empty()) share.undecided_at = d.at(search.open().front().middle());
+  share.continuous = share.everywhere && (!may_jump || prove_continuous(surface, boxes));
   return share;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "surface/surface.h"
 
@@ -12,6 +13,9 @@ struct DefinedShare {
   double yes = 0;
   double no = 0;
   bool everywhere = false;  ///< no point is undefined or undecided
+  bool continuous = false;  ///< everywhere, and no point may be one of a jump or pole
+  /// The middles of the largest boxes that are proved undefined, and that stayed undecided.
+  std::optional<dvec2> undefined_at, undecided_at;
 };
 
 /// Halves boxes of parameters, the largest first, until each is decided or `boxes` were looked at.

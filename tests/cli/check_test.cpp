@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -86,7 +87,59 @@ TEST_F(CheckCommand, TellsSingularPointsFromLinesAndCurves) {
     EXPECT_TRUE(place["normal"].is_null());
     EXPECT_GE(place["normals"].size(), 2U);
   }
-  for (const Json& place : facts({"sphere"})["singular_points"]) EXPECT_FALSE(place["isolated"]);
+  for (const Json& place : facts({"sphere"})["singular_places"]) EXPECT_FALSE(place["isolated"]);
+}
+
+TEST_F(CheckCommand, CountsSingularPointsOfSpace) {
+  const Json sphere = facts({"sphere"});
+  EXPECT_EQ(sphere["singular_points_count"], 2);
+  ASSERT_EQ(sphere["singular_points"].size(), 2U);
+  EXPECT_GT(sphere["singular_places_count"], 2);
+  for (const Json& pole : sphere["singular_points"]) {
+    EXPECT_TRUE(pole["isolated"]);
+    EXPECT_NEAR(pole["normal"][2].get<double>(), pole["position"][2].get<double>(), 1e-9);
+  }
+  const Json cone = facts({"x=v*cos(u)", "y=v*sin(u)", "z=v", "u=0:2*pi", "v=0:1"});
+  EXPECT_EQ(cone["singular_points_count"], 1);
+  EXPECT_TRUE(cone["singular_points"][0]["normal"].is_null());
+  EXPECT_GE(cone["singular_points"][0]["normals"].size(), 2U);
+}
+
+TEST_F(CheckCommand, TellsUnboundedCurvatureAsSuch) {
+  const std::vector<std::string> cone = {"x=v*cos(u)", "y=v*sin(u)", "z=-v", "u=0:2*pi", "v=0:1"};
+  const Json json = facts(cone);
+  EXPECT_TRUE(json["mean_curvature"][1].is_null() != json["mean_curvature"][0].is_null());
+  const Json& places = json["mean_curvature_unbounded"];
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_TRUE(places[0].is_null() != places[1].is_null());
+  EXPECT_EQ(json["gauss_curvature_unbounded"], (Json{nullptr, nullptr}));
+  EXPECT_TRUE(contains(words(cone), " without a bound near u = ")) << words(cone);
+}
+
+TEST_F(CheckCommand, TellsOfAHoleThatTheMeshCovers) {
+  const std::vector<std::string> torus = {"x=(2+cos(v))*cos(u)", "y=(2+cos(v))*sin(u)",
+                                          "z=sin(v)+0*sqrt((u-1)^2+(v-1)^2-1e-10)", "u=0:2*pi",
+                                          "v=0:2*pi"};
+  const Json json = facts(torus);
+  EXPECT_EQ(json["closed"], false);
+  EXPECT_TRUE(json["volume"].is_null());
+  EXPECT_NEAR(json["undefined_at"]["u"].get<double>(), 1, 1e-5);
+  EXPECT_GT(json["undefined_fraction"], 0);
+  const std::string text = words(torus);
+  EXPECT_TRUE(contains(text, "defined     not ")) << text;
+  EXPECT_FALSE(contains(text, "volume")) << text;
+  EXPECT_TRUE(facts({"torus"})["undefined_at"].is_null());
+  EXPECT_EQ(facts({"torus"})["closed"], true);
+}
+
+TEST_F(CheckCommand, TellsHowFarOffNumbersMayBe) {
+  const Json dome = facts({"z=sqrt(1-u^2-v^2)"});
+  EXPECT_LE(std::fabs(dome["area"].get<double>() - 2 * kPi), dome["area_error"].get<double>());
+  const Json torus = facts({"torus"});
+  EXPECT_LE(torus["volume_error"], 1e-9);
+  EXPECT_LE(torus["gauss_curvature_bounds"][0], torus["gauss_curvature"][0]);
+  EXPECT_GE(torus["gauss_curvature_bounds"][1], torus["gauss_curvature"][1]);
+  EXPECT_TRUE(contains(words({"torus"}), "(found by a search; proved: Gauss within "));
 }
 
 TEST_F(CheckCommand, FindsNothingSingularWhereZeroByZeroHasLimits) {

@@ -107,6 +107,8 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
                          "efficiency",
                          "singular_points",
                          "singular_points_count",
+                         "singular_places",
+                         "singular_places_count",
                          "poles",
                          "poles_count",
                          "jumps",
@@ -135,6 +137,19 @@ TEST_F(GraphCommand, ReportsWhatItFound) {
   EXPECT_EQ(surface["bounds"][1][2], 1);
   EXPECT_TRUE(report["warnings"].empty());
   EXPECT_GT(report["peak_memory_bytes"], 100000);  // even the program itself is larger
+}
+
+/// The resource usage of a process includes the memory that it had before exec.
+TEST_F(GraphCommand, ReportsTheMemoryOfSaddleAloneWhoeverStartedIt) {
+  constexpr std::size_t kMuch = 400'000'000;
+  const auto use_much = [] {
+    std::vector<char> much(kMuch, 1);
+    asm volatile("" : : "r"(much.data()) : "memory");
+  };
+  const Outcome run =
+      run_saddle({"torus", "-o", "torus.ply", "--report", "-"}, folder_, "", use_much);
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_LT(Json::parse(run.out)["peak_memory_bytes"], kMuch);
 }
 
 TEST_F(GraphCommand, ReportsNoPictureWhereThereIsNone) {

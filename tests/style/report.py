@@ -17,6 +17,7 @@ RUNS = [
     ["z=u*v*t", "t=0:1", "-s", "40x30", "--frames", "2", "-o", "frame-%d.png"],
     ["check", "sphere"],
     ["check", "cone-double"],
+    ["check", "whitney-umbrella"],
     ["check", "pillow"],
     ["check", "x=cos(v)", "y=cos(u)", "z=0.5*sin(u)*sin(v)", "u=-pi:pi", "v=0:pi"],
     ["check", "z=sqrt(1-u^2-v^2)"],

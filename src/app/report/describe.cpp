@@ -39,6 +39,8 @@ std::string defined(const SurfaceReport& s, const Mesh& mesh) {
   }
   const std::string bounds = " (proved: " + percent(proved.no) + " undefined, " +
                              percent(proved.yes) + " defined, the rest undecided)";
+  const bool is_hidden = s.mesh.undefined_fraction == 0 && proved.undefined_at;
+  if (is_hidden) return "not " + words::near(*proved.undefined_at, s.facts->domain) + bounds;
   if (s.mesh.undefined_fraction == 0) return "everywhere that was looked at" + bounds;
   return (s.mesh.exceeds_doubles ? large : "not on " + where) + bounds;
 }
@@ -85,7 +87,7 @@ std::string closed_kind(long euler_number, bool orientable) {
 
 /// The name of a connected surface, closed or with holes.
 std::string kind(const Topology& t) {
-  if (t.components != 1 || t.shared_edges > 0) return "";
+  if (t.components != 1 || t.shared_edges > 0 || t.pinched_points > 0) return "";
   const auto holes = static_cast<long>(t.boundary_loops);
   const std::string filled = closed_kind(t.euler_number + holes, t.orientable);
   if (filled.empty()) return "";
@@ -96,10 +98,32 @@ std::string kind(const Topology& t) {
          ")";
 }
 
-std::string shape(const Topology& t) {
-  std::string text = "Euler number " + std::to_string(t.euler_number) + kind(t) + ", ";
+/// How a surface is closed whose mesh is, after the mesh's Euler number.
+std::string closed(const Facts& facts) {
+  if (facts.closed == Closed::Yes) return "closed";
+  if (facts.closed == Closed::No) {
+    return "not closed: the mesh covers a hole " +
+           words::near(*facts.defined.undefined_at, facts.domain);
+  }
+  std::string text = "closed as far as it was sampled";
+  if (facts.defined.undecided_at) {
+    text += "; a hole is not excluded " + words::near(*facts.defined.undecided_at, facts.domain);
+  } else {
+    text += "; jumps are not excluded";
+  }
+  return text;
+}
+
+std::string shape(const Facts& facts) {
+  const Topology& t = facts.topology;
+  const bool covers_hole = t.is_closed() && facts.closed == Closed::No;
+  std::string text = "Euler number " + std::to_string(t.euler_number) +
+                     (covers_hole ? " of the mesh" : kind(t)) + ", ";
   if (t.components != 1) text += words::plural(t.components, "part") + ", ";
-  if (t.is_closed()) return text + "closed";
+  if (t.pinched_points > 0) {
+    text += words::plural(t.pinched_points, "point") + " where sheets touch, ";
+  }
+  if (t.is_closed()) return text + closed(facts);
   text += t.boundary_loops == 1 ? "one edge" : std::to_string(t.boundary_loops) + " edges";
   if (t.shared_edges > 0)
     text += ", " + words::plural(t.shared_edges, "line piece") + " where sheets meet";
@@ -113,10 +137,32 @@ std::string extents(const Bounds& b) {
   return side("x", 0) + ", " + side("y", 1) + ", " + side("z", 2);
 }
 
-std::string curvatures(const Measures& m) {
-  if (m.gauss.empty() || m.mean.empty()) return "none: no regular point was found";
-  return "Gauss " + words::number(m.gauss.low) + " to " + words::number(m.gauss.high) + ", mean " +
-         words::number(m.mean.low) + " to " + words::number(m.mean.high);
+/// The part of the largest principal curvatures that is rounding. Those beyond the second constant,
+/// times the diagonal, belong to few places and say nothing about the others' rounding.
+constexpr double kRoundingOfCurvature = 1e-12;
+constexpr double kUsualCurvature = 100;
+
+std::string curvatures(const Facts& facts) {
+  const ValueRange& gauss = facts.measures.gauss;
+  const ValueRange& mean = facts.measures.mean;
+  if (gauss.empty() || mean.empty()) return "none: no regular point was found";
+  const auto size = [](const ValueRange& range) {
+    const double low = std::isfinite(range.low) ? std::fabs(range.low) : 0;
+    return std::isfinite(range.high) ? std::max(low, std::fabs(range.high)) : low;
+  };
+  const double largest = std::min(std::max(size(mean), std::sqrt(size(gauss))),
+                                  kUsualCurvature / facts.measures.extents.diagonal());
+  const double rounding = kRoundingOfCurvature * largest;
+  const double square = rounding * largest;
+  const std::string found = "Gauss " + words::found(gauss, square, facts.domain) + ", mean " +
+                            words::found(mean, rounding, facts.domain);
+  const std::string of_gauss = words::proved(gauss, square);
+  const std::string of_mean = words::proved(mean, rounding);
+  if (of_gauss.empty() && of_mean.empty()) return found + " (found by a search, not proved)";
+  std::string proved;
+  if (!of_gauss.empty()) proved = "Gauss " + of_gauss;
+  if (!of_mean.empty()) proved += (proved.empty() ? "mean " : ", mean ") + of_mean;
+  return found + " (found by a search; proved: " + proved + ")";
 }
 
 /// Gauss curvatures that are 0 but for rounding, times the diagonal's square.
@@ -177,11 +223,11 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
   line("singular", words::singular(facts, s.bounds.diagonal()));
   line("seams", seams(s));
   line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
-  line("shape", shape(facts.topology));
+  line("shape", shape(facts));
   line("extents", extents(facts.measures.extents));
   line("area", words::number(facts.measures.area));
   if (encloses_volume(facts)) line("volume", words::number(facts.measures.volume));
-  line("curvature", curvatures(facts.measures));
+  line("curvature", curvatures(facts));
   line("mesh", mesh(s));
   line("proof", proof(s.mesh, facts.domain));
   return lines;

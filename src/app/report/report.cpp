@@ -3,10 +3,14 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/command_line/help.h"
+#include "app/report/words.h"
 #include "base/format.h"
 
 namespace saddle {
@@ -57,6 +61,24 @@ Json extremes(const Extremes& e) {
   return e.empty() ? Json(nullptr) : ends(e.low, e.high);
 }
 
+Json place_or_null(const std::optional<dvec2>& uv) {
+  return uv ? Json{{"u", finite_or_null(uv->x)}, {"v", finite_or_null(uv->y)}} : Json(nullptr);
+}
+
+/// Adds the extremes of a curvature, bounds of all its values, and the places without bounds.
+void add_curvature(const std::string& name, const ValueRange& range, Json& json) {
+  json[name] = extremes(range);
+  json[name + "_bounds"] = extremes(range.bounds);
+  json[name + "_unbounded"] =
+      Json::array({place_or_null(range.falls_toward), place_or_null(range.grows_toward)});
+}
+
+/// Adds a number and how far off it may be.
+void add_estimate(const std::string& name, const Estimate& estimate, Json& json) {
+  json[name] = finite_or_null(estimate.value);
+  json[name + "_error"] = finite_or_null(estimate.error);
+}
+
 /// `normal` is the one limit of the normal, `normals` are the limits from all sides; `isolated`: on
 /// no curve of such points.
 Json singular_places(const std::vector<SingularPlace>& places) {
@@ -74,6 +96,36 @@ Json singular_places(const std::vector<SingularPlace>& places) {
   return list;
 }
 
+/// The points of space at which the surface is singular, each once.
+Json singular_points(const std::vector<SingularInSpace>& points) {
+  Json list = Json::array();
+  for (const SingularInSpace& point : points) {
+    list.push_back({{"u", finite_or_null(point.uv.x)},
+                    {"v", finite_or_null(point.uv.y)},
+                    {"position", vector(point.position)},
+                    {"isolated", point.is_isolated}});
+  }
+  return list;
+}
+
+/// Adds the normals of its places to each singular point.
+void add_normals(const SurfaceReport& s, Json& points) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    std::vector<dvec3> normals;
+    for (const std::size_t place : s.mesh.singular_in_space[k].places) {
+      for (const dvec3& normal : s.facts->singular[place].normals) {
+        const auto is_same = [&normal](const dvec3& other) {
+          return degrees_between(normal, other) <= words::kSameDegrees;
+        };
+        if (std::ranges::none_of(normals, is_same)) normals.push_back(normal);
+      }
+    }
+    points[k]["normal"] = normals.size() == 1 ? vector(normals[0]) : Json(nullptr);
+    Json& list = points[k]["normals"] = Json::array();
+    for (const dvec3& normal : normals) list.push_back(vector(normal));
+  }
+}
+
 /// The edges of the domain that are folded, each by its u or v.
 Json folded_edges(const SurfaceReport& s) {
   const Domain& d = s.facts->domain;
@@ -89,25 +141,33 @@ Json folded_edges(const SurfaceReport& s) {
 void add_facts(const SurfaceReport& s, Json& json) {
   const Facts& facts = *s.facts;
   const Topology& t = facts.topology;
-  json["singular_points"] = singular_places(facts.singular);
+  json["singular_places"] = singular_places(facts.singular);
+  add_normals(s, json["singular_points"]);
   json["domain"] = {{"u", ends(facts.domain.u0, facts.domain.u1)},
                     {"v", ends(facts.domain.v0, facts.domain.v1)}};
+  json["undefined_fraction"] =
+      finite_or_null(std::max(s.mesh.undefined_fraction, facts.defined.no));
+  json["undefined_at"] = place_or_null(facts.defined.undefined_at);
   json["proved_defined_fraction"] = finite_or_null(facts.defined.yes);
   json["proved_undefined_fraction"] = finite_or_null(facts.defined.no);
   json["exceeds_doubles"] = s.mesh.exceeds_doubles;
   json["folded"] = folded_edges(s);
   json["euler_number"] = t.euler_number;
   json["components"] = t.components;
-  json["closed"] = t.is_closed();
+  json["closed"] =
+      facts.closed == Closed::Unknown ? Json(nullptr) : Json(facts.closed == Closed::Yes);
   json["open_edges"] = t.open_edges;
   json["boundary_loops"] = t.boundary_loops;
   json["extents"] =
       Json::array({vector(facts.measures.extents.low), vector(facts.measures.extents.high)});
-  json["area"] = finite_or_null(facts.measures.area.value);
-  json["volume"] =
-      encloses_volume(facts) ? finite_or_null(facts.measures.volume.value) : Json(nullptr);
-  json["gauss_curvature"] = extremes(facts.measures.gauss);
-  json["mean_curvature"] = extremes(facts.measures.mean);
+  json["extents_bounds"] = Json::array(
+      {vector(facts.measures.extents_bounds.low), vector(facts.measures.extents_bounds.high)});
+  add_estimate("area", facts.measures.area, json);
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  add_estimate("volume", encloses_volume(facts) ? facts.measures.volume : Estimate{kNone, kNone},
+               json);
+  add_curvature("gauss_curvature", facts.measures.gauss, json);
+  add_curvature("mean_curvature", facts.measures.mean, json);
   json["least_triangles"] = finite_or_null(s.mesh.least_triangles);
 }
 
@@ -125,8 +185,10 @@ Json surface(const SurfaceReport& s) {
                {"max_normal_error", finite_or_null(s.mesh.max_normal_error)},
                {"undefined_fraction", finite_or_null(s.mesh.undefined_fraction)},
                {"efficiency", efficiency(s)},
-               {"singular_points", places(singular)},
-               {"singular_points_count", s.mesh.singular_point_count},
+               {"singular_points", singular_points(s.mesh.singular_in_space)},
+               {"singular_points_count", s.mesh.singular_in_space.size()},
+               {"singular_places", places(singular)},
+               {"singular_places_count", s.mesh.singular_point_count},
                {"poles", places(s.mesh.poles)},
                {"poles_count", s.mesh.pole_count},
                {"jumps", places(s.mesh.jumps)},
@@ -155,17 +217,24 @@ Json times(const RunTimes& t) {
   return result;
 }
 
-/// The most memory that the process has had in use.
+/// The most memory that the process has had in use. The kernel resets VmHWM when a program starts;
+/// ru_maxrss includes the process that started it.
 std::int64_t peak_memory_bytes() {
+  constexpr std::int64_t kKibibyte = 1024;  // the unit of both numbers on Linux
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::int64_t size = 0;
+    if (word == "VmHWM:" && status >> size) return size * kKibibyte;
+  }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts KiB
+  return std::int64_t{usage.ru_maxrss} * kKibibyte;
 }
 
 }  // namespace
 
 bool encloses_volume(const Facts& facts) {
-  return facts.topology.is_closed() && facts.topology.orientable;
+  return facts.closed != Closed::No && facts.topology.orientable;
 }
 
 void write_report(std::ostream& out, const RunReport& report) {

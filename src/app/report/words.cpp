@@ -20,8 +20,7 @@ constexpr double kSameLine = 1e-6;
 constexpr double kSameParameters = 1e-12;
 /// Cuts this close, as a part of the range, are one place; points, of the diagonal, are one.
 constexpr double kSamePlace = 1e-9;
-/// Normals this close are one, degrees; and what is less of a normal is what its limit lost.
-constexpr double kSameDegrees = 1e-3;
+/// Components of normals below this are what limits lost.
 constexpr double kLostOfNormals = 1e-9;
 /// Coordinates below this, in diagonals, are rounding errors.
 constexpr double kRounding = 1e-12;
@@ -271,6 +270,14 @@ class SingularWords {
   std::vector<const SingularPlace*> places_;
 };
 
+/// A number to three digits, rounded in a direction.
+std::string outward(double value, double direction) {
+  if (value == 0) return "0";
+  const double unit = std::pow(10, std::floor(std::log10(std::fabs(value))) - 2);
+  const double steps = direction > 0 ? std::ceil(value / unit) : std::floor(value / unit);
+  return number(steps * unit);
+}
+
 }  // namespace
 
 std::string number(double value) {
@@ -292,6 +299,35 @@ std::string plural(std::size_t count, const std::string& noun) {
 std::string range(const std::string& name, double low, double high) {
   if (low == high) return name + " = " + number(low);
   return name + " = " + number(low) + ":" + number(high);
+}
+
+std::string near(const dvec2& uv, const Domain& domain) {
+  const dvec2 place = clean(uv, domain);
+  return "near " + range("u", place.x, place.x) + ", " + range("v", place.y, place.y);
+}
+
+std::string found(const ValueRange& r, double rounding, const Domain& domain) {
+  const auto end = [rounding](double x) { return number(std::fabs(x) <= rounding ? 0 : x); };
+  if (!r.falls_toward && !r.grows_toward) return end(r.low) + " to " + end(r.high);
+  std::string text;
+  if (r.falls_toward && !r.grows_toward) text = "at most " + end(r.high) + ", ";
+  if (r.grows_toward && !r.falls_toward) text = "at least " + end(r.low) + ", ";
+  if (r.falls_toward) text += "falls without a bound " + near(*r.falls_toward, domain);
+  if (r.falls_toward && r.grows_toward) text += ", ";
+  if (r.grows_toward) text += "grows without a bound " + near(*r.grows_toward, domain);
+  return text;
+}
+
+std::string proved(const ValueRange& r, double rounding) {
+  const bool has_low = std::isfinite(r.bounds.low);
+  const bool has_high = std::isfinite(r.bounds.high);
+  if (!has_low && !has_high) return "";
+  if (r.low - r.bounds.low <= rounding && r.bounds.high - r.high <= rounding) return "exact";
+  const std::string low = has_low ? outward(r.bounds.low, -1) : "";
+  const std::string high = has_high ? outward(r.bounds.high, 1) : "";
+  if (!has_low) return "at most " + high;
+  if (!has_high) return "at least " + low;
+  return "within " + low + " to " + high;
 }
 
 std::string vector(const dvec3& v, double rounding) {

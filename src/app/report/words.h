@@ -12,6 +12,9 @@
 
 namespace saddle::words {
 
+/// Normals this close are one, degrees.
+inline constexpr double kSameDegrees = 1e-3;
+
 /// Six digits: what an area keeps at the least.
 std::string number(double value);
 /// As many of the six digits as are known; "about 3.1" if that is less.
@@ -20,6 +23,12 @@ std::string number(const Estimate& estimate);
 std::string plural(std::size_t count, const std::string& noun);
 /// "u = 1", "u = 1:2".
 std::string range(const std::string& name, double low, double high);
+/// "near u = 1, v = 2".
+std::string near(const dvec2& uv, const Domain& domain);
+/// "1 to 2", or toward where values have no bound; numbers up to `rounding` are 0.
+std::string found(const ValueRange& range, double rounding, const Domain& domain);
+/// "within 1 to 2" by the bounds of all values, "exact", or empty if nothing is proved.
+std::string proved(const ValueRange& range, double rounding);
 /// Without what is no more than `rounding`.
 std::string vector(const dvec3& v, double rounding);
 

@@ -22,6 +22,14 @@ struct SingularPoint {
   bool is_alone = false;  ///< it is known to be on no curve of such points
 };
 
+/// A point of space at which the surface is singular.
+struct SingularInSpace {
+  dvec2 uv;  ///< one of its places
+  dvec3 position;
+  std::vector<std::size_t> places;  ///< those of MeshReport::singular_points
+  bool is_isolated = false;         ///< on no curve of such points
+};
+
 /// Counters of the work.
 struct MeshWork {
   std::size_t grid_samples = 0;  ///< points on tensor grids of parameters
@@ -81,6 +89,7 @@ struct MeshReport {
   std::optional<dvec2> worst_place, oscillates;
   std::vector<SingularPoint> singular_points;  ///< one per singular (u, v), at most 1000
   std::size_t singular_point_count = 0;
+  std::vector<SingularInSpace> singular_in_space;  ///< the points of these, each once
   /// Lines of constant u and of constant v that are known to be singular from end to end.
   std::vector<double> singular_u, singular_v;
   std::vector<dvec2> poles;  ///< places where the surface was cut before infinity, at most 1000

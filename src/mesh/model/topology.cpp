@@ -129,6 +129,23 @@ std::vector<std::vector<HalfEdge>> edges_between(const Mesh& mesh, const IndexPa
   return edges;
 }
 
+/// Number of a triangle's corner at a point, among all corners of triangles.
+std::uint32_t corner_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t point) {
+  std::uint32_t k = 0;
+  while (k < 2 && mesh.point[mesh.triangles[triangle][k]] != point) ++k;
+  return 3 * triangle + k;
+}
+
+/// Points whose triangles are parts that share no edge there. `fans`: corners of triangles that do.
+std::size_t count_pinched(const Mesh& mesh, const SignedSets& fans) {
+  std::vector<std::uint8_t> parts(mesh.point_count);
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    std::uint8_t& count = parts[mesh.point[mesh.triangles[corner / 3][corner % 3]]];
+    if (fans.is_first(corner) && count < 2) ++count;
+  }
+  return static_cast<std::size_t>(std::ranges::count(parts, 2));
+}
+
 std::size_t count_sets(const SignedSets& sets, std::span<const std::uint8_t> counted) {
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < counted.size(); ++k) {
@@ -143,6 +160,7 @@ Topology topology(const Mesh& mesh) {
   const HalfEdges edges = half_edges(mesh);
   Topology result;
   SignedSets triangles(mesh.triangles.size());  // turned: their winding is opposite
+  SignedSets fans(3 * mesh.triangles.size());   // corners of triangles around a point
   SignedSets points(mesh.point_count);
   SignedSets boundary(mesh.point_count);
   std::vector<std::uint8_t> on_boundary(mesh.point_count);
@@ -151,6 +169,11 @@ Topology topology(const Mesh& mesh) {
     // Neighbours run along their edge in opposite directions.
     if (!triangles.join(a.triangle, b.triangle, a.downward == b.downward)) {
       result.orientable = false;
+    }
+  };
+  const auto join_fans = [&](const HalfEdge& a, const HalfEdge& b, std::uint32_t p) {
+    for (const std::uint32_t end : {p, a.to}) {
+      fans.join(corner_at(mesh, a.triangle, end), corner_at(mesh, b.triangle, end), false);
     }
   };
   for (std::uint32_t p = 0; p < mesh.point_count; ++p) {
@@ -163,6 +186,7 @@ Topology topology(const Mesh& mesh) {
       if (sides.size() == 2) {
         ++edge_count;
         join(sides[0], sides[1]);
+        join_fans(sides[0], sides[1], p);
         continue;
       }
       for (const std::vector<HalfEdge>& edge : edges_between(mesh, {p, to}, sides)) {
@@ -173,8 +197,10 @@ Topology topology(const Mesh& mesh) {
           on_boundary[p] = on_boundary[to] = 1;
         } else if (edge.size() == 2) {
           join(edge[0], edge[1]);
+          join_fans(edge[0], edge[1], p);
         } else {
           ++result.shared_edges;
+          for (const HalfEdge& side : edge) join_fans(edge[0], side, p);
         }
       }
     }
@@ -182,6 +208,7 @@ Topology topology(const Mesh& mesh) {
   result.euler_number = static_cast<long>(mesh.point_count) - static_cast<long>(edge_count) +
                         static_cast<long>(mesh.triangles.size());
   result.components = count_sets(points, std::vector<std::uint8_t>(mesh.point_count, 1));
+  result.pinched_points = count_pinched(mesh, fans);
   result.boundary_loops = count_sets(boundary, on_boundary);
   return result;
 }

@@ -14,6 +14,7 @@ struct Topology {
   std::size_t open_edges = 0;      ///< edges of one triangle
   std::size_t boundary_loops = 0;  ///< parts of the open edges that share no point
   std::size_t shared_edges = 0;    ///< edges of three triangles or more
+  std::size_t pinched_points = 0;  ///< points at which sheets touch that share no edge there
   bool orientable = true;          ///< false: the surface is one-sided
 
   bool is_closed() const { return components > 0 && open_edges == 0 && shared_edges == 0; }

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/gallery/samples.h"
+#include "mesh/features/singular_in_space.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -20,7 +23,7 @@ Facts facts_of(const Scene& scene) {
 }
 
 /// The graph of z over a square.
-Scene scene_over_square(const char* z, const Range& side) {
+Scene scene_over_square(const std::string& z, const Range& side) {
   Scene scene = scene_of("paraboloid");
   SurfaceSpec& spec = scene.surfaces.at(0);
   spec.x = "u";
@@ -68,10 +71,17 @@ TEST(Facts, AreaIsKnownWhereDerivativesGoToInfinity) {
   }
 }
 
-TEST(Facts, TellHowFarOffAnAreaMayBe) {
-  const Estimate area = facts_of(scene_over_square("sqrt(1-u^2-v^2)", {"-1", "1"})).measures.area;
-  EXPECT_GE(area.error, std::fabs(area.value - 2 * kPi));
-  EXPECT_LE(area.error, 0.05 * area.value);
+TEST(Facts, AreaHasSixDigitsUpToARimWhereDerivativesGoToInfinity) {
+  for (const char* const side : {"1", "1.2"}) {
+    const Range range = {"-" + std::string(side), side};
+    const Estimate area = facts_of(scene_over_square("sqrt(1-u^2-v^2)", range)).measures.area;
+    EXPECT_NEAR(area.value, 2 * kPi, 1e-6);
+    EXPECT_GE(area.error, std::fabs(area.value - 2 * kPi));
+    EXPECT_LE(area.error, 1e-5);
+  }
+  const Estimate ring =
+      facts_of(scene_over_square("0*sqrt(u^2+v^2-.25)", {"-1", "1"})).measures.area;
+  EXPECT_NEAR(ring.value, 4 - kPi / 4, 1e-6);
 }
 
 TEST(Facts, VolumeIsNegativeWhereTheBackIsOutside) {
@@ -113,10 +123,134 @@ TEST(Facts, ExtentsAreTheSurfacesNotTheMeshes) {
   }
 }
 
-TEST(Facts, CurvaturesThatGrowTowardAPointStayThoseThatWereFound) {
-  const Measures cone = facts_of(scene_of("cone-double")).measures;
-  EXPECT_TRUE(std::isfinite(cone.mean.high));
-  EXPECT_LT(std::fabs(cone.mean.high), 1e6);
+/// A surface from formulas over a rectangle.
+Scene scene_over(const std::array<std::string, 3>& r, const Range& u, const Range& v) {
+  Scene scene = scene_over_square(r[2], u);
+  SurfaceSpec& spec = scene.surfaces.at(0);
+  spec.x = r[0];
+  spec.y = r[1];
+  spec.v = v;
+  return scene;
+}
+
+const Range kTurn = {"0", "2*pi"};
+
+/// A torus of radii 2 and 1 with something added to its height.
+Scene torus_with(const std::string& height) {
+  const std::string z = "sin(v)+" + height;
+  return scene_over({"(2+cos(v))*cos(u)", "(2+cos(v))*sin(u)", z}, kTurn, kTurn);
+}
+
+void expect_within(double x, double expected) {
+  EXPECT_NEAR(x, expected, 1e-6 * std::fabs(expected));
+}
+
+void expect_bounds(const ValueRange& range) {
+  EXPECT_LE(range.bounds.low, range.low);
+  EXPECT_GE(range.bounds.high, range.high);
+}
+
+/// Of exp(-a r^2) the Gauss curvature at the peak is the square of 2 a, the mean one -2 a.
+TEST(Facts, CurvaturesOfNarrowPeaksAreFoundBetweenTheMeshsVertices) {
+  for (const double a : {1e6, 1e9}) {
+    const std::string z = "exp(-" + std::to_string(a) + "*((u-.312)^2+(v-.17)^2))";
+    const Measures peak = facts_of(scene_over_square(z, {"-1", "1"})).measures;
+    expect_within(peak.gauss.high, 4 * a * a);
+    expect_within(peak.mean.low, -2 * a);
+    EXPECT_TRUE(std::isfinite(peak.gauss.bounds.high));
+    expect_bounds(peak.gauss);
+    expect_bounds(peak.mean);
+  }
+}
+
+TEST(Facts, BoundsHoldTheCurvaturesOfTheClosedForms) {
+  for (const char* const name : {"torus", "catenoid", "helicoid", "monkey-saddle"}) {
+    const Measures measures = facts_of(scene_of(name)).measures;
+    expect_bounds(measures.gauss);
+    expect_bounds(measures.mean);
+    EXPECT_TRUE(std::isfinite(measures.gauss.bounds.low)) << name;
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LE(measures.extents_bounds.low[k], measures.extents.low[k]) << name;
+      EXPECT_GE(measures.extents_bounds.high[k], measures.extents.high[k]) << name;
+    }
+  }
+  const Measures flat = facts_of(scene_over_square("2*u+3*v", {"-1", "1"})).measures;
+  EXPECT_EQ(flat.gauss.bounds.low, 0);
+  EXPECT_EQ(flat.gauss.bounds.high, 0);
+}
+
+TEST(Facts, CurvaturesWithoutABoundAreInfiniteAndHaveAPlace) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Measures cone =
+      facts_of(scene_over({"v*cos(u)", "v*sin(u)", "v"}, kTurn, {"0", "1"})).measures;
+  const bool falls = cone.mean.falls_toward.has_value();
+  ASSERT_NE(falls, cone.mean.grows_toward.has_value());
+  EXPECT_EQ(falls ? cone.mean.low : cone.mean.high, falls ? -infinity : infinity);
+  EXPECT_NEAR((falls ? cone.mean.falls_toward : cone.mean.grows_toward)->y, 0, 1e-6);
+  EXPECT_NEAR(std::fabs(falls ? cone.mean.high : cone.mean.low), std::sqrt(0.125), 1e-9);
+  EXPECT_NEAR(cone.gauss.high - cone.gauss.low, 0, 1e-9);
+  EXPECT_FALSE(cone.gauss.falls_toward || cone.gauss.grows_toward);
+  const Measures spindle =
+      facts_of(scene_over({"(1+2*cos(v))*cos(u)", "(1+2*cos(v))*sin(u)", "2*sin(v)"}, kTurn, kTurn))
+          .measures;
+  EXPECT_TRUE(spindle.gauss.falls_toward && spindle.gauss.grows_toward);
+  const Measures edge = facts_of(scene_over_square("abs(u)^1.5", {"-1", "1"})).measures;
+  ASSERT_TRUE(edge.mean.grows_toward);
+  EXPECT_NEAR(edge.mean.grows_toward->x, 0, 1e-6);
+  const Measures slow = facts_of(scene_over_square("(u^2+v^2)*ln(u^2+v^2)", {"-1", "1"})).measures;
+  EXPECT_TRUE(slow.mean.falls_toward) << "the logarithm diverges, too";
+}
+
+TEST(Facts, CurvaturesWithLimitsAtSingularPointsAreBounded) {
+  for (const char* const name : {"sphere", "pseudosphere"}) {
+    const Measures measures = facts_of(scene_of(name)).measures;
+    EXPECT_FALSE(measures.gauss.falls_toward || measures.gauss.grows_toward) << name;
+  }
+  const Measures dome = facts_of(scene_over_square("sqrt(1-u^2-v^2)", {"-1", "1"})).measures;
+  EXPECT_NEAR(dome.gauss.low, 1, 1e-6);
+  EXPECT_NEAR(dome.gauss.high, 1, 1e-6);
+  EXPECT_FALSE(dome.mean.falls_toward || dome.mean.grows_toward);
+}
+
+TEST(Facts, AHoleBetweenTheMeshsSamplesCountsAgainstClosed) {
+  EXPECT_EQ(facts_of(torus_with("0")).closed, Closed::Yes);
+  for (const char* const radius : {"0.5", "1e-3", "1e-5"}) {
+    const std::string hole = "0*sqrt((u-1)^2+(v-1)^2-(" + std::string(radius) + ")^2)";
+    EXPECT_EQ(facts_of(torus_with(hole)).closed, Closed::No) << radius;
+  }
+  // Undefined at a single point, which no box shows.
+  EXPECT_NE(facts_of(torus_with("0*ln((u-1)^2+(v-1)^2)")).closed, Closed::Yes);
+  // A disc of the surface is moved away.
+  EXPECT_NE(facts_of(torus_with("0.2*(hypot(u-1,v-1)<1e-3)")).closed, Closed::Yes);
+}
+
+/// The singular points of space that a surface has, and whether each is on no curve of them.
+std::vector<SingularInSpace> singular_points_of(const Scene& scene) {
+  const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
+  const MeshResult mesh = mesh_of(surface, scene, 1e-3);
+  return singular_in_space(surface, mesh.mesh, mesh.report);
+}
+
+TEST(Facts, SingularPlacesAreToldApartFromPointsOfSpace) {
+  const auto sphere = singular_points_of(scene_of("sphere"));
+  ASSERT_EQ(sphere.size(), 2U);
+  EXPECT_TRUE(sphere[0].is_isolated && sphere[1].is_isolated);
+  EXPECT_NEAR(std::fabs(sphere[0].position.z), 1, 1e-12);
+  EXPECT_EQ(singular_points_of(scene_of("cone-double")).size(), 1U);
+  EXPECT_EQ(singular_points_of(scene_of("whitney-umbrella")).size(), 1U);
+  EXPECT_EQ(singular_points_of(scene_of("torus")).size(), 0U);
+  for (const SingularInSpace& point : singular_points_of(scene_of("cuspidal-edge"))) {
+    EXPECT_FALSE(point.is_isolated);
+  }
+}
+
+TEST(Facts, SheetsThatTouchInAPointArePinched) {
+  const Facts spindle = facts_of(
+      scene_over({"(1+2*cos(v))*cos(u)", "(1+2*cos(v))*sin(u)", "2*sin(v)"}, kTurn, kTurn));
+  EXPECT_EQ(spindle.topology.pinched_points, 2U);
+  EXPECT_EQ(facts_of(scene_of("cone-double")).topology.pinched_points, 1U);
+  EXPECT_EQ(facts_of(scene_of("torus")).topology.pinched_points, 0U);
+  EXPECT_EQ(facts_of(scene_of("klein-bottle")).topology.pinched_points, 0U);
 }
 
 TEST(Facts, SingularPlacesHaveTheLimitsOfTheirSides) {
