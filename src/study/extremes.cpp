@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <utility>
 #include <vector>
 
 #include "study/climb.h"
@@ -26,7 +24,7 @@ constexpr double kKnownGauss = 1e-9;
 constexpr double kUsualMean = 1e4;
 
 /// Boxes that may be bounded: some milliseconds.
-constexpr std::size_t kMostBoxes = 4096;
+constexpr std::size_t kMostBoxes = 3600;
 /// Bounds this close to a value that was found, as a part of the values' size, are not refined.
 constexpr double kClose = 0.01;
 /// In each round those boxes are halved whose bounds exceed the found values by at least this part
@@ -61,6 +59,7 @@ constexpr std::array<dvec2, 12> kApproaches = {
 
 using Values = std::array<double, kQuantities>;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr Values kNoValues = {kNone, kNone, kNone, kNone, kNone};
 
@@ -374,8 +373,6 @@ class ExtremesSearch {
       }
     }
   }
-
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const Surface& surface_;
   const std::optional<Bounds>& within_;

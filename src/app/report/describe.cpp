@@ -137,8 +137,8 @@ std::string extents(const Bounds& b) {
   return side("x", 0) + ", " + side("y", 1) + ", " + side("z", 2);
 }
 
-/// The part of the largest principal curvatures that is rounding. Those beyond the second constant,
-/// times the diagonal, belong to few places and say nothing about the others' rounding.
+/// The part of the largest principal curvatures that is rounding. Curvatures beyond the second
+/// constant, times the diagonal, belong to few places and do not affect the others' rounding.
 constexpr double kRoundingOfCurvature = 1e-12;
 constexpr double kUsualCurvature = 100;
 
