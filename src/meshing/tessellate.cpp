@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -17,7 +18,7 @@
 #include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
-#include "meshing/warnings.h"
+#include "meshing/findings.h"
 #include "surface/defined_share.h"
 
 namespace saddle {
@@ -280,6 +281,7 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
     std::array<dvec2, 4> corners = {
         place.low, {place.high.x, place.low.y}, place.high, {place.low.x, place.high.y}};
     take_user_parameters(surface, corners);
+    take_user_parameters(surface, std::span(&place.worst, 1));
     place.low = place.high = corners[0];
     for (const dvec2& corner : corners) {
       place.low = glm::min(place.low, corner);
@@ -328,7 +330,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
   if (!report.certified && report.proof_gaps.empty()) {
     const Domain& d = surface.domain;
-    report.proof_gaps.push_back({GapReason::NotTried, {d.u0, d.v0}, {d.u1, d.v1}});
+    report.proof_gaps.push_back({GapReason::NotTried, {d.u0, d.v0}, {d.u1, d.v1}, 1});
   }
   if (!spec.color.empty()) {
     result.color = color_as_asked(scene, spec, surface, result.mesh, threads);
@@ -349,12 +351,12 @@ Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
   result.compile_ms = meshed.prepared.compile_ms;
   result.tessellate_ms = meshed.tessellate_ms;
   result.domain = name_parameters(meshed.prepared.surface, mesh);
-  result.warnings = mesh_warnings(spec.name, mesh, result.domain);
+  result.findings = mesh_findings(mesh, result.domain);
   if (meshed.color) {
-    for (std::string& warning : color_warnings(spec.name, mesh.mesh, *meshed.color)) {
-      result.warnings.push_back(std::move(warning));
-    }
+    std::ranges::move(color_findings(mesh.mesh, *meshed.color),
+                      std::back_inserter(result.findings));
   }
+  result.warnings = warnings_of(spec.name, result.findings);
   result.report = std::move(mesh.report);
   result.mesh = std::move(mesh.mesh);
   return result;

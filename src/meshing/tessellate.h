@@ -8,6 +8,7 @@
 
 #include "mesh/color/color_mesh.h"
 #include "mesh/model/mesh_report.h"
+#include "meshing/findings.h"
 #include "meshing/tolerance.h"
 #include "scene/model/prepare.h"
 #include "scene/model/scene.h"
@@ -28,10 +29,11 @@ struct Tessellation {
   Mesh mesh;
   MeshReport report;
   Domain domain;  ///< where v depends on u: the box around the mesh's parameters
-  std::vector<std::string> warnings;
-  bool moves = false;     ///< at another time it is another mesh
-  double parse_ms = 0;    ///< text to graph
-  double compile_ms = 0;  ///< derivatives and tapes
+  std::vector<Finding> findings;
+  std::vector<std::string> warnings;  ///< sentences of findings
+  bool moves = false;                 ///< at another time it is another mesh
+  double parse_ms = 0;                ///< text to graph
+  double compile_ms = 0;              ///< derivatives and tapes
   double tessellate_ms = 0;
 };
 
@@ -45,7 +47,7 @@ std::size_t most_triangles(const Scene& scene);
 MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                            unsigned threads);
 
-/// The mesh of `spec` and its warnings, for the user.
+/// The mesh of `spec` and what was found about it, for the user.
 Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed);
 
 /// Both in one call.

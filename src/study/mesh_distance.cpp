@@ -7,8 +7,8 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "mesh/model/triangle_tree.h"
 #include "study/descent.h"
-#include "study/triangle_tree.h"
 
 namespace saddle {
 namespace {

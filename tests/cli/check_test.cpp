@@ -200,6 +200,14 @@ TEST_F(CheckCommand, SaysWhereNothingIsProvedAndWhy) {
   }
 }
 
+TEST_F(CheckCommand, ListsAllFindings) {
+  const std::string text = words({"kuen"});
+  EXPECT_TRUE(contains(text, "finding     ")) << text;
+  EXPECT_TRUE(contains(text, " of the domain is not proved")) << text;
+  EXPECT_TRUE(contains(words({"z=u"}), "(proved: at most 0)"));
+  EXPECT_TRUE(contains(words({"torus"}), "(a search found 0.0"));
+}
+
 TEST_F(CheckCommand, NamesTheKindOfSurface) {
   EXPECT_TRUE(contains(words({"torus"}), "(a torus), closed"));
   EXPECT_TRUE(contains(words({"cylinder"}), "(a band), 2 edges"));

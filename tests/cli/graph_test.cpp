@@ -24,6 +24,13 @@ class GraphCommand : public ProgramTest {
     EXPECT_EQ(run.err, "");
     return run;
   }
+  /// The report of a mesh file within its tolerance.
+  Json meshed(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"-o", "a.ply", "--report", "-"});
+    const Outcome run = saddle(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(run.out);
+  }
   Image picture(const std::string& name) { return read_png(path(name)).image; }
 };
 
@@ -90,8 +97,8 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
   const auto report = nlohmann::ordered_json::parse(read_file(path("r.json")));
   Names keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_EQ(keys,
-            (Names{"version", "surfaces", "image", "times", "peak_memory_bytes", "warnings"}));
+  EXPECT_EQ(keys, (Names{"version", "surfaces", "image", "times", "peak_memory_bytes", "warnings",
+                         "findings"}));
   keys.clear();
   for (const auto& [key, value] : report["surfaces"][0].items()) keys.push_back(key);
   EXPECT_EQ(keys, (Names{"name",
@@ -102,6 +109,7 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
                          "bounds",
                          "tolerance",
                          "max_error",
+                         "max_error_is",
                          "max_normal_error",
                          "undefined_fraction",
                          "efficiency",
@@ -117,6 +125,7 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
                          "closed_v",
                          "orientable",
                          "certified",
+                         "proved_fraction",
                          "uncertified"}));
   keys.clear();
   for (const auto& [key, value] : report["times"].items()) keys.push_back(key);
@@ -150,6 +159,63 @@ TEST_F(GraphCommand, ReportsTheMemoryOfSaddleAloneWhoeverStartedIt) {
       run_saddle({"torus", "-o", "torus.ply", "--report", "-"}, folder_, "", use_much);
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_LT(Json::parse(run.out)["peak_memory_bytes"], kMuch);
+}
+
+/// The warnings are the sentences of findings.
+TEST_F(GraphCommand, ReportsFindingsWithTheirPlaces) {
+  const Json report = report_of({"z=sqrt(0.25-u^2)", "u=1:-1"});
+  const Json& findings = report["findings"];
+  ASSERT_GE(findings.size(), 2U) << findings;
+  EXPECT_EQ(findings[0]["kind"], "undefined");
+  EXPECT_EQ(findings[0]["surface"], "surface");
+  EXPECT_NEAR(findings[0]["share"].get<double>(), 0.5, 0.01);
+  EXPECT_EQ(findings[1]["kind"], "backwards");
+  EXPECT_FALSE(findings[1].contains("value"));
+  EXPECT_FALSE(findings[1].contains("u"));
+  ASSERT_EQ(report["warnings"].size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string text = findings[k]["text"];
+    EXPECT_EQ(report["warnings"][k], "surface: " + text);
+  }
+  const Json pole = report_of({"z=1/u"})["findings"][0];
+  EXPECT_EQ(pole["kind"], "pole");
+  EXPECT_EQ(pole["unit"], "places");
+  EXPECT_NEAR(pole["u"][0].get<double>(), 0, 1e-15);
+  EXPECT_EQ(pole["u"][0], pole["u"][1]);
+}
+
+TEST_F(GraphCommand, SaysWhetherAnErrorIsABoundAndHowMuchIsProved) {
+  const Json plane = meshed({"z=u"})["surfaces"][0];
+  EXPECT_EQ(plane["max_error_is"], "bound");
+  EXPECT_EQ(plane["proved_fraction"], 1);
+  // The largest second derivative bounds the distance from triangles.
+  const Json sphere = meshed({"sphere"})["surfaces"][0];
+  EXPECT_EQ(sphere["max_error_is"], "search");
+  EXPECT_EQ(sphere["proved_fraction"], 1);
+  // No proof is tried of a grid that the user gives; a leaf beside a rim has none.
+  const Json grid = meshed({"z=u*v", "--samples", "9x9"})["surfaces"][0];
+  EXPECT_EQ(grid["max_error_is"], "search");
+  EXPECT_EQ(grid["proved_fraction"], 0);
+  const Json rim = meshed({"z=sqrt(0.25-u^2)"})["surfaces"][0];
+  EXPECT_GT(rim["proved_fraction"], 0.3);
+  EXPECT_LT(rim["proved_fraction"], 0.5);  // half of the domain has a surface
+}
+
+/// A ridge of height 1 that is narrower than the cells: nothing but bounds know of it.
+TEST_F(GraphCommand, WarnsWhereALargeFeatureCouldBeMissing) {
+  for (const char* const ridge :
+       {"z=exp(-((u-0.378522)*1e5)^2)", "z=min(1,abs(u-0.378522)/1e-4)"}) {
+    const Json report = meshed({ridge});
+    const Json& surface = report["surfaces"][0];
+    const bool shows_it = surface["bounds"][1][2].get<double>() > 0.99 &&
+                          surface["bounds"][0][2].get<double>() < 0.01;
+    EXPECT_EQ(report["warnings"].empty(), shows_it) << report["findings"];
+    EXPECT_LT(surface["proved_fraction"], 1);
+  }
+  for (const std::string smooth : {"boy", "kuen", "superellipsoid", "z=besselj0(10*hypot(u,v))"}) {
+    for (const Json& warning : meshed({smooth})["warnings"])
+      EXPECT_FALSE(contains(warning, "could be missing")) << warning;
+  }
 }
 
 TEST_F(GraphCommand, ReportsNoPictureWhereThereIsNone) {

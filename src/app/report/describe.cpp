@@ -7,7 +7,7 @@
 #include "app/report/words.h"
 #include "base/format.h"
 #include "mesh/model/mesh_report.h"
-#include "meshing/warnings.h"
+#include "meshing/findings.h"
 
 namespace saddle {
 
@@ -172,7 +172,8 @@ std::string mesh(const SurfaceReport& s) {
   const double flat = kFlatSurface / (s.bounds.diagonal() * s.bounds.diagonal());
   std::string text = words::plural(s.triangles, "triangle");
   if (s.mesh.tolerance) {
-    text += " for a tolerance of " + words::number(*s.mesh.tolerance) + " (measured " +
+    text += " for a tolerance of " + words::number(*s.mesh.tolerance) +
+            (s.mesh.error_is_bound ? " (proved: at most " : " (a search found ") +
             words::number(s.mesh.max_error) + ")";
   }
   const double least = s.mesh.least_triangles;
@@ -230,6 +231,7 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
   line("curvature", curvatures(facts));
   line("mesh", mesh(s));
   line("proof", proof(s.mesh, facts.domain));
+  for (const Finding& finding : s.findings) line("finding", finding.text);
   return lines;
 }
 

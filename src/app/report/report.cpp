@@ -182,6 +182,7 @@ Json surface(const SurfaceReport& s) {
                {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
                {"tolerance", s.mesh.tolerance ? finite_or_null(*s.mesh.tolerance) : Json(nullptr)},
                {"max_error", finite_or_null(s.mesh.max_error)},
+               {"max_error_is", s.mesh.error_is_bound ? "bound" : "search"},
                {"max_normal_error", finite_or_null(s.mesh.max_normal_error)},
                {"undefined_fraction", finite_or_null(s.mesh.undefined_fraction)},
                {"efficiency", efficiency(s)},
@@ -197,8 +198,24 @@ Json surface(const SurfaceReport& s) {
                {"closed_v", closing(s.mesh.closed_v)},
                {"orientable", s.mesh.orientable},
                {"certified", s.mesh.certified},
+               {"proved_fraction", finite_or_null(s.mesh.proved_fraction)},
                {"uncertified", doubts(s.mesh.proof_gaps)}};
   if (s.facts) add_facts(s, json);
+  return json;
+}
+
+Json finding(const std::string& surface, const Finding& f) {
+  Json json = {{"kind", name_of(f.kind)}, {"surface", surface}};
+  if (f.value) {
+    json["value"] = finite_or_null(*f.value);
+    json["unit"] = f.unit;
+  }
+  if (f.place) {
+    json["u"] = ends(f.place->low.x, f.place->high.x);
+    json["v"] = ends(f.place->low.y, f.place->high.y);
+  }
+  if (f.share) json["share"] = finite_or_null(*f.share);
+  json["text"] = f.text;
   return json;
 }
 
@@ -254,6 +271,10 @@ void write_report(std::ostream& out, const RunReport& report) {
   json["times"] = times(report.times);
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["warnings"] = report.warnings;
+  json["findings"] = Json::array();
+  for (const SurfaceReport& s : report.surfaces) {
+    for (const Finding& f : s.findings) json["findings"].push_back(finding(s.name, f));
+  }
   // Bytes that are not UTF-8 become replacement characters.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }

@@ -8,6 +8,7 @@
 
 #include "mesh/model/mesh.h"
 #include "mesh/model/mesh_report.h"
+#include "meshing/findings.h"
 #include "render/picture/picture.h"
 #include "study/facts.h"
 
@@ -19,6 +20,7 @@ struct SurfaceReport {
   std::size_t vertices = 0;  ///< corners
   Bounds bounds;
   MeshReport mesh;
+  std::vector<Finding> findings;
   int meshes = 1;              ///< that an animation has made of it: several if t moves it
   std::optional<Facts> facts;  ///< of `saddle check`
 };

@@ -16,6 +16,7 @@ SurfaceReport report_of(const std::string& name, Tessellation& tessellation) {
   report.vertices = mesh.position.size();
   report.bounds = mesh.bounds;
   report.mesh = std::move(tessellation.report);
+  report.findings = std::move(tessellation.findings);
   return report;
 }
 

@@ -10,7 +10,7 @@
 
 namespace saddle {
 
-/// The report of a surface by its name. Moves the mesh's report there; the mesh stays.
+/// The report of a surface by its name. Moves the mesh's report and findings there; the mesh stays.
 SurfaceReport report_of(const std::string& name, Tessellation& tessellation);
 
 void add_times(const Tessellation& tessellation, RunTimes& times);

@@ -38,6 +38,7 @@ void SceneMeshes::mesh(const Scene& scene, std::size_t surface, const std::strin
   }
   Known& known = known_[surface];
   std::vector<std::string> warnings;
+  std::vector<Finding> findings = std::move(known.report.findings);
   const int meshes = known.report.meshes + 1;
   try {
     Tessellation made = tessellate(scene, scene.surfaces[surface], purpose_, threads_);
@@ -51,14 +52,17 @@ void SceneMeshes::mesh(const Scene& scene, std::size_t surface, const std::strin
     const bool may_vanish = !frame.empty() && bind_surface(scene, scene.surfaces[surface]).moves;
     if (error.status() != Status::Nothing || !may_vanish) throw;
     if (!nothing_) nothing_ = error;
-    warnings = {scene.surfaces[surface].name + ": " + error.what()};
     meshes_[surface] = {};
     known.report.name = scene.surfaces[surface].name;
+    known.report.findings = {{Finding::Kind::Nothing, error.what(), true}};
+    warnings = warnings_of(known.report.name, known.report.findings);
     known.moves = true;
   }
   known.report.meshes = meshes;
-  if (warnings.empty()) return;
-  if (++known.frames > 1) return;
+  const bool is_first = !warnings.empty() && known.frames++ == 0;
+  // Findings are those of the first frame that warns; of the first frame if none does.
+  if (!is_first && meshes > 1) known.report.findings = std::move(findings);
+  if (!is_first) return;
   known.warnings = std::move(warnings);
   known.first = frame;
 }

@@ -183,6 +183,14 @@ bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
   return is_one_place(grid, grid.local(a), grid.local(b));
 }
 
+bool is_short_beside(const Grid& grid, std::size_t a, std::size_t b, double length) {
+  const dvec3 p = grid.local(a);
+  const dvec3 q = grid.local(b);
+  return glm::distance(p, q) <= kJoinStep * length ||
+         glm::all(
+             glm::lessThanEqual(glm::abs(p - q), rounding_of(glm::max(glm::abs(p), glm::abs(q)))));
+}
+
 std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
                                   std::span<const Neighbours> sides, unsigned threads) {
   const auto& uv = grid.mesh.uv;

@@ -15,6 +15,7 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh/sizing/grid_sizing.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/leaf_lines.h"
@@ -139,7 +140,37 @@ class Finisher {
     }
   }
 
+  /// The largest distance of parts that are left out, because their triangles have no area, from
+  /// the mesh. Such a part is a line or a point, but it may be long.
+  void take_lost_parts(const LeafTriangles& triangles, const std::optional<Bounds>& clip,
+                       MeshReport& report) const {
+    const std::vector<std::uint32_t> lost = lost_corners(triangles);
+    // A needle to a pole ends at rounding alone, at no distance that could be measured.
+    if (lost.empty() || report.pole_count > 0) return;
+    const auto& position = grid_.mesh.position;
+    const TriangleTree mesh(position, triangles.all);
+    for (const std::uint32_t corner : lost) {
+      const dvec3& p = position[corner];
+      if (!is_finite(p) || (clip && !clip->contains(p))) continue;
+      const double distance = mesh.distance(p);
+      if (distance > std::max(report.max_error, *report.tolerance))
+        report.worst_place = grid_.mesh.uv[corner];
+      report.max_error = std::max(report.max_error, distance);
+    }
+  }
+
  private:
+  /// The corners of whole leaves that lack triangles.
+  std::vector<std::uint32_t> lost_corners(const LeafTriangles& triangles) const {
+    std::vector<std::uint32_t> corners;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      if (!leaf.state.is_whole() || triangles.ranges[k].is_complete()) continue;
+      corners.insert(corners.end(), leaf.samples.corner.begin(), leaf.samples.corner.end());
+    }
+    return corners;
+  }
+
   /// Calls f(uv, singularity) for all of this kind: at vertices, then inside leaves.
   template <class F>
   void for_singularities(PointSingularity::Kind kind, F f) const {
@@ -248,6 +279,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   LeafTriangles triangles = mesher.triangulate(report);
   finisher.take_errors(triangles, report);
   if (triangles.all.empty()) return std::nullopt;
+  finisher.take_lost_parts(triangles, request.clip, report);
   report.undefined_fraction = finisher.undefined_fraction(surface.domain);
   // A polygon that meets itself at a pole may have more triangles than its corners suggest. Flat
   // triangles outside of a clip box are not counted, so none are with a box.
@@ -256,7 +288,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
                                             : std::max(triangles.expected(), triangles.all.size()) -
                                                   triangles.all.size();
   name_singular(singular, surface.domain, report);
-  mesher.complete(report);
+  mesher.complete(triangles, report);
   Grid& grid = mesher.grid();
   mesher.reach_extremes();
   grid.mesh.triangles = std::move(triangles.all);

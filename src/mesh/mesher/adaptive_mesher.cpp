@@ -106,7 +106,21 @@ void AdaptiveMesher::reach_extremes() {
   saddle::reach_extremes(surface_, mesh_.leaves, oscillates, request_.threads, tree_, grid_);
 }
 
-void AdaptiveMesher::complete(MeshReport& report) {
+/// Whole leaves without some of their triangles are not proved, unless they are smaller than the
+/// tolerance.
+void AdaptiveMesher::leave_flat_unproved(const LeafTriangles& triangles) {
+  std::vector<Leaf> flat;
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    if (!mesh_.leaves[k].state.is_whole() || triangles.ranges[k].is_complete()) continue;
+    Bounds bounds;
+    for (const dvec3& p : corner_positions(mesh_.leaves[k], tree_)) bounds.add(p);
+    if (!(bounds.diagonal() <= mesh_.allowed[k])) flat.push_back(mesh_.leaves[k]);
+  }
+  proof_.leave_unproved(flat);
+}
+
+void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report) {
+  if (!request_.clip) leave_flat_unproved(triangles);
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;

@@ -58,8 +58,8 @@ class AdaptiveMesher {
   /// mesh. Follows all validation.
   void reach_extremes();
 
-  /// Fills in the report's counters and findings.
-  void complete(MeshReport& report);
+  /// Fills in the report's counters and findings. `triangles`: those of triangulate().
+  void complete(const LeafTriangles& triangles, MeshReport& report);
 
  private:
   bool is_unrefined() const { return !limits_.triangles.is_refined; }
@@ -85,6 +85,7 @@ class AdaptiveMesher {
   ActiveLeaves activate(const std::set<std::size_t>& numbers,
                         std::vector<Counterexample> counterexamples);
   ActiveLeaves activate_refuted();
+  void leave_flat_unproved(const LeafTriangles& triangles);
   ActiveLeaves activate_jumping();
 
   const Surface& surface_;

@@ -7,6 +7,7 @@
 #include "mesh/grid/cut_grid.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/proof/certify.h"
+#include "mesh/proof/report_proof.h"
 
 namespace saddle {
 namespace {
@@ -70,13 +71,11 @@ bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned th
                        MeshReport& report) {
   const double allowed = aim(grid.mesh.bounds.centre());
   ProofBudget budget(surface.bounds);
-  const Certification proof =
-      certify(surface, {grid.u, grid.v}, cells_as_patches(grid, allowed), budget);
+  const std::vector<Patch> patches = cells_as_patches(grid, allowed);
+  Certification proof = certify(surface, {grid.u, grid.v}, patches, budget);
   report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
   // A jump along the surface, as within a plane, shows in no distance.
   if (std::ranges::any_of(proof.proof_gaps, may_be_broken)) return true;
-  report.certified = proof.proof_gaps.empty();
-  report.proof_gaps = merged(proof.proof_gaps, surface.domain);
   std::vector<dvec2> uv;
   for (const UnprovedBox& box : proof.unproved_boxes) uv.push_back(box.middle);
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
@@ -86,6 +85,7 @@ bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned th
     if (!(distance <= allowed)) return true;
     report.max_error = std::max(report.max_error, distance);
   }
+  report_proof(surface, proved_cells(patches, surface.domain), threads, proof, report);
   return false;
 }
 

@@ -4,6 +4,7 @@
 
 #include "mesh/error/error_indicator.h"
 #include "mesh/grid/grid.h"
+#include "mesh/proof/report_proof.h"
 #include "mesh/proof/small_components.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -42,14 +43,14 @@ std::vector<std::optional<dvec2>> LeafProof::find_defined_in(std::span<const Lea
 }
 
 Certification LeafProof::certify_leaves(const ValidatedMesh& mesh) {
-  return certify(surface_, root_lines(grid_), patches_of(mesh.leaves, mesh.allowed, grid_, tree_),
-                 budget_);
+  const std::vector<Patch> patches = patches_of(mesh.leaves, mesh.allowed, grid_, tree_);
+  cells_ = proved_cells(patches, surface_.domain);
+  return certify(surface_, root_lines(grid_), patches, budget_);
 }
 
 std::vector<UnprovedBox> LeafProof::prove(const ValidatedMesh& mesh) {
-  Certification proof = certify_leaves(mesh);
-  gaps_ = std::move(proof.proof_gaps);
-  return std::move(proof.unproved_boxes);
+  proof_ = certify_leaves(mesh);
+  return std::move(proof_->unproved_boxes);
 }
 
 std::vector<UnprovedBox> LeafProof::find_unproved(const ValidatedMesh& mesh) {
@@ -96,18 +97,32 @@ bool LeafProof::is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mes
   return std::max(part.x * along_u, part.y * along_v) > kVisibleHole * mesh.allowed[box.patch];
 }
 
+void LeafProof::leave_unproved(std::span<const Leaf> leaves) {
+  if (!proof_) return;
+  for (const Leaf& leaf : leaves) {
+    const ProofGap gap{GapReason::Flat, tree_.vertices().parameters(leaf.low),
+                       tree_.vertices().parameters(leaf.high)};
+    // The leaf may hold gaps, or lie in one.
+    std::erase_if(proof_->proof_gaps, [&gap](const ProofGap& other) {
+      return gap.contains(0.5 * other.low + 0.5 * other.high);
+    });
+    const dvec2 middle = 0.5 * gap.low + 0.5 * gap.high;
+    const auto holds = [&middle](const ProofGap& other) { return other.contains(middle); };
+    if (std::ranges::none_of(proof_->proof_gaps, holds)) proof_->proof_gaps.push_back(gap);
+  }
+}
+
 void LeafProof::complete(bool reached_limit, MeshReport& report) {
   if (reached_limit) leave_domain_unproved(GapReason::Triangles);
-  if (!gaps_) leave_domain_unproved(GapReason::NotTried);
-  report.certified = gaps_->empty();
+  if (!proof_) leave_domain_unproved(GapReason::NotTried);
   name_gaps(report);
-  report.proof_gaps = merged(*gaps_, surface_.domain);
+  report_proof(surface_, cells_, threads_, *proof_, report);
   report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
 }
 
 void LeafProof::leave_domain_unproved(GapReason why) {
   const Domain& d = surface_.domain;
-  gaps_ = {{why, {d.u0, d.v0}, {d.u1, d.v1}}};
+  proof_ = {{}, {{why, {d.u0, d.v0}, {d.u1, d.v1}}}};
 }
 
 /// Replaces the reasons that follow from bounds alone by what the report says of places in the
@@ -119,7 +134,7 @@ void LeafProof::name_gaps(const MeshReport& report) {
   for (const dvec2& uv : report.jumps) names.add(GapReason::Jump, uv);
   for (const SingularPoint& point : report.singular_points)
     names.add(GapReason::Singular, point.uv);
-  names.give_to(*gaps_);
+  names.give_to(proof_->proof_gaps);
 }
 
 }  // namespace saddle

@@ -11,6 +11,7 @@
 #include "mesh/model/counterexample.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/proof/certify.h"
+#include "mesh/proof/report_proof.h"
 
 namespace saddle {
 
@@ -33,7 +34,9 @@ class LeafProof {
   /// visible hole. `cell` is the index of the leaf. The distances are added to the sampled errors.
   std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, ValidatedMesh& mesh) const;
 
-  /// Fills in whether the mesh is certified, and its proof gaps. `reached_limit`: subdivision ended
+  /// Leaves the boxes of leaves unproved whose triangles were left out.
+  void leave_unproved(std::span<const Leaf> leaves);
+  /// Fills in what is proved of the mesh, and its proof gaps. `reached_limit`: subdivision ended
   /// at the limit of triangles, which leaves the whole domain unproved.
   void complete(bool reached_limit, MeshReport& report);
 
@@ -48,8 +51,9 @@ class LeafProof {
   const CellTree& tree_;
   unsigned threads_;
   ProofBudget budget_;
-  std::size_t component_boxes_;                // of the budget, for find_defined_in()
-  std::optional<std::vector<ProofGap>> gaps_;  // empty: no proof was tried
+  std::size_t component_boxes_;         // of the budget, for find_defined_in()
+  std::optional<Certification> proof_;  // the last; empty: none was tried
+  ProvedCells cells_;                   // that it was tried for
 };
 
 }  // namespace saddle

@@ -79,7 +79,9 @@ struct MeshReport {
   std::size_t effort = 0;            ///< Effort::total()
   bool certified = false;            ///< proved: no feature hides between samples
   std::vector<ProofGap> proof_gaps;  ///< boxes where that is not proved, at most 1000
-  double max_error = 0;              ///< largest measured distance of mesh and surface
+  double proved_fraction = 0;        ///< share of the domain where that is proved
+  double max_error = 0;              ///< largest distance of mesh and surface that was found
+  bool error_is_bound = false;       ///< max_error is an upper bound; else a search's result
   double max_normal_error = 0;       ///< degrees between interpolated and exact normals, in
                                      ///< cells larger than the tolerance
   /// A place where normals stay off by more than allowed: the triangles for them were too many.

@@ -17,7 +17,7 @@ struct GapText {
 };
 
 /// In the order of GapReason.
-constexpr std::array<GapText, 13> kTexts = {{
+constexpr std::array<GapText, 14> kTexts = {{
     {"rim", "the surface ends there"},
     {"jump", "it jumps"},
     {"pole", "it goes to infinity"},
@@ -29,6 +29,7 @@ constexpr std::array<GapText, 13> kTexts = {{
     {"endless derivatives", "second derivatives are endless or do not exist"},
     {"wide bounds", "second derivatives are too large, or their bounds too wide"},
     {"limit of work", "a proof would take more work than it is worth"},
+    {"left out", "triangles have no area in double precision and are left out"},
     {"limit of triangles", "--max-triangles stopped refinement"},
     {"not tried", "nothing was proved of this mesh"},
 }};
@@ -45,17 +46,20 @@ class Merger {
     const auto [first, last] = cells_of(place);
     for (std::size_t j = first[1]; j <= last[1]; ++j) {
       for (std::size_t i = first[0]; i <= last[0]; ++i) {
+        ProofGap part = place;
+        part.low = glm::min(place.low, place.high);
+        part.high = glm::max(place.low, place.high);
+        // The share of a box that lies in several cells counts once.
+        if (i != first[0] || j != first[1]) part.share = part.visible = 0;
         auto& box = boxes_[j * kCells + i];
-        if (!box) box = std::pair(glm::min(place.low, place.high), glm::max(place.low, place.high));
-        box->first = glm::min(box->first, glm::min(place.low, place.high));
-        box->second = glm::max(box->second, glm::max(place.low, place.high));
+        box = box ? united(*box, part) : part;
       }
     }
   }
 
-  void take(GapReason why, std::vector<ProofGap>& to) {
+  void take(std::vector<ProofGap>& to) {
     for (std::size_t cell = 0; cell < boxes_.size(); ++cell) {
-      if (boxes_[cell]) to.push_back(flood(why, cell));
+      if (boxes_[cell]) to.push_back(flood(cell));
     }
   }
 
@@ -78,15 +82,15 @@ class Merger {
   }
 
   /// Removes the component of a cell and returns its box.
-  ProofGap flood(GapReason why, std::size_t start) {
-    ProofGap whole{why, boxes_[start]->first, boxes_[start]->second};
+  ProofGap flood(std::size_t start) {
+    ProofGap whole = *boxes_[start];
+    whole.share = whole.visible = 0;
     std::vector<std::size_t> open = {start};
     while (!open.empty()) {
       const std::size_t cell = open.back();
       open.pop_back();
       if (!boxes_[cell]) continue;
-      whole.low = glm::min(whole.low, boxes_[cell]->first);
-      whole.high = glm::max(whole.high, boxes_[cell]->second);
+      whole = united(whole, *boxes_[cell]);
       boxes_[cell].reset();
       const std::size_t i = cell % kCells;
       const std::size_t j = cell / kCells;
@@ -100,7 +104,7 @@ class Merger {
   }
 
   const Domain& domain_;
-  std::array<std::optional<std::pair<dvec2, dvec2>>, kCells* kCells> boxes_ = {};
+  std::array<std::optional<ProofGap>, kCells* kCells> boxes_ = {};
 };
 
 }  // namespace
@@ -111,6 +115,17 @@ std::string name_of(GapReason why) {
 
 std::string words_for(GapReason why) {
   return kTexts[static_cast<std::size_t>(why)].words;
+}
+
+ProofGap united(const ProofGap& a, const ProofGap& b) {
+  return {a.why,
+          glm::min(a.low, b.low),
+          glm::max(a.high, b.high),
+          a.share + b.share,
+          a.visible + b.visible,
+          std::max(a.width, b.width),
+          std::max(a.room, b.room),
+          a.room < b.room ? b.worst : a.worst};
 }
 
 bool ProofGap::contains(const dvec2& uv) const {
@@ -143,7 +158,7 @@ std::vector<ProofGap> merged(std::span<const ProofGap> places, const Domain& dom
     for (const ProofGap& place : places) {
       if (place.why == why) merger.add(place);
     }
-    merger.take(why, result);
+    merger.take(result);
   }
   if (result.size() > kMaxListed) result.resize(kMaxListed);
   return result;

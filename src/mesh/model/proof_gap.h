@@ -24,6 +24,7 @@ enum class GapReason : std::uint8_t {
   Nonsmooth,      ///< second derivatives are infinite or do not exist
   Wide,       ///< bounds of second derivatives are too wide, or these are large along the surface
   Work,       ///< the budget of boxes ended
+  Flat,       ///< triangles without area were left out
   Triangles,  ///< the limit of triangles came first
   NotTried,   ///< no proof was asked for, or samples kept failing
 };
@@ -37,6 +38,11 @@ std::string words_for(GapReason why);
 struct ProofGap {
   GapReason why;
   dvec2 low, high;
+  double share = 0;    ///< of the domain that has no proof: at most that of the box
+  double visible = 0;  ///< of the domain: where bounds leave room for a visible feature
+  double width = 0;    ///< in parameters: such a feature is narrower
+  double room = 0;     ///< largest distance of a feature from the mesh, by bounds
+  dvec2 worst{0};      ///< where `room` is
 
   bool contains(const dvec2& uv) const;
 };
@@ -58,8 +64,11 @@ class GapReasons {
   std::vector<Named> named_;
 };
 
-/// Unites boxes of one reason that touch, or nearly do. At most kMaxListed, in the order of
-/// reasons.
+/// The gap around two gaps: sums of shares, the larger width and room.
+ProofGap united(const ProofGap& a, const ProofGap& b);
+
+/// Unites boxes of one reason that touch, or nearly do: the sum of their shares, the largest width
+/// and room. At most kMaxListed, in the order of reasons.
 std::vector<ProofGap> merged(std::span<const ProofGap> places, const Domain& domain);
 
 }  // namespace saddle

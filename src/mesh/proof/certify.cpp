@@ -168,7 +168,11 @@ class Certifier {
              size.y * size.y * length(all.subspan(15, 3));
     };
     constexpr double kLimit = 8 * kProofFactor;
-    if (bound(of.largest, length) <= kLimit * of.eps) return Proof::Proved;  // false for NaN
+    const double largest = bound(of.largest, length);
+    if (largest <= kLimit * of.eps) {  // false for NaN
+      result_.bound = std::max(result_.bound, largest / 8);
+      return Proof::Proved;
+    }
     const double least = bound(of.smallest, least_length);
     const double most = bound(of.smallest, length);
     if (!std::isfinite(most)) {

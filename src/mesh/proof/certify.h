@@ -40,7 +40,8 @@ struct UnprovedBox {
 
 struct Certification {
   std::vector<UnprovedBox> unproved_boxes;
-  std::vector<ProofGap> proof_gaps;  ///< empty: all patches are proved
+  std::vector<ProofGap> proof_gaps;  ///< disjoint; empty: all patches are proved
+  double bound = 0;                  ///< on the distance of what is proved, in units of length
 };
 
 /// The number of boxes that may still be tested.

@@ -23,6 +23,10 @@ struct LeafTriangles {
     std::uint32_t expected = 0;         ///< the count if all had an area
     bool is_plain = false;              ///< two triangles of a leaf that nothing cuts
     bool has_flat_sub_polygon = false;  ///< a sub-polygon is a side of the leaf: is_flat()
+
+    /// No triangle is missing because it has no area. Between two sides that are points there is
+    /// none at all.
+    bool is_complete() const { return count > 0 && count >= expected; }
   };
   Array<Triangle> all;
   std::vector<Range> ranges;

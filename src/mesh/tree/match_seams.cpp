@@ -1,6 +1,9 @@
 #include "mesh/tree/match_seams.h"
 #include "mesh/tree/cell_polygon.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -54,6 +57,18 @@ void for_own_sides(const Leaf& leaf, const Grid& grid, const CellTree& tree, F f
   if (is_at_border) return for_sides(leaf, tree, f);
   const auto& corners = leaf.samples.corner;
   for (std::size_t k = 0; k < 4; ++k) f(corners[k], corners[(k + 1) % 4]);
+}
+
+/// The longer of the two sides of a leaf that run along the side from a to b, in local units.
+double length_across(const Leaf& leaf, std::uint32_t a, std::uint32_t b, const Grid& grid,
+                     const CellTree& tree) {
+  const auto& c = leaf.samples.corner;
+  const bool along_u = tree.vertices().place(a).v == tree.vertices().place(b).v;
+  const auto length = [&](std::size_t from, std::size_t to) {
+    const double length = glm::distance(grid.local(c[from]), grid.local(c[to]));
+    return std::isfinite(length) ? length : 0;
+  };
+  return along_u ? std::max(length(0, 1), length(3, 2)) : std::max(length(0, 3), length(1, 2));
 }
 
 /// Calls f(a, b) for neighbours a and b around the sub-polygons of a leaf.
@@ -181,19 +196,23 @@ bool join_poles(std::span<const Leaf> leaves, unsigned threads, const Grid& grid
   std::vector<Neighbours> joined;
   std::vector<Neighbours> sides;
   std::vector<Neighbours> cuts;
-  const auto file = [&](std::uint32_t a, std::uint32_t b, std::vector<Neighbours>& as) {
+  const auto file = [&](std::uint32_t a, std::uint32_t b, double beside,
+                        std::vector<Neighbours>& as) {
     if (grid.mesh.point[a] == grid.mesh.point[b]) {
       joined.push_back({a, b});
     } else if (tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
-               is_one_point(grid, a, b)) {
+               is_one_point(grid, a, b) && is_short_beside(grid, a, b, beside)) {
       as.push_back({a, b});
     }
   };
   for (const Leaf& leaf : leaves) {
-    for_own_sides(leaf, grid, tree, [&](auto a, auto b) { file(a, b, sides); });
+    for_own_sides(leaf, grid, tree, [&](auto a, auto b) {
+      file(a, b, length_across(leaf, a, b, grid, tree), sides);
+    });
     if (!leaf.state.is_cut_by_feature()) continue;
-    for_sides_of_sub_polygons(leaf, tree,
-                              [&](std::uint32_t a, std::uint32_t b) { file(a, b, cuts); });
+    for_sides_of_sub_polygons(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+      file(a, b, std::numeric_limits<double>::infinity(), cuts);
+    });
   }
   for (const auto& [a, b] : collapsed(tree.surface(), grid, sides, threads)) {
     points.unite(a, b);

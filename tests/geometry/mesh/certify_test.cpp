@@ -4,6 +4,7 @@
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh/model/topology.h"
 #include "mesh_requests.h"
 #include "surface_from_text.h"
 
@@ -74,6 +75,33 @@ TEST(Proofs, AreGivenUpSoonAlongLinesOfEndlessDerivatives) {
       report_on(surface_over("u", "v", "abs(u-0.1)^1.5+abs(v-0.3)^1.5", {-1, 1, -1, 1}));
   EXPECT_FALSE(fold.certified);
   EXPECT_LE(fold.work.boxes, 2500U);
+}
+
+/// A spire of radius exp(u) from z = -20 up: its end is 1e-9 of its size wide, yet no point.
+TEST(Proofs, HoldForASpireThatIsMeshedToItsEnd) {
+  const Domain domain{-20, 2, 0, 2 * kPi};
+  const Surface spire =
+      surface_from_text("exp(u)*cos(v)", "exp(u)*sin(v)", "u", domain, {}, Order::Second);
+  const MeshResult result = try_mesh(spire, within_share(1e-3)).value();
+  EXPECT_EQ(result.mesh.bounds.low.z, -20);
+  EXPECT_EQ(topology(result.mesh).boundary_loops, 2U);
+  EXPECT_TRUE(result.report.certified);
+}
+
+/// Farther down, triangles have no area in doubles.
+TEST(Proofs, DoNotHoldForMeshesThatLackPartsWithoutArea) {
+  for (const double end : {-60.0, -700.0}) {
+    const Domain domain{end, 2, 0, 2 * kPi};
+    const Surface spire =
+        surface_from_text("exp(u)*cos(v)", "exp(u)*sin(v)", "u", domain, {}, Order::Second);
+    const MeshResult result = try_mesh(spire, within_share(1e-3)).value();
+    EXPECT_GT(result.mesh.bounds.low.z, end + 1);
+    EXPECT_FALSE(result.report.certified) << end;
+    EXPECT_LT(result.report.proved_fraction, 0.9) << end;
+    // The rest of the spire is a needle: its end is as far away as it is long.
+    const double missing = result.mesh.bounds.low.z - end;
+    EXPECT_NEAR(result.report.max_error, missing, 1e-6 * missing) << end;
+  }
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/grid_within.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh/sizing/cost_model.h"
 #include "mesh/sizing/grid_sizing.h"
 #include "mesh_checks.h"
@@ -20,7 +21,6 @@
 #include "meshing/tolerance.h"
 #include "scene/options/resolve.h"
 #include "study/mesh_distance.h"
-#include "study/triangle_tree.h"
 #include "surface_from_text.h"
 
 namespace saddle {

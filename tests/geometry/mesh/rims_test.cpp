@@ -9,9 +9,9 @@
 
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
-#include "study/triangle_tree.h"
 #include "surface_from_text.h"
 
 namespace saddle {

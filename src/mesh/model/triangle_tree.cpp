@@ -1,4 +1,4 @@
-#include "study/triangle_tree.h"
+#include "mesh/model/triangle_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -46,22 +46,23 @@ double square_distance(const dvec3& p, const Bounds& box) {
 
 }  // namespace
 
-TriangleTree::TriangleTree(const Mesh& mesh) : mesh_(mesh), order_(mesh.triangles.size()) {
+TriangleTree::TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles)
+    : position_(position), triangles_(triangles), order_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0U);
   if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
 
 void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
   const auto middle_of = [this](std::uint32_t triangle) {
-    const Triangle& t = mesh_.triangles[triangle];
-    return mesh_.position[t[0]] + mesh_.position[t[1]] + mesh_.position[t[2]];
+    const Triangle& t = triangles_[triangle];
+    return position_[t[0]] + position_[t[1]] + position_[t[2]];
   };
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
   Bounds middles;
   for (std::uint32_t k = first; k < last; ++k) {
-    for (const std::uint32_t corner : mesh_.triangles[order_[k]]) {
-      nodes_[self].box.add(mesh_.position[corner]);
+    for (const std::uint32_t corner : triangles_[order_[k]]) {
+      nodes_[self].box.add(position_[corner]);
     }
     middles.add(middle_of(order_[k]));
   }
@@ -97,9 +98,9 @@ double TriangleTree::distance(const dvec3& p) const {
     const Node& node = nodes_[visit.node];
     if (node.count > 0) {
       for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-        const Triangle& t = mesh_.triangles[order_[k]];
-        best = std::min(best, square_distance(p, mesh_.position[t[0]], mesh_.position[t[1]],
-                                              mesh_.position[t[2]]));
+        const Triangle& t = triangles_[order_[k]];
+        best =
+            std::min(best, square_distance(p, position_[t[0]], position_[t[1]], position_[t[2]]));
       }
       continue;
     }

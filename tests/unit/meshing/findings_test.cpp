@@ -1,4 +1,4 @@
-#include "meshing/warnings.h"
+#include "meshing/findings.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +18,10 @@ MeshResult mesh_between(dvec2 low, dvec2 high) {
 }
 
 const Domain kDomain{-1, 1, 0, 2};
+
+Warnings mesh_warnings(const std::string& name, const MeshResult& mesh, const Domain& domain) {
+  return warnings_of(name, mesh_findings(mesh, domain));
+}
 
 TEST(Warnings, AreNoneForACleanSurface) {
   EXPECT_TRUE(mesh_warnings("s", mesh_between({-1, 0}, {1, 2}), kDomain).empty());
@@ -127,6 +131,59 @@ TEST(Warnings, CountSingularPointsWithoutANormal) {
   EXPECT_EQ(mesh_warnings("s", singular, kDomain),
             Warnings{"s: at least 2 singular points have no normal (the first at u = 0, v = 0.5): "
                      "the faces' are drawn there"});
+}
+
+TEST(Findings, HaveTheNumbersOfTheirSentences) {
+  MeshResult off = mesh_between({-1, 0}, {1, 2});
+  off.report.tolerance = 0.01;
+  off.report.max_error = 0.5;
+  off.report.worst_place = dvec2(0.25, 1);
+  const std::vector<Finding> findings = mesh_findings(off, kDomain);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(name_of(findings[0].kind), "off-tolerance");
+  EXPECT_TRUE(findings[0].warns);
+  EXPECT_EQ(findings[0].value, 0.5);
+  EXPECT_EQ(findings[0].unit, "length");
+  EXPECT_EQ(findings[0].place->low, dvec2(0.25, 1));
+  EXPECT_NE(findings[0].text.find("off by at least 0.5 (the tolerance is 0.01)"), std::string::npos)
+      << findings[0].text;
+}
+
+/// A mesh with one gap that leaves room for a feature of a height, in tolerances.
+MeshResult mesh_with_gap(double share, double room) {
+  MeshResult result = mesh_between({-1, 0}, {1, 2});
+  result.report.tolerance = 0.01;
+  ProofGap gap{GapReason::Wide, {0.25, 0}, {0.3, 2}, share};
+  gap.visible = room > 0 ? share : 0;
+  gap.width = 0.01;
+  gap.room = room * 0.01;
+  gap.worst = {0.25, 1};
+  result.report.proof_gaps = {gap};
+  return result;
+}
+
+TEST(Findings, WarnOfASmallUnprovedPartWithRoomForALargeFeature) {
+  const MeshResult ridge = mesh_with_gap(0.005, 350);
+  const std::vector<Finding> findings = mesh_findings(ridge, kDomain);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(name_of(findings[0].kind), "unproved");
+  EXPECT_EQ(findings[0].share, 0.005);
+  EXPECT_EQ(findings[0].value, 0.01);
+  EXPECT_EQ(findings[0].place->high, dvec2(0.3, 2));
+  EXPECT_TRUE(findings[0].warns);
+  EXPECT_EQ(findings[0].text,
+            "a feature up to 3.5 high and narrower than 0.01 could be missing near u = 0.25, v = "
+            "1: 0.5 % of the domain is not proved; second derivatives are too large, or their "
+            "bounds too wide");
+}
+
+TEST(Findings, DoNotWarnOfWideBoundsEverywhereOrWithoutRoom) {
+  for (const MeshResult& smooth :
+       {mesh_with_gap(0.3, 350), mesh_with_gap(0.005, 0), mesh_with_gap(0.005, 8)}) {
+    const std::vector<Finding> findings = mesh_findings(smooth, kDomain);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_FALSE(findings[0].warns) << findings[0].text;
+  }
 }
 
 }  // namespace

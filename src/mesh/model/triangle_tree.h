@@ -1,9 +1,9 @@
-// The distance of points from many triangles: a tree of boxes. On purpose no part of what meshes
-// measure themselves with.
+// The distance of points from many triangles: a tree of boxes.
 // Source: C. Ericson, "Real-time collision detection", 2005, 5.1.5 and chapter 6.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/model/mesh.h"
@@ -12,7 +12,9 @@ namespace saddle {
 
 class TriangleTree {
  public:
-  explicit TriangleTree(const Mesh& mesh);
+  /// The tree keeps references to its arguments.
+  explicit TriangleTree(const Mesh& mesh) : TriangleTree(mesh.position, mesh.triangles) {}
+  TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles);
 
   /// The distance of the nearest triangle; infinite if there is none.
   double distance(const dvec3& p) const;
@@ -26,7 +28,8 @@ class TriangleTree {
   };
   void build(std::uint32_t first, std::uint32_t last);
 
-  const Mesh& mesh_;
+  std::span<const dvec3> position_;
+  std::span<const Triangle> triangles_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };

@@ -1,0 +1,114 @@
+#include "mesh/proof/report_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/bounds.h"
+#include "mesh/model/tolerances.h"
+#include "surface/parameter_box.h"
+#include "surface/surface_enclosure.h"
+
+namespace saddle {
+
+namespace {
+
+/// A share of the domain up to 1e-9 below 1 is the rounding of a sum of areas.
+constexpr double kAllOfDomain = 1e-9;
+
+/// A feature of more than 3 tolerances is visible. Bounds of a smooth surface exceed its samples by
+/// less over most boxes.
+constexpr double kVisibleRoom = 3;
+
+/// Samples of a gap.
+constexpr std::size_t kPlaces = 5;
+
+std::array<dvec2, kPlaces> places_in(const ProofGap& gap) {
+  return {0.5 * gap.low + 0.5 * gap.high,
+          gap.low,
+          {gap.high.x, gap.low.y},
+          gap.high,
+          {gap.low.x, gap.high.y}};
+}
+
+/// By how much bounds exceed a box around samples; infinite without bounds or samples.
+double excess_over(const Bounds& samples, std::span<const Interval> bounds) {
+  if (samples.empty()) return std::numeric_limits<double>::infinity();
+  dvec3 excess(0);
+  for (int k = 0; k < 3; ++k) {
+    const Interval& bound = bounds[static_cast<std::size_t>(k)];
+    excess[k] = std::max({samples.low[k] - bound.low, bound.high - samples.high[k], 0.0});
+  }
+  const double room = glm::length(excess);
+  return std::isnan(room) ? std::numeric_limits<double>::infinity() : room;
+}
+
+/// The extent of a box along the parameter of which it is the smaller share.
+double narrow_side(const dvec2& size, const dvec2& range) {
+  const dvec2 share = size / range;
+  return share.x <= share.y ? size.x : size.y;
+}
+
+}  // namespace
+
+void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tolerance,
+                  unsigned threads, std::span<ProofGap> gaps) {
+  std::vector<dvec2> uv;
+  uv.reserve(kPlaces * gaps.size());
+  for (const ProofGap& gap : gaps) {
+    const auto places = places_in(gap);
+    uv.insert(uv.end(), places.begin(), places.end());
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  SurfaceEnclosure enclosure(surface, Bounded::Position);
+  const dvec2 range = box_of(surface.domain).size();
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    ProofGap& gap = gaps[k];
+    const ParameterBox box{gap.low, gap.high};
+    const dvec2 size = box.size();
+    Bounds samples;
+    for (std::size_t i = k * kPlaces; i < (k + 1) * kPlaces; ++i) {
+      if (is_finite(points[i].position)) samples.add(points[i].position);
+    }
+    gap.share = size.x * size.y / (range.x * range.y);
+    gap.room = excess_over(samples, enclosure.enclose(box));
+    if (gap.room > kVisibleRoom * tolerance) {
+      gap.visible = gap.share;
+      gap.width = narrow_side(glm::min(size, largest_cell), range);
+    }
+    gap.worst = box.middle();
+  }
+}
+
+ProvedCells proved_cells(std::span<const Patch> patches, const Domain& domain) {
+  const dvec2 range = box_of(domain).size();
+  ProvedCells cells;
+  for (const Patch& patch : patches) {
+    const dvec2 size = patch.box.size();
+    cells.covered += size.x * size.y / (range.x * range.y);
+    cells.largest = glm::max(cells.largest, size);
+  }
+  return cells;
+}
+
+void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,
+                  Certification& proof, MeshReport& report) {
+  std::vector<ProofGap>& gaps = proof.proof_gaps;
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  measure_gaps(surface, cells.largest, report.tolerance.value_or(kNone), threads, gaps);
+  double open = 0;
+  for (const ProofGap& gap : gaps) open += gap.share;
+  report.certified = gaps.empty();
+  report.proved_fraction = std::clamp(cells.covered - open, 0.0, 1.0);
+  if (report.proved_fraction > 1 - kAllOfDomain && gaps.empty()) report.proved_fraction = 1;
+  report.proof_gaps = merged(gaps, surface.domain);
+  if (report.certified && !report.is_clipped && report.tolerance &&
+      proof.bound <= *report.tolerance) {
+    report.max_error = std::max(report.max_error, proof.bound);
+    report.error_is_bound = report.max_error <= *report.tolerance;
+  }
+}
+
+}  // namespace saddle
