@@ -44,14 +44,16 @@ bool have_like_normals(const Mesh& mesh, const Triangle& t) {
   return glm::dot(first, mesh.normal[t[1]]) > kLike && glm::dot(first, mesh.normal[t[2]]) > kLike;
 }
 
-std::vector<Opposed> opposed_corners(const Mesh& mesh) {
+std::vector<Opposed> opposed_corners(const std::function<bool(std::uint32_t)>& is_singular,
+                                     const Mesh& mesh) {
   std::vector<Opposed> result;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     const Triangle& t = mesh.triangles[k];
-    if (have_like_normals(mesh, t)) continue;
+    if (std::ranges::none_of(t, is_singular) || have_like_normals(mesh, t)) continue;
     const dvec3 area = area_of(mesh, t);
     for (std::size_t slot = 0; slot < 3; ++slot) {
-      if (glm::dot(area, mesh.normal[t[slot]]) < 0) result.push_back({k, slot, t[slot]});
+      if (is_singular(t[slot]) && glm::dot(area, mesh.normal[t[slot]]) < 0)
+        result.push_back({k, slot, t[slot]});
     }
   }
   std::ranges::stable_sort(result, {}, &Opposed::corner);
@@ -93,8 +95,9 @@ std::vector<std::optional<dvec3>> normals_within(const Surface& surface, unsigne
 
 }  // namespace
 
-void face_own_triangles(const Surface& surface, unsigned threads, Mesh& mesh) {
-  const std::vector<Opposed> opposed = opposed_corners(mesh);
+void face_own_triangles(const Surface& surface, unsigned threads,
+                        const std::function<bool(std::uint32_t)>& is_singular, Mesh& mesh) {
+  const std::vector<Opposed> opposed = opposed_corners(is_singular, mesh);
   const std::vector<std::optional<dvec3>> within = normals_within(surface, threads, mesh, opposed);
   std::uint32_t first_new = 0;  // of the corners that were added for the same one
   for (std::size_t k = 0; k < opposed.size(); ++k) {

@@ -1,19 +1,21 @@
-// Corners whose normals face away from their own triangle: beyond a bend sharper than the
-// tolerance, or at a point with several limits.
+// Corners at singular points whose normals face away from their own triangle.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+#include <functional>
 
 #include "mesh/model/mesh.h"
 #include "surface/surface.h"
 
 namespace saddle {
 
-/// Gives triangles that a corner's normal opposes, by more than a right angle, a corner of their
-/// own at the same point, as at a crease: with the surface's normal from within the triangle, at
-/// the place nearest to the corner from which it faces as the triangle does. Neighbours share it.
+/// Gives each triangle that opposes the normal of a singular corner, by more than a right angle, a
+/// corner of its own at the same point. Its normal is the surface's at the nearest place within the
+/// triangle from which it faces as the triangle does. Neighbours share the corner.
+/// Corners that `is_singular` does not hold for keep their normals, which are the formula's.
 /// Triangles that all corners oppose alike, or that the surface faces nowhere, are slivers thinner
 /// than what may be missing, whose planes tell nothing: they keep their corners.
-void face_own_triangles(const Surface& surface, unsigned threads, Mesh& mesh);
+void face_own_triangles(const Surface& surface, unsigned threads,
+                        const std::function<bool(std::uint32_t)>& is_singular, Mesh& mesh);
 
 }  // namespace saddle

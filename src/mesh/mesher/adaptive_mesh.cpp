@@ -294,7 +294,10 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =
       leaf_lines(grid, mesher.tree(), mesher.mesh().leaves, request.lines_u, request.lines_v);
-  face_own_triangles(surface, request.threads, grid.mesh);
+  const auto is_singular = [&, count = mesher.tree().vertices().size()](std::uint32_t corner) {
+    return corner >= count || !mesher.tree().geometry().is_regular(corner);
+  };
+  face_own_triangles(surface, request.threads, is_singular, grid.mesh);
   if (request.clip) {
     clip_mesh(*request.clip, grid.mesh);
     keep_singular_points_within(*request.clip, surface, request.threads, report);

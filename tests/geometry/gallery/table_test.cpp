@@ -11,6 +11,7 @@
 #include "mesh/mesher/grid_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
+#include "surface/normal.h"
 
 namespace saddle {
 namespace {
@@ -119,29 +120,43 @@ void expect_grid(const GalleryFacts& facts, const Surface& surface) {
   EXPECT_GT(grid.mesh.triangles.size(), 400U);  // 3200 less what is not there
 }
 
-/// Vertex normals that face away from the front of their own triangle, if that is higher than what
-/// may be missing: about a fold, and at the curve of a cusp, smaller ones may face anywhere.
-std::size_t count_opposed(const Mesh& mesh, double tolerance) {
-  std::size_t opposed = 0;
+/// The cosine of 1 degree: normals are the formula's.
+constexpr double kSameNormal = 0.99985;
+
+/// Vertex normals that face away from the front of their own triangle and are not the formula's, if
+/// the triangle is higher than what may be missing. About a fold, and at the curve of a cusp,
+/// smaller ones may face anywhere.
+std::size_t count_opposed(const Surface& surface, const Mesh& mesh, double tolerance) {
+  std::vector<std::uint32_t> opposed;
   for (const Triangle& t : mesh.triangles) {
     const std::array<dvec3, 3> p = {mesh.position[t[0]], mesh.position[t[1]], mesh.position[t[2]]};
     const dvec3 area = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double longest =
         std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
     if (!(glm::length(area) > tolerance * longest)) continue;
-    for (const std::uint32_t corner : t) opposed += glm::dot(area, mesh.normal[corner]) < 0 ? 1 : 0;
+    for (const std::uint32_t corner : t) {
+      if (glm::dot(area, mesh.normal[corner]) < 0) opposed.push_back(corner);
+    }
   }
-  return opposed;
+  std::vector<dvec2> uv;
+  for (const std::uint32_t corner : opposed) uv.push_back(mesh.uv[corner]);
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < opposed.size(); ++k) {
+    const auto normal = known_normal(points[k], surface.flip);
+    count += normal && glm::dot(*normal, mesh.normal[opposed[k]]) > kSameNormal ? 0 : 1;
+  }
+  return count;
 }
 
 /// With the tolerances that the program has for meshes, too.
-TEST_P(GalleryTable, HasNoNormalThatOpposesItsTriangle) {
+TEST_P(GalleryTable, HasOnlyExactNormalsThatOpposeTheirTriangle) {
   const Scene scene = scene_of(GetParam());
   const Surface surface = prepare_surface(scene, scene.surfaces.at(0), Order::Second).surface;
   MeshRequest options = within_share(1e-3, 3);
   options.clip = scene.clip.box;
   const MeshResult mesh = try_mesh(surface, options).value();
-  EXPECT_EQ(count_opposed(mesh.mesh, mesh.report.tolerance.value()), 0U);
+  EXPECT_EQ(count_opposed(surface, mesh.mesh, mesh.report.tolerance.value()), 0U);
 }
 
 TEST_P(GalleryTable, Holds) {
@@ -152,7 +167,7 @@ TEST_P(GalleryTable, Holds) {
   expect_grid(facts(), surface);
   const MeshResult mesh = mesh_of(surface, scene, 3e-3);
   expect_report(facts(), mesh.report);
-  EXPECT_EQ(count_opposed(mesh.mesh, mesh.report.tolerance.value()), 0U);
+  EXPECT_EQ(count_opposed(surface, mesh.mesh, mesh.report.tolerance.value()), 0U);
   const Topology t = topology(mesh.mesh);
   EXPECT_EQ(t.orientable, facts().orientable);
   EXPECT_EQ(t.components, facts().components);
