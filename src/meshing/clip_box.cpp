@@ -16,6 +16,10 @@ constexpr double kFarOut = 3;
 /// sides, if half of the surface is inside. Beside the spikes of 1/(u v), its square would be too
 /// small to see.
 constexpr double kTall = 4;
+/// The same side is shown for at least this part of the longest side that is shown whole. Beside
+/// thin poles nine tenths of the samples may lie in a plane, of which a thinner box would cut
+/// strips.
+constexpr double kLow = 0.25;
 /// A part of so many of the samples is worth a picture: more than one of the probe's 64 columns.
 constexpr double kReadable = 0.02;
 /// The part is narrower than the whole, and so again is what is in proportion to it.
@@ -23,6 +27,16 @@ constexpr int kNarrowings = 8;
 constexpr double kAsNarrow = 0.9;
 /// A surface may go beyond its samples by this part of their extent without being clipped.
 constexpr double kBeyondProbe = 0.1;
+
+/// The box with at least this length along an axis.
+Bounds lengthened(Bounds box, int axis, double length) {
+  const double missing = 0.5 * (length - box.size()[axis]);
+  if (missing > 0) {
+    box.low[axis] -= missing;
+    box.high[axis] += missing;
+  }
+  return box;
+}
 
 /// The larger of the other two sides.
 double next_longest(const dvec3& size, int axis) {
@@ -89,7 +103,7 @@ Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
   const Bounds shapely = usual > 0 ? robust_box(points, dvec3(kTall * usual)) : most;
   Bounds box;
   for (int k = 0; k < 3; ++k) {
-    const Bounds& kept = is_far_out(k) ? shapely : all;
+    const Bounds kept = is_far_out(k) ? lengthened(shapely, k, kLow * usual) : all;
     const double margin = is_far_out(k) ? 0 : kBeyondProbe * all.size()[k];
     box.low[k] = kept.low[k] - margin;
     box.high[k] = kept.high[k] + margin;

@@ -41,6 +41,18 @@ std::size_t count_connected(std::span<const Triangle> triangles) {
   return count;
 }
 
+/// Calls f(a, b) for each side of two triangles, with the lower corner first.
+template <class F>
+void for_diagonals(std::span<const Triangle> triangles, F f) {
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k];
+      const std::uint32_t b = t[(k + 1) % 3];
+      if (a < b && has_side(triangles, b, a)) f(a, b);
+    }
+  }
+}
+
 /// The triangle around a place, and the one beyond its nearest side, if there is one. `known`: the
 /// triangle, or nullptr.
 PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangles,
@@ -62,6 +74,21 @@ PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangle
   place.corners[1] =
       apex_beyond(triangles, place.corners[2], place.corners[0]).value_or(place.corners[3]);
   return place;
+}
+
+/// The part of a segment, from 0 to 1, that is in a box; the second is not larger if none is.
+std::array<double, 2> part_within(const Bounds& box, const dvec3& a, const dvec3& b) {
+  std::array<double, 2> part = {0, 1};
+  for (int k = 0; k < 3; ++k) {
+    const double way = b[k] - a[k];
+    if (way == 0 && (a[k] < box.low[k] || a[k] > box.high[k])) return {0, 0};
+    if (way == 0) continue;
+    const double low = (box.low[k] - a[k]) / way;
+    const double high = (box.high[k] - a[k]) / way;
+    part[0] = std::max(part[0], std::min(low, high));
+    part[1] = std::min(part[1], std::max(low, high));
+  }
+  return part;
 }
 
 }  // namespace
@@ -239,24 +266,51 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
     if (crosses_box(triangles.of(k))) continue;
     const dvec2 size =
         tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
-    for (const Triangle& t : triangles.of(k)) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t a = t[i];
-        const std::uint32_t b = t[(i + 1) % 3];
-        if (a > b || !has_side(triangles.of(k), b, a)) continue;
-        chords.push_back({{of.position[a], of.position[b]},
-                          {of.uv[a], of.uv[b]},
-                          glm::abs(size),
-                          mesh.allowed[which[k]],
-                          mesh.sampled_errors[which[k]].distance});
-        leaves.push_back(which[k]);
-      }
-    }
+    for_diagonals(triangles.of(k), [&](std::uint32_t a, std::uint32_t b) {
+      chords.push_back({{of.position[a], of.position[b]},
+                        {of.uv[a], of.uv[b]},
+                        glm::abs(size),
+                        mesh.allowed[which[k]],
+                        mesh.sampled_errors[which[k]].distance});
+      leaves.push_back(which[k]);
+    });
   }
   const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
   for (std::size_t k = 0; k < chords.size(); ++k) {
     mesh.add(leaves[k], distances[k]);
   }
+}
+
+/// Adds the distances of the diagonals of leaves that cross the clip box from the surface, at the
+/// middles of what is inside. The surface at the same parameters may be far outside.
+void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                                      const LeafTriangles& triangles) const {
+  if (!clip_) return;
+  std::vector<MiddleOfChord> chords;
+  std::vector<std::size_t> leaves;  // of each
+  const auto& position = grid_.mesh.position;
+  const auto& uv = grid_.mesh.uv;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const Leaf& leaf = mesh.leaves[which[k]];
+    if (!leaf.state.may_be_halved() || !crosses_box(triangles.of(k))) continue;
+    const dvec2 size =
+        tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
+    for_diagonals(triangles.of(k), [&](std::uint32_t a, std::uint32_t b) {
+      const auto [begin, end] = part_within(*clip_, position[a], position[b]);
+      if (!(begin < end)) return;
+      const auto at = [](const auto& of, std::uint32_t first, std::uint32_t second, double share) {
+        return glm::mix(of[first], of[second], share);
+      };
+      chords.push_back({{at(position, a, b, begin), at(position, a, b, end)},
+                        {at(uv, a, b, begin), at(uv, a, b, end)},
+                        glm::abs(size),
+                        mesh.allowed[which[k]],
+                        mesh.sampled_errors[which[k]].distance});
+      leaves.push_back(which[k]);
+    });
+  }
+  const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
+  for (std::size_t k = 0; k < chords.size(); ++k) mesh.add(leaves[k], distances[k]);
 }
 
 /// Adds the distances of corners that only triangles without area have: these are left out, and the
@@ -301,6 +355,7 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   evaluations_ += maxima.evaluations();
   validate_sharp_bends(mesh, which, triangles);
   validate_beside_creases(mesh, which, triangles, others);
+  validate_across_faces(mesh, which, triangles);
   for (const std::size_t k : others) validate_omitted_corners(mesh, which[k], triangles.of(k));
   BoundaryDistance boundaries(surface_, grid_, tree_, clip_, threads_);
   for (const std::size_t k : others) {

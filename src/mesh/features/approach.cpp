@@ -51,24 +51,12 @@ bool leaps(std::span<const SurfacePoint> points, double delta) {
   return true;
 }
 
-/// Whether bounds near a line's first end stay within the bounds farther away, widened by their own
-/// size: cos(1/u) does, whatever its samples do.
-bool stays_within(SurfaceEnclosure& enclosure, const Line& line) {
-  const double wider = widening(line);
-  const auto place = [&](std::size_t i) {
-    return line[0] + wider * kApproach[i] * (line[1] - line[0]);
-  };
-  const auto bounds_between = [&](std::size_t first, std::size_t last) {
-    const std::span<const Interval> bounds = enclosure.enclose({place(first), place(last)});
-    return std::vector<Interval>(bounds.begin(), bounds.end());
-  };
-  const auto outer = bounds_between(0, 1);
-  const auto inner = bounds_between(kApproach.size() - 2, kApproach.size() - 1);
-  const auto is_within = [](const Interval& a, const Interval& b) {
-    const double size = b.high - b.low;
-    return std::isfinite(size) && a.low >= b.low - size && a.high <= b.high + size;
-  };
-  return std::ranges::equal(inner, outer, is_within);
+/// Whether bounds of the surface around a line's first end are finite. The box reaches beyond the
+/// end as far as the first look is before it, so that it contains a pole that rounding misplaces.
+bool is_bounded(SurfaceEnclosure& enclosure, const Line& line) {
+  const dvec2 reach = widening(line) * kApproach.front() * (line[1] - line[0]);
+  return std::ranges::all_of(enclosure.enclose({line[0] - reach, line[0] + reach}),
+                             [](const Interval& a) { return std::isfinite(a.high - a.low); });
 }
 
 }  // namespace
@@ -101,7 +89,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
     }
     goes_on = goes_on || leaps(std::span(points).subspan(begin, kApproach.size()), delta);
     if (goes_on && !enclosure) enclosure.emplace(surface, Bounded::Position);
-    result.push_back(goes_on && !stays_within(*enclosure, lines[k]));
+    result.push_back(goes_on && !is_bounded(*enclosure, lines[k]));
   }
   return result;
 }

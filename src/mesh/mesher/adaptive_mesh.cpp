@@ -76,6 +76,22 @@ class Finisher {
     }
   }
 
+  /// Removes the triangles that have infinite corners, and lists these as poles: vertices are
+  /// finite.
+  void cut_infinite(Array<Triangle>& triangles, MeshReport& report) const {
+    const auto& position = grid_.mesh.position;
+    if (std::ranges::all_of(position, is_finite)) return;
+    PlaceList poles(grid_.range, report.poles, report.pole_count);
+    const auto is_cut = [&](const Triangle& t) {
+      const auto infinite = std::ranges::find_if(
+          t, [&](std::uint32_t corner) { return !is_finite(position[corner]); });
+      if (infinite != t.end()) poles.add(grid_.mesh.uv[*infinite]);
+      return infinite != t.end();
+    };
+    const auto rest = std::remove_if(triangles.begin(), triangles.end(), is_cut);
+    triangles.resize(static_cast<std::size_t>(rest - triangles.begin()));
+  }
+
   /// Lists essential points, then places where jumps cut the sides of leaves.
   void list_jumps(MeshReport& report) const {
     PlaceList jumps(grid_.range, report.jumps, report.jump_count);
@@ -291,6 +307,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   mesher.complete(triangles, report);
   Grid& grid = mesher.grid();
   mesher.reach_extremes();
+  finisher.cut_infinite(triangles.all, report);
   grid.mesh.triangles = std::move(triangles.all);
   grid.mesh.lines =
       leaf_lines(grid, mesher.tree(), mesher.mesh().leaves, request.lines_u, request.lines_v);

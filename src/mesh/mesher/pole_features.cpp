@@ -32,6 +32,22 @@ dvec2 place_of_pole(const dvec2& a, const dvec2& b) {
   return place;
 }
 
+/// Moves the last places of ways to where the surface is finite: bisection may end on the pole.
+void end_where_finite(std::span<PoleWay> ways, const TraceOptions& options, const CellTree& tree) {
+  std::vector<dvec2> last;
+  for (const PoleWay& way : ways) last.push_back(way.last);
+  const auto at_last = evaluate(tree.surface(), last, options.threads);
+  std::vector<Line> lines;
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (is_finite(at_last[k].position)) continue;
+    lines.push_back({tree.mesh().uv[ways[k].from], ways[k].last});
+    numbers.push_back(k);
+  }
+  const auto finite = last_defined(tree.surface(), lines, kHalvingsToLeast, options.threads);
+  for (std::size_t i = 0; i < finite.size(); ++i) ways[numbers[i]].last = finite[i];
+}
+
 /// The places where ways leave the clip box. A way that begins outside of it leaves at its start.
 std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& options,
                              const CellTree& tree) {
@@ -61,11 +77,14 @@ void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellT
   std::vector<PoleWay> ways;
   for (const auto& [a, b] : sides) {
     const auto& [beside_a, beside_b] = tree.edges().pole_between(a, b);
-    places.push_back({a, b, beside_a});
-    places.push_back({a, b, beside_b});
     const dvec2 pole = place_of_pole(beside_a, beside_b);
     ways.push_back({a, beside_a, pole});
     ways.push_back({b, beside_b, pole});
+  }
+  end_where_finite(ways, options, tree);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const auto& [a, b] = sides[k / 2];
+    places.push_back({a, b, ways[k].last});
   }
   const bool to_faces = options.clip && tree.budget().has_room_for_faces(options.triangles);
   if (to_faces) {

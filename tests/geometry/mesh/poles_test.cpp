@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "base/random.h"
@@ -135,6 +136,77 @@ TEST(Poles, AreNoneWhereBoundsKeepTheSurfaceNear) {
   for (const char* z : {"1/(u*v)", "ln(abs(u*v))", "abs(u*v)^(-0.05)"}) {
     EXPECT_EQ(count(z), static_cast<long>(ways.size())) << z;
   }
+}
+
+TEST(Poles, AreNoneWhereASteepSurfaceIsBounded) {
+  // Within a double of 0.2 the first goes from -0.16 to 0.16.
+  for (const char* z : {"sign(u-0.2)*abs(u-0.2)^0.05", "abs(u-0.2)^0.05", "abs(u-v/3)^0.03"}) {
+    const MeshResult result = try_mesh(height_field(z), options()).value();
+    EXPECT_EQ(result.report.pole_count, 0U) << z;
+    EXPECT_EQ(result.report.jump_count, 0U) << z;
+  }
+}
+
+TEST(Poles, AreNoneWhereRadiiJump) {
+  const std::string radius = "(mod(floor(5*u)+floor(5*v),2)>0.5?1:0.9)*";
+  const Surface checkered =
+      surface_from_text(radius + "cos(u)*sin(v)", radius + "sin(u)*sin(v)", radius + "cos(v)",
+                        {0, 2 * kPi, 0, kPi}, {}, Order::Second);
+  EXPECT_EQ(try_mesh(checkered, options()).value().report.pole_count, 0U);
+}
+
+TEST(Poles, HaveFiniteVerticesBesideThem) {
+  for (const char* z : {"0.3*v+1e-4*ln(abs(u-0.378522))", "0.3*v+1e-6*ln(abs(u-0.378522))",
+                        "0.3*v+1e-4*ln(abs(u-0.5))", "1e-5*ln(abs(u-0.2*v))",
+                        "1e-4*ln(hypot(u-0.25,v-0.378522))"}) {
+    const MeshResult result = try_mesh(height_field(z), options()).value();
+    EXPECT_TRUE(std::ranges::all_of(result.mesh.position, is_finite)) << z;
+    EXPECT_GT(result.mesh.triangles.size(), 0U) << z;
+  }
+}
+
+/// The largest distance of places on triangles from a surface whose level lines are straight:
+/// `from_line` is the distance of (x, y) from that of a height.
+template <class FromLine>
+double distance_from_lines(const Mesh& mesh, double reach, FromLine from_line) {
+  constexpr int kParts = 6;    // of each side of a triangle
+  constexpr int kHeights = 8;  // up and down
+  double most = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (int a = 0; a <= kParts; ++a) {
+      for (int b = 0; a + b <= kParts; ++b) {
+        const dvec3 p = (static_cast<double>(a) * mesh.position[t[0]] +
+                         static_cast<double>(b) * mesh.position[t[1]] +
+                         static_cast<double>(kParts - a - b) * mesh.position[t[2]]) /
+                        static_cast<double>(kParts);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int k = -kHeights; k <= kHeights; ++k) {
+          const double up = reach * k / kHeights;
+          nearest = std::min(nearest, std::hypot(from_line(p, p.z + up), up));
+        }
+        most = std::max(most, nearest);
+      }
+    }
+  }
+  return most;
+}
+
+TEST(Poles, HaveNoTrianglesAcrossThemWhereTheSurfaceIsZero) {
+  // z = u/v: the line u = z v. z = (u+v)/(u-v): the line u (1-z) + v (1+z) = 0.
+  constexpr double kTolerance = 0.01;
+  // The largest error may lie between validation points.
+  constexpr double kMost = 1.05 * kTolerance;
+  MeshRequest request = within_length(kTolerance);
+  request.clip = Bounds{dvec3(-2, -2, -5), dvec3(2, 2, 5)};
+  const Domain domain = {-2, 2, -2, 2};
+  const auto ratio = [](const dvec3& p, double z) { return (p.x - z * p.y) / std::hypot(1, z); };
+  const auto sums = [](const dvec3& p, double z) {
+    return (p.x * (1 - z) + p.y * (1 + z)) / std::hypot(1 - z, 1 + z);
+  };
+  const Mesh of_ratio = try_mesh(height_field("u/v", domain), request).value().mesh;
+  EXPECT_LT(distance_from_lines(of_ratio, kTolerance, ratio), kMost);
+  const Mesh of_sums = try_mesh(height_field("(u+v)/(u-v)", domain), request).value().mesh;
+  EXPECT_LT(distance_from_lines(of_sums, kTolerance, sums), kMost);
 }
 
 TEST(Poles, AreToldFromJumpsWhereRoundingEndsTheWayToThem) {

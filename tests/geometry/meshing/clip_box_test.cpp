@@ -1,0 +1,35 @@
+// The box that a surface with thin poles is clipped to: it cuts no strips of what is beside them.
+#include "meshing/clip_box.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "mesh_checks.h"
+#include "meshing/tessellate.h"
+#include "scene/model/assignments.h"
+#include "scene/options/resolve.h"
+
+namespace saddle {
+namespace {
+
+TEST(ClipBox, ShowsThinPolesAndCutsNothingElse) {
+  constexpr double kPole = 0.378522;
+  for (const double c : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
+    Scene scene;
+    assign(scene, "c=" + std::to_string(c));
+    assign(scene, "z=c/(u-" + std::to_string(kPole) + ")");
+    scene = resolve(scene);
+    const Tessellation result = tessellate(scene, scene.surfaces.at(0), {.mesh = true}, 1);
+    const Bounds box = result.mesh.bounds;
+    EXPECT_GT(box.size().z, 0.499) << c << ": a quarter of the sides of its square";
+    // A height h is exceeded within c/h of the pole. The mesh ends on the box up to a tolerance,
+    // along two edges of length 2.
+    const double left_out = 2 * (c / box.high.z - c / box.low.z);
+    EXPECT_NEAR(area_in_uv(result.mesh), 4 - left_out, 4 * *result.report.tolerance) << c;
+    EXPECT_GT(result.report.pole_count, 0U) << c;
+  }
+}
+
+}  // namespace
+}  // namespace saddle
