@@ -166,6 +166,10 @@ class MeshFindings {
              "; --max-triangles allows more";
     }
     if (!exceeds_tolerance) return "";
+    if (report_.rounding) {
+      return "the mesh is" + off + ": its coordinates are so large that doubles round them by " +
+             number(*report_.rounding) + "; subtract what they have in common";
+    }
     if (report_.oscillates) {
       return "the surface oscillates faster than its tolerance shows, as at " +
              place(*report_.oscillates, domain_) + "; the mesh is" + off_by(report_) +

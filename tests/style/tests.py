@@ -11,6 +11,7 @@ BEHAVIOURS = {
     "geometry/mesh/grid_mesh_report",
     "geometry/mesh/poles",
     "geometry/mesh/rims",
+    "geometry/mesh/scales",
     "geometry/mesh/seams",
     "geometry/meshing/close_up",
     "geometry/meshing/dependent_domain",

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "base/compensated_sum.h"
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/facing.h"
@@ -119,18 +120,18 @@ class Finisher {
 
   /// The share of the domain that is in no leaf, nor in a sub-polygon of a leaf with a boundary.
   double undefined_fraction(const Domain& d) const {
-    double covered = 0;
+    CompensatedSum covered;
     for (const Leaf& leaf : mesh_.leaves) {
       const dvec2 size =
           tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
       if (!leaf.state.is_on_boundary() || has_only_thin_holes(leaf)) {
-        covered += std::fabs(size.x * size.y);
+        covered.add(std::fabs(size.x * size.y));
         continue;
       }
       for (const Polygon& sub_polygon : sub_polygons(leaf, tree_))
-        covered += std::fabs(area_of(sub_polygon));
+        covered.add(std::fabs(area_of(sub_polygon)));
     }
-    const double share = 1 - covered / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
+    const double share = 1 - covered.value() / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
     return share > kAllCovered ? share : 0;
   }
 
@@ -144,7 +145,8 @@ class Finisher {
       const double known = mesher_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
       const double off = std::max(mesh_.sampled_errors[k].distance, known);
       // A tolerance that varies: errors are scaled to the strictest one.
-      const double error = eps > *report.tolerance ? off / eps * *report.tolerance : off;
+      const bool varies = eps > *report.tolerance && !report.rounding;
+      const double error = varies ? off / eps * *report.tolerance : off;
       if (error > std::max(report.max_error, *report.tolerance)) {
         report.worst_place = tree_.vertices().parameters(leaf.middle());
       }

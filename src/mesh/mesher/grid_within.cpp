@@ -108,7 +108,7 @@ GridTrial try_grid(const Surface& surface, const MeshRequest& request, const Mes
   const SeenLines seen{marks(columns, grid.u.size()), marks(rows, grid.v.size())};
   const MeasuredError error = check_cells(surface, grid, seen, request.threads);
   trial.work.grid_samples += error.evaluations;
-  report.max_error = error.distance;
+  report.max_error = std::max(report.rounding.value_or(0), error.distance);
   report.max_normal_error = error.normal_degrees;
   const double turn = error.normal_degrees / request.normal_tolerance;
   const double excess = std::max(error.distance / plan.aim(grid.mesh.bounds.centre()), turn * turn);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include <glm/common.hpp>
+
 #include "mesh/features/nonsmooth_points.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
@@ -108,9 +110,16 @@ SingularSet singular_set(const Surface& surface, const MeshRequest& request, con
 
 bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
   const double diagonal = bounds.diagonal();
-  if (!std::isnormal(diagonal * diagonal)) return false;  // the error indicator squares lengths
+  // The error indicator squares lengths, and multiplies areas by lengths.
+  const double square = diagonal * diagonal;
+  if (!std::isnormal(square) || !std::isfinite(square * diagonal)) return false;
   const double eps = tolerance(bounds.centre());
   return eps > 0 && std::isfinite(eps);
+}
+
+double rounding_of_positions(const Bounds& bounds) {
+  const dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+  return kRoundingOfPositions * std::max({farthest.x, farthest.y, farthest.z});
 }
 
 }  // namespace
@@ -128,9 +137,10 @@ std::optional<MeshPlan> plan_mesh(const Surface& surface, const MeshRequest& req
   if (request.clip) probe.keep_within(*request.clip);
   const Tolerance tolerance = request.tolerance(probe);
   if (!is_usable(probe.bounds(), tolerance)) return std::nullopt;
+  const double rounding = rounding_of_positions(probe.bounds());
   MeshPlan plan{std::move(probe),
                 tolerance,
-                tolerance.times(kAim),
+                tolerance.times(kAim).at_least(rounding),
                 drawn_lines(surface.domain, request),
                 {},
                 {},
@@ -154,6 +164,11 @@ MeshReport report_of(const MeshPlan& plan) {
   const Bounds& bounds = plan.probe.bounds();
   report.reached_limit = plan.is_limited;
   report.tolerance = plan.tolerance(bounds.centre(), bounds.diagonal());
+  const double rounding = rounding_of_positions(bounds);
+  if (rounding > *report.tolerance) {
+    report.rounding = rounding;
+    report.max_error = rounding;
+  }
   report.least_triangles = plan.probe.least_triangles(plan.tolerance);
   return report;
 }

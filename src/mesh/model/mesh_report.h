@@ -73,6 +73,8 @@ struct MeshReport {
   std::size_t flat_triangles = 0;    ///< triangles left out: without area in double precision
   bool stopped_early = false;        ///< MeshRequest::stop: there is no mesh
   std::optional<double> tolerance;   ///< the limit of max_error
+  /// The rounding of positions, where it exceeds the tolerance: it is the limit in its place.
+  std::optional<double> rounding;
   double least_triangles = 0;        ///< estimate of the least that any mesh needs; 0: unknown
   bool reached_limit = false;        ///< the limit of triangles ended refinement
   bool budget_spent = false;         ///< the budget of effort ended refinement

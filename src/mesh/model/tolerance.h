@@ -1,6 +1,7 @@
 // The tolerance: the largest distance of mesh and surface that is allowed.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <optional>
@@ -37,6 +38,14 @@ class Tolerance {
     if (same_) return factor * *same_;
     return [factor, near = near_](const dvec3& place, double reach) {
       return factor * near(place, reach);
+    };
+  }
+
+  /// The larger of this tolerance and a length.
+  Tolerance at_least(double length) const {
+    if (same_) return std::max(*same_, length);
+    return [length, near = near_](const dvec3& place, double reach) {
+      return std::max(near(place, reach), length);
     };
   }
 

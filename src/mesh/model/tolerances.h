@@ -11,6 +11,9 @@ namespace saddle {
 /// 4 epsilon, relative to a coordinate: the rounding of a few operations. A smaller difference is
 /// none. Each coordinate has its own, so that a spike in one does not swallow the others.
 inline constexpr double kRounding = 0x1p-50;
+/// 2 epsilon, relative to the largest coordinate: a position and a sample of the surface are each
+/// rounded by up to 1/2 epsilon, and so are sums in formulas. No mesh is nearer than that.
+inline constexpr double kRoundingOfPositions = 0x1p-51;
 /// Relative: |r_u x r_v|^2 below this part of |r_u|^2 |r_v|^2 is 0. It is the square of
 /// kDegenerateCross of surface/normal.h.
 inline constexpr double kDegenerateCrossSquare = 1e-14;
