@@ -21,6 +21,15 @@ TEST(Enclosure, ADomainIsProvedUpToItsEdge) {
   EXPECT_EQ(enclosure("sqrt(1-u^2)", {1.125, 2}).defined, Defined::No);
 }
 
+TEST(Enclosure, KnowsThatAChoiceOfNanMayBeUndefined) {
+  for (const char* formula : {"(hypot(u,v)<0.01)?nan:0.2*u*v", "if(hypot(u,v)<0.01,0/0,u)",
+                              "u^2+v^2>=1e-4?u:nan", "(u^2+v^2<1e-4)?sqrt(-1-u^2):1"}) {
+    EXPECT_EQ(enclosure(formula, {-1, 1}, {-1, 1}).defined, Defined::Maybe) << formula;
+    EXPECT_EQ(enclosure(formula, {0.001, 0.005}, {0, 0.005}).defined, Defined::No) << formula;
+    EXPECT_EQ(enclosure(formula, {0.5, 1}, {-1, 1}).defined, Defined::Yes) << formula;
+  }
+}
+
 TEST(Enclosure, BoundsASineAndACosineThatATapeComputesTogether) {
   expect_proved(enclosure("sin(u*v)+2*cos(u*v)", {0, 1}, {1, 1}));
   const Interval sum = enclosure("sin(u*v)+2*cos(u*v)", {0, 0.25}, {1, 1});
