@@ -5,8 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
+
 #include "base/random.h"
 #include "eval/batch.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/sizing/find_seams.h"
 
 namespace saddle {
@@ -21,6 +24,13 @@ constexpr double kDip = 0.7;
 constexpr std::size_t kDipReach = 2;
 /// |r_u x r_v| along an edge is 0 if it is less than this part of the largest beside the edge.
 constexpr double kNoArea = 1e-6;
+
+/// In diagonals: samples on edges of the domain are hardly farther outside of the others, which are
+/// 1/64 of a range apart.
+constexpr double kFarOutside = 1.0 / 16;
+/// 8 epsilon, relative to the parameters: a place just inside of an edge, in which rounding of
+/// products with the parameter leads to no other value than inside.
+constexpr double kJustInside = 0x1p-49;
 
 /// The middles of even stretches of [first, last], each shifted.
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
@@ -140,14 +150,48 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
   }
 }
 
+/// Adds positions on edges of the domain to the bounds. One that is far outside is added if the
+/// surface just inside of the edge comes as far: at its end, floor(u) has a line of its own, which
+/// is no part of the surface.
+void Probe::add_to_bounds(const Surface& surface, std::span<const SurfacePoint> edges,
+                          std::span<const dvec2> uv) {
+  const double margin = kFarOutside * bounds_.diagonal();
+  const dvec2 low(std::min(domain_.u0, domain_.u1), std::min(domain_.v0, domain_.v1));
+  const dvec2 high(std::max(domain_.u0, domain_.u1), std::max(domain_.v0, domain_.v1));
+  const dvec2 reach = kJustInside * (glm::max(glm::abs(low), glm::abs(high)));
+  const Bounds inner{bounds_.low - margin, bounds_.high + margin};
+  std::vector<dvec2> inside;
+  std::vector<dvec3> far;
+  for (std::size_t k = 0; k < uv.size(); ++k) {
+    const dvec3& position = edges[k].position;
+    if (!is_finite(position)) continue;
+    if (bounds_.empty() || inner.contains(position)) {
+      bounds_.add(position);
+    } else {
+      far.push_back(position);
+      inside.push_back(glm::clamp(uv[k], low + reach, high - reach));
+    }
+  }
+  const std::vector<SurfacePoint> beside = evaluate(surface, inside, 1);
+  const double same = kLimitsAgree * bounds_.diagonal();
+  for (std::size_t k = 0; k < beside.size(); ++k) {
+    const dvec3& position = beside[k].position;
+    const bool is_edge = !is_finite(position) || glm::distance(position, far[k]) <= same;
+    bounds_.add(is_edge ? far[k] : position);
+  }
+}
+
 void Probe::sample_edges(const Surface& surface, unsigned threads) {
+  std::vector<SurfacePoint> points;
+  std::vector<dvec2> places;
   const auto sample = [&](std::span<const double> u, std::span<const double> v, bool along_u) {
     const GridColumns first(surface.tangents, u, v, threads);
     const GridColumns second(surface.curvatures, u, v, threads);
     const std::size_t axis = along_u ? 0 : 1;
     for (std::size_t i = 0; i < u.size() * v.size(); ++i) {
       const dvec3 position = first.vector(0, i);
-      if (is_finite(position)) bounds_.add(position);
+      points.push_back({position, {}, {}});
+      places.emplace_back(u[i % u.size()], v[i / u.size()]);
       const dvec3 tangent = glm::normalize(first.vector(3 + 3 * axis, i));
       const dvec3 bend = second.vector(6 * axis, i);
       const double across = glm::length(bend - glm::dot(bend, tangent) * tangent);
@@ -163,6 +207,7 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
   };
   sample(u_, std::array{domain_.v0, domain_.v1}, true);
   sample(std::array{domain_.u0, domain_.u1}, v_, false);
+  add_to_bounds(surface, points, places);
 }
 
 double Probe::area_beside(bool along_u, std::size_t end) const {

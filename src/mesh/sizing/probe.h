@@ -94,6 +94,8 @@ class Probe {
  private:
   void sample_inside(const Surface& surface, unsigned threads);
   void sample_edges(const Surface& surface, unsigned threads);
+  void add_to_bounds(const Surface& surface, std::span<const SurfacePoint> edges,
+                     std::span<const dvec2> uv);
   /// |r_u x r_v| of the k-th sample from an edge on, along a column (of constant u) or a row.
   double area(bool along_v, std::size_t line, std::size_t k) const {
     return samples_[along_v ? k * u_.size() + line : line * u_.size() + k].area;

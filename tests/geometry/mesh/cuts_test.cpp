@@ -367,5 +367,19 @@ TEST(Jumps, ThatMeetInAPointWithoutALimitTakeNoDenseMeshAroundIt) {
   }
 }
 
+TEST(Cuts, CountNoLineOnTheEdgeOfTheDomainAsSurface) {
+  // floor(u) is 2 at u = 2 alone: x ends at 3, and the tolerance is a share of that box.
+  const Surface steps =
+      surface_from_text("u+floor(u)", "v", "0", {-2, 2, -1, 1}, {}, Order::Second);
+  const MeshResult result = try_mesh(steps, within_share(1e-3)).value();
+  const double diagonal = std::hypot(3.0 - -4.0, 2.0);
+  // Samples end within 1/64 of the range of the edge that is left out.
+  EXPECT_NEAR(*result.report.tolerance, 1e-3 * diagonal, 1e-3 * diagonal / 64);
+  EXPECT_LE(result.mesh.bounds.high.x, 3);
+  // Edges that the surface reaches steeply count.
+  const Surface steep = height_field("(1-u)^-2", {-1, 0.9, -1, 1});
+  EXPECT_NEAR(try_mesh(steep, within_share(1e-3)).value().mesh.bounds.high.z, 100, 1e-9);
+}
+
 }  // namespace
 }  // namespace saddle
