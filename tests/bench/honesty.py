@@ -1,0 +1,125 @@
+#!/usr/bin/python3 -B
+"""How often saddle's word holds: 500 surfaces made by a seeded generator, each meshed by PROGRAM and
+measured by an oracle that shares no code with the mesher (tests/honesty/). Prints a table by kind and
+every run that is not right. With --formula, one surface:
+
+    honesty.py PROGRAM --formula 'z=sign(u*v) u=-2:2' -- --grid off"""
+import argparse
+import json
+import multiprocessing
+import os
+import pathlib
+import shlex
+import sys
+import time
+import traceback
+
+for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(threads, "1")
+try:
+    import numpy  # pylint: disable=unused-import
+    import scipy  # pylint: disable=unused-import
+except ImportError:
+    if sys.executable == "/usr/bin/python3" or os.environ.get("HONESTY_AGAIN"):
+        raise
+    os.environ["HONESTY_AGAIN"] = "1"
+    os.execv("/usr/bin/python3", ["/usr/bin/python3", "-B", *sys.argv])
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "honesty"))
+import corpus  # pylint: disable=wrong-import-position
+import verdict  # pylint: disable=wrong-import-position
+
+VERDICTS = ("right", "warned", "falsely warned", "silent", "understated", "certified wrongly",
+            "refused", "refused falsely", "timeout", "crash", "broken")
+
+
+def one(job):
+    program, case, seed = job
+    start = time.monotonic()
+    try:
+        result = verdict.judge(program, case.formulas, case.options, case.hints, seed + case.number)
+    except Exception:  # pylint: disable=broad-exception-caught
+        result = {"formulas": case.formulas, "options": case.options, "verdict": "oracle fails",
+                  "note": traceback.format_exc()}
+    return {"number": case.number, "kind": case.kind, **result,
+            "wall": round(time.monotonic() - start, 2)}
+
+
+def shown(result):
+    text = f"{result['number']:4} {result['kind']:12} {result['verdict']:17}"
+    if result.get("found") is not None:
+        told = result["told"]
+        text += f" found {result['found']:.4g} told {'nothing' if told is None else format(told, '.4g')}"
+    text += "  " + shlex.join(result["formulas"] + result["options"])
+    if result.get("u") is not None:
+        text += f"  ({result['way']} at u={result['u']:.10g} v={result['v']:.10g})"
+    if result.get("note"):
+        text += "\n       " + result["note"].strip().replace("\n", "\n       ")
+    return text
+
+
+def table(results):
+    kinds = sorted({result["kind"] for result in results})
+    names = [name for name in (*VERDICTS, "oracle fails")
+             if any(result["verdict"] == name for result in results)]
+    lines = ["| kind | surfaces | " + " | ".join(names) + " | s of CPU |",
+             "|" + " --- |" * (len(names) + 3)]
+    for kind in [*kinds, "all"]:
+        own = [result for result in results if kind in ("all", result["kind"])]
+        counts = [sum(result["verdict"] == name for result in own) for name in names]
+        cells = [str(count) if count else "" for count in counts]
+        lines.append(f"| {kind} | {len(own)} | " + " | ".join(cells) +
+                     f" | {sum(result.get('cpu', 0) for result in own):.1f} |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("options", nargs="*", help="options of saddle, after --, for --formula")
+    parser.add_argument("--formula", action="append", default=[],
+                        help="a surface in place of the corpus: formulas and options, as a shell's line")
+    parser.add_argument("--file", type=pathlib.Path, help="such lines, one a surface; # is a comment")
+    parser.add_argument("--kind", action="append", help="one kind of the corpus alone")
+    parser.add_argument("--only", type=int, action="append", help="one surface by its number")
+    parser.add_argument("--seed", type=int, default=corpus.SEED)
+    parser.add_argument("--count", type=int, default=corpus.COUNT)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--json", type=pathlib.Path, help="write a line of JSON for each surface")
+    parser.add_argument("--list", action="store_true", help="print the surfaces alone")
+    parser.add_argument("--all", action="store_true", help="print runs that are right, too")
+    options = parser.parse_args()
+
+    lines = list(options.formula)
+    if options.file:
+        lines += [line for line in options.file.read_text(encoding="utf-8").splitlines()
+                  if line.strip() and not line.startswith("#")]
+    if lines:
+        cases = [corpus.from_line(number, line, options.options) for number, line in enumerate(lines)]
+    else:
+        cases = [case for case in corpus.cases(options.seed, options.count)
+                 if (not options.kind or case.kind in options.kind)
+                 and (not options.only or case.number in options.only)]
+    if options.list:
+        for case in cases:
+            print(case.number, case.kind, shlex.join([*case.formulas, *case.options]))
+        return
+    program = str(pathlib.Path(options.program).resolve())
+    results = []
+    with multiprocessing.Pool(options.jobs) as pool:
+        for result in pool.imap(one, [(program, case, options.seed) for case in cases]):
+            results.append(result)
+            if result["verdict"] != "right" or options.all or lines:
+                print(shown(result), flush=True)
+            for warning in result.get("warnings", []) if lines or options.only else []:
+                print("       said: " + warning)
+            if options.json:
+                with open(options.json, "a" if len(results) > 1 else "w", encoding="utf-8") as file:
+                    file.write(json.dumps(result) + "\n")
+    print(table(results))
+    sys.exit(0 if all(result["verdict"] in ("right", "warned", "refused") for result in results) else 1)
+
+
+if __name__ == "__main__":
+    main()

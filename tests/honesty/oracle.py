@@ -1,0 +1,312 @@
+"""How far a mesh and its surface are apart, both ways, by means that the mesher does not have."""
+import numpy as np
+from scipy.spatial import cKDTree
+
+import places as where
+from nearest import Triangles
+from places import inside, length
+
+# A place counts as a part of the surface if two neighbours of twelve around it have its value.
+RADII = (1e-10, 1e-12, 3e-14, 1e-15)
+NEIGHBOURS = 12
+
+
+class Found:
+    """The largest distance and where it is."""
+
+    def __init__(self, distance=0.0, uv=None, point=None, way=""):
+        self.distance, self.uv, self.point, self.way = distance, uv, point, way
+
+
+def is_solid(surface, st, small, rng, precise=False):
+    """Whether values at places are shared by an open set beside them; single values count as none."""
+    values = surface(st)
+    solid = np.zeros(len(st), dtype=bool)
+    for radius in RADII:
+        angles = 2 * np.pi * (np.arange(NEIGHBOURS) + rng.random()) / NEIGHBOURS
+        around = st[:, None] + radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+        kept = ((around >= 0) & (around <= 1)).all(axis=-1)
+        got = (surface.precisely if precise else surface)(inside(around))
+        near = kept & (where.gap(got, values[:, None]) < small)
+        solid |= (near & np.roll(near, 1, axis=1)).any(axis=1)
+    return solid & ~np.isnan(values[:, 0])
+
+
+class Oracle:
+    def __init__(self, surface, mesh, unit, clip, seed, hints=(), effort=1):
+        self.surface, self.mesh, self.unit, self.clip = surface, mesh, unit, clip
+        self.hints, self.effort = hints, effort
+        self.rng = np.random.default_rng(seed)
+        self.small = 0.2 * unit
+        self.tree = Triangles(mesh.points, mesh.triangles)
+        self.mesh_st = surface.st(mesh.uv)
+        self.places = None
+
+    # --- the surface's places on the mesh -------------------------------------------------------
+
+    def counts(self, points):
+        """Points within the box that the surface is cut along."""
+        if self.clip is None:
+            return np.ones(len(points), dtype=bool)
+        return ((points >= self.clip[0]) & (points <= self.clip[1])).all(axis=-1)
+
+    def distances(self, points):
+        return np.where(self.counts(points), self.tree.distances(points)[0], 0)
+
+    def forward(self):
+        rng, small = self.rng, self.small
+        self.places = places = where.Places(self.surface)
+        where.add_even(places, small, 260 if self.effort == 1 else 600, rng, 6000 * self.effort)
+        where.add_edges(places, 2000, rng)
+        where.add_critical(places, small, rng, 220 * self.effort, 1200 * self.effort)
+        self._add_hints()
+        self._add_beside_mesh()
+        st, points = places.all()
+        distances = self.distances(points)
+        found = self._worst(st, points, distances)
+        for size in (0.01, 1e-3, 1e-4):
+            found = self._climb(st, distances, found, size)
+        return found
+
+    def _add_hints(self):
+        for hint in self.hints:
+            if hint[0] == "point":
+                _, u, v, scale = hint
+                centre = self.surface.st(np.array([[u, v]]))
+                where.add_near(self.places, centre, scale / 30, min(scale * 10, 0.5), 6000, self.small,
+                               self.rng)
+            else:
+                _, text, scale = hint
+                function = self.surface.function(text)
+                curve, _ = where.zeros(function, 300, 3000, self.rng)
+                where.add_along(self.places, curve, scale / 100, min(scale * 100, 0.3), self.small,
+                                self.rng, 4)
+
+    def _add_beside_mesh(self):
+        """Within triangles, as many in each, and beside corners."""
+        rng, count = self.rng, 30000 * self.effort
+        chosen = self.mesh.triangles[rng.integers(0, len(self.mesh.triangles), count)]
+        weights = rng.dirichlet((1, 1, 1), count)
+        corners = self.mesh_st[chosen]
+        st = np.einsum("nk,nkd->nd", weights, corners)
+        self.places.add(inside(st))
+        size = length(corners.max(axis=1) - corners.min(axis=1)).clip(1e-12)
+        beyond = st + where.spread(rng, count, 0.1, 3.0) * size[:, None]
+        self.places.add(inside(beyond))
+
+    def _worst(self, st, points, distances):
+        """The farthest place that is a part of the surface."""
+        order = np.argsort(-distances)
+        for first in range(0, len(order), 400):
+            block = order[first:first + 400]
+            if distances[block[0]] <= 0.5 * self.unit or first > 40000:
+                at = block[0]
+                return Found(distances[at], self.surface.uv(st[at]), points[at], "surface")
+            solid = is_solid(self.surface, st[block], self.small, self.rng)
+            if solid.any():
+                at = block[solid.argmax()]
+                return Found(distances[at], self.surface.uv(st[at]), points[at], "surface")
+        return Found()
+
+    def _diverse(self, st, distances, count, size):
+        """The worst places, one of each square of the parameters."""
+        order = np.argsort(-distances)[:20000]
+        _, first = np.unique(np.floor(st[order] / size), axis=0, return_index=True)
+        return st[order[np.sort(first)[:count]]]
+
+    def _climb(self, st, distances, found, size):
+        """Looks about the worst places: random ones, and where the surface jumps or ends."""
+        centres = self._diverse(st, distances, 24, size)
+        local = where.Places(self.surface)
+        off = where.spread(self.rng, len(centres) * 300, size * 1e-4, size * 2)
+        around = inside(np.repeat(centres, 300, axis=0) + off)
+        values = self.surface(around)
+        local.add(around, values)
+        pairs = self.rng.permutation(300)
+        grouped, got = around.reshape(-1, 300, 2), values.reshape(-1, 300, 3)
+        a, b = grouped.reshape(-1, 2), grouped[:, pairs].reshape(-1, 2)
+        ra, rb = got.reshape(-1, 3), got[:, pairs].reshape(-1, 3)
+        a, b = where.uneven(a, b, ra, rb, self.small, 1500, self.rng)
+        if len(a):
+            where.bisect(self.surface, a, b, local, 46)
+        own_st, own_points = local.all()
+        if not len(own_st):
+            return found
+        better = self._worst(own_st, own_points, self.distances(own_points))
+        return better if better.distance > found.distance else found
+
+    # --- the mesh's places on the surface -------------------------------------------------------
+
+    def samples(self):
+        """Corners, middles of edges, centroids and random points of triangles: points, places."""
+        rng, mesh = self.rng, self.mesh
+        points, st = mesh.points[mesh.triangles], self.mesh_st[mesh.triangles]
+        middles = st.mean(axis=1)
+        area = length(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]))
+        longest = np.max([length(points[:, k] - points[:, k - 1]) for k in range(3)], axis=0)
+        weights = [([1, 0, 0], None), ([0.5, 0.5, 0], None), ([0, 0.5, 0.5], None),
+                   ([1 / 3] * 3, None), (None, area), (None, longest)]
+        found = []
+        for weight, by in weights:
+            count = min(len(points), 25000 * self.effort) if by is None else 15000 * self.effort
+            if by is None:
+                chosen = rng.permutation(len(points))[:count]
+                w = np.broadcast_to(weight, (count, 3))
+            else:
+                total = by.sum()
+                chosen = rng.choice(len(points), count, p=by / total if total > 0 else None)
+                w = rng.dirichlet((0.7, 0.7, 0.7), count)
+            own = np.einsum("nk,nkd->nd", w, st[chosen])
+            size = length(st[chosen].max(axis=1) - st[chosen].min(axis=1))
+            found.append((np.einsum("nk,nkd->nd", w, points[chosen]), inside(own), middles[chosen], size))
+        return [np.concatenate(parts) for parts in zip(*found)]
+
+    def _distance(self, points, st):
+        return np.nan_to_num(length(self.surface(st) - points), nan=np.inf)
+
+    def backward(self):
+        points, st, middles, sizes = self.samples()
+        best = self._distance(points, st)
+        enough = 0.5 * self.unit
+        for share in (1e-12, 1e-6, 1e-2):  # toward the middle of the triangle
+            left = np.flatnonzero(best > enough)
+            tried = st[left] + share * (middles[left] - st[left])
+            best[left] = np.minimum(best[left], self._distance(points[left], tried))
+        for radius in (1e-13, 1e-9, 1e-5, 0.1):  # around, at shares of the triangle's size below 1e-4
+            left = np.flatnonzero(best > enough)
+            for angle in self.rng.random() + np.arange(6) * np.pi / 3:
+                step = radius * (sizes[left, None] if radius > 1e-4 else 1)
+                tried = inside(st[left] + step * np.array([np.cos(angle), np.sin(angle)]))
+                best[left] = np.minimum(best[left], self._distance(points[left], tried))
+        left = np.flatnonzero(best > enough)
+        certain = best[best <= enough].max(initial=0)
+        own_st, own_points = self.places.all()
+        start = st.copy()
+        if len(left) and len(own_points):
+            near, which = cKDTree(own_points[:400000]).query(points[left])
+            closer = near < best[left]
+            best[left] = np.minimum(best[left], near)
+            start[left[closer]] = own_st[which[closer]]
+            left = left[best[left] > enough]
+        most = 2400 * self.effort
+        if len(left) > most:
+            order = left[np.argsort(-best[left])]
+            left = np.concatenate([order[:most // 2],
+                                   self.rng.choice(order[most // 2:], most // 2, replace=False)])
+        found = Found(certain, way="mesh")
+        for first in range(0, len(left), 800):
+            block = left[first:first + 800]
+            got, at = self.closest(points[block], start[block], sizes[block], best[block])
+            worst = got.argmax()
+            if got[worst] > found.distance:
+                n = block[worst]
+                found = Found(got[worst], self.surface.uv(st[n]), points[n], "mesh")
+        return found
+
+    def closest(self, points, st, sizes, best, rounds=2):
+        """Least distances of points to the surface, looking from given places."""
+        best, at = best.copy(), st.copy()
+        got = self._distance(points, at)
+        best = np.minimum(best, got)
+        active = np.arange(len(points))
+        for turn in range(rounds * self.effort):
+            radius = np.maximum(4 * sizes[active], 0.02) if turn % 2 == 0 else np.full(len(active), 0.3)
+            better, place = self._look_around(points[active], at[active], radius)
+            gain = better < got[active]
+            at[active[gain]], got[active[gain]] = place[gain], better[gain]
+            better, place = self._descend(points[active], at[active], sizes[active])
+            gain = better < got[active]
+            at[active[gain]], got[active[gain]] = place[gain], better[gain]
+            best = np.minimum(best, got)
+            active = active[best[active] > 0.8 * self.unit]
+            if not len(active):
+                break
+        return best, at
+
+    def _look_around(self, points, st, radius, directions=10, lengths=13):
+        """Rays around places; where the line between two samples passes nearest, it is halved."""
+        count = len(points)
+        angles = self.rng.random(count)[:, None] + 2 * np.pi * np.arange(directions) / directions
+        way = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+        radii = radius[:, None] * 10.0 ** (-np.arange(lengths) * 0.9)
+        around = inside(st[:, None, None] + way[:, :, None] * radii[:, None, :, None])
+        values = self.surface(around)
+        pairs_a = [around[:, :, 1:].reshape(count, -1, 2), around.reshape(count, -1, 2)]
+        pairs_b = [around[:, :, :-1].reshape(count, -1, 2),
+                   np.roll(around, 1, axis=1).reshape(count, -1, 2)]
+        values_a = [values[:, :, 1:].reshape(count, -1, 3), values.reshape(count, -1, 3)]
+        values_b = [values[:, :, :-1].reshape(count, -1, 3),
+                    np.roll(values, 1, axis=1).reshape(count, -1, 3)]
+        a, b = np.concatenate(pairs_a, axis=1), np.concatenate(pairs_b, axis=1)
+        ra, rb = np.concatenate(values_a, axis=1), np.concatenate(values_b, axis=1)
+        near = self._to_segments(points[:, None], ra, rb)
+        direct = np.nan_to_num(length(ra - points[:, None]), nan=np.inf)
+        rows = np.arange(count)
+        which = direct.argmin(axis=1)
+        best, at = direct[rows, which], a[rows, which]
+        for k in np.argsort(near, axis=1)[:, :4].T:
+            got, place = self._halve(points, a[rows, k], b[rows, k], ra[rows, k], rb[rows, k])
+            at = np.where((got < best)[:, None], place, at)
+            best = np.minimum(best, got)
+        return best, at
+
+    def _to_segments(self, points, a, b):
+        """Distances to segments; to the defined end of those that leave the surface."""
+        d = np.nan_to_num(b - a)
+        square = (d * d).sum(axis=-1)
+        start = np.where(np.isnan(a), b, a)
+        along = ((points - start) * d).sum(axis=-1) / np.where(square > 0, square, 1)
+        foot = start + np.clip(np.nan_to_num(along), 0, 1)[..., None] * d
+        return np.nan_to_num(length(points - foot), nan=np.inf)
+
+    def _halve(self, points, a, b, ra, rb, steps=48):
+        best, at = np.full(len(points), np.inf), a
+        for _ in range(steps):
+            middle = (a + b) / 2
+            rm = self.surface(middle)
+            distance = np.nan_to_num(length(rm - points), nan=np.inf)
+            at = np.where((distance < best)[:, None], middle, at)
+            best = np.minimum(best, distance)
+            left, right = self._to_segments(points, ra, rm), self._to_segments(points, rm, rb)
+            keep_left = left <= right
+            # Where one end is undefined, toward the end of the surface.
+            lost_a, lost_b, lost = (np.isnan(r[:, 0]) for r in (ra, rb, rm))
+            keep_left = np.where(lost_a & ~lost_b, ~lost, np.where(lost_b & ~lost_a, lost, keep_left))
+            a, ra = np.where(keep_left[:, None], a, middle), np.where(keep_left[:, None], ra, rm)
+            b, rb = np.where(keep_left[:, None], middle, b), np.where(keep_left[:, None], rm, rb)
+        return best, at
+
+    def _descend(self, points, st, sizes, steps=26):
+        """Steps of Gauss and Newton, and to the sides, from the best place so far."""
+        best, at = self._distance(points, st), st
+        step = np.maximum(sizes, 1e-3)
+        sides = np.array([[1, 0], [-1, 0], [0, 1], [0, -1]], dtype=float)
+        for _ in range(steps):
+            h = np.clip(step * 1e-3, 1e-9, 1e-5)[:, None]
+            tried = [inside(at + step[:, None] * side) for side in sides]
+            ds, dt = h * sides[0], h * sides[2]
+            du = (self.surface(inside(at + ds)) - self.surface(inside(at - ds))) / (2 * h)
+            dv = (self.surface(inside(at + dt)) - self.surface(inside(at - dt))) / (2 * h)
+            rest = points - self.surface(at)
+            tried.append(inside(at + _solve(du, dv, rest)))
+            candidates = np.stack(tried, axis=1)
+            distance = np.nan_to_num(length(self.surface(candidates) - points[:, None]), nan=np.inf)
+            which = distance.argmin(axis=1)
+            rows = np.arange(len(points))
+            better = distance[rows, which] < best
+            at = np.where(better[:, None], candidates[rows, which], at)
+            best = np.minimum(best, distance[rows, which])
+            step = np.where(better, step, step / 3)
+        return best, at
+
+
+def _solve(du, dv, rest):
+    """Steps of Gauss and Newton: the least squares of two tangents; none where they are undefined."""
+    a, b, c = (du * du).sum(axis=-1), (du * dv).sum(axis=-1), (dv * dv).sum(axis=-1)
+    p, q = (du * rest).sum(axis=-1), (dv * rest).sum(axis=-1)
+    # 1e-12 of both squares keeps a tangent that vanishes from blowing up the step.
+    a, c = a * (1 + 1e-12) + 1e-300, c * (1 + 1e-12) + 1e-300
+    with np.errstate(all="ignore"):
+        det = a * c - b * b
+        step = np.stack([(c * p - b * q) / det, (a * q - b * p) / det], axis=-1)
+    return np.clip(np.nan_to_num(step, nan=0, posinf=0, neginf=0), -0.5, 0.5)

@@ -1,0 +1,245 @@
+"""One run of saddle, judged: what it says of its mesh against what the oracle finds."""
+import json
+import os
+import pathlib
+import re
+import resource
+import signal
+import subprocess
+import tempfile
+import threading
+
+import numpy as np
+
+from language import Surface
+from mesh import read_ply
+from oracle import Oracle, is_solid
+
+RIGHT = 1.02          # of a tolerance: errors of rounding and of the search
+UNDERSTATED = 1.1     # of what is told
+OVERSTATED = 3.0      # told for one that is found
+CPU_SECONDS = 60
+WALL_SECONDS = 400    # for loaded machines
+MEMORY = 6 << 30
+# Texts of warnings that tell of an error of the mesh.
+TELLS = ("off by up to", "is off", "missing", "not shown", "may be missing", "may hide")
+UNIT_NORMAL = 1e-5    # normals are written as floats
+NUMBER = r"-?(?:\d+\.?\d*(?:e[-+]?\d+)?|inf)"
+
+
+class Run:
+    """What saddle wrote and said."""
+
+    def __init__(self, program, arguments):
+        self.mesh = self.report = None
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            command = [program, *arguments, "--threads", "1", "-o", str(folder / "m.ply"), "--report",
+                       str(folder / "r.json")]
+            self._start(command, folder)
+            if (folder / "r.json").exists():
+                self.report = json.loads((folder / "r.json").read_text())
+            if self.status == 0:
+                self.mesh = read_ply(folder / "m.ply")
+
+    def _start(self, command, folder):
+        def limits():
+            resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS, CPU_SECONDS + 5))
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        with open(folder / "said", "w+", encoding="utf-8") as said:
+            child = subprocess.Popen(command, stdout=said, stderr=said, stdin=subprocess.DEVNULL,
+                                     preexec_fn=limits, cwd=folder)
+            timer = threading.Timer(WALL_SECONDS, child.kill)
+            timer.start()
+            _, status, usage = os.wait4(child.pid, 0)
+            timer.cancel()
+            child.returncode = 0
+            said.seek(0)
+            self.said = said.read()
+        self.cpu = usage.ru_utime + usage.ru_stime
+        self.status = os.waitstatus_to_exitcode(status)
+        self.timed_out = self.status in (-signal.SIGXCPU, -signal.SIGKILL)
+
+
+def clip_box(report):
+    """The box that warnings name; their four digits are rounded inward, or to the mesh's own bounds."""
+    text = next((re.search(r"clipped to (.*?);", w).group(1) for w in report["warnings"]
+                 if "clipped to" in w), None)
+    if text is None:
+        return None
+    bounds = report["surfaces"][0]["bounds"]
+    box = np.array([[-np.inf] * 3, [np.inf] * 3])
+    for name, low, high, up, down in re.findall(
+            rf"([xyz])(?: = ({NUMBER}):({NUMBER})| from ({NUMBER}) up| up to ({NUMBER}))", text):
+        k = "xyz".index(name)
+        for side, face in ((0, low or up), (1, high or down)):
+            if not face:
+                continue
+            value = float(face)
+            slack = 6e-4 * abs(value)
+            end = bounds[side][k]
+            exact = end is not None and abs(end - value) <= slack
+            box[side, k] = end if exact else value + (slack if side == 0 else -slack)
+    return box
+
+
+def _told(surface_report, warnings):
+    return any(word in warning for word in TELLS for warning in warnings), surface_report["max_error"]
+
+
+def broken(mesh):
+    """Faults that need no surface: numbers that are not finite, normals that are no unit vectors."""
+    bad = int((~np.isfinite(mesh.points).all(axis=1)).sum())
+    if bad:
+        return f"{bad} vertices not finite"
+    length = np.sqrt((mesh.normals ** 2).sum(axis=1))
+    bad = int((~(np.abs(length - 1) < UNIT_NORMAL)).sum())
+    return f"{bad} normals not unit" if bad else ""
+
+
+def false_words(surface, report):
+    """Statements that the formulas exclude."""
+    of = report["surfaces"][0]
+    said = []
+    if of["poles_count"] and not surface.may_have_poles:
+        said.append("goes to infinity")
+    if of["undefined_fraction"] and not surface.may_be_undefined and not surface.may_have_poles:
+        said.append("undefined")
+    return said
+
+
+def refused(run, surface, seed):
+    """A refusal is right if no place has a value."""
+    import places as where
+    rng = np.random.default_rng(seed)
+    seen = where.Places(surface)
+    where.add_even(seen, 1e-9, 400, rng)
+    where.add_critical(seen, 1e-9, rng)
+    st, _ = seen.all()
+    if run.status == 3 and len(st):
+        st = st[is_solid(surface, st, np.inf, rng)]
+        if len(st):
+            u, v = surface.uv(st[0])
+            return f"refused falsely: defined at u={u:.17g}, v={v:.17g}"
+    return "refused"
+
+
+def judge(program, formulas, options=(), hints=(), seed=0):
+    """The verdict on one surface: a dictionary."""
+    result = {"formulas": list(formulas), "options": list(options)}
+    surface = Surface(formulas)
+    run = Run(program, [*formulas, *options])
+    result.update(cpu=round(run.cpu, 3), status=run.status, verdict="", found=None, told=None,
+                  warnings=[])
+    if run.timed_out:
+        return result | {"verdict": "timeout"}
+    if run.status == 3:
+        text = refused(run, surface, seed)
+        kind = "refused falsely" if "falsely" in text else "refused"
+        return result | {"verdict": kind, "note": text + " | " + run.said.strip()[:200]}
+    if run.status != 0:
+        return result | {"verdict": "crash", "note": run.said.strip()[:300]}
+    of = run.report["surfaces"][0]
+    result["warnings"] = run.report["warnings"]
+    result["triangles"] = of["triangles"]
+    fault = broken(run.mesh)
+    if fault:
+        return result | {"verdict": "broken", "note": fault}
+    told_by_words, told = _told(of, run.report["warnings"])
+    unit = of["tolerance"]
+    if unit is None:
+        bounds = np.array(of["bounds"], dtype=float)
+        unit = max(told or 0, 1e-3 * float(np.linalg.norm(bounds[1] - bounds[0])))
+    if not unit > 0:
+        return result | {"verdict": "right", "note": "no extent", "found": 0.0, "told": told}
+    found, oracle = measure(surface, run.mesh, unit, clip_box(run.report), seed, hints)
+    if found.distance > RIGHT * unit:
+        verdict = name_of(found.distance, told, unit, told_by_words, surface, run.report)
+        if verdict in ("silent", "understated", "certified wrongly"):
+            found = confirmed(found, surface, run.mesh, unit, oracle, seed, hints)
+    verdict = name_of(found.distance, told, unit, told_by_words, surface, run.report)
+    result.update(verdict=verdict, found=round(found.distance / unit, 4),
+                  told=None if told is None else round(told / unit, 4), unit=unit, way=found.way,
+                  certified=of["certified"])
+    if found.uv is not None:
+        result["u"], result["v"] = (float(np.asarray(x)) for x in found.uv)
+        result["point"] = [float(x) for x in found.point]
+    words = false_words(surface, run.report)
+    if words:
+        result["note"] = "false: " + ", ".join(words)
+        if verdict in ("right", "warned"):
+            result["verdict"] = "falsely warned"
+    return result
+
+
+def measure(surface, mesh, unit, clip, seed, hints, effort=1):
+    oracle = Oracle(surface, mesh, unit, clip, seed, hints, effort)
+    forward, backward = oracle.forward(), oracle.backward()
+    best = forward if forward.distance >= backward.distance else backward
+    best.other = min(forward.distance, backward.distance)
+    return best, oracle
+
+
+def confirmed(found, surface, mesh, unit, oracle, seed, hints):
+    """The same again by a stricter search: of the place itself, then of all."""
+    rng = np.random.default_rng(seed + 1)
+    st = surface.st(np.array([[float(np.asarray(x)) for x in found.uv]]))
+    if found.way == "surface":
+        same = np.abs(surface.precisely(st) - found.point).max()
+        if same < 0.05 * unit and is_solid(surface, st, 0.2 * unit, rng, precise=True)[0]:
+            return found
+    else:
+        best = distance_to_surface(oracle, found.point, st)
+        if best > RIGHT * unit:
+            found.distance = min(found.distance, best)
+            return found
+    again, _ = measure(surface, mesh, unit, oracle.clip, seed + 2, hints)
+    if again.way == "surface":
+        st = surface.st(np.array([[float(np.asarray(x)) for x in again.uv]])) if again.uv else st
+        if np.abs(surface.precisely(st) - again.point).max() < 0.05 * unit:
+            return again
+    elif again.uv is not None and again.distance > RIGHT * unit:
+        best = distance_to_surface(oracle, again.point, st)
+        again.distance = min(again.distance, best)
+        return again
+    found.distance = min(found.distance, RIGHT * unit)
+    return found
+
+
+def distance_to_surface(oracle, point, st, tries=24):
+    """The least distance that many starts find: the nearest of a dense sample, and the place itself."""
+    import places as where
+    surface = oracle.surface
+    sample = where.Places(surface)
+    where.add_even(sample, oracle.small, 900, oracle.rng, 20000)
+    where.add_critical(sample, oracle.small, oracle.rng, 400, 3000)
+    places, points = sample.all()
+    own_places, own_points = oracle.places.all()
+    places, points = np.concatenate([places, own_places]), np.concatenate([points, own_points])
+    distance = np.sqrt(((points - point) ** 2).sum(axis=1))
+    order = np.argsort(distance)[:tries * 50:50]
+    starts = np.concatenate([st, places[order]])
+    at = np.broadcast_to(point, (len(starts), 3))
+    least = np.inf
+    for size in (0.3, 1e-2, 1e-4):
+        got, _ = oracle.closest(at, starts, np.full(len(starts), size), np.full(len(starts), np.inf), 4)
+        least = min(least, got.min())
+    return min(least, distance.min(initial=np.inf))
+
+
+def name_of(distance, told, unit, told_by_words, surface, report):
+    """The verdict, from distances in the surface's units."""
+    del surface
+    of = report["surfaces"][0]
+    off = distance > RIGHT * unit
+    told = np.inf if told is None else told
+    says = told > RIGHT * unit or told_by_words or of["tolerance"] is None
+    if off and of["certified"]:
+        return "certified wrongly"
+    if off and not says:
+        return "silent"
+    if off and distance > UNDERSTATED * max(told, unit):
+        return "understated"
+    if told > RIGHT * unit and told > OVERSTATED * distance:
+        return "falsely warned"
+    return "warned" if off or told > RIGHT * unit else "right"
