@@ -9,13 +9,16 @@ from places import inside, length
 # A place counts as a part of the surface if two neighbours of twelve around it have its value.
 RADII = (1e-10, 1e-12, 3e-14, 1e-15)
 NEIGHBOURS = 12
+# Lines between samples that a search halves: at first, and of these the nearest to the last digit.
+BROAD, NARROW = 14, 4
 
 
 class Found:
-    """The largest distance and where it is."""
+    """The largest distance, where it is, and the next best places."""
 
-    def __init__(self, distance=0.0, uv=None, point=None, way=""):
-        self.distance, self.uv, self.point, self.way = distance, uv, point, way
+    def __init__(self, way, distance=0.0, st=None, point=None, candidates=()):
+        self.way, self.distance, self.st, self.point = way, distance, st, point
+        self.candidates = [self, *candidates] if st is not None else []
 
 
 def is_solid(surface, st, small, rng, precise=False):
@@ -30,6 +33,15 @@ def is_solid(surface, st, small, rng, precise=False):
         near = kept & (where.gap(got, values[:, None]) < small)
         solid |= (near & np.roll(near, 1, axis=1)).any(axis=1)
     return solid & ~np.isnan(values[:, 0])
+
+
+def found_of(way, distances, st, points, most=6):
+    """The largest of distances; a few more as candidates."""
+    order = np.argsort(-distances)
+    order = np.unique(np.concatenate([order[:1], order[1:][::max(1, len(order) // most)]]))
+    order = order[np.argsort(-distances[order])]
+    all_found = [Found(way, distances[n], st[n], points[n]) for n in order[:most]]
+    return Found(way, distances[order[0]], st[order[0]], points[order[0]], all_found[1:])
 
 
 class Oracle:
@@ -95,18 +107,17 @@ class Oracle:
         self.places.add(inside(beyond))
 
     def _worst(self, st, points, distances):
-        """The farthest place that is a part of the surface."""
+        """The farthest places that are a part of the surface."""
         order = np.argsort(-distances)
-        for first in range(0, len(order), 400):
+        for first in range(0, min(len(order), 40000), 400):
             block = order[first:first + 400]
-            if distances[block[0]] <= 0.5 * self.unit or first > 40000:
-                at = block[0]
-                return Found(distances[at], self.surface.uv(st[at]), points[at], "surface")
-            solid = is_solid(self.surface, st[block], self.small, self.rng)
-            if solid.any():
-                at = block[solid.argmax()]
-                return Found(distances[at], self.surface.uv(st[at]), points[at], "surface")
-        return Found()
+            if distances[block[0]] <= 0.5 * self.unit:
+                break
+            block = block[is_solid(self.surface, st[block], self.small, self.rng)]
+            if len(block):
+                return found_of("surface", distances[block], st[block], points[block])
+        block = order[first:first + 1]
+        return found_of("surface", distances[block], st[block], points[block])
 
     def _diverse(self, st, distances, count, size):
         """The worst places, one of each square of the parameters."""
@@ -193,14 +204,16 @@ class Oracle:
             order = left[np.argsort(-best[left])]
             left = np.concatenate([order[:most // 2],
                                    self.rng.choice(order[most // 2:], most // 2, replace=False)])
-        found = Found(certain, way="mesh")
+        found = Found("mesh", certain)
         for first in range(0, len(left), 800):
             block = left[first:first + 800]
-            got, at = self.closest(points[block], start[block], sizes[block], best[block])
-            worst = got.argmax()
-            if got[worst] > found.distance:
-                n = block[worst]
-                found = Found(got[worst], self.surface.uv(st[n]), points[n], "mesh")
+            got, _ = self.closest(points[block], st[block], sizes[block], best[block])
+            far = np.flatnonzero(got > 0.8 * self.unit)
+            if len(far):
+                got[far], _ = self.closest(points[block[far]], start[block[far]], sizes[block[far]],
+                                           got[far])
+            if got.max() > found.distance:
+                found = found_of("mesh", got, st[block], points[block])
         return found
 
     def closest(self, points, st, sizes, best, rounds=2):
@@ -244,10 +257,16 @@ class Oracle:
         rows = np.arange(count)
         which = direct.argmin(axis=1)
         best, at = direct[rows, which], a[rows, which]
-        for k in np.argsort(near, axis=1)[:, :4].T:
-            got, place = self._halve(points, a[rows, k], b[rows, k], ra[rows, k], rb[rows, k])
-            at = np.where((got < best)[:, None], place, at)
-            best = np.minimum(best, got)
+        chosen = np.argsort(near, axis=1)[:, :BROAD]
+        pairs = [array[rows[:, None], chosen] for array in (a, b, ra, rb)]
+        for width, steps in ((BROAD, 9), (NARROW, 40)):
+            near = self._to_segments(points[:, None], pairs[2], pairs[3])
+            chosen = np.argsort(near, axis=1)[:, :width]
+            pairs = [array[rows[:, None], chosen] for array in pairs]
+            got, place, pairs = self._halve(points[:, None], *pairs, steps)
+            which = got.argmin(axis=1)
+            at = np.where((got[rows, which] < best)[:, None], place[rows, which], at)
+            best = np.minimum(best, got[rows, which])
         return best, at
 
     def _to_segments(self, points, a, b):
@@ -259,22 +278,23 @@ class Oracle:
         foot = start + np.clip(np.nan_to_num(along), 0, 1)[..., None] * d
         return np.nan_to_num(length(points - foot), nan=np.inf)
 
-    def _halve(self, points, a, b, ra, rb, steps=48):
-        best, at = np.full(len(points), np.inf), a
+    def _halve(self, points, a, b, ra, rb, steps):
+        """Halves pairs toward points; the nearest places on the way, and the last pairs."""
+        best, at = np.full(a.shape[:-1], np.inf), a
         for _ in range(steps):
             middle = (a + b) / 2
             rm = self.surface(middle)
             distance = np.nan_to_num(length(rm - points), nan=np.inf)
-            at = np.where((distance < best)[:, None], middle, at)
+            at = np.where((distance < best)[..., None], middle, at)
             best = np.minimum(best, distance)
             left, right = self._to_segments(points, ra, rm), self._to_segments(points, rm, rb)
-            keep_left = left <= right
             # Where one end is undefined, toward the end of the surface.
-            lost_a, lost_b, lost = (np.isnan(r[:, 0]) for r in (ra, rb, rm))
-            keep_left = np.where(lost_a & ~lost_b, ~lost, np.where(lost_b & ~lost_a, lost, keep_left))
-            a, ra = np.where(keep_left[:, None], a, middle), np.where(keep_left[:, None], ra, rm)
-            b, rb = np.where(keep_left[:, None], middle, b), np.where(keep_left[:, None], rm, rb)
-        return best, at
+            lost_a, lost_b, lost = (np.isnan(r[..., 0]) for r in (ra, rb, rm))
+            keep_left = np.where(lost_a & ~lost_b, ~lost, np.where(lost_b & ~lost_a, lost, left <= right))
+            keep_left = keep_left[..., None]
+            a, ra = np.where(keep_left, a, middle), np.where(keep_left, ra, rm)
+            b, rb = np.where(keep_left, middle, b), np.where(keep_left, rm, rb)
+        return best, at, [a, b, ra, rb]
 
     def _descend(self, points, st, sizes, steps=26):
         """Steps of Gauss and Newton, and to the sides, from the best place so far."""

@@ -18,6 +18,8 @@ from oracle import Oracle, is_solid
 RIGHT = 1.02          # of a tolerance: errors of rounding and of the search
 UNDERSTATED = 1.1     # of what is told
 OVERSTATED = 3.0      # told for one that is found
+# Verdicts that are told after a second search alone.
+ACCUSATIONS = ("silent", "understated", "certified wrongly")
 CPU_SECONDS = 60
 WALL_SECONDS = 400    # for loaded machines
 MEMORY = 6 << 30
@@ -152,17 +154,19 @@ def judge(program, formulas, options=(), hints=(), seed=0):
         unit = max(told or 0, 1e-3 * float(np.linalg.norm(bounds[1] - bounds[0])))
     if not unit > 0:
         return result | {"verdict": "right", "note": "no extent", "found": 0.0, "told": told}
-    found, oracle = measure(surface, run.mesh, unit, clip_box(run.report), seed, hints)
-    if found.distance > RIGHT * unit:
-        verdict = name_of(found.distance, told, unit, told_by_words, surface, run.report)
-        if verdict in ("silent", "understated", "certified wrongly"):
-            found = confirmed(found, surface, run.mesh, unit, oracle, seed, hints)
-    verdict = name_of(found.distance, told, unit, told_by_words, surface, run.report)
+    oracle = Oracle(surface, run.mesh, unit, clip_box(run.report), seed, hints)
+    both = [oracle.forward(), oracle.backward()]
+    for k, found in enumerate(both):
+        if name_of(found.distance, told, unit, told_by_words, run.report) in ACCUSATIONS:
+            both[k] = confirmed(found, oracle, seed)
+    found = max(both, key=lambda way: way.distance)
+    result["surface"], result["mesh"] = (round(way.distance / unit, 4) for way in both)
+    verdict = name_of(found.distance, told, unit, told_by_words, run.report)
     result.update(verdict=verdict, found=round(found.distance / unit, 4),
                   told=None if told is None else round(told / unit, 4), unit=unit, way=found.way,
                   certified=of["certified"])
-    if found.uv is not None:
-        result["u"], result["v"] = (float(np.asarray(x)) for x in found.uv)
+    if found.st is not None:
+        result["u"], result["v"] = (float(x) for x in surface.uv(found.st))
         result["point"] = [float(x) for x in found.point]
     words = false_words(surface, run.report)
     if words:
@@ -172,37 +176,21 @@ def judge(program, formulas, options=(), hints=(), seed=0):
     return result
 
 
-def measure(surface, mesh, unit, clip, seed, hints, effort=1):
-    oracle = Oracle(surface, mesh, unit, clip, seed, hints, effort)
-    forward, backward = oracle.forward(), oracle.backward()
-    best = forward if forward.distance >= backward.distance else backward
-    best.other = min(forward.distance, backward.distance)
-    return best, oracle
-
-
-def confirmed(found, surface, mesh, unit, oracle, seed, hints):
-    """The same again by a stricter search: of the place itself, then of all."""
+def confirmed(found, oracle, seed):
+    """The distance by a stricter search; the oracle's next best places if the first is no proof."""
     rng = np.random.default_rng(seed + 1)
-    st = surface.st(np.array([[float(np.asarray(x)) for x in found.uv]]))
-    if found.way == "surface":
-        same = np.abs(surface.precisely(st) - found.point).max()
-        if same < 0.05 * unit and is_solid(surface, st, 0.2 * unit, rng, precise=True)[0]:
-            return found
-    else:
-        best = distance_to_surface(oracle, found.point, st)
-        if best > RIGHT * unit:
-            found.distance = min(found.distance, best)
-            return found
-    again, _ = measure(surface, mesh, unit, oracle.clip, seed + 2, hints)
-    if again.way == "surface":
-        st = surface.st(np.array([[float(np.asarray(x)) for x in again.uv]])) if again.uv else st
-        if np.abs(surface.precisely(st) - again.point).max() < 0.05 * unit:
-            return again
-    elif again.uv is not None and again.distance > RIGHT * unit:
-        best = distance_to_surface(oracle, again.point, st)
-        again.distance = min(again.distance, best)
-        return again
-    found.distance = min(found.distance, RIGHT * unit)
+    for candidate in found.candidates:
+        st, point = candidate.st[None], candidate.point
+        if found.way == "surface":
+            same = np.abs(oracle.surface.precisely(st) - point).max()
+            proved = candidate.distance if same < 0.05 * oracle.unit and is_solid(
+                oracle.surface, st, 0.2 * oracle.unit, rng, precise=True)[0] else 0
+        else:
+            proved = min(candidate.distance, distance_to_surface(oracle, point, st))
+        if proved > RIGHT * oracle.unit:
+            candidate.distance = proved
+            return candidate
+    found.distance = min(found.distance, RIGHT * oracle.unit)
     return found
 
 
@@ -210,10 +198,11 @@ def distance_to_surface(oracle, point, st, tries=24):
     """The least distance that many starts find: the nearest of a dense sample, and the place itself."""
     import places as where
     surface = oracle.surface
-    sample = where.Places(surface)
-    where.add_even(sample, oracle.small, 900, oracle.rng, 20000)
-    where.add_critical(sample, oracle.small, oracle.rng, 400, 3000)
-    places, points = sample.all()
+    if not hasattr(oracle, "dense"):
+        oracle.dense = where.Places(surface)
+        where.add_even(oracle.dense, oracle.small, 700, oracle.rng, 20000)
+        where.add_critical(oracle.dense, oracle.small, oracle.rng, 300, 3000)
+    places, points = oracle.dense.all()
     own_places, own_points = oracle.places.all()
     places, points = np.concatenate([places, own_places]), np.concatenate([points, own_points])
     distance = np.sqrt(((points - point) ** 2).sum(axis=1))
@@ -227,9 +216,8 @@ def distance_to_surface(oracle, point, st, tries=24):
     return min(least, distance.min(initial=np.inf))
 
 
-def name_of(distance, told, unit, told_by_words, surface, report):
+def name_of(distance, told, unit, told_by_words, report):
     """The verdict, from distances in the surface's units."""
-    del surface
     of = report["surfaces"][0]
     off = distance > RIGHT * unit
     told = np.inf if told is None else told
