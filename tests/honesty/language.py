@@ -222,6 +222,15 @@ def _critical(tree, found):
         _critical(argument, found)
 
 
+def _factors(tree):
+    """The parts of a product that are not constant: its zeros are theirs, each crossed once."""
+    if tree[0] == "call" and tree[1] == "*":
+        return [factor for argument in tree[2] for factor in _factors(argument)]
+    if tree[0] == "call" and tree[1] in ("negative", "abs"):
+        return _factors(tree[2][0])
+    return [] if tree[0] == "number" or tree[0] == "name" and tree[1] in CONSTANTS else [tree]
+
+
 def _code(tree, names):
     """Python's text of a tree. `names` are those that are defined: helper functions, parts."""
     if tree[0] == "number":
@@ -333,7 +342,7 @@ class Surface:
             if not arguments:
                 _critical(tree, found)
         texts = []
-        for tree in found:
+        for tree in [factor for tree in found for factor in _factors(tree)]:
             text = _code(tree, self._names)
             if text not in texts:
                 texts.append(text)

@@ -107,7 +107,8 @@ struct Tree {
     return sum;
   }
 
-  void search(const Vec& p, std::int32_t at, double& best, std::int32_t& which) const {
+  void search(const Vec& p, std::int32_t at, double enough, double& best,
+              std::int32_t& which) const {
     const Node& node = nodes[at];
     if (node.count > 0) {
       for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
@@ -123,8 +124,12 @@ struct Tree {
     const double left = to_box(p, nodes[at + 1]);
     const double right = to_box(p, nodes[node.right]);
     const bool left_first = left <= right;
-    if (std::min(left, right) < best) search(p, left_first ? at + 1 : node.right, best, which);
-    if (std::max(left, right) < best) search(p, left_first ? node.right : at + 1, best, which);
+    if (std::min(left, right) < best) {
+      search(p, left_first ? at + 1 : node.right, enough, best, which);
+    }
+    if (std::max(left, right) < best && best > enough) {
+      search(p, left_first ? node.right : at + 1, enough, best, which);
+    }
   }
 };
 
@@ -157,16 +162,16 @@ void tree_delete(void* tree) {
 }
 
 // Distances of finite points, and the triangles that are nearest. The nearest of the point before is
-// tried first.
-void tree_distances(const void* tree, const double* points, std::int64_t count, double* distances,
-                    std::int32_t* nearest) {
+// tried first. A distance up to `enough` is an upper bound.
+void tree_distances(const void* tree, const double* points, std::int64_t count, double enough,
+                    double* distances, std::int32_t* nearest) {
   const Tree& in = *static_cast<const Tree*>(tree);
   std::int32_t last = in.order.front();
   for (std::int64_t i = 0; i < count; ++i) {
     const Vec p = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
     const auto& t = in.triangles[last];
     double best = to_triangle(p, in.points[t[0]], in.points[t[1]], in.points[t[2]]);
-    in.search(p, 0, best, last);
+    if (best > enough * enough) in.search(p, 0, enough * enough, best, last);
     distances[i] = std::sqrt(best);
     nearest[i] = last;
   }

@@ -30,7 +30,7 @@ def _library():
     library.tree_new.argtypes = [ctypes.c_void_p, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int64]
     library.tree_delete.argtypes = [ctypes.c_void_p]
     library.tree_distances.argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64,
-                                       ctypes.c_void_p, ctypes.c_void_p]
+                                       ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p]
     return library
 
 
@@ -50,14 +50,25 @@ class Triangles:
         if getattr(self, "handle", None):
             self.library.tree_delete(self.handle)
 
-    def distances(self, points):
-        """Distances, 0 for points that are not finite, and the nearest triangles."""
-        points = np.ascontiguousarray(points.reshape(-1, 3), dtype=float)
-        finite = np.isfinite(points).all(axis=1)
-        given = np.ascontiguousarray(points[finite])
-        found, nearest = np.empty(len(given)), np.empty(len(given), dtype=np.int32)
-        self.library.tree_distances(self.handle, given.ctypes.data, len(given), found.ctypes.data,
-                                    nearest.ctypes.data)
+    def distances(self, points, enough=0.0):
+        """Distances, 0 for points that are not finite, and the nearest triangles. A distance up to
+        `enough` is an upper bound."""
+        points = np.asarray(points, dtype=float).reshape(-1, 3)
+        finite = np.flatnonzero(np.isfinite(points).all(axis=1))
         distances, triangles = np.zeros(len(points)), np.zeros(len(points), dtype=np.int32)
-        distances[finite], triangles[finite] = found, nearest
+        if len(finite):
+            order = finite[_in_blocks(points[finite])]
+            given = np.ascontiguousarray(points[order])
+            found, nearest = np.empty(len(given)), np.empty(len(given), dtype=np.int32)
+            self.library.tree_distances(self.handle, given.ctypes.data, len(given), enough,
+                                        found.ctypes.data, nearest.ctypes.data)
+            distances[order], triangles[order] = found, nearest
         return distances, triangles
+
+
+def _in_blocks(points):
+    """An order in which neighbours follow each other: block by block of 64 each way."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    cells = ((points - low) / np.where(high > low, high - low, 1) * 63).astype(np.int64)
+    cells[:, 1] = np.where(cells[:, 0] % 2 == 0, cells[:, 1], 63 - cells[:, 1])
+    return np.argsort(cells[:, 0] * 4096 + cells[:, 1] * 64 + cells[:, 2], kind="stable")

@@ -11,6 +11,8 @@ RADII = (1e-10, 1e-12, 3e-14, 1e-15)
 NEIGHBOURS = 12
 # Lines between samples that a search halves: at first, and of these the nearest to the last digit.
 BROAD, NARROW = 14, 4
+# Distances up to this share of the unit are not searched for smaller ones.
+ENOUGH = 0.85
 
 
 class Found:
@@ -44,8 +46,16 @@ def found_of(way, distances, st, points, most=6):
     return Found(way, distances[order[0]], st[order[0]], points[order[0]], all_found[1:])
 
 
+def _length(vectors):
+    """Lengths; infinite where a vector is undefined."""
+    lengths = length(vectors)
+    lengths[np.isnan(lengths)] = np.inf
+    return lengths
+
+
 class Oracle:
-    def __init__(self, surface, mesh, unit, clip, seed, hints=(), effort=1):
+    def __init__(self, surface, mesh, unit, clip, seed, hints=(), effort=1, enough=ENOUGH):
+        self.enough = enough * unit
         self.surface, self.mesh, self.unit, self.clip = surface, mesh, unit, clip
         self.hints, self.effort = hints, effort
         self.rng = np.random.default_rng(seed)
@@ -63,7 +73,7 @@ class Oracle:
         return ((points >= self.clip[0]) & (points <= self.clip[1])).all(axis=-1)
 
     def distances(self, points):
-        return np.where(self.counts(points), self.tree.distances(points)[0], 0)
+        return np.where(self.counts(points), self.tree.distances(points, min(0.3 * self.unit, self.enough))[0], 0)
 
     def forward(self):
         rng, small = self.rng, self.small
@@ -111,7 +121,7 @@ class Oracle:
         order = np.argsort(-distances)
         for first in range(0, min(len(order), 40000), 400):
             block = order[first:first + 400]
-            if distances[block[0]] <= 0.5 * self.unit:
+            if distances[block[0]] <= 0.5 * self.enough:
                 break
             block = block[is_solid(self.surface, st[block], self.small, self.rng)]
             if len(block):
@@ -173,12 +183,12 @@ class Oracle:
         return [np.concatenate(parts) for parts in zip(*found)]
 
     def _distance(self, points, st):
-        return np.nan_to_num(length(self.surface(st) - points), nan=np.inf)
+        return _length(self.surface(st) - points)
 
     def backward(self):
         points, st, middles, sizes = self.samples()
         best = self._distance(points, st)
-        enough = 0.5 * self.unit
+        enough = self.enough
         for share in (1e-12, 1e-6, 1e-2):  # toward the middle of the triangle
             left = np.flatnonzero(best > enough)
             tried = st[left] + share * (middles[left] - st[left])
@@ -253,7 +263,7 @@ class Oracle:
         a, b = np.concatenate(pairs_a, axis=1), np.concatenate(pairs_b, axis=1)
         ra, rb = np.concatenate(values_a, axis=1), np.concatenate(values_b, axis=1)
         near = self._to_segments(points[:, None], ra, rb)
-        direct = np.nan_to_num(length(ra - points[:, None]), nan=np.inf)
+        direct = _length(ra - points[:, None])
         rows = np.arange(count)
         which = direct.argmin(axis=1)
         best, at = direct[rows, which], a[rows, which]
@@ -271,12 +281,13 @@ class Oracle:
 
     def _to_segments(self, points, a, b):
         """Distances to segments; to the defined end of those that leave the surface."""
-        d = np.nan_to_num(b - a)
-        square = (d * d).sum(axis=-1)
-        start = np.where(np.isnan(a), b, a)
-        along = ((points - start) * d).sum(axis=-1) / np.where(square > 0, square, 1)
-        foot = start + np.clip(np.nan_to_num(along), 0, 1)[..., None] * d
-        return np.nan_to_num(length(points - foot), nan=np.inf)
+        lost = np.isnan(a[..., :1])
+        start = np.where(lost, b, a)
+        d = np.where(lost | np.isnan(b[..., :1]), 0, b - a)
+        square = np.einsum("...k,...k", d, d)
+        along = np.einsum("...k,...k", points - start, d) / np.where(square > 0, square, 1)
+        foot = start + np.clip(along, 0, 1)[..., None] * d
+        return _length(points - foot)
 
     def _halve(self, points, a, b, ra, rb, steps):
         """Halves pairs toward points; the nearest places on the way, and the last pairs."""
@@ -284,7 +295,7 @@ class Oracle:
         for _ in range(steps):
             middle = (a + b) / 2
             rm = self.surface(middle)
-            distance = np.nan_to_num(length(rm - points), nan=np.inf)
+            distance = _length(rm - points)
             at = np.where((distance < best)[..., None], middle, at)
             best = np.minimum(best, distance)
             left, right = self._to_segments(points, ra, rm), self._to_segments(points, rm, rb)
@@ -310,7 +321,7 @@ class Oracle:
             rest = points - self.surface(at)
             tried.append(inside(at + _solve(du, dv, rest)))
             candidates = np.stack(tried, axis=1)
-            distance = np.nan_to_num(length(self.surface(candidates) - points[:, None]), nan=np.inf)
+            distance = _length(self.surface(candidates) - points[:, None])
             which = distance.argmin(axis=1)
             rows = np.arange(len(points))
             better = distance[rows, which] < best

@@ -10,13 +10,16 @@ def inside(st):
 
 
 def length(vectors):
-    return np.sqrt((vectors * vectors).sum(axis=-1))
+    return np.sqrt(np.einsum("...k,...k", vectors, vectors))
 
 
 def gap(a, b):
     """Distance of two points; infinite where one alone is undefined, 0 where both are."""
-    lost = np.isnan(a[..., 0]).astype(int) + np.isnan(b[..., 0])
-    return np.where(lost == 0, length(np.nan_to_num(a - b)), np.where(lost == 1, np.inf, 0))
+    distance = length(a - b)
+    lost_a, lost_b = np.isnan(a[..., 0]), np.isnan(b[..., 0])
+    distance[lost_a | lost_b] = 0
+    distance[lost_a != lost_b] = np.inf
+    return distance
 
 
 class Places:
@@ -202,6 +205,42 @@ def add_along(places, curve, low, high, small, rng, each=3):
         bisect(surface, a, b, places, 44)
 
 
+def crossings(surface, count, most, rng):
+    """Places where two of the critical expressions are 0, or one meets an edge of the square."""
+    parts, levels = 6, 15
+    cells = rng.random() / count + np.arange(-1, count) / count
+    s, t = np.meshgrid(cells, cells, indexing="ij")
+    low, size = np.stack([s, t], axis=-1).reshape(-1, 2), 1 / count
+    low, marks = _crossed(surface, low, size, 1, None)
+    if len(low) > most:
+        chosen = rng.choice(len(low), most, replace=False)
+        low, marks = low[chosen], marks[chosen]
+    for _ in range(levels):
+        if not len(low):
+            break
+        size /= parts
+        step = np.stack(np.meshgrid(*[np.arange(parts) * size] * 2, indexing="ij"), axis=-1).reshape(-1, 2)
+        finer = (low[:, None] + step).reshape(-1, 2)
+        finer, own = _crossed(surface, finer, size, len(step), marks)
+        # One cell of each.
+        _, first = np.unique(np.floor(finer / (size * parts * 2)), axis=0, return_index=True)
+        low, marks = finer[first], own[first]
+    return inside(low + size / 2)
+
+
+def _crossed(surface, low, size, each, marks):
+    """The cells in which two expressions change their signs, both marked if marks are given; which."""
+    corners = low[:, None] + size * np.array([[0, 0], [1, 0], [0, 1], [1, 1]])
+    values = np.stack([*surface.critical(inside(corners)), corners[..., 0], corners[..., 0] - 1,
+                       corners[..., 1], corners[..., 1] - 1], axis=1)
+    above = values > 0
+    changes = above.any(axis=2) & ~above.all(axis=2)
+    if marks is not None:
+        changes &= np.repeat(marks, each, axis=0)
+    keep = changes.sum(axis=1) >= 2
+    return low[keep], changes[keep]
+
+
 def add_critical(places, small, rng, count=220, most=1200):
     """Beside the zeros and extremes of what the formulas compare, divide by and take roots of."""
     surface = places.surface
@@ -211,6 +250,10 @@ def add_critical(places, small, rng, count=220, most=1200):
         curve, extreme = zeros(function, count, most, rng)
         add_along(places, curve, TINY, 0.1, small, rng)
         tops.append(extreme)
+    corners = crossings(surface, 61, 400, rng)
+    if len(corners) > 80:
+        corners = rng.permutation(corners)[:80]
+    add_near(places, corners, 1e-13, 0.05, 200, small, rng)
     if tops:
         tops = np.concatenate(tops)
         if len(tops):

@@ -13,7 +13,7 @@ import numpy as np
 
 from language import Surface
 from mesh import read_ply
-from oracle import Oracle, is_solid
+from oracle import ENOUGH, Oracle, is_solid
 
 RIGHT = 1.02          # of a tolerance: errors of rounding and of the search
 UNDERSTATED = 1.1     # of what is told
@@ -154,12 +154,18 @@ def judge(program, formulas, options=(), hints=(), seed=0):
         unit = max(told or 0, 1e-3 * float(np.linalg.norm(bounds[1] - bounds[0])))
     if not unit > 0:
         return result | {"verdict": "right", "note": "no extent", "found": 0.0, "told": told}
-    oracle = Oracle(surface, run.mesh, unit, clip_box(run.report), seed, hints)
+    # An error that is told is sought to a third of it, which tells whether it is overstated.
+    enough = ENOUGH if (told or 0) <= RIGHT * unit else min(ENOUGH, told / unit / 3.3)
+    oracle = Oracle(surface, run.mesh, unit, clip_box(run.report), seed, hints, enough=enough)
     both = [oracle.forward(), oracle.backward()]
     for k, found in enumerate(both):
         if name_of(found.distance, told, unit, told_by_words, run.report) in ACCUSATIONS:
             both[k] = confirmed(found, oracle, seed)
     found = max(both, key=lambda way: way.distance)
+    if name_of(found.distance, told, unit, told_by_words, run.report) == "falsely warned":
+        oracle = Oracle(surface, run.mesh, unit, clip_box(run.report), seed + 1, hints, 2, enough)
+        again = oracle.forward()
+        found = max(found, again, oracle.backward(), key=lambda way: way.distance)
     result["surface"], result["mesh"] = (round(way.distance / unit, 4) for way in both)
     verdict = name_of(found.distance, told, unit, told_by_words, run.report)
     result.update(verdict=verdict, found=round(found.distance / unit, 4),
