@@ -121,9 +121,15 @@ class Parser:
         if level == len(LEVELS):
             return self.signed()
         left = self.binary(level + 1)
-        while sign := self.take(*LEVELS[level]):
+        while sign := self.take(*LEVELS[level]) or self.product_without_sign(level):
             left = ("call", sign, [left, self.binary(level + 1)])
         return left
+
+    def product_without_sign(self, level):
+        """A number right before a name or a bracket is its factor."""
+        before, (kind, text) = self.tokens[self.at - 1][0], self.tokens[self.at]
+        follows = kind == "name" or (kind, text) == ("sign", "(")
+        return "*" if level == len(LEVELS) - 1 and before == "number" and follows else None
 
     def signed(self):
         if self.take("-"):
@@ -147,11 +153,7 @@ class Parser:
             return tree
         self.at += 1
         if kind == "number":
-            number = ("number", float(text))
-            following, sign = self.tokens[self.at]
-            if following == "name" or (following, sign) == ("sign", "("):
-                return ("call", "*", [number, self.power()])
-            return number
+            return ("number", float(text))
         if kind != "name":
             raise ValueError(f"cannot read {text!r}")
         if not self.take("("):
