@@ -73,10 +73,27 @@ def table(results):
     return "\n".join(lines)
 
 
+def read(path):
+    return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
+
+
+def compared(results, before):
+    """Lines on surfaces whose verdict is another, or whose error changed by a tenth of a tolerance."""
+    old = {shlex.join(result["formulas"] + result["options"]): result for result in before}
+    for result in results:
+        was = old.get(shlex.join(result["formulas"] + result["options"]))
+        if not was:
+            continue
+        change = abs((result.get("found") or 0) - (was.get("found") or 0)) > \
+            max(0.1, 0.05 * (was.get("found") or 0)) and max(result.get("found") or 0, was.get("found") or 0) > 1.02
+        if was["verdict"] != result["verdict"] or change:
+            yield f"was {was['verdict']}, found {was.get('found')}, told {was.get('told')}:\n  {shown(result)}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
+    parser.add_argument("program", help="a saddle, or a file that --json wrote, to be shown again")
     parser.add_argument("options", nargs="*", help="options of saddle, after --, for --formula")
     parser.add_argument("--formula", action="append", default=[],
                         help="a surface in place of the corpus: formulas and options, as a shell's line")
@@ -87,6 +104,8 @@ def main():
     parser.add_argument("--count", type=int, default=corpus.COUNT)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--json", type=pathlib.Path, help="write a line of JSON for each surface")
+    parser.add_argument("--against", type=pathlib.Path, metavar="JSON",
+                        help="list what changed against such a file, too")
     parser.add_argument("--list", action="store_true", help="print the surfaces alone")
     parser.add_argument("--all", action="store_true", help="print runs that are right, too")
     options = parser.parse_args()
@@ -105,10 +124,14 @@ def main():
         for case in cases:
             print(case.number, case.kind, shlex.join([*case.formulas, *case.options]))
         return
-    program = str(pathlib.Path(options.program).resolve())
+    program = pathlib.Path(options.program).resolve()
     results = []
+    if program.read_bytes()[:1] == b"{":
+        results = [result for result in read(program) if not options.kind or result["kind"] in options.kind]
+        print("\n".join(shown(result) for result in results if result["verdict"] != "right" or options.all))
+        cases = []
     with multiprocessing.Pool(options.jobs) as pool:
-        for result in pool.imap(one, [(program, case, options.seed) for case in cases]):
+        for result in pool.imap(one, [(str(program), case, options.seed) for case in cases]):
             results.append(result)
             if result["verdict"] != "right" or options.all or lines:
                 print(shown(result), flush=True)
@@ -117,6 +140,8 @@ def main():
             if options.json:
                 with open(options.json, "a" if len(results) > 1 else "w", encoding="utf-8") as file:
                     file.write(json.dumps(result) + "\n")
+    if options.against:
+        print("changed:", *compared(results, read(options.against)), sep="\n")
     print(table(results))
     sys.exit(0 if all(result["verdict"] in ("right", "warned", "refused") for result in results) else 1)
 

@@ -1,5 +1,5 @@
-// Distance of points to the nearest of many triangles: a tree of boxes, each halved at the median of
-// its longest side. A library for nearest.py.
+// Distance of points to the nearest of many triangles: a tree of boxes, each halved at the median
+// of its longest side. A library for nearest.py.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -161,8 +161,8 @@ void tree_delete(void* tree) {
   delete static_cast<Tree*>(tree);
 }
 
-// Distances of finite points, and the triangles that are nearest. The nearest of the point before is
-// tried first. A distance up to `enough` is an upper bound.
+// Distances of finite points, and the triangles that are nearest. The nearest of the point before
+// is tried first. A distance up to `enough` is an upper bound.
 void tree_distances(const void* tree, const double* points, std::int64_t count, double enough,
                     double* distances, std::int32_t* nearest) {
   const Tree& in = *static_cast<const Tree*>(tree);
