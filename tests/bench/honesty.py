@@ -120,6 +120,8 @@ def main():
         cases = [case for case in corpus.cases(options.seed, options.count)
                  if (not options.kind or case.kind in options.kind)
                  and (not options.only or case.number in options.only)]
+    # All kinds in turn: a run that is stopped is a sample of all of them.
+    cases.sort(key=lambda case: case.number * 0.6180339887 % 1)
     if options.list:
         for case in cases:
             print(case.number, case.kind, shlex.join([*case.formulas, *case.options]))
