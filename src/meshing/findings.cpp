@@ -251,12 +251,17 @@ class MeshFindings {
   }
 
   void take_singular_points() {
-    const auto& points = report_.singular_points;
+    const auto& places = report_.singular_points;
     const auto no_limit = [](const SingularPoint& p) { return !p.has_limit; };
-    const auto first = std::ranges::find_if(points, no_limit);
-    if (first == points.end()) return;
-    const auto number = static_cast<std::size_t>(std::ranges::count_if(points, no_limit));
-    const bool all_listed = points.size() == report_.singular_point_count;
+    const auto first = std::ranges::find_if(places, no_limit);
+    if (first == places.end()) return;
+    // Many places may be one point of space, as at the apex of a cone.
+    const auto has_no_normal = [&](const SingularInSpace& point) {
+      return std::ranges::any_of(point.places, [&](std::size_t k) { return !places[k].has_limit; });
+    };
+    const auto number =
+        static_cast<std::size_t>(std::ranges::count_if(report_.singular_in_space, has_no_normal));
+    const bool all_listed = places.size() == report_.singular_point_count;
     Finding& singular =
         warn(Kind::NoNormal,
              (all_listed ? "" : "at least ") +

@@ -123,14 +123,37 @@ TEST(Warnings, CountSingularPointsWithoutANormal) {
   MeshResult singular = mesh_between({-1, 0}, {1, 2});
   singular.report.singular_points = {{{0, 1}, true}, {{-0.0, 0.5}, false}};
   singular.report.singular_point_count = 2;
+  singular.report.singular_in_space = {{{0, 1}, dvec3(0), {0}}, {{0, 0.5}, dvec3(1), {1}}};
   EXPECT_EQ(mesh_warnings("s", singular, kDomain),
             Warnings{"s: 1 singular point has no normal (the first at u = 0, v = 0.5): the faces' "
                      "are drawn there"});
   singular.report.singular_points.push_back({{1, 1}, false});
+  singular.report.singular_in_space.push_back({{1, 1}, dvec3(2), {2}});
   singular.report.singular_point_count = 5000;  // more than the list holds
   EXPECT_EQ(mesh_warnings("s", singular, kDomain),
             Warnings{"s: at least 2 singular points have no normal (the first at u = 0, v = 0.5): "
                      "the faces' are drawn there"});
+}
+
+TEST(Warnings, CountPlacesAtOnePointOnce) {
+  MeshResult apex = mesh_between({-1, 0}, {1, 2});
+  apex.report.singular_points = {{{0, 0}, false}, {{0.5, 0}, false}, {{1, 0}, false}};
+  apex.report.singular_point_count = 3;
+  apex.report.singular_in_space = {{{0, 0}, dvec3(0), {0, 1, 2}}};
+  EXPECT_EQ(mesh_warnings("s", apex, kDomain),
+            Warnings{"s: 1 singular point has no normal (the first at u = 0, v = 0): the faces' "
+                     "are drawn there"});
+}
+
+TEST(Warnings, SayThatDoublesRoundLargeCoordinates) {
+  MeshResult far = mesh_between({-1, 0}, {1, 2});
+  far.report.tolerance = 0.01;
+  far.report.max_error = 0.5;
+  far.report.rounding = 0.125;
+  EXPECT_EQ(mesh_warnings("s", far, kDomain),
+            Warnings{"s: the mesh is off by at least 0.5 (the tolerance is 0.01): its coordinates "
+                     "are so large that doubles round them by 0.125; subtract what they have in "
+                     "common"});
 }
 
 TEST(Findings, HaveTheNumbersOfTheirSentences) {
