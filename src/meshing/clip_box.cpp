@@ -68,9 +68,31 @@ std::span<const dvec3> fullest_window(std::span<const dvec3> sorted, int axis, d
   return sorted.subspan(best, most);
 }
 
+/// clip_box(). A side that goes to infinity is at least `low` times as long as the longest other.
+Bounds proportionate_box(const Bounds& all, std::span<const dvec3> points, double low) {
+  const Bounds most = robust_box(points);
+  const auto is_far_out = [&](int k) {
+    const double size = all.size()[k];
+    return size > kFarOut * most.size()[k] || size > kTall * next_longest(all.size(), k);
+  };
+  double usual = 0;  // the largest side that needs no clipping
+  for (int k = 0; k < 3; ++k) {
+    if (!is_far_out(k)) usual = std::max(usual, all.size()[k]);
+  }
+  const Bounds shapely = usual > 0 ? robust_box(points, dvec3(kTall * usual)) : most;
+  Bounds box;
+  for (int k = 0; k < 3; ++k) {
+    const Bounds kept = is_far_out(k) ? lengthened(shapely, k, low * usual) : all;
+    const double margin = is_far_out(k) ? 0 : kBeyondProbe * all.size()[k];
+    box.low[k] = kept.low[k] - margin;
+    box.high[k] = kept.high[k] + margin;
+  }
+  return box;
+}
+
 /// clip_box(), open at the faces that the surface goes beyond by no more than the box is long.
 Bounds box_without_far_edges(const Bounds& all, std::span<const dvec3> points) {
-  Bounds box = clip_box(all, points);
+  Bounds box = proportionate_box(all, points, 0);
   const dvec3 near = box.size();
   for (int k = 0; k < 3; ++k) {
     if (box.low[k] - all.low[k] <= near[k]) box.low[k] = -kNoFace;
@@ -91,24 +113,7 @@ bool shows_some(const Bounds& box, const Bounds& whole) {
 }  // namespace
 
 Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
-  const Bounds most = robust_box(points);
-  const auto is_far_out = [&](int k) {
-    const double size = all.size()[k];
-    return size > kFarOut * most.size()[k] || size > kTall * next_longest(all.size(), k);
-  };
-  double usual = 0;  // the largest side that needs no clipping
-  for (int k = 0; k < 3; ++k) {
-    if (!is_far_out(k)) usual = std::max(usual, all.size()[k]);
-  }
-  const Bounds shapely = usual > 0 ? robust_box(points, dvec3(kTall * usual)) : most;
-  Bounds box;
-  for (int k = 0; k < 3; ++k) {
-    const Bounds kept = is_far_out(k) ? lengthened(shapely, k, kLow * usual) : all;
-    const double margin = is_far_out(k) ? 0 : kBeyondProbe * all.size()[k];
-    box.low[k] = kept.low[k] - margin;
-    box.high[k] = kept.high[k] + margin;
-  }
-  return box;
+  return proportionate_box(all, points, kLow);
 }
 
 std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> points) {

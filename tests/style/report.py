@@ -1,6 +1,7 @@
 #!/usr/bin/python3 -B
-"""docs/REPORT.md has the keys that reports have, each with its type, and no other; and the reasons
-that src/mesh/model/proof_gap.cpp gives. The program is $SADDLE_PROGRAM, or build/release/saddle."""
+"""docs/REPORT.md has the keys that reports have, each with its type, and no other; the reasons that
+src/mesh/model/proof_gap.cpp gives; and the kinds of src/meshing/findings.cpp. The program is
+$SADDLE_PROGRAM, or build/release/saddle."""
 import json
 import pathlib
 import re
@@ -11,6 +12,7 @@ import tree
 
 PAGE = "docs/REPORT.md"
 SOURCE = "src/mesh/model/proof_gap.cpp"
+KINDS_SOURCE = "src/meshing/findings.cpp"
 # Between them these runs have everything that a report may have.
 RUNS = [
     ["z=1/u+sign(v-0.1)", "-s", "40x30", "-o", "picture.png"],
@@ -24,6 +26,7 @@ RUNS = [
     ["check", "cylinder", "--samples", "9x9"],
 ]
 REASON_TEXT = re.compile(r'^    \{"([a-z ]+)", "(.+)"\},$', re.M)
+KIND_NAMES = re.compile(r"kNames = \{(.*?)\};", re.S)
 
 
 def type_name(value):
@@ -55,21 +58,30 @@ def report_of(arguments, folder):
 
 
 def documented():
-    """The types of each key, and the text of each reason, of the page's tables."""
-    types, reasons = {}, {}
+    """Of the page's tables: the types of each key, the text of each reason, and the kinds."""
+    types, reasons, kinds = {}, {}, set()
+    heading = ""  # of the table's first column
     for _, line in tree.lines(PAGE):
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         names = re.findall(r"`([^`]*)`", cells[0])
-        if not line.startswith("|") or not names:
+        if not line.startswith("|"):
             continue
-        if len(cells) == 2:
+        if not names:
+            heading = cells[0] if cells[0].strip("- ") else heading
+        elif heading == "reason":
             reasons[names[0]] = cells[1].replace("`", "")
+        elif heading == "kind":
+            kinds.update(names)
         else:
             types.update({name: set(cells[1].split(" or ")) for name in names})
-    return types, reasons
+    return types, reasons, kinds
 
 
-def complaints(types, reasons, reports):
+def source(path):
+    return (tree.ROOT / path).read_text(encoding="utf-8")
+
+
+def complaints(types, reasons, kinds, reports):
     seen = set()
     for key, value in (pair for report in reports for pair in found_in(report)):
         seen.add(key)
@@ -79,11 +91,13 @@ def complaints(types, reasons, reports):
         elif kind not in types[key] and not (kind == "integer" and "number" in types[key]):
             yield f"{PAGE}: {key} is {kind} in a report"
     yield from (f"{PAGE}: no report has {key}" for key in sorted(types.keys() - seen))
-    if reasons != dict(REASON_TEXT.findall((tree.ROOT / SOURCE).read_text(encoding="utf-8"))):
+    if reasons != dict(REASON_TEXT.findall(source(SOURCE))):
         yield f"{PAGE} does not have the reasons of {SOURCE}"
+    if kinds != set(re.findall(r'"(.*?)"', KIND_NAMES.search(source(KINDS_SOURCE))[1])):
+        yield f"{PAGE} does not have the kinds of {KINDS_SOURCE}"
 
 
 with tempfile.TemporaryDirectory() as scratch:
     made = [report_of(arguments, scratch) for arguments in RUNS]
-keys, whys = documented()
-tree.finish(sorted(set(complaints(keys, whys, made))), len(keys), "keys")
+keys, *names = documented()
+tree.finish(sorted(set(complaints(keys, *names, made))), len(keys), "keys")

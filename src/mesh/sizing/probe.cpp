@@ -151,8 +151,8 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
 }
 
 /// Adds positions on edges of the domain to the bounds. One that is far outside is added if the
-/// surface just inside of the edge comes as far: at its end, floor(u) has a line of its own, which
-/// is no part of the surface.
+/// surface just inside of the edge is far outside, too: at its end, floor(u) has a line of its own,
+/// which is no part of the surface.
 void Probe::add_to_bounds(const Surface& surface, std::span<const SurfacePoint> edges,
                           std::span<const dvec2> uv) {
   const double margin = kFarOutside * bounds_.diagonal();
@@ -176,7 +176,9 @@ void Probe::add_to_bounds(const Surface& surface, std::span<const SurfacePoint> 
   const double same = kLimitsAgree * bounds_.diagonal();
   for (std::size_t k = 0; k < beside.size(); ++k) {
     const dvec3& position = beside[k].position;
-    const bool is_edge = !is_finite(position) || glm::distance(position, far[k]) <= same;
+    // On its way to infinity, as tan(u), the surface leaves the bounds before the edge.
+    const bool is_edge = !is_finite(position) || !inner.contains(position) ||
+                         glm::distance(position, far[k]) <= same;
     bounds_.add(is_edge ? far[k] : position);
   }
 }
