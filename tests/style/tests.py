@@ -9,10 +9,12 @@ BEHAVIOURS = {
     "geometry/mesh/bounded_work",
     "geometry/mesh/cuts",
     "geometry/mesh/grid_mesh_report",
+    "geometry/mesh/jump_lines",
     "geometry/mesh/poles",
     "geometry/mesh/rims",
     "geometry/mesh/scales",
     "geometry/mesh/seams",
+    "geometry/mesh/small_features",
     "geometry/meshing/close_up",
     "geometry/meshing/dependent_domain",
 }

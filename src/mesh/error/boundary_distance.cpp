@@ -6,6 +6,7 @@
 
 #include "mesh/error/sampled_error.h"
 #include "mesh/features/approach.h"
+#include "mesh/features/sheet_ends.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -22,36 +23,38 @@ constexpr int kWayHalvings = 20;
 constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
                                     dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
 constexpr std::array kLeafDirections = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
+/// The surface is looked at just before a chord, as far as bisections go: it may jump on it.
+constexpr double kBeforeChord = 1 - 1.0 / (1 << kWayHalvings);
+/// Places on a chord, in its length: a line that turns in the chord's middle is not missed.
+constexpr std::array kChordPlaces = {0.25, 0.5, 0.75};
 constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
-
-/// Where the ray from `from`, inside of the unit square, along `way` meets the square's border.
-dvec2 border(const dvec2& from, const dvec2& way) {
-  double steps = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 2; ++k) {
-    const double room = way[k] > 0 ? 1 - from[k] : from[k];
-    if (way[k] != 0) steps = std::min(steps, room / std::fabs(way[k]));
-  }
-  return from + steps * way;
-}
 
 }  // namespace
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
-                           std::span<const Triangle> triangles) {
-  if (leaf.state.cut() != LeafCut::Boundary) return;
-  if (!triangles.empty()) return add_chords(leaf, number, triangles);
+                           std::span<const Triangle> triangles, double allowed) {
+  if (leaf.state.is_cut_by_feature() && has_cut(FeatureKind::Jump, leaf, tree_)) {
+    if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
+    delta_ = std::min(delta_, allowed);
+    if (!triangles.empty()) return add_chords(leaf, number, triangles, jumps_);
+  } else {
+    if (leaf.state.cut() != LeafCut::Boundary) return;
+    if (!triangles.empty()) return add_chords(leaf, number, triangles, chords_);
+  }
   omitted_.push_back(number);
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   for (const dvec2& place : kLeafPlaces) {
     places_in_omitted_.push_back(low + size * place);
     for (const dvec2& way : kLeafDirections)
-      places_in_omitted_.push_back(low + size * border(place, way));
+      places_in_omitted_.push_back(low + size * border_of_square(place, way));
   }
 }
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
-                                  std::span<const Triangle> triangles) {
+                                  std::span<const Triangle> triangles,
+                                  std::vector<EdgeChord>& chords) const {
+  const bool is_jump = &chords == &jumps_;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
@@ -63,17 +66,23 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       const std::uint32_t opposite = t[(i + 2) % 3];
       if (has_side(triangles, b, a)) continue;  // a diagonal
       const dvec2 middle = 0.5 * (place(a) + place(b));
-      if (!(std::min(middle.x, middle.y) > 0 && std::max(middle.x, middle.y) < 1)) continue;
+      if (!is_chord(middle, {a, b}, tree_)) continue;
       const dvec2 outward = glm::mix(place(a), place(b), foot(a, b, opposite)) - place(opposite);
       if (outward == dvec2(0)) continue;
-      chords_.push_back({number,
-                         triangles,
-                         {a, b},
-                         low + size * middle,
-                         grid_.mesh.uv[opposite],
-                         low + size * border(middle, -outward),
-                         low + size * border(middle, outward),
-                         is_at_face});
+      for (const double share : kChordPlaces) {
+        if (clip_ && !is_jump && share != 0.5) continue;  // it may lie along a face of the box
+        const dvec2 at = glm::mix(place(a), place(b), share);
+        // A jump is looked for from the corner, which is on the sheet, through the place.
+        const dvec2 way = is_jump ? at - place(opposite) : outward;
+        chords.push_back({number,
+                          is_jump ? std::span(&t, 1) : triangles,
+                          {a, b},
+                          low + size * at,
+                          grid_.mesh.uv[opposite],
+                          low + size * border_of_square(at, -way),
+                          low + size * border_of_square(at, way),
+                          is_at_face});
+      }
     }
   }
 }
@@ -81,6 +90,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
 std::vector<BoundaryDistance::LeafDistance> BoundaryDistance::measure() {
   std::vector<LeafDistance> found;
   if (!chords_.empty()) measure_chords(found);
+  if (!jumps_.empty()) measure_jumps(found);
   if (!omitted_.empty()) measure_omitted(found);
   return found;
 }
@@ -119,7 +129,7 @@ std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoin
   std::vector<Line> ways;
   std::size_t next = 0;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const BoundaryChord& chord = chords_[k];
+    const EdgeChord& chord = chords_[k];
     if (is_seen(at_middle[k].position)) {
       ways.push_back({chord.middle, chord.beyond});
     } else {
@@ -134,23 +144,55 @@ std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoin
 /// little. All that is between chord and boundary is an error.
 void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   std::vector<dvec2> middles;
-  for (const BoundaryChord& chord : chords_) middles.push_back(chord.middle);
+  for (const EdgeChord& chord : chords_) middles.push_back(chord.middle);
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
   const std::vector<dvec2> boundary = ends_of(ways_to_boundary(at_middle));
   const std::vector<SurfacePoint> at_boundary = evaluate(surface_, boundary, threads_);
   evaluations_ += chords_.size() * (2 + kWayHalvings);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
-    const BoundaryChord& chord = chords_[k];
-    const auto off = [&](const dvec2& uv, const SurfacePoint& point) {
-      return distance_from(grid_, chord.triangles, uv, point.position);
-    };
-    if (is_seen(at_middle[k].position)) {
-      found.push_back({chord.leaf, off(chord.middle, at_middle[k])});
-      found.push_back({chord.leaf, off(boundary[k], at_boundary[k])});
-    } else {
-      found.push_back(
-          {chord.leaf, distance_from_chord(grid_, chord.ends, at_boundary[k].position)});
-    }
+    const EdgeChord& chord = chords_[k];
+    found.push_back({chord.leaf, distance_from_edge(chord, boundary[k], at_boundary[k])});
+    if (!is_seen(at_middle[k].position)) continue;
+    found.push_back(
+        {chord.leaf, distance_from(grid_, chord.triangles, chord.middle, at_middle[k].position)});
+  }
+}
+
+/// The distance of a point of the edge from its chord, or from the triangles where it lies beyond
+/// the chord's ends. Beside a clip box chords lie along its faces, and only triangles count.
+double BoundaryDistance::distance_from_edge(const EdgeChord& chord, const dvec2& uv,
+                                            const SurfacePoint& point) const {
+  const double from_chord = distance_from_chord(grid_, chord.ends, point.position);
+  const bool is_beyond = glm::dot(uv - chord.middle, chord.beyond - chord.middle) >= 0;
+  if (!is_beyond) return from_chord;
+  const double from_triangles = distance_from(grid_, chord.triangles, uv, point.position);
+  return clip_ ? from_triangles : std::max(from_chord, from_triangles);
+}
+
+/// A sheet ends where the surface jumps, or at a boundary, on the way from a corner of its
+/// triangles across the chord.
+void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
+  std::vector<Line> ways;
+  for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
+  const auto ends = sheet_ends(surface_, ways, delta_, kWayHalvings, clip_, threads_, evaluations_);
+  std::vector<dvec2> uv;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    uv.push_back(ends[k] ? ends[k]->uv : ways[k][0]);
+    uv.push_back(glm::mix(jumps_[k].opposite, jumps_[k].middle, kBeforeChord));
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  evaluations_ += uv.size();
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const EdgeChord& chord = jumps_[k];
+    const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
+    const SurfacePoint& at_end = points[2 * k];
+    if (!ends[k] || !is_seen(at_end.position)) continue;
+    const bool is_beyond = glm::dot(uv[2 * k] - chord.middle, chord.beyond - chord.opposite) >= 0;
+    if (!is_beyond || ends[k]->kind == SheetEnd::Kind::Jump)
+      add(distance_from_edge(chord, uv[2 * k], at_end));
+    // Without a jump the sheet goes on through the chord.
+    if (is_beyond && ends[k]->kind != SheetEnd::Kind::Jump)
+      add(distance_from_chord(grid_, chord.ends, points[2 * k + 1].position));
   }
 }
 

@@ -1,8 +1,9 @@
-// Distances between the boundaries of the mesh and of the surface, and of the surface in leaves on
-// the boundary that have no triangles.
+// Distances between the edges of the mesh and of the surface's sheets, where the surface ends or
+// jumps, and of the surface in leaves on the boundary that have no triangles.
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,13 +23,16 @@ class BoundaryDistance {
                    const std::optional<Bounds>& clip, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
 
-  /// Adds a leaf with its triangles, which must outlive this. Skips leaves off the boundary.
-  void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
+  /// without a boundary or a jump, and those that lead to a pole.
+  void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
+           double allowed);
 
   /// A distance that was found at the leaf of some number, in units of length.
   struct LeafDistance {
     std::size_t leaf;
     double distance;
+    bool is_at_jump = false;
   };
   /// Distances at the leaves that were added; several for some.
   std::vector<LeafDistance> measure();
@@ -36,22 +40,26 @@ class BoundaryDistance {
   std::size_t evaluations() const { return evaluations_; }
 
  private:
-  /// A chord of the boundary, and where the boundary is looked for.
-  struct BoundaryChord {
+  /// A place on a chord of an edge, and where the edge is looked for.
+  struct EdgeChord {
     std::size_t leaf;
     std::span<const Triangle> triangles;
     std::array<std::uint32_t, 2> ends;
-    dvec2 middle;
+    dvec2 middle;     ///< the place on the chord
     dvec2 opposite;   ///< the corner of the triangle across from the chord
-    dvec2 across;     ///< on the leaf's border, straight from the middle into the triangle
+    dvec2 across;     ///< on the leaf's border, straight from the place into the triangle
     dvec2 beyond;     ///< the same on the other side of the chord
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
   };
-  void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles);
+  void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
+                  std::vector<EdgeChord>& chords) const;
   double foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const;
   std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
+  double distance_from_edge(const EdgeChord& chord, const dvec2& uv,
+                            const SurfacePoint& point) const;
   void measure_chords(std::vector<LeafDistance>& found);
+  void measure_jumps(std::vector<LeafDistance>& found);
   void measure_omitted(std::vector<LeafDistance>& found);
   bool is_seen(const dvec3& position) const {
     return is_finite(position) && (!clip_ || clip_->contains(position));
@@ -62,8 +70,10 @@ class BoundaryDistance {
   const CellTree& tree_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  std::vector<BoundaryChord> chords_;
-  std::vector<std::size_t> omitted_;      ///< leaves without triangles
+  std::vector<EdgeChord> chords_;  ///< of boundaries
+  std::vector<EdgeChord> jumps_;
+  double delta_ = std::numeric_limits<double>::infinity();  ///< a smaller gap is no jump
+  std::vector<std::size_t> omitted_;                        ///< leaves without triangles
   std::vector<dvec2> places_in_omitted_;  ///< in each, places and their projections on its border
   std::size_t evaluations_ = 0;
 };

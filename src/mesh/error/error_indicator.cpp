@@ -303,9 +303,20 @@ double ErrorIndicator::diameter(const Corners& corner) const {
 }
 
 bool ErrorIndicator::is_too_small_to_see(const Leaf& leaf) const {
-  Bounds bounds;
-  for (const dvec3& position : defined_positions(leaf.samples)) bounds.add(position);
-  return bounds.diagonal() <= allowed(leaf);
+  const auto& position = mesh_.position;
+  double border = 0;
+  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
+    const auto feature = tree_.edges().feature(a, b);
+    const auto add = [&](std::uint32_t from, std::uint32_t to) {
+      // A vertex with a value of its own has no piece.
+      if (tree_.vertices().place_between(from) == tree_.vertices().place_between(to)) return;
+      if (tree_.geometry().is_defined(from)) border += glm::distance(position[from], position[to]);
+    };
+    if (!feature) return add(a, b);
+    add(a, feature->beside(a));
+    add(b, feature->beside(b));
+  });
+  return border <= 2 * allowed(leaf);
 }
 
 bool ErrorIndicator::is_seen(const Leaf& leaf, std::size_t side) const {

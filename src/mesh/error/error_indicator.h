@@ -73,8 +73,8 @@ class ErrorIndicator {
   /// The error ratios of angles that are given by the squares of their tangents.
   ErrorRatios turn_ratios(const ErrorRatios& squares_of_tangents) const;
 
-  /// Whether the box around a leaf's samples has a diagonal within the tolerance. An edge feature
-  /// in such a leaf is not visible.
+  /// Whether the pieces of surface around a leaf, between its features, are no longer than the
+  /// tolerance on the mean of its sides. A part of a sheet that is missing there is not visible.
   bool is_too_small_to_see(const Leaf& leaf) const;
 
   /// Whether a leaf that passes the estimate misses the surface, or a hole, at a counterexample.

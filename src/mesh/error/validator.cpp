@@ -360,9 +360,13 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   BoundaryDistance boundaries(surface_, grid_, tree_, clip_, threads_);
   for (const std::size_t k : others) {
     if (!crosses_box(triangles.of(k)))
-      boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k));
+      boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);
   }
-  for (const auto& [leaf, distance] : boundaries.measure()) mesh.add(leaf, distance);
+  for (const auto& [leaf, distance, is_at_jump] : boundaries.measure()) {
+    if (is_at_jump && distance > mesh.sampled_errors[leaf].distance)
+      mesh.sampled_errors[leaf].on_crease = true;
+    mesh.add(leaf, distance);
+  }
   evaluations_ += boundaries.evaluations();
 }
 

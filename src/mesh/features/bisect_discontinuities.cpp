@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "mesh/features/bisect_together.h"
 #include "surface/normal.h"
@@ -20,10 +21,10 @@ namespace {
 constexpr double kPoleGrowth = 50;
 /// A gap that has shrunk to this part of its first size is a steep slope, not a jump.
 constexpr double kVanishing = 1e-9;
-/// A gap that shrinks by more than 20 % between halving 32 and the last double is not a jump:
-/// 1/ln(u) comes to 0 ever more slowly.
-constexpr int kEarly = 32;
+/// A gap between neighbouring doubles that is less than 0.8 of the gap between places 2^21 units of
+/// rounding apart is not a jump: abs(u)^0.05 and 1/ln(u) come to 0 ever more slowly.
 constexpr double kShrinks = 0.8;
+constexpr std::size_t kFarOutward = 7;
 /// Positions at the ends of a line are alike if they differ by less than this part of their
 /// distances from a position between them.
 constexpr double kAlike = 1.0 / 4096;
@@ -37,20 +38,27 @@ constexpr int kMostMisses = 2;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Places beyond the ends of a jump, in its widths, which are adjacent doubles. A rounded condition
-/// may be 0 for thousands of doubles.
-constexpr std::array kOutward = {1.0, 0x1p3, 0x1p6, 0x1p9, 0x1p12, 0x1p15, 0x1p18};
+/// Places beyond the ends of a jump, in units of rounding. A rounded condition may be 0 for
+/// millions of doubles: 5*sin(u) is 5 as far as sqrt(2^-53) from where it should be.
+constexpr std::array kOutward = {1.0,    0x1p3,  0x1p6,  0x1p9,  0x1p12, 0x1p15,
+                                 0x1p18, 0x1p21, 0x1p24, 0x1p27, 0x1p30};
+/// Values of their own make positions move at up to 4 of these places; sin(1/u) moves at most.
+constexpr std::size_t kMostMoves = 4;
+/// These units, in lengths of the line, at most and at least: the places stay within 2^-14 of it.
+constexpr double kMostUnit = 0x1p-44;
+constexpr double kLeastUnit = 0x1p-70;
 
 /// A line that is being bisected.
 struct Search {
   Line ends;
   std::array<dvec3, 2> at_ends;
+  std::array<dvec3, 2> slopes;  ///< at the ends, by the share of the first line
   double first_gap = 0;
-  double early_gap = 0;  ///< after kEarly halvings, of positions
   bool done = false;
   LocatedDiscontinuity found = {};
   /// BisectedVector::height at the ends; NaN where it is not known.
   std::array<double, 2> heights = {kUnknown, kUnknown};
+  double length = 1;       ///< of the rest, in lengths of the first line
   double share = kShare;   ///< part of the line at which it is evaluated
   double width = 1;        ///< length of the line, in lengths when heights were first known
   int steps = 0;           ///< since heights were first known
@@ -64,7 +72,7 @@ double gap_between(const dvec3& a, const dvec3& b) {
 }
 
 Search begin(const Bracket& gap) {
-  Search search{gap.line, gap.at_ends};
+  Search search{gap.line, gap.at_ends, gap.slopes};
   search.first_gap = gap_between(gap.at_ends[0], gap.at_ends[1]);
   search.done = !is_finite(gap.at_ends[0]) || !is_finite(gap.at_ends[1]);
   return search;
@@ -78,7 +86,6 @@ void finish(Search& search, Discontinuity kind) {
 /// The kind of a gap that no halving has closed.
 Discontinuity at_last_digits(const Search& search, double delta) {
   const double gap = gap_between(search.at_ends[0], search.at_ends[1]);
-  if (gap < kShrinks * search.early_gap) return Discontinuity::None;
   if (gap < std::max(delta, kVanishing * search.first_gap)) return Discontinuity::None;
   return gap > kPoleGrowth * search.first_gap ? Discontinuity::Pole : Discontinuity::Jump;
 }
@@ -115,23 +122,42 @@ struct Look {
   dvec2 uv;
   dvec3 value;
   double height;
-  std::optional<dvec3> slope;  ///< along the line; nothing of normals
+  std::optional<dvec3> slope;  ///< by the share of the first line; nothing of normals
 };
 
-/// Whether the larger gap is in the first part of a line. Beside a pole both gaps may be the same
-/// to rounding; then it is the part into which the surface moves away from the ends.
-bool is_in_first_part(const Search& search, const Look& look, double first_gap, double last_gap) {
+/// The part of a gap that the slope at neither of its ends explains: its jumps. Not a number where
+/// a slope is infinite.
+double unexplained_gap(const dvec3& from, const dvec3& slope_from, const dvec3& to,
+                       const dvec3& slope_to, double share) {
+  const dvec3 gap = to - from;
+  return std::max(safe_length(gap - share * slope_from), safe_length(gap - share * slope_to));
+}
+
+/// Whether the larger gap is in the first part of a line: by what slopes do not explain, where they
+/// do not explain all. Beside a pole both gaps may be the same to rounding; then it is the part
+/// into which the surface moves away from the ends.
+bool is_in_first_part(const Search& search, const Look& look, double first_gap, double last_gap,
+                      const BisectedVector& bisected) {
   const double ends = gap_between(search.at_ends[0], search.at_ends[1]);
   if (look.slope && ends < kAlike * std::min(first_gap, last_gap)) {
     const double away = glm::dot(*look.slope / safe_length(*look.slope),
                                  (look.value - search.at_ends[0]) / first_gap);
     if (away != 0 && std::isfinite(away)) return away < 0;
   }
+  if (look.slope) {
+    const double first = unexplained_gap(search.at_ends[0], search.slopes[0], look.value,
+                                         *look.slope, search.length * search.share);
+    const double last = unexplained_gap(look.value, *look.slope, search.at_ends[1],
+                                        search.slopes[1], search.length * (1 - search.share));
+    if (std::max(first, last) > bisected.delta)  // not so for NaN
+      return first > bisected.first_gap || first >= last;
+  }
   return first_gap >= last_gap;
 }
 
 /// Goes on with one of the parts.
-void advance(Search& search, const Look& look, double delta) {
+void advance(Search& search, const Look& look, const BisectedVector& bisected) {
+  const double delta = bisected.delta;
   if (look.uv == search.ends[0] || look.uv == search.ends[1]) {
     return finish(search, at_last_digits(search, delta));
   }
@@ -145,49 +171,81 @@ void advance(Search& search, const Look& look, double delta) {
   const double first = gap_between(search.at_ends[0], look.value);
   const double second = gap_between(look.value, search.at_ends[1]);
   if (std::max(first, second) < delta) return finish(search, Discontinuity::None);
-  const std::size_t replaced = is_in_first_part(search, look, first, second) ? 1 : 0;
+  const std::size_t replaced = is_in_first_part(search, look, first, second, bisected) ? 1 : 0;
   search.ends[replaced] = look.uv;
   search.at_ends[replaced] = look.value;
   search.heights[replaced] = look.height;
+  if (look.slope) search.slopes[replaced] = *look.slope;
+  search.length *= replaced == 1 ? search.share : 1 - search.share;
   search.width *= replaced == 1 ? search.share : 1 - search.share;
   ++search.steps;
-  // Normals may turn slowly into a crease.
-  if (look.slope && search.steps == kEarly) search.early_gap = std::max(first, second);
+}
+
+/// The unit of rounding at a jump, along its line: the distance of the doubles beside it, or that
+/// of doubles as large as the larger parameter, with which a condition may add the smaller.
+dvec2 unit_of_rounding(const Search& search, const Line& line) {
+  const dvec2 width = search.ends[1] - search.ends[0];
+  const dvec2 whole = line[1] - line[0];
+  const dvec2 at = glm::max(glm::abs(search.ends[0]), glm::abs(search.ends[1]));
+  const double digits = std::numeric_limits<double>::epsilon() * std::max(at.x, at.y);
+  const double share = std::clamp(digits / glm::length(whole), kLeastUnit, kMostUnit);
+  return glm::length(width) > share * glm::length(whole) ? width : share * whole;
+}
+
+/// A place on a line, or the end of the line that it is beyond.
+dvec2 within(const Line& line, std::size_t end, const dvec2& place) {
+  const bool is_beyond = glm::dot(place - line[end], line[end] - line[1 - end]) > 0;
+  return is_beyond ? line[end] : place;
 }
 
 /// Moves ends of jumps outward. At a jump a formula may have a value of its own, as sign(0) is 0,
 /// for some doubles: it belongs to neither side. An end moves to the last place outward whose value
-/// is far from the one before. If that is the outermost place, the surface goes to infinity, and
-/// the ends stay.
-void look_outward(const Surface& surface, std::span<Search> searches,
+/// is far from the one before, within its line. If that is the outermost place, the surface is
+/// steep, and the end stays. Where it moves all the way it may go to infinity.
+void look_outward(const Surface& surface, std::span<const Bracket> gaps, std::span<Search> searches,
                   const BisectedVector& bisected, unsigned threads) {
-  std::vector<Search*> jumps;
+  std::vector<std::size_t> jumps;
   std::vector<dvec2> uv;
-  for (Search& search : searches) {
+  for (std::size_t k = 0; k < searches.size(); ++k) {
+    const Search& search = searches[k];
     if (search.found.kind != Discontinuity::Jump) continue;
-    jumps.push_back(&search);
-    const dvec2 step = search.ends[1] - search.ends[0];
+    jumps.push_back(k);
+    const Line& line = gaps[k].whole;
+    const dvec2 unit = unit_of_rounding(search, line);
     for (const double steps : kOutward) {
-      uv.push_back(search.ends[0] - steps * step);
-      uv.push_back(search.ends[1] + steps * step);
+      uv.push_back(within(line, 0, search.ends[0] - steps * unit));
+      uv.push_back(within(line, 1, search.ends[1] + steps * unit));
     }
   }
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   for (std::size_t k = 0; k < jumps.size(); ++k) {
-    Line ends = jumps[k]->ends;
+    Search& jump = searches[jumps[k]];
+    std::array<dvec3, 2> at_ends = jump.at_ends;
+    std::array<dvec3, 2> far;
+    std::size_t moves = 0;
     for (std::size_t end = 0; end < 2; ++end) {
-      dvec3 before = jumps[k]->at_ends[end];
+      dvec3 before = jump.at_ends[end];
+      far[end] = bisected.value(points[2 * (k * kOutward.size() + kFarOutward) + end]);
+      dvec2 last = jump.ends[end];
       for (std::size_t step = 0; step < kOutward.size(); ++step) {
         const std::size_t next = 2 * (k * kOutward.size() + step) + end;
         const dvec3 outward = bisected.value(points[next]);
         if (is_finite(outward) && gap_between(outward, before) >= bisected.beyond) {
-          ends[end] = uv[next];
-          if (step + 1 == kOutward.size()) jumps[k]->found.kind = Discontinuity::Pole;
+          const bool is_steep = step + 1 == kOutward.size();
+          last = is_steep ? jump.ends[end] : uv[next];
+          at_ends[end] = is_steep ? jump.at_ends[end] : outward;
+          ++moves;
         }
         before = outward;
       }
+      jump.found.ends[end] = last;
     }
-    if (jumps[k]->found.kind == Discontinuity::Jump) jumps[k]->found.ends = ends;
+    // Normals may turn slowly into a crease.
+    const bool shrinks =
+        gap_between(at_ends[0], at_ends[1]) < kShrinks * gap_between(far[0], far[1]);
+    if (!bisected.are_positions) continue;
+    if (moves > kMostMoves) jump.found.kind = Discontinuity::Pole;
+    if (shrinks) jump.found.kind = Discontinuity::None;
   }
 }
 
@@ -211,6 +269,15 @@ void evaluate_heights(const Surface& surface, std::span<Search> searches,
 
 }  // namespace
 
+Bracket bracket_of(const Line& line, const Line& whole, const SurfacePoint& first,
+                   const SurfacePoint& last) {
+  const dvec2 way = line[1] - line[0];
+  return {line,
+          whole,
+          {first.position, last.position},
+          {way.x * first.r_u + way.y * first.r_v, way.x * last.r_u + way.y * last.r_v}};
+}
+
 dvec2 near_middle(const Line& line) {
   return line[0] + kShare * (line[1] - line[0]);
 }
@@ -231,12 +298,13 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
     search.share = next_share(search);
     return search.ends[0] + search.share * (search.ends[1] - search.ends[0]);
   };
-  const auto is_done = [&bisected](Search& search, const dvec2& uv, const SurfacePoint& point) {
-    const dvec2 way = search.ends[1] - search.ends[0];
+  const auto is_done = [&](Search& search, const dvec2& uv, const SurfacePoint& point) {
+    const dvec2 way = gaps[static_cast<std::size_t>(&search - searches.data())].line[1] -
+                      gaps[static_cast<std::size_t>(&search - searches.data())].line[0];
     Look look{uv, bisected.value(point), kUnknown, std::nullopt};
     if (bisected.height) look.height = bisected.height(search.at_ends, point);
     if (bisected.are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
-    advance(search, look, bisected.delta);
+    advance(search, look, bisected);
     return search.done;
   };
   const int plain = bisected.height ? bisected.plain : kAllHalvings;
@@ -246,10 +314,29 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
     bisect_together(surface, searches, open, kAllHalvings - plain, threads, place, is_done);
   }
   for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], bisected.delta));
-  look_outward(surface, searches, bisected, threads);
+  look_outward(surface, gaps, searches, bisected, threads);
   std::vector<LocatedDiscontinuity> result(searches.size());
   std::ranges::transform(searches, result.begin(), &Search::found);
   return result;
+}
+
+std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
+                                                   std::span<const Bracket> gaps, double delta,
+                                                   Prefer prefer, unsigned threads,
+                                                   std::size_t& work) {
+  /// A smooth part of a leaf leaves less than 4 tolerances unexplained by its slopes: its sagitta
+  /// is a quarter of that.
+  constexpr double kSmooth = 4;
+  const BisectedVector positions = {
+      .value = [](const SurfacePoint& point) { return point.position; },
+      .height = {},
+      .delta = delta,
+      .beyond = delta,
+      .are_positions = true,
+      .plain = 0,
+      .first_gap =
+          prefer == Prefer::First ? kSmooth * delta : std::numeric_limits<double>::infinity()};
+  return bisect_discontinuities(surface, gaps, positions, threads, work);
 }
 
 }  // namespace saddle

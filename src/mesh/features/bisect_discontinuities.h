@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,15 @@ struct LocatedDiscontinuity {
 /// A line, and the values at its ends of the vector that may jump on it.
 struct Bracket {
   Line line;
+  Line whole;  ///< the line that it is a part of
   std::array<dvec3, 2> at_ends;
+  /// Derivatives of positions at the ends, by the share of the line.
+  std::array<dvec3, 2> slopes = {dvec3(0), dvec3(0)};
 };
+
+/// A line on which positions may jump, from the surface at its ends.
+Bracket bracket_of(const Line& line, const Line& whole, const SurfacePoint& first,
+                   const SurfacePoint& last);
 
 /// The vector that may jump, and how it is searched.
 struct BisectedVector {
@@ -40,6 +48,8 @@ struct BisectedVector {
   double beyond;       ///< a jump's end moves outward to values that differ from it by more
   bool are_positions;  ///< the vectors are positions
   int plain;           ///< halvings before heights are used
+  /// The first part of a line is followed if its gap is larger than this; else the larger part.
+  double first_gap = std::numeric_limits<double>::infinity();
 };
 
 /// Goes on with the larger part of each gap until both parts are below `delta`, or there are no
@@ -49,6 +59,15 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
                                                          std::span<const Bracket> gaps,
                                                          const BisectedVector& bisected,
                                                          unsigned threads, std::size_t& work);
+
+/// Which of several jumps of a line is found.
+enum class Prefer : std::uint8_t { Largest, First };
+
+/// The same for positions. Adds to `work` the number of points evaluated.
+std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
+                                                   std::span<const Bracket> gaps, double delta,
+                                                   Prefer prefer, unsigned threads,
+                                                   std::size_t& work);
 
 /// The place at which lines are halved: a little off the middle, where formulas often have cusps
 /// and no normal.

@@ -30,26 +30,21 @@ constexpr int kPlainHalvingsOfCusps = 1;
 /// between them, unless the surface turns back by 166 degrees.
 constexpr double kNearOpposites = 0.25;
 
-/// Bisects positions, which it evaluates at the ends first.
+/// Bisects positions, which it evaluates at the ends first. `whole`: the lines that the lines are
+/// parts of.
 std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
-                                                   std::span<const Line> lines, double delta,
+                                                   std::span<const Line> lines,
+                                                   std::span<const Line> whole, double delta,
                                                    unsigned threads, std::size_t& work) {
   std::vector<dvec2> uv;
   for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
   const std::vector<SurfacePoint> ends = evaluate(surface, uv, threads);
   std::vector<Bracket> gaps;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    gaps.push_back({lines[k], {ends[2 * k].position, ends[2 * k + 1].position}});
+    gaps.push_back(bracket_of(lines[k], whole[k], ends[2 * k], ends[2 * k + 1]));
   }
   work += uv.size();
-  const BisectedVector positions = {
-      .value = [](const SurfacePoint& point) { return point.position; },
-      .height = {},
-      .delta = delta,
-      .beyond = delta,
-      .are_positions = true,
-      .plain = 0};
-  return bisect_discontinuities(surface, gaps, positions, threads, work);
+  return bisect_positions(surface, gaps, delta, Prefer::Largest, threads, work);
 }
 
 /// The parts of lines that bounds do not prove to be continuous, beside the discontinuities found
@@ -124,13 +119,16 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
                                           std::span<const LinePart> unproved_parts, double delta,
                                           unsigned threads, std::size_t& work) {
   std::vector<Line> parts;
+  std::vector<Line> whole;
   std::vector<Line> ways;
   for (const auto& [line, part, broken_end] : unproved_parts) {
     parts.push_back(part);
+    whole.push_back(lines[line]);
     ways.push_back({part[0], lines[line][0]});
     ways.push_back({part[1], lines[line][1]});
   }
-  std::vector<LocatedDiscontinuity> found = follow_positions(surface, parts, delta, threads, work);
+  std::vector<LocatedDiscontinuity> found =
+      follow_positions(surface, parts, whole, delta, threads, work);
   const std::vector<bool> far = diverge(surface, ways, delta, threads);
   const std::vector<bool> beside = diverge_beside(surface, parts, found, delta, threads);
   work += kLooksOnTheWay * ways.size();
@@ -181,7 +179,8 @@ std::vector<LinePart> take_some(std::span<const LocatedDiscontinuity> found,
 std::vector<LocatedDiscontinuity> find_discontinuities_in(const Surface& surface,
                                                           std::span<const Line> lines, double delta,
                                                           unsigned threads, std::size_t& work) {
-  std::vector<LocatedDiscontinuity> found = follow_positions(surface, lines, delta, threads, work);
+  std::vector<LocatedDiscontinuity> found =
+      follow_positions(surface, lines, lines, delta, threads, work);
   verify(surface, lines, delta, threads, found);
   std::vector<LinePart> open = unproved_parts(surface, lines, found, delta, work);
   const auto from_known = [&](const LinePart& part) {
@@ -230,7 +229,7 @@ std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span
   const auto [open, only_cusps] = unproved_normals(surface, lines, work);
   std::vector<Bracket> gaps;
   gaps.reserve(open.size());
-  for (const std::size_t k : open) gaps.push_back({lines[k], normals[k]});
+  for (const std::size_t k : open) gaps.push_back({lines[k], lines[k], normals[k]});
   const auto normal = [](const SurfacePoint& point) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     return normal_direction(point).value_or(dvec3(kUnknown));

@@ -5,7 +5,6 @@
 
 #include "mesh/features/point_singularities.h"
 #include "mesh/proof/certify.h"
-#include "mesh/proof/small_components.h"
 #include "surface/box_subdivision.h"
 #include "surface/normal.h"
 #include "surface/surface_enclosure.h"

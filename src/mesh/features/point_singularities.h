@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/bounds.h"
-#include "mesh/proof/small_components.h"
 #include "surface/parameter_box.h"
 #include "surface/surface.h"
 

@@ -11,6 +11,8 @@
 #include "mesh/mesher/envelope.h"
 #include "mesh/mesher/follow_features.h"
 #include "mesh/mesher/halve.h"
+#include "mesh/mesher/halving_limits.h"
+#include "mesh/mesher/solve_inner_vertices.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/flip.h"
 
@@ -18,11 +20,14 @@ namespace saddle {
 
 namespace {
 
-/// Rounds of refinement after the first subdivision, at most.
-constexpr int kRounds = 12;
+/// Rounds of refinement after the first subdivision, at most: 16 halvings each way lead to a point
+/// where features meet, and others to what they leave.
+constexpr int kMostRounds = 40;
 /// The share of the triangles that the first subdivision may take: 7/8. The rest is for errors that
 /// only validation finds, as of waves that fit into a cell.
 constexpr double kFirst = 0.875;
+/// Leaves whose inner vertices are solved for together, between looks at the budget.
+constexpr std::size_t kSolvedAtATime = 256;
 /// A sampled error raises the safety of a leaf's halves by up to 4: at a kink it says nothing about
 /// the size of leaves.
 constexpr double kMostSafety = 4;
@@ -52,7 +57,8 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       seams_(weld_if_two_dimensional(plan.probe)),
       points_(grid_.mesh),
       tree_(surface, grid_, request.threads),
-      validation_(surface, limits_, grid_, tree_, mesh_),
+      landmarks_(plan.probe.landmarks().places, request.clip, grid_, tree_),
+      validation_(surface, limits_, grid_, tree_, landmarks_, mesh_),
       direction_(limits_, grid_, tree_, mesh_),
       proof_(surface, grid_, tree_, request.threads),
       predicted_(predict(plan)) {
@@ -69,7 +75,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
                                     : Until::Done;
   tree_.geometry().add_middles(request_.threads);
   refine({root_leaves(grid_), std::move(counterexamples)}, {until, limits_.triangles.part(kFirst)});
-  for (int round = 0; round < kRounds && !stops_early(); ++round) {
+  for (int round = 0; round < kMostRounds && !stops_early(); ++round) {
     const ActiveLeaves active = next_active();
     if (active.leaves.empty()) break;
     refine(active, {until, limits_.triangles});
@@ -81,12 +87,10 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
 }
 
 /// Runs the checks in the order of their cost and returns the leaves of the first that finds any:
-/// validation, validation of changed polygons, the search for small components, validation at
-/// singular vertices, interval proofs.
+/// validation, validation of changed polygons, validation at singular vertices, interval proofs.
 ActiveLeaves AdaptiveMesher::next_active() {
   ActiveLeaves active{halve_failed(), {}};
   if (active.leaves.empty() && validation_.revalidate()) active.leaves = halve_failed();
-  if (active.leaves.empty() && certifies()) active = activate_small_components();
   if (active.leaves.empty() && validation_.validate_singular()) active.leaves = halve_failed();
   if (active.leaves.empty() && certifies()) active = activate_refuted();
   if (active.leaves.empty() && is_unrefined()) active = activate_jumping();
@@ -121,6 +125,7 @@ void AdaptiveMesher::leave_flat_unproved(const LeafTriangles& triangles) {
 
 void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report) {
   if (!request_.clip) leave_flat_unproved(triangles);
+  landmarks_.complete(triangles.all, report.tolerance.value_or(0), report);
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
@@ -185,7 +190,8 @@ void AdaptiveMesher::find_far_vertices() {
 
 /// Subdivides active leaves, follows the features found on their sides, and validates the leaves
 /// that are new or cut.
-void AdaptiveMesher::refine(const ActiveLeaves& active, const SubdivisionGoal& goal) {
+void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
+  landmarks_.append_missed(active.leaves, active.counterexamples);
   append(subdivide(active, oscillation(), limits_, goal, grid_, tree_));
   find_far_vertices();
   if (stops_early()) return;
@@ -193,7 +199,33 @@ void AdaptiveMesher::refine(const ActiveLeaves& active, const SubdivisionGoal& g
   points_.settle();
   std::vector<std::size_t> changed = follow_all_features();
   join_points();
+  const std::size_t first = mesh_.sampled_errors.size();
   validation_.validate_new(std::move(changed));
+  place_inner_vertices(first);
+}
+
+/// Solves for corners of features in new leaves, numbered from `first`, whose chords miss them.
+void AdaptiveMesher::place_inner_vertices(std::size_t first) {
+  const Oscillation unresolvable = oscillation();
+  std::vector<std::size_t> which;
+  for (std::size_t k = first; k < mesh_.leaves.size(); ++k) {
+    const Leaf& leaf = mesh_.leaves[k];
+    if (leaf.state.is_whole() || leaf.state.leads_to_pole() || is_clipped(leaf)) continue;
+    if (!leaf.state.may_be_halved() || unresolvable.contains(leaf, tree_)) continue;
+    if (request_.clip && crosses_box(leaf)) continue;
+    const FeatureCount features = count_features(leaf, tree_);
+    const bool is_solvable = !features.has_more && !has_cut(FeatureKind::Pole, leaf, tree_) &&
+                             !has_cut(FeatureKind::Face, leaf, tree_) &&
+                             !has_cut(FeatureKind::Essential, leaf, tree_) &&
+                             !(leaf.state.is_cut_by_feature() && features.only_creases);
+    if (is_solvable) which.push_back(k);
+  }
+  for (std::span<const std::size_t> rest = which; !rest.empty();) {
+    if (tree_.budget().is_full(limits_.triangles)) return;
+    const auto some = rest.first(std::min(rest.size(), kSolvedAtATime));
+    validation_.validate_again(solve_inner_vertices(some, limits_, mesh_, tree_));
+    rest = rest.subspan(some.size());
+  }
 }
 
 /// Follows features from leaf to leaf and across seams. Returns the leaves that get their first
@@ -261,6 +293,20 @@ bool AdaptiveMesher::stop_if_done(Leaf& leaf, const Oscillation& oscillation) {
   return true;
 }
 
+/// Leaves out a failed leaf that is too small to see or to halve: its triangles may be walls
+/// between sheets. The vertices around it are within the tolerance.
+bool AdaptiveMesher::leave_out_if_small(std::size_t number) {
+  Leaf& leaf = mesh_.leaves[number];
+  const bool is_smallest = leaf.size_u() < 2 && leaf.size_v() < 2;
+  const bool is_small =
+      halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
+  if (leaf.state.leads_to_pole() || !(is_smallest || is_small)) return false;
+  leaf.state.freeze();
+  leaf.state.leave_out();
+  mesh_.sampled_errors[number] = {};
+  return true;
+}
+
 /// Removes failed leaves from the mesh and returns their halves. It tests the leaves that were
 /// validated since the last call, and those whose features changed.
 std::vector<Leaf> AdaptiveMesher::halve_failed() {
@@ -277,6 +323,7 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     const double distance_ratio = mesh_.error_ratio(k);
     const double normal_ratio = normal_error_ratio(k);
     if (!(distance_ratio > 1) && !(normal_ratio > 1) && !direction_.is_cut_unclearly(k)) continue;
+    if (is_cut && leave_out_if_small(k)) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (stop_if_done(leaf, *unresolvable)) continue;
     const auto both = halve(leaf, direction_.is_across_u(k, predicted_), tree_);
@@ -305,23 +352,6 @@ std::vector<Leaf> AdaptiveMesher::reactivate_defined() {
   std::ranges::copy_if(empty_, std::back_inserter(defined), is_defined);
   std::erase_if(empty_, is_defined);
   return defined;
-}
-
-/// Empty leaves in which bounds lead to a place where the surface is defined.
-ActiveLeaves AdaptiveMesher::activate_small_components() {
-  const auto found = proof_.find_defined_in(empty_);
-  ActiveLeaves active;
-  std::vector<Leaf> kept;
-  for (std::size_t k = 0; k < empty_.size(); ++k) {
-    if (!found[k] || stop_if_full()) {
-      kept.push_back(empty_[k]);
-      continue;
-    }
-    active.counterexamples.push_back({*found[k], {}, {}, {}, active.leaves.size()});
-    active.leaves.push_back(empty_[k]);
-  }
-  empty_ = std::move(kept);
-  return active;
 }
 
 /// Leaves with counterexamples or jumps in their unproved boxes.

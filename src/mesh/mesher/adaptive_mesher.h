@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/error/validated_mesh.h"
+#include "mesh/mesher/leaf_landmarks.h"
 #include "mesh/mesher/leaf_proof.h"
 #include "mesh/mesher/leaf_validation.h"
 #include "mesh/mesher/mesh_plan.h"
@@ -68,19 +69,20 @@ class AdaptiveMesher {
   Seams weld_if_two_dimensional(const Probe& probe);
   TraceOptions trace_options() const;
   bool stop_if_full();
-  void refine(const ActiveLeaves& active, const SubdivisionGoal& goal);
+  void refine(ActiveLeaves active, const SubdivisionGoal& goal);
   void append(const Subdivision& subdivision);
   std::vector<std::size_t> follow_all_features();
   void join_points();
+  void place_inner_vertices(std::size_t first);
   void find_far_vertices();
   ActiveLeaves next_active();
   double normal_error_ratio(std::size_t leaf);
   Oscillation predict(const MeshPlan& plan) const;
   Oscillation oscillation() const;
+  bool leave_out_if_small(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
   std::vector<Leaf> halve_failed();
   std::vector<Leaf> reactivate_defined();
-  ActiveLeaves activate_small_components();
   std::vector<std::size_t> find_jumping(std::span<const UnprovedBox> unproved_boxes);
   ActiveLeaves activate(const std::set<std::size_t>& numbers,
                         std::vector<Counterexample> counterexamples);
@@ -96,6 +98,7 @@ class AdaptiveMesher {
   PointUnion points_;
   CellTree tree_;
   ValidatedMesh mesh_;
+  LeafLandmarks landmarks_;
   LeafValidation validation_;
   SplitDirection direction_;
   LeafProof proof_;

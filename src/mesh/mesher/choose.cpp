@@ -75,10 +75,17 @@ class Chooser {
   bool may_be_grid() {
     choice_.why = request_.clip || plan_.is_limited       ? Why::Limited
                   : !plan_.tolerance.is_same_everywhere() ? Why::VariesTolerance
-                  : !grid_forecast_.is_regular || !plan_.singular.points.empty()
+                  : !grid_forecast_.is_regular || !plan_.singular.points.empty() || is_broken()
                       ? Why::NotSmooth
                       : Why::GridIsCheaper;
     return choice_.why == Why::GridIsCheaper;
+  }
+
+  /// Whether landmarks show a boundary, or a jump that is higher than the tolerance.
+  bool is_broken() const {
+    const Landmarks& landmarks = plan_.probe.landmarks();
+    const double allowed = plan_.aim(plan_.probe.bounds().centre());
+    return landmarks.has_boundary || landmarks.highest_step > allowed;
   }
 
   /// Cells along u and along v.

@@ -31,9 +31,12 @@ int boundary_halvings(const Leaf& leaf, const CellTree& tree) {
 }
 
 int wanted_halvings(const FeatureCount& features) {
-  if (!features.is_through()) return kMostCutHalvings;
-  // A leaf with a pole is cut like one with a boundary.
-  return features.leads_to_pole ? kBoundaryHalvings : 0;
+  if (!features.is_through() &&
+      (features.only_creases || features.leads_to_pole || !features.only_jumps)) {
+    return kMostCutHalvings;
+  }
+  // A leaf with a pole is cut like one with a boundary. Lines that cross may be solved for.
+  return features.leads_to_pole || !features.is_through() ? kBoundaryHalvings : 0;
 }
 
 bool is_search_due(const Leaf& leaf) {

@@ -26,16 +26,16 @@ inline constexpr std::uint8_t kMaxNormalStagnation = 12;
 inline constexpr int kBoundaryHalvings = 4;
 /// Halvings of a root cell whose edge features are more than one line, at most: 14.
 inline constexpr int kMostCutHalvings = 14;
+/// Halvings of a root cell in all: 16 each way.
+inline constexpr int kMostHalvings = 2 * std::countr_zero(kCellUnit);
 /// Halvings along a pole, at most: 28, twice those that lead to it.
 inline constexpr int kMostHalvingsBesidePole = 2 * kMostCutHalvings;
-/// Halvings of a root cell that lead to where the surface is defined, at most: 24.
-inline constexpr int kMostSeekHalvings = 24;
 
 /// Halvings of the root cell of a leaf.
 inline int halvings_of_root(const Leaf& leaf) {
   return std::countr_zero(kCellUnit / leaf.size_u()) + std::countr_zero(kCellUnit / leaf.size_v());
 }
-/// The same without those that led to where the surface is defined.
+/// The same without those that led to a landmark.
 inline int halvings(const Leaf& leaf) {
   return halvings_of_root(leaf) - leaf.sought;
 }

@@ -5,7 +5,6 @@
 #include "mesh/error/error_indicator.h"
 #include "mesh/grid/grid.h"
 #include "mesh/proof/report_proof.h"
-#include "mesh/proof/small_components.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/patches.h"
@@ -16,8 +15,6 @@ namespace saddle {
 
 namespace {
 
-/// The search for small components may take 1/12 of the boxes of proofs.
-constexpr std::size_t kProofsPerComponent = 12;
 /// A hole is visible if a box in it is longer than 0.5 tolerances: a hole holds boxes about half as
 /// wide as itself.
 constexpr double kVisibleHole = 0.5;
@@ -26,21 +23,7 @@ constexpr double kVisibleHole = 0.5;
 
 LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree,
                      unsigned threads)
-    : surface_(surface),
-      grid_(grid),
-      tree_(tree),
-      threads_(threads),
-      budget_(surface.bounds),
-      component_boxes_(budget_.boxes / kProofsPerComponent) {}
-
-std::vector<std::optional<dvec2>> LeafProof::find_defined_in(std::span<const Leaf> leaves) {
-  std::vector<ParameterBox> boxes;
-  for (const Leaf& leaf : leaves) {
-    boxes.push_back(
-        {tree_.vertices().parameters(leaf.low), tree_.vertices().parameters(leaf.high)});
-  }
-  return find_defined(surface_, boxes, component_boxes_, threads_);
-}
+    : surface_(surface), grid_(grid), tree_(tree), threads_(threads), budget_(surface.bounds) {}
 
 Certification LeafProof::certify_leaves(const ValidatedMesh& mesh) {
   const std::vector<Patch> patches = patches_of(mesh.leaves, mesh.allowed, grid_, tree_);

@@ -21,10 +21,6 @@ class LeafProof {
  public:
   LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads);
 
-  /// Places in leaves without defined samples at which the surface is defined; empty where none was
-  /// found. All calls share 1/12 of the budget.
-  std::vector<std::optional<dvec2>> find_defined_in(std::span<const Leaf> leaves);
-
   /// The boxes without a proof. Keeps the proof gaps for the report.
   std::vector<UnprovedBox> prove(const ValidatedMesh& mesh);
   /// The boxes without a proof. The gaps of the last prove() stay for the report.
@@ -51,7 +47,6 @@ class LeafProof {
   const CellTree& tree_;
   unsigned threads_;
   ProofBudget budget_;
-  std::size_t component_boxes_;         // of the budget, for find_defined_in()
   std::optional<Certification> proof_;  // the last; empty: none was tried
   ProvedCells cells_;                   // that it was tried for
 };

@@ -73,6 +73,7 @@ void LeafValidation::validate(std::span<const std::size_t> which, const Singular
   evaluations_ += validator.evaluations();
   tree_.effort().add_places(validator.evaluations());
   mesh_.put(which, triangles, now);
+  landmarks_.measure(which, mesh_);
   for (const std::size_t k : which) {
     const bool is_thin =
         is_turned(k) && thickness_of(mesh_.leaves[k], grid_, tree_) <= kSeenTurn * mesh_.allowed[k];

@@ -8,6 +8,7 @@
 
 #include "mesh/error/limits.h"
 #include "mesh/error/validated_mesh.h"
+#include "mesh/mesher/leaf_landmarks.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/tree/singular_corners.h"
 
@@ -22,14 +23,21 @@ double thickness_of(const Leaf& leaf, const Grid& grid, const CellTree& tree);
 class LeafValidation {
  public:
   LeafValidation(const Surface& surface, const CellLimits& limits, Grid& grid, CellTree& tree,
-                 ValidatedMesh& mesh)
-      : surface_(surface), limits_(limits), grid_(grid), tree_(tree), mesh_(mesh) {}
+                 LeafLandmarks& landmarks, ValidatedMesh& mesh)
+      : surface_(surface),
+        limits_(limits),
+        grid_(grid),
+        tree_(tree),
+        landmarks_(landmarks),
+        mesh_(mesh) {}
 
   /// Validates the leaves without sampled errors, and others whose features changed.
   void validate_new(std::vector<std::size_t> changed);
   /// Validates the distances of leaves again whose cell polygons have new vertices. Their errors of
   /// normals stay. False if there are no such leaves.
   bool revalidate();
+  /// Validates leaves again that got inner vertices.
+  void validate_again(std::span<const std::size_t> which) { validate(which, SingularCorners()); }
   /// Validates the leaves at singular vertices with the limits of their normals. The limits are not
   /// kept: leaves may still change. False if there are no singular vertices.
   bool validate_singular();
@@ -50,6 +58,7 @@ class LeafValidation {
   const CellLimits& limits_;
   Grid& grid_;
   CellTree& tree_;
+  LeafLandmarks& landmarks_;
   ValidatedMesh& mesh_;
   LastLimits normal_limits_;
   std::size_t evaluations_ = 0;

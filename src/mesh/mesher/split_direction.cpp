@@ -12,6 +12,15 @@ namespace {
 
 /// An error estimate below 0.5 tolerances says nothing about the direction of a sampled error.
 constexpr double kSignificant = 0.5;
+/// The share of a leaf that its sub-polygons must cover in (u, v): the rest is rounding of inner
+/// vertices' places.
+constexpr double kAll = 1 - 1e-9;
+
+bool covers_leaf(const Leaf& leaf, const CellTree& tree) {
+  double area = 0;
+  for (const Polygon& polygon : sub_polygons(leaf, tree)) area += doubled_area_of(polygon);
+  return area >= 2 * kAll * leaf.size_u() * leaf.size_v();
+}
 
 }  // namespace
 
@@ -22,9 +31,9 @@ bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicte
   if (mesh_.triangles.ranges[number].has_flat_sub_polygon && leaf.state.is_cut_by_feature()) {
     if (const auto along_u = flat_sub_polygon_along_u(leaf, tree_)) return *along_u;
   }
-  if (is_far && mesh_.sampled_errors[number].on_crease) return is_cut_along_u(leaf, tree_);
   if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
   if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_along_u(leaf);
+  if (is_far && mesh_.sampled_errors[number].on_crease) return is_cut_along_u(leaf, tree_);
   const CellError error = indicator_.estimate(leaf);
   const ErrorRatios ratios = is_far ? error.distance : error.turn;
   const bool is_significant = std::max(ratios.along_u, ratios.along_v) > kSignificant;
@@ -46,10 +55,11 @@ bool SplitDirection::has_singular_side(const SampleVertices& samples, std::size_
 
 bool SplitDirection::is_cut_unclearly(std::size_t number) const {
   const Leaf& leaf = mesh_.leaves[number];
-  if (!leaf.state.is_cut_by_feature() || !leaf.state.may_be_halved()) return false;
+  if (!leaf.state.is_cut_by_feature()) return false;
   const FeatureCount features = count_features(leaf, tree_);
   if (features.only_creases) return mesh_.triangles.ranges[number].has_flat_sub_polygon;
-  return !features.is_through();
+  if (!features.only_jumps) return leaf.state.may_be_halved() && !features.is_through();
+  return features.has_more || (!features.is_through() && !covers_leaf(leaf, tree_));
 }
 
 }  // namespace saddle

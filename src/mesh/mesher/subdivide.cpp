@@ -6,16 +6,22 @@
 
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/estimate_many.h"
+#include "mesh/error/sampled_error.h"
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/halve.h"
 #include "mesh/mesher/halving_limits.h"
 #include "mesh/mesher/oscillation.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/leaf_mesh.h"
+#include "mesh/tree/singular_corners.h"
 
 namespace saddle {
 
 namespace {
+
+/// In tolerances: a leaf with features whose image is shorter is not halved toward landmarks.
+constexpr double kResolved = 0.5;
 
 /// An active leaf without an error estimate.
 struct Candidate {
@@ -40,6 +46,7 @@ class Subdivider {
       : counterexamples_(counterexamples),
         limits_(limits),
         goal_(goal),
+        grid_(grid),
         tree_(tree),
         indicator_(limits, grid, tree),
         known_oscillation_(std::move(known_oscillation)),
@@ -112,10 +119,12 @@ class Subdivider {
   void halve_toward_feature(const Estimated& estimated, Leaf leaf, bool along_u,
                             int wanted_halvings) {
     const int done = halvings(leaf);
-    const auto halves = done < wanted_halvings ? halve_if_allowed(leaf, along_u) : std::nullopt;
+    const auto halves = done < wanted_halvings || misses_landmark(estimated.candidate)
+                            ? halve_if_allowed(leaf, along_u)
+                            : std::nullopt;
     if (!halves) {
       const int most =
-          leaf.state.is_on_boundary() ? most_boundary_halvings(leaf, tree_) : kMostCutHalvings;
+          leaf.state.is_on_boundary() ? most_boundary_halvings(leaf, tree_) : kMostHalvings;
       if (done >= most || tree_.budget().is_full(goal_.triangles)) leaf.state.freeze();
       result_.leaves.push_back(leaf);
       return;
@@ -131,9 +140,7 @@ class Subdivider {
   void seek_defined(const Candidate& candidate) {
     const Leaf& leaf = candidate.leaf;
     const bool is_known = !candidate.counterexamples.empty() || has_defined_corner(leaf, tree_);
-    const auto halves = is_known && halvings_of_root(leaf) < kMostSeekHalvings
-                            ? halve_if_allowed(leaf, leaf.size_u() >= leaf.size_v())
-                            : std::nullopt;
+    const auto halves = is_known ? halve_if_allowed(leaf, seeks_along_u(candidate)) : std::nullopt;
     if (!halves) {
       result_.empty.push_back(leaf);
       return;
@@ -142,6 +149,18 @@ class Subdivider {
       half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
       push(half, candidate, candidate.parent_distance, candidate.parent_turn);
     }
+  }
+
+  /// Whether to halve a leaf without defined samples along u: across a narrow part, or else the
+  /// longer direction.
+  bool seeks_along_u(const Candidate& candidate) const {
+    const Leaf& leaf = candidate.leaf;
+    for (const std::uint32_t number : candidate.counterexamples) {
+      const dvec2& bend = counterexamples_[number].bend;
+      if (bend.x > 0 && bend.y == 0 && leaf.size_u() > 1) return true;
+      if (bend.y > 0 && bend.x == 0 && leaf.size_v() > 1) return false;
+    }
+    return leaf.size_u() >= leaf.size_v();
   }
 
   /// Keeps a leaf with a boundary where the surface is predicted to oscillate. False for others.
@@ -226,7 +245,8 @@ class Subdivider {
       Leaf& leaf = to_search[k].candidate.leaf;
       const bool is_clear = features_of[k].is_through();
       const bool is_cut = leaf.state.is_cut_by_feature();
-      if (is_cut && !is_clear && indicator_.is_too_small_to_see(leaf)) {
+      const bool may_end = is_cut && !is_clear && halvings_of_root(leaf) >= kBoundaryHalvings;
+      if (may_end && indicator_.is_too_small_to_see(leaf)) {
         leaf.state.freeze();
         result_.leaves.push_back(leaf);
       } else if (is_cut) {
@@ -284,7 +304,10 @@ class Subdivider {
       result_.leaves.push_back(leaf);
       return;
     }
-    for (const Leaf& half : *halves) push(half, estimated.candidate, distance, turn);
+    for (Leaf half : *halves) {
+      if (missed != nullptr) half.sought = static_cast<std::uint8_t>(halvings_of_root(half));
+      push(half, estimated.candidate, distance, turn);
+    }
   }
 
   bool oscillates(const Leaf& leaf) const {
@@ -323,6 +346,31 @@ class Subdivider {
     next_.push_back(std::move(candidate));
   }
 
+  /// Whether a leaf with features misses a landmark by more than the tolerance, and is not smaller
+  /// than half a tolerance there.
+  bool misses_landmark(const Candidate& candidate) {
+    const auto& leaf = candidate.leaf;
+    const dvec2 size =
+        glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
+    std::optional<LeafTriangles> triangles;
+    for (const std::uint32_t number : candidate.counterexamples) {
+      const Counterexample& place = counterexamples_[number];
+      if (!place.speed || !is_finite(place.position)) continue;
+      const double allowed = limits_.tolerance(place.position);
+      if (!(glm::dot(*place.speed, size) > kResolved * allowed)) continue;
+      if (!triangles) {
+        search_sides(std::span(&leaf, 1));
+        constexpr std::array<std::size_t, 1> kOne = {0};
+        triangles = triangulate_leaves(std::span(&leaf, 1), kOne, SingularCorners(), grid_, tree_);
+      }
+      if (triangles->all.empty() ||
+          distance_from(grid_, triangles->all, place.uv, place.position) > allowed) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// The first counterexample that a leaf misses.
   const Counterexample* missed_counterexample(const Estimated& estimated) const {
     const auto& [leaf, counterexamples, parent_distance, parent_turn] = estimated.candidate;
@@ -336,6 +384,7 @@ class Subdivider {
   std::span<const Counterexample> counterexamples_;
   const CellLimits& limits_;
   SubdivisionGoal goal_;
+  const Grid& grid_;
   CellTree& tree_;
   ErrorIndicator indicator_;
   std::vector<Candidate> next_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "base/vec.h"
 
@@ -14,6 +15,8 @@ struct Counterexample {
   dvec2 size;        ///< of the box of parameters that it stands for
   dvec2 bend;        ///< second derivatives along u and along v there, in any unit
   std::size_t cell;  ///< number of the cell
+  /// |r_u| and |r_v| at a landmark (proof/landmarks.h), which leaves with features reach, too.
+  std::optional<dvec2> speed = {};
 };
 
 }  // namespace saddle

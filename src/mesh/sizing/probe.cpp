@@ -83,12 +83,13 @@ std::array<double, 2> largest_areas(const GridColumns& tangents, std::size_t col
 Probe::Probe(const Surface& surface, unsigned threads)
     : u_(jittered(surface.domain.u0, surface.domain.u1, 0)),
       v_(jittered(surface.domain.v0, surface.domain.v1, kLines)),
-      domain_(surface.domain) {
+      domain_(surface.domain),
+      landmarks_(find_landmarks(surface, threads)) {
   sample_inside(surface, threads);
   sample_edges(surface, threads);
   const auto is_met = [](const Sample& sample) { return is_finite(sample.position); };
   if (std::ranges::none_of(samples_, is_met) || !(bounds_.diagonal() > 0)) {
-    component_ = find_small_component(surface, threads);
+    component_ = component_of(landmarks_, surface, threads);
   }
   if (component_)
     std::ranges::for_each(component_->positions, [&](const dvec3& p) { bounds_.add(p); });

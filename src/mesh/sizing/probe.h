@@ -14,7 +14,7 @@
 #include "mesh/features/singular.h"
 #include "mesh/model/seam.h"
 #include "mesh/model/tolerance.h"
-#include "mesh/proof/small_components.h"
+#include "mesh/proof/landmarks.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -68,6 +68,8 @@ class Probe {
   const Bounds& bounds() const { return bounds_; }
   /// The finite positions of samples, without those of edges.
   std::vector<dvec3> positions() const;
+  /// Small features between samples, and places beside jumps and boundaries.
+  const Landmarks& landmarks() const { return landmarks_; }
   /// Where the surface is, if at most one position is finite.
   const std::optional<SmallComponent>& component() const { return component_; }
   /// The largest distance of a finite position from `centre`.
@@ -112,6 +114,7 @@ class Probe {
   std::array<bool, 2> singular_ends_v_ = {};
   Seams seams_;
   Bounds bounds_;
+  Landmarks landmarks_;
   std::optional<SmallComponent> component_;
 };
 

@@ -58,7 +58,8 @@ struct Run {
 /// Cuts a cell polygon at its features.
 class Cutter {
  public:
-  Cutter(const Polygon& whole, const CellTree& tree) : whole_(whole), tree_(tree) {
+  Cutter(const Leaf& leaf, const Polygon& whole, const CellTree& tree)
+      : leaf_(leaf), whole_(whole), tree_(tree) {
     for (std::size_t k = 0; k < whole.size(); ++k) go_on(k);
   }
 
@@ -197,10 +198,32 @@ class Cutter {
     };
     polygon.erase(std::unique(polygon.begin(), polygon.end(), same), polygon.end());
     while (polygon.size() > 1 && same(polygon.front(), polygon.back())) polygon.pop_back();
+    const bool has_inner = add_inner_vertices(polygon);
     const bool is_side = cuts_ > 0 && cuts_ == boundaries_ && is_flat(polygon);
-    if (polygon.size() >= 3 && !is_side) result.push_back(std::move(polygon));
+    const bool is_empty = has_inner && doubled_area_of(polygon) <= rounding_of_area(polygon);
+    if (polygon.size() >= 3 && !is_side && !is_empty) result.push_back(std::move(polygon));
   }
 
+  /// Returns whether there are any.
+  bool add_inner_vertices(Polygon& polygon) const {
+    bool has_inner = false;
+    if (!tree_.inner().has(leaf_)) return false;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const PolygonCorner& next = polygon[(k + 1) % polygon.size()];
+      const dvec2 low(leaf_.low.u, leaf_.low.v);
+      const dvec2 middle = 0.5 * (polygon[k].place + next.place) - low;
+      const dvec2 size(leaf_.size_u(), leaf_.size_v());
+      if (!is_chord(middle / size, {polygon[k].corner, next.corner}, tree_)) continue;
+      const auto inner = tree_.inner().after(leaf_, polygon[k]);
+      if (!inner) continue;
+      has_inner = true;
+      const PolygonCorner corner = {*inner, tree_.vertices().place_between(*inner)};
+      polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(++k), corner);
+    }
+    return has_inner;
+  }
+
+  const Leaf& leaf_;
   const Polygon& whole_;
   const CellTree& tree_;
   std::vector<Run> runs_{1};
@@ -221,7 +244,7 @@ std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree) {
     result.push_back(std::move(whole));
     return result;
   }
-  return Cutter(whole, tree)
+  return Cutter(leaf, whole, tree)
       .take(leaf.state.is_cut_by_feature(), tree.geometry().is_defined(leaf.samples.centre),
             has_opposite_gaps(leaf, tree));
 }
@@ -258,6 +281,15 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, cons
     if (tree.edges().feature(corners[k], corners[(k + 1) % 4])) return std::nullopt;
   }
   return corners;
+}
+
+bool is_chord(const dvec2& middle, const Side& edge, const CellTree& tree) {
+  /// Places of features are off their sides by rounding.
+  constexpr double kOnBorder = 1e-9;
+  const bool is_inside =
+      std::min(middle.x, middle.y) > kOnBorder && std::max(middle.x, middle.y) < 1 - kOnBorder;
+  return is_inside ||
+         (tree.vertices().is_on_feature(edge[0]) && tree.vertices().is_on_feature(edge[1]));
 }
 
 bool is_flat(const Polygon& sub_polygon) {
@@ -351,13 +383,18 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
     const bool on_side_of_u =
         tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
-    const std::size_t features = tree.edges().has_more(a, b) ? 2 : 1;
+    const bool has_more = tree.edges().has_more(a, b);
+    const std::size_t features = has_more ? 2 : 1;
+    count.has_more = count.has_more || has_more;
     count.features += features;
     (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
     if (is_at_corner(*feature, leaf, tree)) {
       ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
     }
-    if (feature->kind != FeatureKind::Crease) count.only_creases = false;
+    if (feature->kind != FeatureKind::Crease) {
+      count.only_creases = false;
+      count.only_jumps = count.only_jumps && feature->kind == FeatureKind::Jump;
+    }
   });
   count.singular_points = singular.size();
   if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);

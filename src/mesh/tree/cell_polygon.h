@@ -47,6 +47,10 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, cons
 /// ends.
 std::vector<Polygon> sub_polygons(const Leaf& leaf, const CellTree& tree);
 
+/// Whether an edge of a sub-polygon is a chord of a feature, not a part of the leaf's border.
+/// `middle`: its middle, in the unit square of the leaf.
+bool is_chord(const dvec2& middle, const Side& edge, const CellTree& tree);
+
 /// Whether a sub-polygon is a side of its leaf, within rounding: a crease runs along the side, and
 /// neighbours have vertices on it.
 bool is_flat(const Polygon& sub_polygon);
@@ -67,6 +71,8 @@ struct FeatureCount {
   std::size_t at_vertices = 0;  ///< pairs of features at one vertex, on both of its sides
   std::size_t singular_points = 0;
   bool only_creases = true;    ///< among the features
+  bool only_jumps = true;      ///< and creases
+  bool has_more = false;       ///< a side has more than one
   bool leads_to_pole = false;  ///< a side does
 
   /// The direction that separates several lines which cut a leaf: lines that cross its sides of
@@ -89,6 +95,7 @@ struct FeatureCount {
   /// Whether one line goes through the leaf, so that sub_polygons() yields two. A vertex on a jump
   /// may have a value of its own, as sign(0) is 0: the line then cuts both sides that meet there.
   bool is_through() const {
+    if (has_more) return false;
     return features == 2 || features - at_vertices == 2 ||
            (only_creases && features < 2 && features + singular_points == 2);
   }

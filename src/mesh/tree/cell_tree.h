@@ -10,6 +10,7 @@
 #include "mesh/sizing/effort.h"
 #include "mesh/tree/dyadic_vertices.h"
 #include "mesh/tree/edge_table.h"
+#include "mesh/tree/inner_vertices.h"
 #include "mesh/tree/leaf.h"
 #include "mesh/tree/revision_clock.h"
 #include "mesh/tree/triangle_budget.h"
@@ -46,6 +47,9 @@ class CellTree {
   /// Features of sides.
   EdgeTable& edges() { return edges_; }
   const EdgeTable& edges() const { return edges_; }
+  /// Vertices inside of leaves.
+  InnerVertices& inner() { return inner_; }
+  const InnerVertices& inner() const { return inner_; }
   /// The work so far. Evaluations elsewhere for the same mesh are added to it.
   Effort& effort() { return effort_; }
   const Effort& effort() const { return effort_; }
@@ -67,6 +71,7 @@ class CellTree {
   RevisionClock revisions_;
   DyadicVertices vertices_;
   EdgeTable edges_;
+  InnerVertices inner_;
   VertexGeometry geometry_;
   TriangleBudget budget_;
 };

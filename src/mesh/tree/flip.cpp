@@ -30,7 +30,7 @@ class SideCounts {
 };
 
 /// Twice the signed area in parameters.
-double doubled_area_of(const Mesh& mesh, const Triangle& t) {
+double doubled_area_in_plane(const Mesh& mesh, const Triangle& t) {
   return doubled_area(mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]);
 }
 
@@ -92,9 +92,9 @@ bool flip(const Grid& grid, SideCounts& sides, Triangle& first, Triangle& second
   if (!pair || sides.of(pair->a, pair->b) <= 2 || sides.of(pair->c, pair->d) > 0) return false;
   const Triangle one = {pair->c, pair->a, pair->d};
   const Triangle other = {pair->d, pair->b, pair->c};
-  const double front = doubled_area_of(grid.mesh, first);
-  const bool faces_alike =
-      doubled_area_of(grid.mesh, one) * front > 0 && doubled_area_of(grid.mesh, other) * front > 0;
+  const double front = doubled_area_in_plane(grid.mesh, first);
+  const bool faces_alike = doubled_area_in_plane(grid.mesh, one) * front > 0 &&
+                           doubled_area_in_plane(grid.mesh, other) * front > 0;
   if (!faces_alike || is_collapsed(grid, one) || is_collapsed(grid, other)) return false;
   sides.of(pair->a, pair->b) -= 2;
   sides.of(pair->c, pair->d) += 2;

@@ -41,7 +41,7 @@ struct Leaf {
   LeafState state = {};
   std::uint8_t stagnation = 0;         ///< consecutive halvings that did not reduce the distance
   std::uint8_t normal_stagnation = 0;  ///< the same of the error of normals
-  std::uint8_t sought = 0;             ///< halvings of the root cell until a sample was defined
+  std::uint8_t sought = 0;             ///< halvings of the root cell that led to a counterexample
   std::uint32_t followed_at = 0;       ///< revision at which features of its sides were followed
   std::uint32_t validated_at = 0;      ///< revision at which it was validated with its polygon
   std::uint32_t polygon_size = 0;      ///< vertices of its cell polygon at that revision

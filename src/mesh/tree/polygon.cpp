@@ -1,6 +1,8 @@
 #include "mesh/tree/polygon.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -11,27 +13,6 @@
 namespace saddle {
 
 namespace {
-
-double doubled_area_of(std::span<const PolygonCorner> polygon) {
-  double sum = 0;
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    sum += doubled_area(polygon[0].place, polygon[k].place, polygon[k + 1].place);
-  }
-  return sum;
-}
-
-/// Bound on twice the area of a triangle of corners on one straight side. Its cause is the rounding
-/// of features' places.
-double rounding_of_area(std::span<const PolygonCorner> polygon) {
-  double reach = 0;
-  double rounding = 0;
-  for (const PolygonCorner& corner : polygon) {
-    const dvec2 way = glm::abs(corner.place - polygon[0].place);
-    reach = std::max({reach, way.x, way.y});
-    rounding = std::max(rounding, rounding_of_place(corner.place));
-  }
-  return 2 * rounding * reach;
-}
 
 /// A corner nearer to a chord than this share of its length lies on it.
 constexpr double kOnChord = 1e-12;
@@ -125,11 +106,42 @@ int flaws_of(const Grid& grid, std::span<const PolygonCorner> polygon, std::size
   return (is_taken ? 2 : 0) + (faces_away(grid, before, polygon[tip], after) ? 1 : 0);
 }
 
+/// Whether a polygon has a corner at which it turns clockwise, as at an inner vertex.
+bool is_concave(std::span<const PolygonCorner> polygon, double rounding) {
+  const std::size_t count = polygon.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double area = doubled_area(polygon[(k + count - 1) % count].place, polygon[k].place,
+                                     polygon[(k + 1) % count].place);
+    if (area < -rounding) return true;
+  }
+  return false;
+}
+
+/// Whether an ear holds another corner of its polygon, which cannot be if that is convex.
+bool holds_corner(std::span<const PolygonCorner> polygon, std::size_t tip) {
+  const std::size_t count = polygon.size();
+  const std::size_t before = (tip + count - 1) % count;
+  const std::size_t after = (tip + 1) % count;
+  const dvec2& a = polygon[before].place;
+  const dvec2& b = polygon[tip].place;
+  const dvec2& c = polygon[after].place;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k == before || k == tip || k == after) continue;
+    const dvec2& p = polygon[k].place;
+    if (p == a || p == b || p == c) continue;
+    if (doubled_area(a, b, p) >= 0 && doubled_area(b, c, p) >= 0 && doubled_area(c, a, p) >= 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// The index of the best ear's tip: the fewest flaws, then the chord nearest to the surface.
 std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, bool is_at_pole,
                      std::span<const PointPair> taken) {
   const double whole = doubled_area_of(polygon);
   const double rounding = rounding_of_area(polygon);
+  const bool concave = is_concave(polygon, rounding);
   const Mesh& mesh = grid.mesh;
   std::optional<Ear> best;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -137,7 +149,8 @@ std::size_t best_ear(const Grid& grid, std::span<const PolygonCorner> polygon, b
     const PolygonCorner& after = polygon[(k + 1) % polygon.size()];
     const double area = doubled_area(before.place, polygon[k].place, after.place);
     // The rest must have an area, too: corners on one straight side are no polygon.
-    if (area <= rounding || area >= whole - rounding) continue;
+    if (area <= rounding || (!concave && area >= whole - rounding)) continue;
+    if (concave && holds_corner(polygon, k)) continue;
     const dvec3& a = mesh.position[before.corner];
     const dvec3& b = mesh.position[after.corner];
     Ear ear{k, sagitta(a, mesh.normal[before.corner], b, mesh.normal[after.corner]),
@@ -159,6 +172,34 @@ void append(const Grid& grid, const PolygonCorner& a, const PolygonCorner& b,
 }
 
 }  // namespace
+
+dvec2 border_of_square(const dvec2& from, const dvec2& way) {
+  double steps = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 2; ++k) {
+    const double room = way[k] > 0 ? 1 - from[k] : from[k];
+    if (way[k] != 0) steps = std::min(steps, room / std::fabs(way[k]));
+  }
+  return from + steps * way;
+}
+
+double doubled_area_of(std::span<const PolygonCorner> polygon) {
+  double sum = 0;
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    sum += doubled_area(polygon[0].place, polygon[k].place, polygon[k + 1].place);
+  }
+  return sum;
+}
+
+double rounding_of_area(std::span<const PolygonCorner> polygon) {
+  double reach = 0;
+  double rounding = 0;
+  for (const PolygonCorner& corner : polygon) {
+    const dvec2 way = glm::abs(corner.place - polygon[0].place);
+    reach = std::max({reach, way.x, way.y});
+    rounding = std::max(rounding, rounding_of_place(corner.place));
+  }
+  return 2 * rounding * reach;
+}
 
 void triangulate_polygon(const Grid& grid, std::vector<PolygonCorner> polygon,
                          Array<Triangle>& triangles) {

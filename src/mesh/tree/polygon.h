@@ -1,4 +1,4 @@
-// Triangulation of convex polygons by ear clipping.
+// Triangulation of simple polygons by ear clipping.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,16 @@ inline double doubled_area(const dvec2& a, const dvec2& b, const dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Triangulates a convex polygon, counter-clockwise in (u, v); several corners may lie on one
+/// Where the ray from `from`, inside of the unit square, along `way` meets the square's border.
+dvec2 border_of_square(const dvec2& from, const dvec2& way);
+
+/// Twice the signed area of a polygon in the plane.
+double doubled_area_of(std::span<const PolygonCorner> polygon);
+/// Bound on twice the area of a polygon of corners on one straight side. Its cause is the rounding
+/// of features' places.
+double rounding_of_area(std::span<const PolygonCorner> polygon);
+
+/// Triangulates a simple polygon, counter-clockwise in (u, v); several corners may lie on one
 /// straight side. Cuts off ears of positive area in (u, v), the smallest sagitta of a chord first.
 /// Appends to `triangles`, counter-clockwise seen from the front, without triangles that have no
 /// area in space.

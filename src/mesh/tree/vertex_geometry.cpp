@@ -225,20 +225,29 @@ void VertexGeometry::note_rounding(std::span<const std::size_t> vertices,
 }
 
 std::uint32_t VertexGeometry::add_between(std::span<const Between> places, unsigned threads) {
-  assert(evaluated_ == vertices_.size());
-  const auto first = static_cast<std::uint32_t>(vertices_.size());
-  std::vector<double> u;
-  std::vector<double> v;
+  std::vector<InnerPlace> inner;
   for (const Between& between : places) {
     const dvec2 from = grid_.mesh.uv[between.a];
     const dvec2 whole = grid_.mesh.uv[between.b] - from;
     const dvec2 part = between.uv - from;
     double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
     if (share < kSameOnLine || share > 1 - kSameOnLine) share = std::round(share);
-    vertices_.add_between(
-        glm::mix(vertices_.place_between(between.a), vertices_.place_between(between.b), share));
-    u.push_back(between.uv.x);
-    v.push_back(between.uv.y);
+    inner.push_back(
+        {glm::mix(vertices_.place_between(between.a), vertices_.place_between(between.b), share),
+         between.uv});
+  }
+  return add_inside(inner, threads);
+}
+
+std::uint32_t VertexGeometry::add_inside(std::span<const InnerPlace> places, unsigned threads) {
+  assert(evaluated_ == vertices_.size());
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  std::vector<double> u;
+  std::vector<double> v;
+  for (const InnerPlace& inner : places) {
+    vertices_.add_between(inner.place);
+    u.push_back(inner.uv.x);
+    v.push_back(inner.uv.y);
   }
   append_places(u, v, threads);
   evaluated_ = vertices_.size();

@@ -26,6 +26,12 @@ struct Between {
   dvec2 uv;
 };
 
+/// A place in units of the cell tree, and its parameters.
+struct InnerPlace {
+  dvec2 place;
+  dvec2 uv;
+};
+
 /// Evaluates the surface at vertices, into grid.mesh, and repairs positions. A removable
 /// singularity, as of sin(u)/u at 0, takes the position on which all places around it agree. A
 /// position that is made of rounding does the same. Other undefined vertices are classified.
@@ -46,6 +52,8 @@ class VertexGeometry {
   /// Creates and evaluates vertices between neighbours, with consecutive numbers. Returns the
   /// first. All other vertices have been evaluated.
   std::uint32_t add_between(std::span<const Between> places, unsigned threads);
+  /// The same for vertices inside of leaves.
+  std::uint32_t add_inside(std::span<const InnerPlace> places, unsigned threads);
   /// Sets the normals of new vertices at which tangents are almost parallel and the normal is known
   /// otherwise. Follows add_between() and limits that are set there.
   void take_known_normals();

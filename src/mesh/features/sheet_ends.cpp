@@ -1,0 +1,46 @@
+#include "mesh/features/sheet_ends.h"
+
+#include "mesh/features/approach.h"
+#include "mesh/features/bisect_discontinuities.h"
+
+namespace saddle {
+
+std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::span<const Line> lines,
+                                                double delta, int halvings,
+                                                const std::optional<Bounds>& box, unsigned threads,
+                                                std::size_t& work) {
+  std::vector<dvec2> uv;
+  for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
+  std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  work += uv.size();
+  std::vector<std::size_t> leaving;
+  std::vector<Line> ways;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const dvec3& last = points[2 * k + 1].position;
+    if (is_finite(last) && (!box || box->contains(last))) continue;
+    leaving.push_back(k);
+    ways.push_back(lines[k]);
+  }
+  const std::vector<dvec2> last = last_defined(surface, ways, halvings, threads, box);
+  const std::vector<SurfacePoint> at_last = evaluate(surface, last, threads);
+  work += (static_cast<std::size_t>(halvings) + 1) * ways.size();
+  std::vector<std::optional<SheetEnd>> ends;
+  for (const Line& line : lines) ends.emplace_back(SheetEnd{line[1], SheetEnd::Kind::Open});
+  for (std::size_t i = 0; i < leaving.size(); ++i) {
+    ends[leaving[i]] = {last[i], SheetEnd::Kind::Boundary};
+    points[2 * leaving[i] + 1] = at_last[i];
+  }
+  std::vector<Bracket> gaps;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const Line defined = {lines[k][0], ends[k]->uv};
+    gaps.push_back(bracket_of(defined, defined, points[2 * k], points[2 * k + 1]));
+  }
+  const auto jumps = bisect_positions(surface, gaps, delta, Prefer::First, threads, work);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (jumps[k].kind == Discontinuity::Pole) ends[k].reset();
+    if (jumps[k].kind == Discontinuity::Jump) ends[k] = {jumps[k].ends[0], SheetEnd::Kind::Jump};
+  }
+  return ends;
+}
+
+}  // namespace saddle

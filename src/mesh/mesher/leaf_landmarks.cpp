@@ -1,0 +1,130 @@
+#include "mesh/mesher/leaf_landmarks.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "mesh/error/sampled_error.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+namespace {
+
+/// The sampled error of a leaf near whose landmark there are no triangles, in tolerances. Their
+/// distance is not known; this is what the safety of a leaf can grow by.
+constexpr double kAbsent = 4;
+
+/// Whether leaves have a point in common.
+bool touch(const Leaf& a, const Leaf& b) {
+  return a.low.u <= b.high.u && b.low.u <= a.high.u && a.low.v <= b.high.v && b.low.v <= a.high.v;
+}
+
+/// How deep a triangle reaches into a hole around a place; 0 if the place is not in the triangle.
+double depth_in_hole(const Grid& grid, std::span<const Triangle> triangles, const Landmark& hole) {
+  if (triangles.empty()) return 0;
+  const auto [own, weights] = triangle_below(grid, triangles, hole.uv);
+  if (std::min({weights.x, weights.y, weights.z}) < 0) return 0;
+  const auto& [a, b, c] = *own;
+  const Mesh& mesh = grid.mesh;
+  const dvec2 b_uv = mesh.uv[b] - mesh.uv[a];
+  const dvec2 c_uv = mesh.uv[c] - mesh.uv[a];
+  const dvec3 b_r = mesh.position[b] - mesh.position[a];
+  const dvec3 c_r = mesh.position[c] - mesh.position[a];
+  const double area = b_uv.x * c_uv.y - b_uv.y * c_uv.x;
+  const dvec3 r_u = (c_uv.y * b_r - b_uv.y * c_r) / area;
+  const dvec3 r_v = (b_uv.x * c_r - c_uv.x * b_r) / area;
+  return 0.5 * std::min(hole.size.x * glm::length(r_u), hole.size.y * glm::length(r_v));
+}
+
+}  // namespace
+
+LeafLandmarks::LeafLandmarks(const std::vector<Landmark>& all, const std::optional<Bounds>& clip,
+                             const Grid& grid, const CellTree& tree)
+    : grid_(grid), tree_(tree) {
+  for (const Landmark& landmark : all) {
+    if (landmark.is_hole() || !clip || clip->contains(landmark.position))
+      places_.push_back(landmark);
+  }
+  std::ranges::stable_sort(places_, {}, [](const Landmark& landmark) { return landmark.uv.x; });
+  for (const Landmark& landmark : places_) is_missed_.push_back(landmark.is_hole() ? 0 : 1);
+}
+
+std::vector<std::uint32_t> LeafLandmarks::landmarks_in(const Leaf& leaf) const {
+  std::vector<std::uint32_t> found;
+  if (places_.empty()) return found;
+  const dvec2 a = tree_.vertices().parameters(leaf.low);
+  const dvec2 b = tree_.vertices().parameters(leaf.high);
+  const dvec2 low = glm::min(a, b);
+  const dvec2 high = glm::max(a, b);
+  const auto first =
+      std::ranges::lower_bound(places_, low.x, {}, [](const Landmark& at) { return at.uv.x; });
+  for (auto at = first; at != places_.end() && at->uv.x <= high.x; ++at) {
+    if (at->uv.y >= low.y && at->uv.y <= high.y)
+      found.push_back(static_cast<std::uint32_t>(at - places_.begin()));
+  }
+  return found;
+}
+
+void LeafLandmarks::append_missed(std::span<const Leaf> leaves,
+                                  std::vector<Counterexample>& counterexamples) const {
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    for (const std::uint32_t number : landmarks_in(leaves[k])) {
+      if (is_missed_[number] == 0) continue;
+      const Landmark& landmark = places_[number];
+      counterexamples.push_back(
+          {landmark.uv, landmark.position, landmark.size, landmark.across, k, landmark.speed});
+    }
+  }
+}
+
+double LeafLandmarks::distance(const Landmark& landmark,
+                               std::span<const Triangle> triangles) const {
+  if (landmark.is_hole()) return depth_in_hole(grid_, triangles, landmark);
+  return triangles.empty() ? std::numeric_limits<double>::infinity()
+                           : distance_from(grid_, triangles, landmark.uv, landmark.position);
+}
+
+/// The distance from the triangles of all leaves that touch a leaf: a feature that cuts off its
+/// corner between two vertices belongs to a neighbour.
+double LeafLandmarks::distance_near(const Landmark& landmark, const Leaf& leaf,
+                                    const ValidatedMesh& mesh) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < mesh.triangles.ranges.size(); ++k) {
+    if (touch(mesh.leaves[k], leaf))
+      least = std::min(least, distance(landmark, mesh.triangles.of(k)));
+  }
+  return least;
+}
+
+void LeafLandmarks::measure(std::span<const std::size_t> which, ValidatedMesh& mesh) {
+  if (places_.empty()) return;
+  for (const std::size_t k : which) {
+    const Leaf& leaf = mesh.leaves[k];
+    const bool is_left_out = leaf.state.leads_to_pole() || leaf.state.is_left_out();
+    const double allowed = mesh.allowed[k];
+    for (const std::uint32_t number : landmarks_in(leaf)) {
+      is_missed_[number] = 0;
+      if (is_left_out) continue;
+      const Landmark& landmark = places_[number];
+      double error = distance(landmark, mesh.triangles.of(k));
+      if (error > allowed && !landmark.is_hole()) error = distance_near(landmark, leaf, mesh);
+      is_missed_[number] = error > allowed ? 1 : 0;
+      mesh.add(k, std::isfinite(error) ? error : kAbsent * allowed);
+    }
+  }
+}
+
+void LeafLandmarks::complete(std::span<const Triangle> triangles, double tolerance,
+                             MeshReport& report) const {
+  if (triangles.empty()) return;
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (is_missed_[k] == 0 || places_[k].is_hole()) continue;
+    const double error = distance(places_[k], triangles);
+    if (error > std::max(report.max_error, tolerance)) report.worst_place = places_[k].uv;
+    report.max_error = std::max(report.max_error, error);
+  }
+}
+
+}  // namespace saddle

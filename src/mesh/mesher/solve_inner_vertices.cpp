@@ -1,0 +1,346 @@
+#include "mesh/mesher/solve_inner_vertices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "mesh/features/sheet_ends.h"
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+namespace {
+
+/// Rays per round. With the ends of its bracket, an edge has nine places.
+constexpr std::size_t kRays = 7;
+constexpr std::size_t kNodes = kRays + 2;
+/// Rounds of rays: each divides the bracket of a corner by 8 at least, and by far more on straight
+/// lines.
+constexpr int kRayRounds = 5;
+/// Where the rays of later rounds cut the chord: on either side of the foreseen corner, in parts of
+/// the way from there to the end of the bracket.
+constexpr std::array<double, kRays / 2> kBesideCorner = {0x1p-1, 0x1p-4, 0x1p-7};
+/// An edge has a corner if two neighbouring places hold 0.6 of its turn, and 10 degrees at least:
+/// of a smooth arc they hold 0.3.
+constexpr double kShareOfCorner = 0.6;
+constexpr double kLeastCorner = 10 * std::numbers::pi / 180;
+/// An edge nearer to its chord than 1e-5 of the leaf is straight.
+constexpr double kStraight = 1e-5;
+/// Edges nearer to each other than 1e-6 of the leaf meet.
+constexpr double kMeet = 1e-6;
+/// A ray to a corner of the feature goes on by 1e-4 of itself, to show that the sheet ends there.
+constexpr double kOvershoot = 1e-4;
+/// Bisections of a ray out of the domain: as of a side. A first look takes 20: 1e-6 of the leaf.
+constexpr int kRayBisections = 62;
+constexpr int kFirstBisections = 20;
+
+/// The chord of a sheet's edge, in the unit square of its leaf.
+struct SheetChord {
+  std::size_t leaf;
+  PolygonCorner start;
+  std::array<dvec2, 2> ends;
+  dvec2 from;  ///< the corner of the sub-polygon from which its edge is looked at
+  /// Places of the edge, in order, and where their rays cut the chord.
+  std::array<dvec2, kNodes> nodes = {};
+  std::array<double, kNodes> shares = {};
+  double turn = 0;  ///< at the corner, in radians
+  dvec2 corner{0};
+  bool is_near = false;  ///< the chord is within the tolerance; only a corner counts
+  bool is_open = true;   ///< its corner is looked for
+  bool is_found = false;
+
+  dvec2 at(double share) const { return glm::mix(ends[0], ends[1], share); }
+};
+
+double cross(const dvec2& a, const dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// The angle from one direction to another, in radians, 0 where one has no length.
+double turn_between(const dvec2& a, const dvec2& b) {
+  return std::atan2(cross(a, b), glm::dot(a, b));
+}
+
+double distance_from_chord_of(const SheetChord& chord, const dvec2& place) {
+  const dvec2 way = chord.ends[1] - chord.ends[0];
+  return std::fabs(cross(way, place - chord.ends[0])) / glm::length(way);
+}
+
+/// Where lines through a and b, and through c and d, meet.
+std::optional<dvec2> intersection(const dvec2& a, const dvec2& b, const dvec2& c, const dvec2& d) {
+  const double area = cross(b - a, d - c);
+  const dvec2 place = a + (b - a) * (cross(c - a, d - c) / area);
+  return std::isfinite(place.x) && std::isfinite(place.y) ? std::optional(place) : std::nullopt;
+}
+
+/// Where the ray through a place cuts the chord, as a share of it.
+double share_of(const SheetChord& chord, const dvec2& place) {
+  const dvec2 way = chord.ends[1] - chord.ends[0];
+  const dvec2 ray = place - chord.from;
+  return cross(chord.from - chord.ends[0], ray) / cross(way, ray);
+}
+
+class Solver {
+ public:
+  Solver(std::span<const std::size_t> which, const CellLimits& limits, ValidatedMesh& mesh,
+         CellTree& tree)
+      : limits_(limits), mesh_(mesh), tree_(tree) {
+    for (const std::size_t leaf : which) {
+      delta_ = std::min(delta_, mesh.allowed[leaf]);
+      add_chords(leaf);
+    }
+  }
+
+  std::vector<std::size_t> run() {
+    for (SheetChord& chord : chords_) {
+      chord.nodes.front() = chord.ends[0];
+      chord.nodes.back() = chord.ends[1];
+      for (std::size_t k = 0; k < kNodes; ++k)
+        chord.shares[k] = static_cast<double>(k) / (kNodes - 1);
+    }
+    for (int round = 0; round < kRayRounds; ++round) {
+      shoot(round);
+      for (SheetChord& chord : chords_) narrow(chord, round == 0);
+    }
+    return add_vertices();
+  }
+
+ private:
+  dvec2 to_parameters(std::size_t leaf, const dvec2& place) const {
+    const dvec2 low = tree_.vertices().parameters(mesh_.leaves[leaf].low);
+    const dvec2 high = tree_.vertices().parameters(mesh_.leaves[leaf].high);
+    return glm::mix(low, high, place);
+  }
+  dvec2 from_parameters(std::size_t leaf, const dvec2& uv) const {
+    const dvec2 low = tree_.vertices().parameters(mesh_.leaves[leaf].low);
+    const dvec2 high = tree_.vertices().parameters(mesh_.leaves[leaf].high);
+    return (uv - low) / (high - low);
+  }
+  dvec2 to_units(std::size_t leaf, const dvec2& place) const {
+    const Leaf& of = mesh_.leaves[leaf];
+    return glm::mix(dvec2(of.low.u, of.low.v), dvec2(of.high.u, of.high.v), place);
+  }
+
+  /// Adds the sides of sub-polygons that go through the leaf.
+  void add_chords(std::size_t number) {
+    const Leaf& leaf = mesh_.leaves[number];
+    if (tree_.inner().has(leaf)) return;
+    const dvec2 low(leaf.low.u, leaf.low.v);
+    const dvec2 size(leaf.size_u(), leaf.size_v());
+    for (const Polygon& polygon : sub_polygons(leaf, tree_)) {
+      const auto place = [&](std::size_t k) {
+        return (polygon[k % polygon.size()].place - low) / size;
+      };
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const PolygonCorner& start = polygon[k];
+        const std::uint32_t next = polygon[(k + 1) % polygon.size()].corner;
+        const dvec2 middle = 0.5 * (place(k) + place(k + 1));
+        if (!is_chord(middle, {start.corner, next}, tree_)) continue;
+        SheetChord chord{number, start, {place(k), place(k + 1)}, middle};
+        double height = 0;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+          const double above = cross(chord.ends[1] - chord.ends[0], place(i) - chord.ends[0]);
+          if (above <= height) continue;
+          height = above;
+          chord.from = place(i);
+        }
+        chord.is_open = height > kMeet;
+        chord.is_near = mesh_.is_near(number);
+        chords_.push_back(chord);
+      }
+    }
+  }
+
+  /// A place on the edge of a sheet.
+  struct EdgePlace {
+    dvec2 place;
+    dvec2 uv;  ///< the last on the sheet
+  };
+  /// Finds the edges of sheets on rays.
+  std::vector<std::optional<EdgePlace>> edges_on(std::span<const std::size_t> leaves,
+                                                 std::span<const Line> rays, int bisections) {
+    std::vector<Line> lines;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      lines.push_back({to_parameters(leaves[k], rays[k][0]), to_parameters(leaves[k], rays[k][1])});
+    }
+    std::size_t work = 0;
+    const auto ends =
+        sheet_ends(tree_.surface(), lines, delta_, bisections, limits_.clip, limits_.threads, work);
+    tree_.effort().add_places(work);
+    std::vector<std::optional<EdgePlace>> edges(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      // A value of its own ends where it is.
+      const bool is_edge =
+          rays[k][0] == rays[k][1] || (ends[k] && ends[k]->kind != SheetEnd::Kind::Open);
+      if (ends[k] && is_edge) edges[k] = {from_parameters(leaves[k], ends[k]->uv), ends[k]->uv};
+    }
+    return edges;
+  }
+
+  void shoot(int round) {
+    std::vector<std::size_t> leaves;
+    std::vector<Line> rays;
+    for (const SheetChord& chord : chords_) {
+      if (!chord.is_open) continue;
+      for (std::size_t k = 1; k <= kRays; ++k) {
+        leaves.push_back(chord.leaf);
+        rays.push_back(
+            {chord.from, border_of_square(chord.from, chord.at(chord.shares[k]) - chord.from)});
+      }
+    }
+    const auto edges = edges_on(leaves, rays, round == 0 ? kFirstBisections : kRayBisections);
+    std::size_t next = 0;
+    for (SheetChord& chord : chords_) {
+      if (!chord.is_open) continue;
+      for (std::size_t k = 1; k <= kRays; ++k, ++next) {
+        if (edges[next]) chord.nodes[k] = edges[next]->place;
+        chord.is_open = chord.is_open && edges[next].has_value();
+      }
+    }
+  }
+
+  /// Narrows the bracket of the corner. On a smooth edge, chooses the place farthest from the
+  /// chord.
+  static void narrow(SheetChord& chord, bool is_first) {
+    if (!chord.is_open) return;
+    const auto& nodes = chord.nodes;
+    std::array<double, kNodes> turns = {};
+    double sum = 0;
+    for (std::size_t k = 1; k <= kRays; ++k) {
+      turns[k] = turn_between(nodes[k] - nodes[k - 1], nodes[k + 1] - nodes[k]);
+      sum += std::fabs(turns[k]);
+    }
+    std::size_t sharpest = 0;  // the corner is between this node and the next
+    double sharp = -1;
+    for (std::size_t k = 0; k <= kRays; ++k) {
+      const double both = std::fabs(turns[k] + turns[k + 1]);
+      if (both <= sharp) continue;
+      sharpest = k;
+      sharp = both;
+    }
+    if (is_first) {
+      std::size_t farthest = 1;
+      for (std::size_t k = 2; k <= kRays; ++k) {
+        if (distance_from_chord_of(chord, nodes[k]) >
+            distance_from_chord_of(chord, nodes[farthest]))
+          farthest = k;
+      }
+      const bool is_bent = distance_from_chord_of(chord, nodes[farthest]) > kStraight;
+      chord.is_open = is_bent && sharp > kShareOfCorner * sum && sharp > kLeastCorner;
+      chord.is_found = is_bent && (chord.is_open || !chord.is_near);
+      chord.corner = nodes[farthest];
+      chord.turn = 0;
+      if (!chord.is_open) return;
+    }
+    chord.turn = sharp;
+    const bool has_arms = sharpest > 0 && sharpest + 2 < kNodes;
+    const auto meeting = has_arms ? intersection(nodes[sharpest - 1], nodes[sharpest],
+                                                 nodes[sharpest + 1], nodes[sharpest + 2])
+                                  : std::nullopt;
+    const double share = meeting ? share_of(chord, *meeting) : std::nan("");
+    const double low = chord.shares[sharpest];
+    const double high = chord.shares[sharpest + 1];
+    const double corner = share >= low && share <= high ? share : 0.5 * (low + high);
+    chord.corner =
+        std::fabs(low - corner) < std::fabs(high - corner) ? nodes[sharpest] : nodes[sharpest + 1];
+    // The bracket takes an arm on either side with it.
+    const std::size_t first = sharpest > 0 ? sharpest - 1 : 0;
+    const std::size_t last = std::min(sharpest + 2, kNodes - 1);
+    std::array<double, kNodes> shares;
+    shares.front() = chord.shares[first];
+    shares.back() = chord.shares[last];
+    shares[kNodes / 2] = corner;
+    for (std::size_t k = 0; k < kBesideCorner.size(); ++k) {
+      shares[k + 1] = corner - (corner - shares.front()) * kBesideCorner[k];
+      shares[kRays - k] = corner + (shares.back() - corner) * kBesideCorner[k];
+    }
+    const dvec2 back = nodes[last];
+    chord.nodes.front() = nodes[first];
+    chord.nodes.back() = back;
+    chord.shares = shares;
+  }
+
+  /// The chord of a leaf with the sharpest corner, or else the one whose edge is farthest from it.
+  const SheetChord* main_chord(std::span<const SheetChord> chords) const {
+    const SheetChord* main = nullptr;
+    for (const SheetChord& chord : chords) {
+      if (!chord.is_found) continue;
+      const auto rank = [](const SheetChord& c) {
+        return std::pair(c.turn, distance_from_chord_of(c, c.corner));
+      };
+      if (main == nullptr || rank(chord) > rank(*main)) main = &chord;
+    }
+    return main;
+  }
+
+  /// A place a little farther on the ray to a corner of the feature, in the leaf.
+  static dvec2 beyond(const dvec2& from, const dvec2& corner) {
+    if (glm::distance(from, corner) <= kMeet) return from;
+    const dvec2 place = corner + kOvershoot * (corner - from);
+    const bool is_inside = std::min(place.x, place.y) >= 0 && std::max(place.x, place.y) <= 1;
+    return is_inside ? place : border_of_square(from, corner - from);
+  }
+
+  /// All sheets whose edges meet in the corner of a leaf get a vertex there.
+  std::vector<std::size_t> add_vertices() {
+    std::vector<std::size_t> leaves;
+    std::vector<Line> rays;
+    std::vector<const SheetChord*> chords;
+    std::vector<dvec2> corners;
+    for (std::size_t begin = 0; begin < chords_.size();) {
+      std::size_t end = begin;
+      while (end < chords_.size() && chords_[end].leaf == chords_[begin].leaf) ++end;
+      const auto of_leaf = std::span(chords_).subspan(begin, end - begin);
+      if (const SheetChord* const main = main_chord(of_leaf)) {
+        for (const SheetChord& chord : of_leaf) {
+          leaves.push_back(chord.leaf);
+          rays.push_back({chord.from, beyond(chord.from, main->corner)});
+          chords.push_back(&chord);
+          corners.push_back(main->corner);
+        }
+      }
+      begin = end;
+    }
+    const auto edges = edges_on(leaves, rays, kRayBisections);
+    std::vector<InnerPlace> places;
+    std::vector<const SheetChord*> placed;
+    for (std::size_t k = 0; k < chords.size(); ++k) {
+      if (!edges[k] || glm::distance(edges[k]->place, corners[k]) > kMeet) continue;
+      // Sheets that meet share the place; parameters are the last on the sheet.
+      places.push_back({to_units(leaves[k], corners[k]), edges[k]->uv});
+      placed.push_back(chords[k]);
+    }
+    const std::uint32_t first = tree_.geometry().add_inside(places, limits_.threads);
+    tree_.geometry().take_known_normals();
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < placed.size(); ++k) {
+      const auto vertex = static_cast<std::uint32_t>(first + k);
+      if (!tree_.geometry().is_defined(vertex)) continue;
+      tree_.inner().add(mesh_.leaves[placed[k]->leaf], placed[k]->start, vertex);
+      if (result.empty() || result.back() != placed[k]->leaf) result.push_back(placed[k]->leaf);
+    }
+    return result;
+  }
+
+  const CellLimits& limits_;
+  ValidatedMesh& mesh_;
+  CellTree& tree_;
+  double delta_ = std::numeric_limits<double>::infinity();
+  std::vector<SheetChord> chords_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> solve_inner_vertices(std::span<const std::size_t> which,
+                                              const CellLimits& limits, ValidatedMesh& mesh,
+                                              CellTree& tree) {
+  return which.empty() ? std::vector<std::size_t>() : Solver(which, limits, mesh, tree).run();
+}
+
+}  // namespace saddle

@@ -1,0 +1,393 @@
+#include "mesh/proof/landmarks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "mesh/proof/certify.h"
+#include "surface/box_subdivision.h"
+#include "surface/surface_enclosure.h"
+
+namespace saddle {
+
+namespace {
+
+/// Halvings of the domain, both ways taken together: 2^-20 of each range.
+constexpr int kMostHalvings = 40;
+/// Halvings after which a box whose samples show both sides of a feature is done: 1/128 of each
+/// range. Cells are not much smaller.
+constexpr int kSettledHalvings = 14;
+/// Open boxes of a level. Along a curve their number doubles every two levels.
+constexpr std::size_t kMostOpenBoxes = 256;
+/// Boxes that stand for all once there were more.
+constexpr std::size_t kFollowed = 64;
+/// Undefined boxes that are kept, the largest first.
+constexpr std::size_t kMostHoles = 256;
+/// Halvings of a box around an undefined sample, each way, until it is proved to be undefined.
+constexpr int kHalvingsAroundHole = 8;
+/// The search has half the budget of proofs: it bounds positions alone.
+constexpr std::size_t kProofsPerLandmarkBox = 2;
+/// In differences of the other samples: the middle of a box that is farther from their mean shows
+/// a jump or a bend.
+constexpr double kStep = 0.2;
+/// A step that is as high, up to a factor of 0.5, after 10 bisections of a line across it is no
+/// slope or cusp of the size of its box.
+constexpr int kBisections = 10;
+constexpr double kStaysStep = 0.5;
+/// A step that grows by a factor of 2 meanwhile is a pole. Points beside it are no landmarks.
+constexpr double kGrowsToPole = 2;
+/// A group of boxes that is 16 times longer than wide lies along a line of constant u or v.
+constexpr std::uint64_t kLong = 16;
+
+/// In sizes of the box around landmarks: the margin of a component on each side.
+constexpr double kComponentMargin = 0.5;
+/// Cells each way of the grid on whose vertices a component is sampled.
+constexpr std::size_t kComponentSamples = 32;
+
+/// Samples of a box, in shares of its sides: four beside the corners, and the middle. They avoid
+/// dyadic places, at which formulas have values of their own, as sign(u) at 0.
+constexpr std::array<std::array<double, 2>, 5> kSamplesOfBox = {
+    {{0.0417, 0.0731}, {0.9371, 0.0589}, {0.9523, 0.9277}, {0.0653, 0.9461}, {0.5129, 0.4871}}};
+constexpr std::size_t kMiddle = 4;
+
+constexpr std::uint32_t kNoGroup = std::numeric_limits<std::uint32_t>::max();
+
+/// An open part of the domain: cell (i, j) of the grid that its level makes of the domain.
+struct OpenBox {
+  ParameterBox box;
+  std::uint64_t i = 0, j = 0;
+  bool is_bounded = false;         ///< points beside a pole are no landmarks
+  std::uint32_t group = kNoGroup;  ///< of boxes that touched when boxes were first left out
+};
+
+/// Groups of boxes of one level that touch.
+class BoxGroups {
+ public:
+  explicit BoxGroups(std::span<const OpenBox> boxes) : parent_(boxes.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint32_t> number;
+    for (std::uint32_t k = 0; k < boxes.size(); ++k) number[{boxes[k].i, boxes[k].j}] = k;
+    constexpr std::array<std::array<std::uint64_t, 2>, 4> kBefore = {
+        {{0, 1}, {1, 0}, {1, 1}, {1, ~std::uint64_t{0}}}};
+    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+      for (const auto& [i, j] : kBefore) {
+        const auto found = number.find({boxes[k].i - i, boxes[k].j - j});
+        if (found != number.end()) parent_[root(k)] = root(found->second);
+      }
+    }
+  }
+  std::uint32_t root(std::uint32_t k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+class LandmarkSearch {
+ public:
+  LandmarkSearch(const Surface& surface, unsigned threads)
+      : surface_(surface),
+        threads_(threads),
+        budget_(ProofBudget(surface.bounds).boxes / kProofsPerLandmarkBox),
+        enclosure_(surface, Bounded::Position),
+        search_({{box_of(surface.domain)}}) {}
+
+  Landmarks run() {
+    while (!search_.open().empty()) {
+      search_.test([this](OpenBox& open) { return test(open); });
+      const bool is_full = search_.open().size() > (thinned_ ? kFollowed : kMostOpenBoxes);
+      const bool is_last = budget_ == 0 || search_.depth() == kMostHalvings;
+      if (is_full || is_last || search_.depth() >= kSettledHalvings) settle(is_last);
+      if (is_last) break;
+      if (search_.open().size() > (thinned_ ? kFollowed : kMostOpenBoxes)) thin_out();
+      const int axis = search_.depth() % 2;
+      search_.halve_each(
+          [axis](const OpenBox& open, std::vector<OpenBox>& next) { halve(open, axis, next); });
+    }
+    return std::move(result_);
+  }
+
+ private:
+  ProofOutcome test(OpenBox& open) {
+    const ParameterBox& box = open.box;
+    if (budget_ == 0) return ProofOutcome::Open;
+    --budget_;
+    const std::span<const Interval> position = enclosure_.enclose(box);
+    if (least_defined(position) == Defined::No) {
+      add_hole(box);
+      return ProofOutcome::Refuted;
+    }
+    open.is_bounded = std::ranges::all_of(
+        position, [](const Interval& a) { return std::isfinite(a.low) && std::isfinite(a.high); });
+    return are_continuous(position) ? ProofOutcome::Proved : ProofOutcome::Open;
+  }
+
+  void add_hole(const ParameterBox& box) {
+    if (holes_ == kMostHoles) return;
+    ++holes_;
+    result_.places.push_back(
+        {box.middle(), dvec3(std::numeric_limits<double>::quiet_NaN()), box.size(), dvec2(0)});
+  }
+
+  /// Adds a box around an undefined place of an open box, in which bounds prove the surface to be
+  /// undefined.
+  void add_hole_around(const dvec2& uv, const ParameterBox& open) {
+    dvec2 half = 0.5 * (open.high - open.low);
+    for (int k = 0; k < kHalvingsAroundHole && budget_ > 0; ++k) {
+      half *= 0.5;
+      --budget_;
+      const ParameterBox around = {uv - half, uv + half};
+      if (least_defined(enclosure_.enclose(around)) == Defined::No) return add_hole(around);
+    }
+  }
+
+  static void halve(const OpenBox& open, int axis, std::vector<OpenBox>& next) {
+    const auto halves = halves_of(open.box, axis);
+    for (std::size_t k = 0; k < 2; ++k) {
+      OpenBox half = open;
+      half.box = halves[k];
+      std::uint64_t& place = axis == 0 ? half.i : half.j;
+      place = 2 * place + k;
+      next.push_back(half);
+    }
+  }
+
+  /// Ends the search in boxes whose samples show both sides of a feature, and in all boxes if this
+  /// is the last level.
+  void settle(bool is_last) {
+    const std::vector<OpenBox>& open = search_.open();
+    if (std::ranges::none_of(open, &OpenBox::is_bounded)) return;
+    std::vector<dvec2> uv;
+    for (const OpenBox& box : open) {
+      for (const auto& [part_u, part_v] : kSamplesOfBox)
+        uv.push_back(glm::mix(box.box.low, box.box.high, dvec2(part_u, part_v)));
+    }
+    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+    std::vector<Sides> sides;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      const std::size_t first = kSamplesOfBox.size() * k;
+      sides.push_back(sides_of(std::span(points).subspan(first, kSamplesOfBox.size()), first));
+    }
+    drop_slopes(uv, points, sides);
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      if (!open[k].is_bounded) sides[k] = {};
+    }
+    const std::vector<dvec2> across = lines_across();
+    const auto add = [&](std::size_t k, std::size_t sample) {
+      const SurfacePoint& point = points[sample];
+      result_.places.push_back({uv[sample],
+                                point.position,
+                                dvec2(0),
+                                across[k],
+                                {glm::length(point.r_u), glm::length(point.r_v)}});
+    };
+    std::size_t k = 0;
+    search_.test([&](const OpenBox& box) {
+      const Sides& of = sides[k];
+      if (of.is_pole) {
+        result_.highest_step = std::numeric_limits<double>::infinity();
+      } else {
+        if (of.defined && (of.is_shown() || is_last)) {
+          add(k, *of.defined);
+          const auto& [low, high] = box.box;
+          result_.around = {glm::min(result_.around.low, glm::min(low, high)),
+                            glm::max(result_.around.high, glm::max(low, high))};
+        }
+        if (of.other) add(k, *of.other);
+        if (of.other) {
+          const double step =
+              glm::distance(points[*of.defined].position, points[*of.other].position);
+          result_.highest_step = std::max(result_.highest_step, step);
+        }
+        if (of.undefined) {
+          result_.has_boundary = true;
+          add_hole_around(uv[*of.undefined], box.box);
+        }
+      }
+      ++k;
+      return of.is_shown() || is_last ? ProofOutcome::Refuted : ProofOutcome::Open;
+    });
+  }
+
+  /// Samples of a box, by their numbers: on the two sides of a step, or of a boundary.
+  struct Sides {
+    std::optional<std::size_t> defined, other, undefined;
+    bool is_pole = false;  ///< the step grows as it is bisected
+    bool is_shown() const { return other || undefined; }
+  };
+  /// `first`: number of the first of the points.
+  static Sides sides_of(std::span<const SurfacePoint> points, std::size_t first) {
+    Sides sides;
+    std::optional<std::size_t> undefined;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      (is_finite(points[k].position) ? sides.defined : undefined) = first + k;
+    if (!sides.defined) return sides;
+    sides.undefined = undefined;
+    if (undefined) return sides;
+    const auto distance = [&](std::size_t a, std::size_t b) {
+      return glm::distance(points[a].position, points[b].position);
+    };
+    std::pair<std::size_t, std::size_t> farthest = {0, 1};
+    dvec3 mean(0);
+    for (std::size_t a = 0; a < points.size(); ++a) {
+      if (a != kMiddle) mean += points[a].position / 4.0;
+      for (std::size_t b = 0; b < a; ++b) {
+        if (distance(a, b) > distance(farthest.first, farthest.second)) farthest = {b, a};
+      }
+    }
+    const double width = distance(farthest.first, farthest.second);
+    if (glm::distance(points[kMiddle].position, mean) > kStep * width) {
+      sides.defined = first + farthest.first;
+      sides.other = first + farthest.second;
+    }
+    return sides;
+  }
+
+  /// A line between the two sides of a step, which is bisected.
+  struct Step {
+    std::size_t box;
+    std::array<dvec2, 2> line;
+    std::array<dvec3, 2> ends;
+  };
+  /// Bisects the lines between the sides of steps, and drops the steps that shrink with them.
+  void drop_slopes(std::span<const dvec2> uv, std::span<const SurfacePoint> points,
+                   std::span<Sides> sides) const {
+    std::vector<Step> steps;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (!sides[k].other) continue;
+      const std::size_t a = *sides[k].defined;
+      const std::size_t b = *sides[k].other;
+      steps.push_back({k, {uv[a], uv[b]}, {points[a].position, points[b].position}});
+    }
+    if (steps.empty()) return;
+    for (int k = 0; k < kBisections; ++k) {
+      std::vector<dvec2> middles;
+      for (const Step& step : steps) middles.push_back(0.5 * (step.line[0] + step.line[1]));
+      const std::vector<SurfacePoint> found = evaluate(surface_, middles, threads_);
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        Step& step = steps[i];
+        const dvec3& p = found[i].position;
+        const std::size_t nearer =
+            glm::distance(step.ends[0], p) < glm::distance(p, step.ends[1]) ? 0 : 1;
+        step.line[nearer] = middles[i];
+        step.ends[nearer] = p;
+      }
+    }
+    for (const Step& step : steps) {
+      Sides& of = sides[step.box];
+      const double width = glm::distance(points[*of.defined].position, points[*of.other].position);
+      const double left = glm::distance(step.ends[0], step.ends[1]);
+      of.is_pole = !(left <= kGrowsToPole * width);  // true for NaN
+      if (left <= kStaysStep * width) of.other.reset();
+    }
+  }
+
+  /// Landmark::across of the open boxes, by the shapes of their groups.
+  std::vector<dvec2> lines_across() {
+    const std::vector<OpenBox>& open = search_.open();
+    BoxGroups groups(open);
+    struct Extent {
+      std::uint64_t low_i = ~std::uint64_t{0}, high_i = 0, low_j = ~std::uint64_t{0}, high_j = 0;
+    };
+    std::map<std::uint32_t, Extent> extents;
+    const auto group_of = [&](std::uint32_t k) {
+      return open[k].group != kNoGroup ? open[k].group : groups.root(k);
+    };
+    for (std::uint32_t k = 0; k < open.size(); ++k) {
+      Extent& extent = extents[group_of(k)];
+      extent = {std::min(extent.low_i, open[k].i), std::max(extent.high_i, open[k].i),
+                std::min(extent.low_j, open[k].j), std::max(extent.high_j, open[k].j)};
+    }
+    std::vector<dvec2> across;
+    for (std::uint32_t k = 0; k < open.size(); ++k) {
+      const Extent& extent = extents[group_of(k)];
+      const std::uint64_t wide = extent.high_i - extent.low_i + 1;
+      const std::uint64_t high = extent.high_j - extent.low_j + 1;
+      across.push_back({high >= kLong * wide ? 1.0 : 0.0, wide >= kLong * high ? 1.0 : 0.0});
+    }
+    return across;
+  }
+
+  /// Keeps as many boxes of each group, evenly spread over it: a small feature loses none of its
+  /// boxes to a long curve.
+  void thin_out() {
+    std::vector<OpenBox>& open = search_.open();
+    if (!thinned_) {
+      BoxGroups groups(open);
+      for (std::uint32_t k = 0; k < open.size(); ++k) open[k].group = groups.root(k);
+      thinned_ = true;
+    }
+    std::ranges::stable_sort(open, {}, &OpenBox::group);
+    std::vector<std::size_t> firsts;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      if (k == 0 || open[k].group != open[k - 1].group) firsts.push_back(k);
+    }
+    firsts.push_back(open.size());
+    const std::size_t groups = firsts.size() - 1;
+    // An even share of the groups is followed where they are too many.
+    const std::size_t step = (groups + kFollowed - 1) / kFollowed;
+    const std::size_t most = std::max<std::size_t>(1, kFollowed * step / groups);
+    std::vector<OpenBox> kept;
+    for (std::size_t g = 0; g < groups; g += step) {
+      const std::size_t size = firsts[g + 1] - firsts[g];
+      const std::size_t count = std::min(size, most);
+      for (std::size_t k = 0; k < count; ++k)
+        kept.push_back(open[firsts[g] + (2 * k + 1) * size / (2 * count)]);
+    }
+    open = std::move(kept);
+  }
+
+  const Surface& surface_;
+  unsigned threads_;
+  std::size_t budget_;
+  SurfaceEnclosure enclosure_;
+  BoxSubdivision<OpenBox> search_;
+  bool thinned_ = false;
+  std::size_t holes_ = 0;
+  Landmarks result_;
+};
+
+}  // namespace
+
+Landmarks find_landmarks(const Surface& surface, unsigned threads) {
+  return LandmarkSearch(surface, threads).run();
+}
+
+std::optional<SmallComponent> component_of(const Landmarks& landmarks, const Surface& surface,
+                                           unsigned threads) {
+  std::vector<dvec2> known;
+  for (const Landmark& landmark : landmarks.places) {
+    if (!landmark.is_hole()) known.push_back(landmark.uv);
+  }
+  if (known.empty()) return std::nullopt;
+  const Domain& d = surface.domain;
+  const dvec2 least = glm::min(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  const dvec2 most = glm::max(dvec2(d.u0, d.v0), dvec2(d.u1, d.v1));
+  // The component may reach into the boxes beside those in which it was found.
+  auto [low, high] = landmarks.around;
+  const dvec2 margin = kComponentMargin * (high - low);
+  SmallComponent component{{glm::max(least, low - margin), glm::min(most, high + margin)}, {}};
+  low = component.where.low;
+  high = component.where.high;
+  for (const double v : even_lines(low.y, high.y, kComponentSamples)) {
+    for (const double u : even_lines(low.x, high.x, kComponentSamples)) known.emplace_back(u, v);
+  }
+  for (const SurfacePoint& point : evaluate(surface, known, threads)) {
+    if (is_finite(point.position)) component.positions.push_back(point.position);
+  }
+  return component;
+}
+
+}  // namespace saddle
