@@ -70,7 +70,8 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       const dvec2 outward = glm::mix(place(a), place(b), foot(a, b, opposite)) - place(opposite);
       if (outward == dvec2(0)) continue;
       for (const double share : kChordPlaces) {
-        if (clip_ && !is_jump && share != 0.5) continue;  // it may lie along a face of the box
+        // A corner of a boundary is solved for; an arc is farthest in its middle.
+        if (!is_jump && share != 0.5) continue;
         const dvec2 at = glm::mix(place(a), place(b), share);
         // A jump is looked for from the corner, which is on the sheet, through the place.
         const dvec2 way = is_jump ? at - place(opposite) : outward;

@@ -307,14 +307,14 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
     advance(search, look, bisected);
     return search.done;
   };
-  const int plain = bisected.height ? bisected.plain : kAllHalvings;
+  const int plain = bisected.height ? bisected.plain : bisected.halvings;
   bisect_together(surface, searches, open, plain, threads, place, is_done);
   if (bisected.height) {
     evaluate_heights(surface, searches, open, bisected, threads);
     bisect_together(surface, searches, open, kAllHalvings - plain, threads, place, is_done);
   }
   for (const std::size_t k : open) finish(searches[k], at_last_digits(searches[k], bisected.delta));
-  look_outward(surface, gaps, searches, bisected, threads);
+  if (bisected.halvings >= kAllHalvings) look_outward(surface, gaps, searches, bisected, threads);
   std::vector<LocatedDiscontinuity> result(searches.size());
   std::ranges::transform(searches, result.begin(), &Search::found);
   return result;
@@ -322,7 +322,7 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
 
 std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
                                                    std::span<const Bracket> gaps, double delta,
-                                                   Prefer prefer, unsigned threads,
+                                                   Prefer prefer, int halvings, unsigned threads,
                                                    std::size_t& work) {
   /// A smooth part of a leaf leaves less than 4 tolerances unexplained by its slopes: its sagitta
   /// is a quarter of that.
@@ -334,6 +334,7 @@ std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
       .beyond = delta,
       .are_positions = true,
       .plain = 0,
+      .halvings = halvings,
       .first_gap =
           prefer == Prefer::First ? kSmooth * delta : std::numeric_limits<double>::infinity()};
   return bisect_discontinuities(surface, gaps, positions, threads, work);

@@ -48,6 +48,8 @@ struct BisectedVector {
   double beyond;       ///< a jump's end moves outward to values that differ from it by more
   bool are_positions;  ///< the vectors are positions
   int plain;           ///< halvings before heights are used
+  /// Halvings of a line. A gap that is left before the last digits counts as a jump.
+  int halvings = kAllHalvings;
   /// The first part of a line is followed if its gap is larger than this; else the larger part.
   double first_gap = std::numeric_limits<double>::infinity();
 };
@@ -66,7 +68,7 @@ enum class Prefer : std::uint8_t { Largest, First };
 /// The same for positions. Adds to `work` the number of points evaluated.
 std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
                                                    std::span<const Bracket> gaps, double delta,
-                                                   Prefer prefer, unsigned threads,
+                                                   Prefer prefer, int halvings, unsigned threads,
                                                    std::size_t& work);
 
 /// The place at which lines are halved: a little off the middle, where formulas often have cusps

@@ -44,7 +44,7 @@ std::vector<LocatedDiscontinuity> follow_positions(const Surface& surface,
     gaps.push_back(bracket_of(lines[k], whole[k], ends[2 * k], ends[2 * k + 1]));
   }
   work += uv.size();
-  return bisect_positions(surface, gaps, delta, Prefer::Largest, threads, work);
+  return bisect_positions(surface, gaps, delta, Prefer::Largest, kAllHalvings, threads, work);
 }
 
 /// The parts of lines that bounds do not prove to be continuous, beside the discontinuities found

@@ -35,7 +35,7 @@ std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::spa
     const Line defined = {lines[k][0], ends[k]->uv};
     gaps.push_back(bracket_of(defined, defined, points[2 * k], points[2 * k + 1]));
   }
-  const auto jumps = bisect_positions(surface, gaps, delta, Prefer::First, threads, work);
+  const auto jumps = bisect_positions(surface, gaps, delta, Prefer::First, halvings, threads, work);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (jumps[k].kind == Discontinuity::Pole) ends[k].reset();
     if (jumps[k].kind == Discontinuity::Jump) ends[k] = {jumps[k].ends[0], SheetEnd::Kind::Jump};

@@ -25,7 +25,7 @@ struct SheetEnd {
 };
 
 /// Bisects lines that start on a sheet, and within `box`. A gap of less than `delta` is no jump. A
-/// line that leads to a pole has no end. `halvings`: of a line that leads out of the domain. Adds
+/// line that leads to a pole has no end. Adds
 /// to `work` the number of points evaluated.
 std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::span<const Line> lines,
                                                 double delta, int halvings,
