@@ -25,8 +25,10 @@ constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8,
 constexpr std::array kLeafDirections = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
 /// The surface is looked at just before a chord, as far as bisections go: it may jump on it.
 constexpr double kBeforeChord = 1 - 1.0 / (1 << kWayHalvings);
-/// Places on a chord, in its length: a line that turns in the chord's middle is not missed.
-constexpr std::array kChordPlaces = {0.25, 0.5, 0.75};
+/// Places on the chord of a jump, in its length: a line that turns in the chord's middle is not
+/// missed. A corner of a boundary is solved for; its arc is farthest in the middle.
+constexpr std::array kJumpPlaces = {0.25, 0.5, 0.75};
+constexpr std::array kBoundaryPlaces = {0.5};
 constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
 
 }  // namespace
@@ -36,10 +38,10 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
   if (leaf.state.is_cut_by_feature() && has_cut(FeatureKind::Jump, leaf, tree_)) {
     if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
     delta_ = std::min(delta_, allowed);
-    if (!triangles.empty()) return add_chords(leaf, number, triangles, jumps_);
+    if (!triangles.empty()) return add_chords(leaf, number, triangles, true);
   } else {
     if (leaf.state.cut() != LeafCut::Boundary) return;
-    if (!triangles.empty()) return add_chords(leaf, number, triangles, chords_);
+    if (!triangles.empty()) return add_chords(leaf, number, triangles, false);
   }
   omitted_.push_back(number);
   const dvec2 low = tree_.vertices().parameters(leaf.low);
@@ -52,9 +54,10 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
 }
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
-                                  std::span<const Triangle> triangles,
-                                  std::vector<EdgeChord>& chords) const {
-  const bool is_jump = &chords == &jumps_;
+                                  std::span<const Triangle> triangles, bool is_jump) {
+  const std::span<const double> places =
+      is_jump ? std::span<const double>(kJumpPlaces) : std::span<const double>(kBoundaryPlaces);
+  std::vector<EdgeChord>& chords = is_jump ? jumps_ : chords_;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
@@ -69,9 +72,7 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       if (!is_chord(middle, {a, b}, tree_)) continue;
       const dvec2 outward = glm::mix(place(a), place(b), foot(a, b, opposite)) - place(opposite);
       if (outward == dvec2(0)) continue;
-      for (const double share : kChordPlaces) {
-        // A corner of a boundary is solved for; an arc is farthest in its middle.
-        if (!is_jump && share != 0.5) continue;
+      for (const double share : places) {
         const dvec2 at = glm::mix(place(a), place(b), share);
         // A jump is looked for from the corner, which is on the sheet, through the place.
         const dvec2 way = is_jump ? at - place(opposite) : outward;

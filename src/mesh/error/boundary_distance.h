@@ -52,7 +52,7 @@ class BoundaryDistance {
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
-                  std::vector<EdgeChord>& chords) const;
+                  bool is_jump);
   double foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const;
   std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;

@@ -24,9 +24,9 @@ struct SheetEnd {
   Kind kind = Kind::Open;
 };
 
-/// Bisects lines that start on a sheet, and within `box`. A gap of less than `delta` is no jump. A
-/// line that leads to a pole has no end. Adds
-/// to `work` the number of points evaluated.
+/// Bisects lines that start on a sheet, and within `box`, by so many halvings. A gap of less than
+/// `delta` is no jump. A line that leads to a pole has no end. Adds to `work` the number of points
+/// evaluated.
 std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::span<const Line> lines,
                                                 double delta, int halvings,
                                                 const std::optional<Bounds>& box, unsigned threads,

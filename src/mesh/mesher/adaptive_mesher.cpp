@@ -206,12 +206,14 @@ void AdaptiveMesher::refine(ActiveLeaves active, const SubdivisionGoal& goal) {
 
 /// Solves for corners of features in new leaves, numbered from `first`, whose chords miss them.
 void AdaptiveMesher::place_inner_vertices(std::size_t first) {
-  const Oscillation unresolvable = oscillation();
+  std::optional<Oscillation> unresolvable;  // made for the first cut leaf
   std::vector<std::size_t> which;
   for (std::size_t k = first; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
     if (leaf.state.is_whole() || leaf.state.leads_to_pole() || is_clipped(leaf)) continue;
-    if (!leaf.state.may_be_halved() || unresolvable.contains(leaf, tree_)) continue;
+    if (!leaf.state.may_be_halved()) continue;
+    if (!unresolvable) unresolvable.emplace(oscillation());
+    if (unresolvable->contains(leaf, tree_)) continue;
     if (request_.clip && crosses_box(leaf)) continue;
     const FeatureCount features = count_features(leaf, tree_);
     const bool is_solvable = !features.has_more && !has_cut(FeatureKind::Pole, leaf, tree_) &&
