@@ -189,55 +189,60 @@ class Solver {
     return edges;
   }
 
-  /// Closes the chords that are near enough and have no corner.
-  void glance() {
+  /// Looks at the edges of open chords on rays through shares_of(chord). Calls take(chord, places)
+  /// with a place for each ray; closes chords that have a ray without an edge.
+  template <class Shares, class Take>
+  void look(Shares shares_of, int bisections, Take take) {
     std::vector<std::size_t> leaves;
     std::vector<Line> rays;
-    for (const SheetChord& chord : chords_) {
-      if (!chord.is_open || !chord.is_near) continue;
-      for (const double share : kGlances) {
+    std::vector<SheetChord*> looked_at;
+    for (SheetChord& chord : chords_) {
+      const std::span<const double> shares = shares_of(chord);
+      if (!chord.is_open || shares.empty()) continue;
+      looked_at.push_back(&chord);
+      for (const double share : shares) {
         leaves.push_back(chord.leaf);
         rays.push_back({chord.from, border_of_square(chord.from, chord.at(share) - chord.from)});
       }
     }
-    const auto edges = edges_on(leaves, rays, kGlanceBisections);
+    const auto edges = edges_on(leaves, rays, bisections);
     std::size_t next = 0;
-    for (SheetChord& chord : chords_) {
-      if (!chord.is_open || !chord.is_near) continue;
-      std::array<dvec2, kGlances.size() + 2> nodes = {chord.ends[0], {}, {}, {}, chord.ends[1]};
-      for (std::size_t k = 1; k <= kGlances.size(); ++k, ++next) {
-        chord.is_open = chord.is_open && edges[next].has_value();
-        if (edges[next]) nodes[k] = edges[next]->place;
+    std::vector<dvec2> places;
+    for (SheetChord* const chord : looked_at) {
+      places.clear();
+      for (std::size_t k = 0; k < shares_of(*chord).size(); ++k, ++next) {
+        chord->is_open = chord->is_open && edges[next].has_value();
+        if (edges[next]) places.push_back(edges[next]->place);
       }
+      if (chord->is_open) take(*chord, places);
+    }
+  }
+
+  /// Closes the chords that are near enough and have no corner.
+  void glance() {
+    const auto shares_of = [](const SheetChord& chord) {
+      return chord.is_near ? std::span<const double>(kGlances) : std::span<const double>();
+    };
+    look(shares_of, kGlanceBisections, [](SheetChord& chord, std::span<const dvec2> places) {
+      const std::array<dvec2, kGlances.size() + 2> nodes = {chord.ends[0], places[0], places[1],
+                                                            places[2], chord.ends[1]};
       std::array<double, kGlances.size()> turns = {};
       for (std::size_t k = 0; k < turns.size(); ++k)
         turns[k] = turn_between(nodes[k + 1] - nodes[k], nodes[k + 2] - nodes[k + 1]);
       const double sum = std::fabs(turns[0]) + std::fabs(turns[1]) + std::fabs(turns[2]);
       const double sharp = std::max(std::fabs(turns[0] + turns[1]), std::fabs(turns[1] + turns[2]));
-      chord.is_open = chord.is_open && sharp > kGlanceAtCorner * sum && sharp > kLeastCorner;
-    }
+      chord.is_open = sharp > kGlanceAtCorner * sum && sharp > kLeastCorner;
+    });
   }
 
   void shoot(int round) {
-    std::vector<std::size_t> leaves;
-    std::vector<Line> rays;
-    for (const SheetChord& chord : chords_) {
-      if (!chord.is_open) continue;
-      for (std::size_t k = 1; k <= kRays; ++k) {
-        leaves.push_back(chord.leaf);
-        rays.push_back(
-            {chord.from, border_of_square(chord.from, chord.at(chord.shares[k]) - chord.from)});
-      }
-    }
-    const auto edges = edges_on(leaves, rays, round == 0 ? kFirstBisections : kRayBisections);
-    std::size_t next = 0;
-    for (SheetChord& chord : chords_) {
-      if (!chord.is_open) continue;
-      for (std::size_t k = 1; k <= kRays; ++k, ++next) {
-        if (edges[next]) chord.nodes[k] = edges[next]->place;
-        chord.is_open = chord.is_open && edges[next].has_value();
-      }
-    }
+    const auto shares_of = [](const SheetChord& chord) {
+      return std::span<const double>(chord.shares).subspan(1, kRays);
+    };
+    look(shares_of, round == 0 ? kFirstBisections : kRayBisections,
+         [](SheetChord& chord, std::span<const dvec2> places) {
+           std::ranges::copy(places, chord.nodes.begin() + 1);
+         });
   }
 
   /// Narrows the bracket of the corner. On a smooth edge, chooses the place farthest from the
