@@ -311,11 +311,6 @@ class MeshFindings {
            place(gap.worst, domain_);
   }
 
-  /// Whether bounds alone are the reason, so that nothing is known of what is there.
-  static bool follows_from_bounds(GapReason why) {
-    return why >= GapReason::Undefined && why <= GapReason::Work;
-  }
-
   bool hides_visible(const ProofGap& gap) const {
     return follows_from_bounds(gap.why) && gap.visible > 0 && visible_share() <= kSmallShare &&
            gap.room > kLargeRoom * report_.tolerance.value_or(0);

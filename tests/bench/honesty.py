@@ -108,7 +108,7 @@ def main():
                         help="list what changed against such a file, too")
     parser.add_argument("--list", action="store_true", help="print the surfaces alone")
     parser.add_argument("--all", action="store_true", help="print runs that are right, too")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
 
     lines = list(options.formula)
     if options.file:

@@ -177,9 +177,10 @@ TEST_F(GraphMesh, WarnsOfAMeshThatIsNotAllowedToBeFineEnough) {
       << run.err;
 }
 
-TEST_F(GraphMesh, WarnsOfTrianglesThatDoublesCannotHold) {
+TEST_F(GraphMesh, RefusesWhatIsALineInDoublePrecision) {
   const Outcome run = small({"x=u", "y=u+1e-14*v", "z=u", "--report", "-"});
-  EXPECT_TRUE(contains(run.err, "triangles have no area in double precision")) << run.err;
+  EXPECT_EQ(run.status, 3);
+  EXPECT_TRUE(contains(run.err, "the surface is a line in double precision")) << run.err;
 }
 
 TEST_F(GraphMesh, OfAPictureIsWithinToleranceWhereCreasesMeetRims) {

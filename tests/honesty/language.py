@@ -50,6 +50,11 @@ def _fold(function):
     return folded
 
 
+def _in_doubles(function):
+    """scipy has its functions in no more than doubles."""
+    return lambda a: function(np.asarray(a, dtype=float))
+
+
 FUNCTIONS = {
     "if": lambda a, b, c: np.where(_true(a), b, c), "pow": _power, "sqrt": np.sqrt, "cbrt": np.cbrt,
     "hypot": np.hypot, "exp": np.exp, "ln": np.log, "log": np.log, "log2": np.log2,
@@ -63,9 +68,10 @@ FUNCTIONS = {
     "clamp": lambda a, b, c: np.minimum(np.maximum(a, b), c),
     "step": lambda a, b: 1.0 * (b >= a), "smoothstep": _smoothstep,
     "mix": lambda a, b, c: a + (b - a) * c, "min": _fold(np.minimum), "max": _fold(np.maximum),
-    "sum": _fold(np.add), "avg": lambda *a: _fold(np.add)(*a) / len(a), "erf": scipy.special.erf,
-    "gamma": scipy.special.gamma, "lgamma": scipy.special.gammaln, "sinc": _sinc,
-    "besselj0": scipy.special.j0, "besselj1": scipy.special.j1,
+    "sum": _fold(np.add), "avg": lambda *a: _fold(np.add)(*a) / len(a), "sinc": _sinc,
+    **{name: _in_doubles(function) for name, function in {
+        "erf": scipy.special.erf, "gamma": scipy.special.gamma, "lgamma": scipy.special.gammaln,
+        "besselj0": scipy.special.j0, "besselj1": scipy.special.j1}.items()},
     "_and": lambda a, b: 1.0 * (_true(a) & _true(b)),
     "_or": lambda a, b: 1.0 * (_true(a) | _true(b)),
     "_power": _power,

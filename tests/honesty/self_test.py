@@ -138,6 +138,13 @@ class LanguageTest(unittest.TestCase):
                 self.assertAlmostEqual(self.value(formula, 3.0, 1.0, "f(s)=s*s", "a=2"), expected)
         self.assertTrue(math.isnan(self.value("(-8)^(1/3)*u", 3.0, 1.0)))
 
+    def test_evaluates_every_function_precisely(self):
+        for name in ("gamma", "lgamma", "erf", "besselj0", "besselj1", "tanh", "cbrt"):
+            with self.subTest(name):
+                surface = Surface([f"z={name}(u)*v", "u=1:2"])
+                st = np.array([[0.5, 0.75]])
+                np.testing.assert_allclose(surface.precisely(st), surface(st), rtol=1e-15)
+
     def test_reads_ranges(self):
         surface = Surface(["z=u", "u=0:tau", "v=-u:(u>1?2:3)"])
         u, v = surface.uv(np.array([[0.5, 0.0], [0.5, 1.0]]))

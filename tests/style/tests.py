@@ -7,8 +7,10 @@ import tree
 FOLDERS = {"geometry": {"gallery"}}
 BEHAVIOURS = {
     "geometry/mesh/bounded_work",
+    "geometry/mesh/crossing_jumps",
     "geometry/mesh/cuts",
     "geometry/mesh/grid_mesh_report",
+    "geometry/mesh/jump_curves",
     "geometry/mesh/jump_lines",
     "geometry/mesh/poles",
     "geometry/mesh/rims",

@@ -188,7 +188,7 @@ std::string mesh(const SurfaceReport& s) {
 
 /// The first place of each reason, and how many others it has.
 std::string proof(const MeshReport& report, const Domain& d) {
-  if (report.certified) return "nothing hides between the samples (proved)";
+  if (report.certified) return "within 4 tolerances of the mesh everywhere (proved)";
   std::string text;
   bool is_everywhere = false;
   for (std::size_t k = 0; k < report.proof_gaps.size();) {
@@ -206,7 +206,7 @@ std::string proof(const MeshReport& report, const Domain& d) {
     k = next;
   }
   if (is_everywhere) return "samples only: " + text;
-  return "nothing hides between the samples (proved), but for places where " + text;
+  return "within 4 tolerances of the mesh (proved), but for places where " + text;
 }
 
 }  // namespace

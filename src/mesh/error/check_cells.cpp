@@ -10,8 +10,8 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_loops.h"
-#include "mesh/error/sampled_error.h"
 #include "mesh/grid/vertex_columns.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"

@@ -4,8 +4,8 @@
 // (see eval/kernel_loops.cpp).
 #include <math.h>
 
+#include "mesh/distance/triangle_error.h"
 #include "mesh/error/error_loops.h"
-#include "mesh/error/triangle_error.h"
 #include "mesh/grid/loop_vectors.h"
 #include "mesh/model/tolerances.h"
 

@@ -36,7 +36,7 @@ void DistanceMaximizer::evaluate_predicted(ValidatedMesh& mesh) {
     const double there = seen.triangles
                              ? sampled_error(grid_, t, uv[k], points[k], surface_.flip).distance
                              : distance_from(grid_, t, uv[k], p);
-    mesh.add(ascent.leaf, there);
+    mesh.add(ascent.leaf, there, uv[k]);
     if (there > ascent.distance) {
       ascent.uv = uv[k];
       ascent.distance = there;

@@ -8,13 +8,14 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/error/chord_error.h"
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/chord_error.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/leaf_border.h"
 
 namespace saddle {
 
@@ -303,20 +304,8 @@ double ErrorIndicator::diameter(const Corners& corner) const {
 }
 
 bool ErrorIndicator::is_too_small_to_see(const Leaf& leaf) const {
-  const auto& position = mesh_.position;
-  double border = 0;
-  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
-    const auto feature = tree_.edges().feature(a, b);
-    const auto add = [&](std::uint32_t from, std::uint32_t to) {
-      // A vertex with a value of its own has no piece.
-      if (tree_.vertices().place_between(from) == tree_.vertices().place_between(to)) return;
-      if (tree_.geometry().is_defined(from)) border += glm::distance(position[from], position[to]);
-    };
-    if (!feature) return add(a, b);
-    add(a, feature->beside(a));
-    add(b, feature->beside(b));
-  });
-  return border <= 2 * allowed(leaf);
+  const std::optional<double> border = border_of_pieces(leaf, tree_);
+  return border && *border <= 2 * allowed(leaf);
 }
 
 bool ErrorIndicator::is_seen(const Leaf& leaf, std::size_t side) const {

@@ -68,7 +68,7 @@ struct LeafPlaces {
 };
 struct LeafSampledErrors {
   LeafNumbers distance;   ///< the largest, in local units
-  LeafNumbers predicted;  ///< the largest beside the points, by mesh/error/newton_step.h
+  LeafNumbers predicted;  ///< the largest beside the points, by mesh/distance/newton_step.h
   LeafNumbers chord;      ///< between unit normals, exact and interpolated: its largest square
   LeafNumbers is_known;   ///< 1: the errors hold; 0: sampled_error() applies
 };

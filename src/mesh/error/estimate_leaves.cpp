@@ -4,7 +4,7 @@
 // eval/kernel_loops.cpp).
 #include <math.h>
 
-#include "mesh/error/chord_error.h"
+#include "mesh/distance/chord_error.h"
 #include "mesh/error/error_loops.h"
 #include "mesh/grid/cell_diagonal.h"
 #include "mesh/grid/loop_vectors.h"

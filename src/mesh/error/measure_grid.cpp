@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/grid/triangulate.h"
 
 namespace saddle {

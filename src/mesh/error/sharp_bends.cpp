@@ -6,9 +6,11 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/error/crease_distance.h"
+#include "mesh/distance/crease_distance.h"
 #include "mesh/model/sides.h"
+#include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
@@ -18,6 +20,11 @@ namespace {
 /// corners are over 60 degrees apart. An arc is no parabola then, and predictions fail.
 constexpr double kSharpDegrees = 20;
 constexpr double kSharpCosine = 0.5;
+/// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'
+/// normals.
+/// It is visible if it is thicker than half a tolerance.
+constexpr double kBridgedCosineSquare = 0.75;
+constexpr double kVisibleBridge = 0.5;
 /// Assumption: a leaf validated below 0.5 tolerances needs no more points, and a leaf estimated
 /// below 0.75 tolerances none on its sides.
 constexpr double kDoubtful = 0.5;
@@ -34,11 +41,33 @@ constexpr std::array kWithin = {0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr double kSearched = 0.85;
 constexpr std::array kStepShares = {0.2, 0.1, 0.05};
 
+/// A triangle's farthest place is looked for where one is farther than 0.75 tolerances from the
+/// surface.
+constexpr double kClimbedPart = 0.75;
+/// A side leaves the surface at a corner if it is 30 degrees off its tangent plane. It is farthest
+/// from a wall beside the corner: 1.25 tolerances away, where the corner is not near.
+constexpr double kLeavingSine = 0.5;
+constexpr double kBelowCorner = 1.25;
+
 bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
   const auto turns = [&](std::size_t a, std::size_t b) {
     return glm::dot(mesh.normal[corner[a]], mesh.normal[corner[b]]) < kSharpCosine;
   };
   return turns(0, 2) || turns(1, 3);
+}
+
+/// Whether a triangle's normal is that of none of its corners. Beside a wall all corners may be on
+/// the same side of its foot. `least`: the thickness from which on it counts.
+bool bridges_bend(const Mesh& mesh, const Triangle& t, double least) {
+  const dvec3 a = mesh.position[t[1]] - mesh.position[t[0]];
+  const dvec3 b = mesh.position[t[2]] - mesh.position[t[0]];
+  const dvec3 area = glm::cross(a, b);
+  const dvec3 normal = mesh.normal[t[0]] + mesh.normal[t[1]] + mesh.normal[t[2]];
+  const double along = glm::dot(area, normal);
+  const double squares = glm::dot(area, area) * glm::dot(normal, normal);
+  if (!(along < 0 || along * along < kBridgedCosineSquare * squares)) return false;
+  const double longest = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(b - a, b - a)});
+  return glm::dot(area, area) > least * least * longest;
 }
 
 /// The side that a leaf's two triangles share.
@@ -93,6 +122,13 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
 std::optional<SharpBends::Targets> SharpBends::targets_of(
     const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
+  const auto is_bridge = [&](const Triangle& t) {
+    return bridges_bend(grid_.mesh, t, kVisibleBridge * mesh.allowed[number]);
+  };
+  if (std::ranges::any_of(triangles, is_bridge) &&
+      (leaf.state.is_whole() || count_features(leaf, tree_).only_creases))
+    return Targets{true, false, true, true};
+  if (!leaf.state.is_whole()) return std::nullopt;
   const Targets targets{mesh.error_ratio(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
   if (!targets.places && !targets.sides) return std::nullopt;
   if (turns_sharply(grid_.mesh, leaf.samples.corner)) return targets;
@@ -141,7 +177,7 @@ void SharpBends::validate_at(const dvec2& uv, const dvec3& position, SharpLeaf& 
   if (!(distance > leaf.distance)) return;
   leaf.distance = distance;
   leaf.farthest = uv;
-  mesh.add(leaf.number, distance);
+  mesh.add(leaf.number, distance, uv);
 }
 
 void SharpBends::sample(ValidatedMesh& mesh) {
@@ -206,8 +242,55 @@ void SharpBends::search(ValidatedMesh& mesh) {
   }
 }
 
+/// Places on the sides that leave the surface at a corner. They are nearest to the corner, or to
+/// the wall that the side leads down.
+void SharpBends::append_below_corners(const Triangle& t, double allowed,
+                                      std::vector<MeshPlace>& places) const {
+  const Mesh& mesh = grid_.mesh;
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t corner = t[static_cast<std::size_t>(k)];
+    for (int other = (k + 1) % 3; other != k; other = (other + 1) % 3) {
+      const dvec3 side = mesh.position[t[static_cast<std::size_t>(other)]] - mesh.position[corner];
+      const double length = glm::length(side);
+      const double share = kBelowCorner * allowed / length;
+      const bool leaves = std::fabs(glm::dot(side, mesh.normal[corner])) > kLeavingSine * length;
+      if (!leaves || !(share < 0.5)) continue;
+      dvec3 weights(0);
+      weights[k] = 1 - share;
+      weights[other] = share;
+      places.push_back({&t, weights});
+    }
+  }
+}
+
+/// Searches the surface near the triangles of bridged bends. Distances within the tolerance are not
+/// added: a search ends there.
+void SharpBends::measure_triangles(ValidatedMesh& mesh) {
+  std::vector<MeshPlace> places;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SharpLeaf& leaf : leaves_) {
+    if (!leaf.targets.from_triangles || !mesh.is_near(leaf.number)) continue;
+    least = std::min(least, mesh.allowed[leaf.number]);
+    for (const Triangle& t : leaf.triangles) {
+      for (const dvec3& weights : kMiddlesOfTriangle) places.push_back({&t, weights});
+      append_below_corners(t, mesh.allowed[leaf.number], places);
+    }
+  }
+  if (places.empty()) return;
+  const WholeMeshError whole(surface_, grid_, {}, {}, threads_);
+  for (const auto& [triangle, distance] : whole.farther_than(kClimbedPart * least, least, places)) {
+    const auto is_before = [](const Triangle* t, const SharpLeaf& leaf) {
+      return t < leaf.triangles.data();
+    };
+    const auto next = std::upper_bound(leaves_.begin(), leaves_.end(), triangle, is_before);
+    const std::size_t number = std::prev(next)->number;
+    if (distance > mesh.allowed[number]) mesh.add(number, distance);
+  }
+}
+
 void SharpBends::measure(ValidatedMesh& mesh) {
   sample(mesh);
+  measure_triangles(mesh);
   search(mesh);
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/distance/whole_mesh_error.h"
 #include "mesh/error/validated_mesh.h"
 
 namespace saddle {
@@ -20,7 +21,8 @@ class SharpBends {
   SharpBends(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads)
       : surface_(surface), grid_(grid), tree_(tree), threads_(threads) {}
 
-  /// Adds a validated leaf without edge features, with its triangles, which must outlive this.
+  /// Adds a validated leaf with its triangles, which must outlive this. Leaves are added in the
+  /// order of their triangles. Skips leaves with edge features other than creases.
   /// Skips leaves that are above their tolerance, and leaves whose points are enough.
   void add(const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles);
 
@@ -34,7 +36,8 @@ class SharpBends {
   /// The parts of a leaf to sample.
   struct Targets {
     bool places, sides;
-    bool everywhere = false;  ///< at a lattice of places: corners do not show the turn
+    bool everywhere = false;      ///< at a lattice of places
+    bool from_triangles = false;  ///< the surface from the triangles, too
   };
   struct SharpLeaf {
     std::size_t number;
@@ -56,6 +59,9 @@ class SharpBends {
   void append_middles(std::size_t number, std::vector<Place>& places) const;
   void sample(ValidatedMesh& mesh);
   void search(ValidatedMesh& mesh);
+  void measure_triangles(ValidatedMesh& mesh);
+  void append_below_corners(const Triangle& t, double allowed,
+                            std::vector<MeshPlace>& places) const;
   void validate_at(const dvec2& uv, const dvec3& position, SharpLeaf& leaf,
                    ValidatedMesh& mesh) const;
 

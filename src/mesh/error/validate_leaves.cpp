@@ -1,12 +1,12 @@
 // The errors of leaves of two triangles at validation points, as sampled_error() of
-// mesh/error/sampled_error.cpp has them for one point. This file is compiled once for each CPU
+// mesh/distance/sampled_error.cpp has them for one point. This file is compiled once for each CPU
 // level, with SADDLE_LEVEL naming the level's function; it may use nothing but plain arithmetic
 // (see eval/kernel_loops.cpp).
 #include <math.h>
 
+#include "mesh/distance/newton_step.h"
+#include "mesh/distance/triangle_error.h"
 #include "mesh/error/error_loops.h"
-#include "mesh/error/newton_step.h"
-#include "mesh/error/triangle_error.h"
 #include "mesh/grid/loop_vectors.h"
 #include "mesh/model/tolerances.h"
 

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "eval/batch.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_loops.h"
-#include "mesh/error/sampled_error.h"
 #include "mesh/grid/vertex_columns.h"
 
 namespace saddle {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {
@@ -24,7 +24,7 @@ struct TwoTriangles {
 
 struct LeafError {
   SampledError worst;  ///< at its places
-  double predicted;    ///< largest distance predicted beside them: mesh/error/newton_step.h
+  double predicted;    ///< largest distance predicted beside them: mesh/distance/newton_step.h
 };
 
 /// The errors of leaves; nothing for leaves to which only sampled_error() applies.

@@ -1,14 +1,21 @@
 // The leaves of a mesh, their triangles and their measured errors.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/tree/leaf_mesh.h"
 
 namespace saddle {
+
+/// A leaf with its triangles: its place in the tree, and their revision.
+using LeafKey = std::array<std::uint32_t, 5>;
 
 /// The leaves of a mesh, their tolerances, and the triangles and errors that they had when they
 /// were last validated.
@@ -21,16 +28,24 @@ struct ValidatedMesh {
   LeafTriangles triangles;
   std::vector<std::uint32_t> made;  ///< revisions of the triangles: RevisionClock::next()
 
+  /// A leaf with its triangles.
+  LeafKey key_of(std::size_t leaf) const {
+    const auto& [low, high] = std::pair(leaves[leaf].low, leaves[leaf].high);
+    return {low.u, low.v, high.u, high.v, made[leaf]};
+  }
   /// The distance of a leaf divided by its tolerance.
   double error_ratio(std::size_t leaf) const {
     return sampled_errors[leaf].distance / allowed[leaf];
   }
   /// Whether the known distance is within the tolerance.
   bool is_near(std::size_t leaf) const { return sampled_errors[leaf].distance <= allowed[leaf]; }
-  /// Takes a distance found at a leaf, if it is larger than the known one.
-  void add(std::size_t leaf, double distance) {
-    double& worst = sampled_errors[leaf].distance;
-    worst = distance > worst ? distance : worst;
+  /// Takes a distance found at a leaf, if it is larger than the known one. `uv`: its place on the
+  /// surface; nothing for a place of the mesh.
+  void add(std::size_t leaf, double distance, const std::optional<dvec2>& uv = {}) {
+    SampledError& worst = sampled_errors[leaf];
+    if (!(distance > worst.distance)) return;
+    worst.distance = distance;
+    worst.uv = uv;
   }
   /// Stores the triangles of some leaves.
   void put(std::span<const std::size_t> which, const LeafTriangles& newer, std::uint32_t now);

@@ -6,9 +6,10 @@
 #include <glm/common.hpp>
 
 #include "base/random.h"
-#include "mesh/error/crease_distance.h"
+#include "mesh/distance/crease_distance.h"
 #include "mesh/model/sides.h"
 #include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
@@ -81,14 +82,23 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
   if (has_chords) append_chords(number, leaf, triangles, samples);
 }
 
-/// Points on the sides of triangles, a quarter from their corners.
+/// Points on the sides of triangles, a quarter from their corners. The surface ends at the edge of
+/// the domain: there its edge is compared with the side alone.
 void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> triangles,
                                std::vector<ValidationPoint>& samples) const {
   const auto& uv = grid_.mesh.uv;
+  const auto is_at_end = [](double a, double b, std::span<const double> lines) {
+    return a == b && (a == lines.front() || a == lines.back());
+  };
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
+      const Chord side = {t[k], t[(k + 1) % 3]};
+      const dvec2& a = uv[side[0]];
+      const dvec2& b = uv[side[1]];
+      const bool is_edge = is_at_end(a.x, b.x, grid_.u) || is_at_end(a.y, b.y, grid_.v);
       for (const double share : kBesideBoundary) {
-        samples.push_back({number, glm::mix(uv[t[k]], uv[t[(k + 1) % 3]], share), &t, true});
+        samples.push_back({number, glm::mix(a, b, share), &t, true});
+        if (is_edge) samples.back().crease = side;
       }
     }
   }
@@ -99,9 +109,10 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
                                 std::vector<ValidationPoint>& samples) const {
   const bool is_cut = leaf.state.is_cut_by_feature();
   const bool is_creased = is_cut && count_features(leaf, tree_).only_creases;
-  if (triangles.size() <= 2 && !is_creased) return;
+  if (triangles.size() <= 2 && !is_cut) return;
   // The error indicator does not cover the diagonals of leaves with more corners, nor chords of
   // creases. Beside chords of jumps the surface may be on either level.
+  const bool is_parted = is_cut && !is_creased;
   const auto& at = grid_.mesh.uv;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
@@ -110,7 +121,9 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
     const std::uint32_t b = t[(k + 1) % 3];
     const bool inside = is_inside((0.5 * (at[a] + at[b]) - low) / size);
     if (!inside && !is_creased) return;
-    const bool on_crease = inside && is_creased && !has_side(triangles, b, a);
+    const bool is_diagonal = has_side(triangles, b, a);
+    if (is_parted && !is_diagonal) return;
+    const bool on_crease = inside && is_creased && !is_diagonal;
     if (inside && is_other_side(grid_, triangles, a, b, on_crease)) return;
     ValidationPoint sample{number, {}, &t, is_cut};
     if (on_crease) {
@@ -127,7 +140,6 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
     if (triangles.size() > 2) {
       samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
     }
-    if (is_cut && !is_creased) continue;
     for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
   }
 }

@@ -7,13 +7,15 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/error/boundary_distance.h"
-#include "mesh/error/crease_distance.h"
+#include "mesh/distance/boundary_distance.h"
+#include "mesh/distance/crease_distance.h"
 #include "mesh/error/distance_maximizer.h"
+#include "mesh/error/face_distance.h"
 #include "mesh/error/sharp_bends.h"
 #include "mesh/error/validate_many.h"
 #include "mesh/model/sides.h"
 #include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
@@ -203,7 +205,7 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
       continue;
     }
     SampledError& worst = mesh.sampled_errors[leaf];
-    worst.distance = std::max(worst.distance, found[s]->worst.distance);
+    mesh.add(leaf, found[s]->worst.distance, sample.uv);
     if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->worst.degrees);
     if (!mesh.leaves[leaf].state.is_cut_by_feature() &&
         may_be_missed(mesh, leaf, found[s]->predicted)) {
@@ -234,18 +236,17 @@ void Validator::validate_one_by_one(ValidatedMesh& mesh, std::span<const std::si
     if (!seen.triangles && !crease) {
       d.distance = distance_from(grid_, of_leaf, place, points[s].position);
     }
-    if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease};
+    if (d.distance > worst.distance) worst = {d.distance, worst.degrees, d.on_crease, place};
     if (!beside_cut) worst.degrees = std::max(worst.degrees, d.degrees);
   }
 }
 
-/// Validates leaves without edge features at more points, if the surface turns sharply in them.
+/// Validates leaves in which the surface turns sharply at more points.
 void Validator::validate_sharp_bends(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                      const LeafTriangles& triangles) {
   SharpBends bends(surface_, grid_, tree_, threads_);
   for (std::size_t k = 0; k < which.size(); ++k) {
-    const Leaf& leaf = mesh.leaves[which[k]];
-    if (!leaf.state.is_whole() || clip_) continue;
+    if (clip_ && crosses_box(triangles.of(k))) continue;
     bends.add(mesh, which[k], triangles.of(k));
   }
   bends.measure(mesh);
@@ -284,7 +285,7 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
 /// Adds the distances of the diagonals of leaves that cross the clip box from the surface, at the
 /// middles of what is inside. The surface at the same parameters may be far outside.
 void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                                      const LeafTriangles& triangles) const {
+                                      const LeafTriangles& triangles) {
   if (!clip_) return;
   std::vector<MiddleOfChord> chords;
   std::vector<std::size_t> leaves;  // of each
@@ -311,6 +312,13 @@ void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::
   }
   const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
   for (std::size_t k = 0; k < chords.size(); ++k) mesh.add(leaves[k], distances[k]);
+  FaceDistance faces(surface_, grid_, *clip_, threads_);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    if (mesh.is_near(which[k]) && mesh.leaves[which[k]].state.may_be_halved())
+      faces.add(which[k], triangles.of(k));
+  }
+  faces.measure(mesh, which, triangles);
+  evaluations_ += faces.evaluations();
 }
 
 /// Adds the distances of corners that only triangles without area have: these are left out, and the
@@ -328,7 +336,8 @@ void Validator::validate_omitted_corners(ValidatedMesh& mesh, std::size_t number
     const dvec3& position = grid_.mesh.position[vertex];
     if (std::ranges::any_of(triangles, has_it)) return;
     if (clip_ && !clip_->contains(position)) return;
-    mesh.add(number, distance_from(grid_, triangles, grid_.mesh.uv[vertex], position));
+    const dvec2& uv = grid_.mesh.uv[vertex];
+    mesh.add(number, distance_from(grid_, triangles, uv, position), uv);
   });
 }
 
@@ -362,10 +371,10 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
     if (!crosses_box(triangles.of(k)))
       boundaries.add(mesh.leaves[which[k]], which[k], triangles.of(k), mesh.allowed[which[k]]);
   }
-  for (const auto& [leaf, distance, is_at_jump] : boundaries.measure()) {
+  for (const auto& [leaf, distance, is_at_jump, uv] : boundaries.measure()) {
     if (is_at_jump && distance > mesh.sampled_errors[leaf].distance)
       mesh.sampled_errors[leaf].on_crease = true;
-    mesh.add(leaf, distance);
+    mesh.add(leaf, distance, uv);
   }
   evaluations_ += boundaries.evaluations();
 }

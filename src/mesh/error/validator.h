@@ -62,7 +62,7 @@ class Validator {
   void validate_beside_creases(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                const LeafTriangles& triangles, std::span<const std::size_t> others);
   void validate_across_faces(ValidatedMesh& mesh, std::span<const std::size_t> which,
-                             const LeafTriangles& triangles) const;
+                             const LeafTriangles& triangles);
   void validate_omitted_corners(ValidatedMesh& mesh, std::size_t number,
                                 std::span<const Triangle> triangles) const;
   bool crosses_box(std::span<const Triangle> triangles) const;

@@ -58,12 +58,13 @@ struct Search {
   LocatedDiscontinuity found = {};
   /// BisectedVector::height at the ends; NaN where it is not known.
   std::array<double, 2> heights = {kUnknown, kUnknown};
-  double length = 1;       ///< of the rest, in lengths of the first line
-  double share = kShare;   ///< part of the line at which it is evaluated
-  double width = 1;        ///< length of the line, in lengths when heights were first known
-  int steps = 0;           ///< since heights were first known
-  int misses = 0;          ///< evaluations that gave no value
-  bool is_missed = false;  ///< the last one gave none
+  double length = 1;           ///< of the rest, in lengths of the first line
+  double share = kShare;       ///< part of the line at which it is evaluated
+  double width = 1;            ///< length of the line, in lengths when heights were first known
+  int steps = 0;               ///< since heights were first known
+  int misses = 0;              ///< evaluations that gave no value
+  bool is_missed = false;      ///< the last one gave none
+  bool has_passed_by = false;  ///< LocatedDiscontinuity::has_passed_by
 };
 
 /// The distance of two values, also where its square would overflow.
@@ -80,7 +81,7 @@ Search begin(const Bracket& gap) {
 
 void finish(Search& search, Discontinuity kind) {
   search.done = true;
-  search.found = {kind, search.ends};
+  search.found = {.kind = kind, .ends = search.ends, .has_passed_by = search.has_passed_by};
 }
 
 /// The kind of a gap that no halving has closed.
@@ -135,8 +136,8 @@ double unexplained_gap(const dvec3& from, const dvec3& slope_from, const dvec3& 
 
 /// Whether the larger gap is in the first part of a line: by what slopes do not explain, where they
 /// do not explain all. Beside a pole both gaps may be the same to rounding; then it is the part
-/// into which the surface moves away from the ends.
-bool is_in_first_part(const Search& search, const Look& look, double first_gap, double last_gap,
+/// into which the surface moves away from the ends. Notes a larger gap that is passed by.
+bool is_in_first_part(Search& search, const Look& look, double first_gap, double last_gap,
                       const BisectedVector& bisected) {
   const double ends = gap_between(search.at_ends[0], search.at_ends[1]);
   if (look.slope && ends < kAlike * std::min(first_gap, last_gap)) {
@@ -149,8 +150,11 @@ bool is_in_first_part(const Search& search, const Look& look, double first_gap, 
                                          *look.slope, search.length * search.share);
     const double last = unexplained_gap(look.value, *look.slope, search.at_ends[1],
                                         search.slopes[1], search.length * (1 - search.share));
-    if (std::max(first, last) > bisected.delta)  // not so for NaN
-      return first > bisected.first_gap || first >= last;
+    if (std::max(first, last) > bisected.delta) {  // not so for NaN
+      const bool is_first = first > bisected.first_gap;
+      search.has_passed_by = search.has_passed_by || (is_first && first < last);
+      return is_first || first >= last;
+    }
   }
   return first_gap >= last_gap;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,9 +21,10 @@ enum class Discontinuity : std::uint8_t { None, Jump, Pole };
 /// A discontinuity on a line, between neighbours in double precision.
 struct LocatedDiscontinuity {
   Discontinuity kind = Discontinuity::None;
-  Line ends{dvec2(0), dvec2(0)};  ///< in the direction of the line
-  bool has_more = false;          ///< the line has others
-  bool is_cusp = false;           ///< the normal turns to its opposite; the tangents do not jump
+  Line ends{dvec2(0), dvec2(0)};      ///< in the direction of the line
+  std::optional<dvec2> between = {};  ///< the line has others: a place before the next one
+  bool is_cusp = false;        ///< the normal turns to its opposite; the tangents do not jump
+  bool has_passed_by = false;  ///< a larger gap than that of a first part was not followed
 };
 
 /// A line, and the values at its ends of the vector that may jump on it.

@@ -145,6 +145,20 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
   return found;
 }
 
+/// The part of a line that holds two of its parts.
+Line hull(const Line& a, const Line& b, const Line& line) {
+  const auto before = [&](const dvec2& first, const dvec2& second) {
+    return glm::distance(line[0], first) < glm::distance(line[0], second);
+  };
+  return {before(b[0], a[0]) ? b[0] : a[0], before(a[1], b[1]) ? b[1] : a[1]};
+}
+
+/// The middle between two parts of a line that have no place in common.
+dvec2 middle_between(const Line& a, const Line& b, const Line& line) {
+  const bool is_first = glm::distance(line[0], a[0]) < glm::distance(line[0], b[0]);
+  return is_first ? 0.5 * (a[1] + b[0]) : 0.5 * (b[1] + a[0]);
+}
+
 /// Adds a discontinuity in an unproved part to the known one of its line.
 void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuity& known) {
   if (more.kind == Discontinuity::None) return;
@@ -152,9 +166,11 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
   if (known.kind == Discontinuity::None) {
     known = more;
   } else if (apart > kSameOnLine * glm::distance(line[0], line[1])) {
-    known.has_more = true;
+    known.between = middle_between(known.ends, more.ends, line);
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;
+  } else {
+    known.ends = hull(known.ends, more.ends, line);
   }
 }
 
@@ -163,7 +179,7 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
 std::vector<LinePart> take_some(std::span<const LocatedDiscontinuity> found,
                                 std::vector<LinePart>& open) {
   constexpr std::size_t kAtATime = 2;
-  std::erase_if(open, [&](const LinePart& part) { return found[part.line].has_more; });
+  std::erase_if(open, [&](const LinePart& part) { return found[part.line].between.has_value(); });
   std::vector<LinePart> taken;
   std::vector<LinePart> rest;
   std::size_t count = 0;  // of the line

@@ -26,7 +26,7 @@ constexpr double kNearZero = 0x1p-50;
 std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
   SurfaceEnclosure enclosure(surface, Bounded::Tangents);
   const SubdivisionLimits limits = {
-      .boxes = ProofBudget(surface.bounds).boxes / kProofsPerBox,
+      .boxes = ProofBudget(surface.bounds).boxes_of_search() / kProofsPerBox,
       .halvings = 2 * kDomainHalvings,
       .most_open = kMostBoxes,
   };

@@ -34,6 +34,15 @@ constexpr std::size_t kManyWays = 512;
 /// Places that differ by half as much as farther away are on their way to agree.
 constexpr double kApproaches = 0.5;
 
+/// Directions beside the axes and diagonals, at slopes of 4^-1 to 4^-26 to them: between such
+/// slopes run curves as v = u^2, along which a limit may be another one than on all straight ways.
+constexpr int kSlopes = 26;
+/// In ranges of the parameters: the distances at which these directions are compared. A parabola
+/// is 2^-32 beside the axis at 2^-16, which doubles resolve.
+constexpr std::array kLooksAside = {0x1p-9, 0x1p-16};
+/// Differences between such directions that grow by more than 2 towards the point are rounding.
+constexpr double kGrows = 2;
+
 /// The ways to one place that lie in the domain.
 struct Ways {
   std::vector<Line> lines;         ///< from the place outward
@@ -96,15 +105,42 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
                                                      : PointSingularity::Kind::Removable;
 }
 
-/// Positions all around a place, 1e-12 ranges from it; empty if one of them is undefined.
-std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsigned threads) {
-  const Domain& d = surface.domain;
-  const dvec2 reach = kReach * kLooksOnWay.back() * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
-  std::vector<dvec2> uv;
+/// Many directions all around a point, in their order.
+std::vector<dvec2> many_directions() {
+  std::vector<dvec2> result;
   for (std::size_t k = 0; k < kManyWays; ++k) {
     const double turn = (static_cast<double>(k) + kAslantTurn) / kManyWays;
     const double angle = 2 * std::numbers::pi * turn;
-    uv.push_back(place + reach * dvec2(std::cos(angle), std::sin(angle)));
+    result.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return result;
+}
+
+/// Directions beside the axes and diagonals, in their order around a point.
+std::vector<dvec2> directions_aside() {
+  constexpr std::array<dvec2, 8> kMiddles = {dvec2(1, 0),  dvec2(1, 1),  dvec2(0, 1),
+                                             dvec2(-1, 1), dvec2(-1, 0), dvec2(-1, -1),
+                                             dvec2(0, -1), dvec2(1, -1)};
+  std::vector<dvec2> result;
+  for (const dvec2& middle : kMiddles) {
+    const dvec2 aside(-middle.y, middle.x);
+    for (int k = 1; k <= kSlopes; ++k) result.push_back(middle - std::ldexp(1.0, -2 * k) * aside);
+    for (int k = kSlopes; k >= 1; --k) result.push_back(middle + std::ldexp(1.0, -2 * k) * aside);
+  }
+  return result;
+}
+
+/// Positions around a place within the domain, `reach` ranges from it; empty if one of them is
+/// undefined.
+std::vector<dvec3> look_around(const Surface& surface, const dvec2& place,
+                               std::span<const dvec2> directions, double reach, unsigned threads) {
+  const ParameterBox domain = box_of(surface.domain);
+  const dvec2 low = glm::min(domain.low, domain.high);
+  const dvec2 high = glm::max(domain.low, domain.high);
+  std::vector<dvec2> uv;
+  for (const dvec2& direction : directions) {
+    const dvec2 beside = place + reach * (high - low) * direction;
+    if (beside == glm::clamp(beside, low, high)) uv.push_back(beside);
   }
   std::vector<dvec3> around;
   for (const SurfacePoint& point : evaluate(surface, uv, threads)) {
@@ -112,6 +148,44 @@ std::vector<dvec3> look_around(const Surface& surface, const dvec2& place, unsig
     around.push_back(point.position);
   }
   return around;
+}
+
+Bounds bounds_of(std::span<const dvec3> positions) {
+  Bounds bounds;
+  for (const dvec3& p : positions) bounds.add(p);
+  return bounds;
+}
+
+/// Positions around a point to which all straight ways have one limit, if curves to it have others:
+/// as of u^2*v/(u^4+v^2). Empty if there are none.
+std::vector<dvec3> limits_aside(const Surface& surface, const dvec2& place, double agree,
+                                unsigned threads) {
+  const std::vector<dvec2> directions = directions_aside();
+  const std::vector<dvec3> far = look_around(surface, place, directions, kLooksAside[0], threads);
+  std::vector<dvec3> near = look_around(surface, place, directions, kLooksAside[1], threads);
+  if (far.empty() || near.empty()) return {};
+  const double before = bounds_of(far).diagonal();
+  const double size = bounds_of(near).diagonal();
+  const bool stays = size > agree && size > kApproaches * before && size < kGrows * before;
+  return stays ? near : std::vector<dvec3>();
+}
+
+/// Adds the limits around an essential point, if it is inside of the domain. A point that seems
+/// removable is looked at along curves.
+void add_limits_around(const Surface& surface, const Ways& ways, double diagonal, unsigned threads,
+                       PointSingularity& singularity) {
+  const dvec2 place = ways.lines[0][0];
+  const bool is_inside = ways.lines.size() == kWays;
+  std::vector<dvec3> around;
+  if (singularity.kind == PointSingularity::Kind::Essential && is_inside) {
+    around = look_around(surface, place, many_directions(), kReach * kLooksOnWay.back(), threads);
+  } else if (singularity.kind == PointSingularity::Kind::Removable) {
+    around = limits_aside(surface, place, kLimitsAgree * diagonal, threads);
+    if (around.empty()) return;
+    singularity.kind = PointSingularity::Kind::Essential;
+    for (const dvec3& p : around) singularity.near.add(p);
+  }
+  if (is_inside) singularity.around = ClosedCurve(std::move(around));
 }
 
 /// Halvings of a box each way, and its parts that are followed. Four meet at a point on their
@@ -253,6 +327,11 @@ std::vector<std::optional<dvec2>> find_point_singularities(const Surface& surfac
   return places;
 }
 
+bool has_limits_aside(const Surface& surface, const dvec2& place, double diagonal,
+                      unsigned threads) {
+  return !limits_aside(surface, place, kLimitsAgree * diagonal, threads).empty();
+}
+
 std::vector<PointSingularity> classify_points(const Surface& surface, std::span<const dvec2> places,
                                               double diagonal, unsigned threads) {
   std::vector<Ways> all;
@@ -264,9 +343,7 @@ std::vector<PointSingularity> classify_points(const Surface& surface, std::span<
     if (ways.is_open && !ways.lines.empty()) {
       singularity = {kind_of_point(surface, ways, kLimitsAgree * diagonal, threads),
                      ways.at_looks[1]};
-      if (singularity.kind == PointSingularity::Kind::Essential && ways.lines.size() == kWays) {
-        singularity.around = ClosedCurve(look_around(surface, ways.lines[0][0], threads));
-      }
+      add_limits_around(surface, ways, diagonal, threads, singularity);
     } else if (ways.is_open_aslant) {
       singularity.kind = PointSingularity::Kind::Line;
     }

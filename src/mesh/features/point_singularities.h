@@ -54,6 +54,11 @@ std::vector<std::optional<dvec2>> find_point_singularities(
     const Surface& surface, std::span<const ParameterBox> where,
     std::optional<double> diagonal = std::nullopt);
 
+/// Whether curves to a place have other limits than straight ways: those of u^2*v/(u^4+v^2) to
+/// (0, 0) along v = c*u^2 are c/(1+c^2), and 0 along all lines.
+bool has_limits_aside(const Surface& surface, const dvec2& place, double diagonal,
+                      unsigned threads);
+
 /// Classifies each place by the surface around it. `diagonal`: of a box around the surface.
 std::vector<PointSingularity> classify_points(const Surface& surface, std::span<const dvec2> places,
                                               double diagonal, unsigned threads);

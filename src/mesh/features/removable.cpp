@@ -22,6 +22,10 @@ constexpr double kNear = 1e-6;
 /// Nearest looks: two along u, and two along v.
 constexpr std::size_t kNearest = 4;
 
+/// 64 epsilon: a parameter is rounded where its line is placed, and again where a formula
+/// multiplies it, as in sin(10*pi*u).
+constexpr double kRoundingOfParameters = 0x1p-46;
+
 /// A point beside a place.
 struct NearbyLook {
   bool is_defined;
@@ -45,6 +49,8 @@ std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook, kNearest> looks
 /// The limit on which all known looks agree.
 Beside judge(std::span<const NearbyLook> looks, double diagonal) {
   Beside beside;
+  beside.is_alone =
+      std::ranges::all_of(looks, [](const NearbyLook& look) { return look.known.has_value(); });
   Bounds bounds;
   for (const NearbyLook& look : looks) {
     beside.is_defined = beside.is_defined || look.is_defined;
@@ -62,6 +68,16 @@ bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal) {
   const double moved =
       safe_length(point.r_u) * std::fabs(uv.x) + safe_length(point.r_v) * std::fabs(uv.y);
   return std::numeric_limits<double>::epsilon() * moved > kLimitsAgree * diagonal;
+}
+
+dvec3 rounding_by_parameters(const SurfacePoint& point, const dvec2& uv, const Domain& domain) {
+  const dvec2 range(domain.u1 - domain.u0, domain.v1 - domain.v0);
+  const dvec2 rounding = kRoundingOfParameters * glm::max(glm::abs(uv), glm::abs(range));
+  dvec3 moved = glm::abs(point.r_u) * rounding.x + glm::abs(point.r_v) * rounding.y;
+  for (int k = 0; k < 3; ++k) {
+    if (!std::isfinite(moved[k])) moved[k] = 0;
+  }
+  return moved;
 }
 
 std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,

@@ -14,6 +14,7 @@ namespace saddle {
 /// The surface beside a place.
 struct Beside {
   bool is_defined = false;     ///< at one of the looks at least
+  bool is_alone = false;       ///< the position is known at all looks
   std::optional<dvec3> limit;  ///< the position on which all looks agree
 };
 
@@ -26,5 +27,9 @@ std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> p
 /// more than kLimitsAgree. (u^3 - v^3) / (u - v) is rounding where u and v are neighbouring
 /// doubles.
 bool is_rounding(const SurfacePoint& point, const dvec2& uv, double diagonal);
+
+/// The most by which rounding of the parameters moves a point, along each axis; 0 where the
+/// tangents are not finite. At the ends of sqrt(sin(u)) over 0:pi, sin(pi) = 1e-16 gives 1e-8.
+dvec3 rounding_by_parameters(const SurfacePoint& point, const dvec2& uv, const Domain& domain);
 
 }  // namespace saddle

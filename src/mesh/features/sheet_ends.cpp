@@ -35,7 +35,18 @@ std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::spa
     const Line defined = {lines[k][0], ends[k]->uv};
     gaps.push_back(bracket_of(defined, defined, points[2 * k], points[2 * k + 1]));
   }
-  const auto jumps = bisect_positions(surface, gaps, delta, Prefer::First, halvings, threads, work);
+  auto jumps = bisect_positions(surface, gaps, delta, Prefer::First, halvings, threads, work);
+  // The first gap may be that of a smooth part which is steeper than its slopes say.
+  std::vector<std::size_t> passed;
+  std::vector<Bracket> again;
+  for (std::size_t k = 0; k < jumps.size(); ++k) {
+    if (jumps[k].kind != Discontinuity::None || !jumps[k].has_passed_by) continue;
+    passed.push_back(k);
+    again.push_back(gaps[k]);
+  }
+  const auto largest =
+      bisect_positions(surface, again, delta, Prefer::Largest, halvings, threads, work);
+  for (std::size_t i = 0; i < passed.size(); ++i) jumps[passed[i]] = largest[i];
   for (std::size_t k = 0; k < lines.size(); ++k) {
     if (jumps[k].kind == Discontinuity::Pole) ends[k].reset();
     if (jumps[k].kind == Discontinuity::Jump) ends[k] = {jumps[k].ends[0], SheetEnd::Kind::Jump};

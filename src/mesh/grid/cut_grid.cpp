@@ -94,8 +94,9 @@ void require_triangles(const Surface& surface, const Grid& grid, unsigned thread
   require_doubles("u", d.u0, d.u1);
   require_doubles("v", d.v0, d.v1);
   throw Error(Status::Nothing, "no cell of the grid has any area", {},
-              "the surface repeats itself in step with the " + std::to_string(grid.cells_u) +
-                  " x " + std::to_string(grid.cells_v) + " cells; --samples takes more");
+              "the surface is a line in double precision, or repeats itself in step with the " +
+                  std::to_string(grid.cells_u) + " x " + std::to_string(grid.cells_v) +
+                  " cells; --samples takes more");
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/vector_relational.hpp>
 
+#include "mesh/features/removable.h"
 #include "mesh/model/point_union.h"
 #include "mesh/model/tolerances.h"
 
@@ -68,16 +70,61 @@ bool is_pole(const Grid& grid, std::span<const GridLine> lines, std::size_t k) {
   return majority.has_short_gaps();
 }
 
+/// The most by which rounding of the parameters moves vertices, in local units.
+std::vector<dvec3> rounding_by_parameters(const Surface& surface, const Grid& grid,
+                                          std::span<const std::size_t> vertices, unsigned threads) {
+  std::vector<dvec2> uv;
+  for (const std::size_t vertex : vertices) uv.push_back(grid.mesh.uv[vertex]);
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+  std::vector<dvec3> moved;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    moved.push_back(grid.local_scale *
+                    saddle::rounding_by_parameters(points[k], uv[k], surface.domain));
+  }
+  return moved;
+}
+
+/// The vertices of a line, if rounding of the parameters alone may keep them apart: the boxes in
+/// which rounding leaves them have a place in common.
+std::vector<std::size_t> rounded_pole(const Surface& surface, const Grid& grid,
+                                      const GridLine& line, unsigned threads) {
+  std::vector<std::size_t> vertices;
+  Bounds bounds;
+  for (std::size_t m = 0; m < line.count; ++m) {
+    if (!grid.is_used(line[m])) continue;
+    vertices.push_back(line[m]);
+    bounds.add(grid.local(line[m]));
+    if (bounds.diagonal() > kMostRounding * grid.diagonal) return {};
+  }
+  Bounds common;
+  const std::vector<dvec3> moved = rounding_by_parameters(surface, grid, vertices, threads);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const dvec3 place = grid.local(vertices[k]);
+    const dvec3 reach = moved[k] + rounding_of(place);
+    common.low = k > 0 ? glm::max(common.low, place - reach) : place - reach;
+    common.high = k > 0 ? glm::min(common.high, place + reach) : place + reach;
+    if (glm::any(glm::greaterThan(common.low, common.high))) return {};
+  }
+  return vertices;
+}
+
 /// Makes each line that is one point exactly one.
-void collapse_poles(Grid& grid, std::span<const GridLine> lines) {
+void collapse_poles(const Surface& surface, unsigned threads, Grid& grid,
+                    std::span<const GridLine> lines) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (!is_pole(grid, lines, k)) continue;
-    const dvec3* pole = nullptr;
+    std::optional<dvec3> pole;
+    if (!is_pole(grid, lines, k)) {
+      Bounds bounds;
+      for (const std::size_t vertex : rounded_pole(surface, grid, lines[k], threads))
+        bounds.add(grid.mesh.position[vertex]);
+      if (bounds.empty()) continue;
+      pole = bounds.centre();
+    }
     for (std::size_t m = 0; m < lines[k].count; ++m) {
       const std::size_t vertex = lines[k][m];
       if (!grid.is_used(vertex)) continue;
       dvec3& position = grid.mesh.position[vertex];
-      if (!pole) pole = &position;
+      if (!pole) pole = position;
       position = *pole;
       grid.open_around(vertex);
     }
@@ -97,7 +144,7 @@ struct EdgePair {
 };
 
 /// Whether the edges meet at every sample where the surface is defined, and are defined alike.
-bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
+bool edges_meet(const Surface& surface, const Grid& grid, const EdgePair& edges, const Seam& seam) {
   const std::size_t cells = edges.last.count - 1;
   if (cells % seam.shift.of != 0) return false;  // a shifted vertex is none
   Majority majority;
@@ -106,8 +153,9 @@ bool edges_meet(const Grid& grid, const EdgePair& edges, const Seam& seam) {
     const std::size_t b = edges.partner(k, seam);
     if (!grid.is_used(a) && !grid.is_used(b)) continue;
     if (!grid.is_used(a) || !grid.is_used(b)) return false;
-    if (!is_one_point(grid, a, b)) return false;
-    majority.add(distance(grid, a, b), distance(grid, a, edges.after_first[k]));
+    const bool is_near = is_one_point(grid, a, b);
+    if (!is_near && !is_one_point(surface, grid, a, b)) return false;
+    majority.add(is_near ? distance(grid, a, b) : 0, distance(grid, a, edges.after_first[k]));
   }
   return majority.has_short_gaps();
 }
@@ -125,9 +173,9 @@ void unite(Grid& grid, const EdgePair& edges, const Seam& seam, PointUnion& poin
 }
 
 /// Unites the vertices of two edges that meet. Returns how they meet.
-Seam join_edges(Grid& grid, const EdgePair& edges, PointUnion& points) {
+Seam join_edges(const Surface& surface, Grid& grid, const EdgePair& edges, PointUnion& points) {
   for (const Seam& seam : kSeams) {
-    if (!edges_meet(grid, edges, seam)) continue;
+    if (!edges_meet(surface, grid, edges, seam)) continue;
     unite(grid, edges, seam, points);
     return seam;
   }
@@ -136,13 +184,14 @@ Seam join_edges(Grid& grid, const EdgePair& edges, PointUnion& points) {
 
 /// Unites the halves of an edge that is folded and no point. Its middle is a vertex, or a side of
 /// its middle cell becomes a point.
-bool fold_edge(Grid& grid, const GridLine& edge, const GridLine& beside, PointUnion& points) {
+bool fold_edge(const Surface& surface, Grid& grid, const GridLine& edge, const GridLine& beside,
+               PointUnion& points) {
   Bounds bounds;
   for (std::size_t k = 0; k < edge.count; ++k) {
     if (grid.is_used(edge[k])) bounds.add(grid.local(edge[k]));
   }
   const EdgePair halves{edge, beside, edge};
-  if (is_one_point(grid, bounds) || !edges_meet(grid, halves, kFold)) return false;
+  if (is_one_point(grid, bounds) || !edges_meet(surface, grid, halves, kFold)) return false;
   unite(grid, halves, kFold, points);
   if (edge.count % 2 == 0) grid.open_around(edge[edge.count / 2]);
   return true;
@@ -167,10 +216,11 @@ void join_equal_neighbours(const Surface& surface, unsigned threads, const Grid&
 }
 
 /// Whether two places, in local units, are one within rounding and within the error of sin(2 pi).
-bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q) {
+/// `moved`: by rounding of their parameters.
+bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q, const dvec3& moved = dvec3(0)) {
   for (int k = 0; k < 3; ++k) {  // most are apart in the first
     const double gap = std::fabs(p[k] - q[k]);
-    const double least = kRounding * std::max(std::fabs(p[k]), std::fabs(q[k]));
+    const double least = std::max(moved[k], kRounding * std::max(std::fabs(p[k]), std::fabs(q[k])));
     const double size = grid.mesh.bounds.high[k] - grid.mesh.bounds.low[k];
     if (gap > std::max(least, kSamePosition * grid.local_scale * size)) return false;
   }
@@ -181,6 +231,15 @@ bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q) {
 
 bool is_one_point(const Grid& grid, std::size_t a, std::size_t b) {
   return is_one_place(grid, grid.local(a), grid.local(b));
+}
+
+bool is_one_point(const Surface& surface, const Grid& grid, std::size_t a, std::size_t b) {
+  if (is_one_point(grid, a, b)) return true;
+  const dvec3 p = grid.local(a);
+  const dvec3 q = grid.local(b);
+  if (!(glm::distance(p, q) <= kMostRounding * grid.diagonal)) return false;
+  const std::vector<dvec3> moved = rounding_by_parameters(surface, grid, std::array{a, b}, 1);
+  return is_one_place(grid, p, q, moved[0] + moved[1]);
 }
 
 bool is_short_beside(const Grid& grid, std::size_t a, std::size_t b, double length) {
@@ -202,7 +261,10 @@ std::vector<Neighbours> collapsed(const Surface& surface, const Grid& grid,
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const dvec3 middle = grid.local_scale * points[k].position;
     // An undefined middle does not keep its ends apart.
-    const bool stays = !is_finite(middle) || is_one_place(grid, middle, grid.local(sides[k][0]));
+    const dvec3 moved =
+        grid.local_scale * saddle::rounding_by_parameters(points[k], middles[k], surface.domain);
+    const bool stays =
+        !is_finite(middle) || is_one_place(grid, middle, grid.local(sides[k][0]), moved);
     if (stays) result.push_back(sides[k]);
   }
   return result;
@@ -218,17 +280,17 @@ Seams weld(const Surface& surface, unsigned threads, Grid& grid) {
 
   PointUnion points(grid.mesh);
   Seams seams;
-  collapse_poles(grid, columns);
-  collapse_poles(grid, rows);
-  seams.u = join_edges(grid, {columns[0], columns[1], columns[nu]}, points);
-  seams.v = join_edges(grid, {rows[0], rows[1], rows[nv]}, points);
+  collapse_poles(surface, threads, grid, columns);
+  collapse_poles(surface, threads, grid, rows);
+  seams.u = join_edges(surface, grid, {columns[0], columns[1], columns[nu]}, points);
+  seams.v = join_edges(surface, grid, {rows[0], rows[1], rows[nv]}, points);
   if (!seams.u.closed) {
-    seams.folded_u = {fold_edge(grid, columns[0], columns[1], points),
-                      fold_edge(grid, columns[nu], columns[nu - 1], points)};
+    seams.folded_u = {fold_edge(surface, grid, columns[0], columns[1], points),
+                      fold_edge(surface, grid, columns[nu], columns[nu - 1], points)};
   }
   if (!seams.v.closed) {
-    seams.folded_v = {fold_edge(grid, rows[0], rows[1], points),
-                      fold_edge(grid, rows[nv], rows[nv - 1], points)};
+    seams.folded_v = {fold_edge(surface, grid, rows[0], rows[1], points),
+                      fold_edge(surface, grid, rows[nv], rows[nv - 1], points)};
   }
   join_equal_neighbours(surface, threads, grid, points);
   points.settle();

@@ -13,6 +13,9 @@ namespace saddle {
 /// Whether two vertices are at the same place, within rounding and within the error of sin(2 pi).
 bool is_one_point(const Grid& grid, std::size_t a, std::size_t b);
 
+/// The same, or within rounding of the parameters.
+bool is_one_point(const Surface& surface, const Grid& grid, std::size_t a, std::size_t b);
+
 /// Whether the way between two vertices is short beside the same step elsewhere, of a length in
 /// local units, or within rounding: narrow parts of a surface are no points.
 bool is_short_beside(const Grid& grid, std::size_t a, std::size_t b, double length);

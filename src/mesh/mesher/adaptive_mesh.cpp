@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -13,6 +12,7 @@
 #include "mesh/grid/corners.h"
 #include "mesh/grid/facing.h"
 #include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/mesher/report_errors.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
 #include "mesh/model/tolerances.h"
@@ -133,29 +133,6 @@ class Finisher {
     }
     const double share = 1 - covered.value() / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
     return share > kAllCovered ? share : 0;
-  }
-
-  /// The largest errors of the triangles.
-  void take_errors(const LeafTriangles& triangles, MeshReport& report) const {
-    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
-      const Leaf& leaf = mesh_.leaves[k];
-      if (triangles.of(k).empty() || mesher_.is_clipped(leaf)) continue;
-      const double eps = mesh_.allowed[k];
-      // The samples of a leaf that crosses the clip box may be outside of it.
-      const double known = mesher_.crosses_box(leaf) ? 0 : leaf.known_error * eps;
-      const double off = std::max(mesh_.sampled_errors[k].distance, known);
-      // A tolerance that varies: errors are scaled to the strictest one.
-      const bool varies = eps > *report.tolerance && !report.rounding;
-      const double error = varies ? off / eps * *report.tolerance : off;
-      if (error > std::max(report.max_error, *report.tolerance)) {
-        report.worst_place = tree_.vertices().parameters(leaf.middle());
-      }
-      report.max_error = std::max(report.max_error, error);
-      const double degrees = mesh_.sampled_errors[k].degrees;
-      if (degrees <= report.max_normal_error || thickness_of(leaf, grid_, tree_) <= kSeenTurn * eps)
-        continue;
-      report.max_normal_error = degrees;
-    }
   }
 
   /// The largest distance of parts that are left out, because their triangles have no area, from
@@ -295,7 +272,7 @@ std::optional<MeshResult> finish(const Surface& surface, const MeshRequest& requ
   finisher.list_jumps(report);
   finisher.list_cusps(report);
   LeafTriangles triangles = mesher.triangulate(report);
-  finisher.take_errors(triangles, report);
+  report_errors(surface, request, mesher, triangles, report);
   if (triangles.all.empty()) return std::nullopt;
   finisher.take_lost_parts(triangles, request.clip, report);
   report.undefined_fraction = finisher.undefined_fraction(surface.domain);

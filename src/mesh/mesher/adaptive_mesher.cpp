@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
+#include "mesh/error/left_out_leaves.h"
 #include "mesh/features/robust_box.h"
 #include "mesh/grid/degenerate.h"
 #include "mesh/grid/sample_grid.h"
@@ -14,7 +16,9 @@
 #include "mesh/mesher/halving_limits.h"
 #include "mesh/mesher/solve_inner_vertices.h"
 #include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
 #include "mesh/tree/flip.h"
+#include "mesh/tree/leaf_border.h"
 
 namespace saddle {
 
@@ -22,7 +26,10 @@ namespace {
 
 /// Rounds of refinement after the first subdivision, at most: 16 halvings each way lead to a point
 /// where features meet, and others to what they leave.
-constexpr int kMostRounds = 40;
+constexpr int kMostRounds = 64;
+/// Where validation keeps failing, leaves are searched for features after every 4 rounds: one round
+/// leads to a feature that is found, and halves a leaf once without it.
+constexpr int kFeaturePeriod = 4;
 /// The share of the triangles that the first subdivision may take: 7/8. The rest is for errors that
 /// only validation finds, as of waves that fit into a cell.
 constexpr double kFirst = 0.875;
@@ -60,7 +67,8 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       landmarks_(plan.probe.landmarks().places, request.clip, grid_, tree_),
       validation_(surface, limits_, grid_, tree_, landmarks_, mesh_),
       direction_(limits_, grid_, tree_, mesh_),
-      proof_(surface, grid_, tree_, request.threads),
+      proof_(surface, grid_, tree_, request_.clip, request.threads),
+      open_(surface, grid_, tree_, request_.clip, request.threads),
       predicted_(predict(plan)) {
   if (request.stop != MeshRequest::Stop::AtPolesOrFar) return;
   const Bounds most = rough_box(plan.probe.positions());
@@ -75,12 +83,26 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
                                     : Until::Done;
   tree_.geometry().add_middles(request_.threads);
   refine({root_leaves(grid_), std::move(counterexamples)}, {until, limits_.triangles.part(kFirst)});
-  for (int round = 0; round < kMostRounds && !stops_early(); ++round) {
-    const ActiveLeaves active = next_active();
+  for (int round = 0; !stops_early(); ++round) {
+    if (round == kMostRounds) {
+      if (certifies()) find_features();  // they count as errors
+      break;
+    }
+    ActiveLeaves active = next_active();
     if (active.leaves.empty()) break;
+    if (round % kFeaturePeriod == kFeaturePeriod - 1 && certifies()) {
+      ActiveLeaves more = activate_with_features();
+      for (Counterexample& counterexample : more.counterexamples)
+        counterexample.cell += active.leaves.size();
+      std::ranges::copy(more.leaves, std::back_inserter(active.leaves));
+      std::ranges::copy(more.counterexamples, std::back_inserter(active.counterexamples));
+    }
     refine(active, {until, limits_.triangles});
   }
   if (stops_early()) return;
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    if (direction_.is_cut_unclearly(k)) leave_out_if_small(k);
+  }
   const bool is_finished = !reached_limit_ || is_unrefined();
   if (is_finished) singularities_ = leave_out_singularities(surface_, limits_, tree_, mesh_);
   cut_walls(limits_, is_finished, tree_, mesh_);
@@ -92,7 +114,9 @@ ActiveLeaves AdaptiveMesher::next_active() {
   ActiveLeaves active{halve_failed(), {}};
   if (active.leaves.empty() && validation_.revalidate()) active.leaves = halve_failed();
   if (active.leaves.empty() && validation_.validate_singular()) active.leaves = halve_failed();
+  if (active.leaves.empty()) active.leaves = halve_missed();
   if (active.leaves.empty() && certifies()) active = activate_refuted();
+  if (active.leaves.empty() && certifies()) active = activate_with_features();
   if (active.leaves.empty() && is_unrefined()) active = activate_jumping();
   return active;
 }
@@ -110,12 +134,13 @@ void AdaptiveMesher::reach_extremes() {
   saddle::reach_extremes(surface_, mesh_.leaves, oscillates, request_.threads, tree_, grid_);
 }
 
-/// Whole leaves without some of their triangles are not proved, unless they are smaller than the
-/// tolerance.
+/// Whole leaves without some of their triangles have no proof, unless measured distances gave one
+/// or the leaves are smaller than the tolerance.
 void AdaptiveMesher::leave_flat_unproved(const LeafTriangles& triangles) {
   std::vector<Leaf> flat;
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     if (!mesh_.leaves[k].state.is_whole() || triangles.ranges[k].is_complete()) continue;
+    if (proof_.is_proved(mesh_, k)) continue;
     Bounds bounds;
     for (const dvec3& p : corner_positions(mesh_.leaves[k], tree_)) bounds.add(p);
     if (!(bounds.diagonal() <= mesh_.allowed[k])) flat.push_back(mesh_.leaves[k]);
@@ -126,6 +151,12 @@ void AdaptiveMesher::leave_flat_unproved(const LeafTriangles& triangles) {
 void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report) {
   if (!request_.clip) leave_flat_unproved(triangles);
   landmarks_.complete(triangles.all, report.tolerance.value_or(0), report);
+  for (const auto& [k, farthest] :
+       measure_left_out(mesh_, request_.clip, request_.threads, tree_)) {
+    if (farthest.distance > std::max(report.max_error, mesh_.allowed[k]))
+      report.worst_place = farthest.uv;
+    report.max_error = std::max(report.max_error, farthest.distance);
+  }
   report.cells = mesh_.leaves.size();
   const bool stopped = reached_limit_ && !is_unrefined();
   report.reached_limit = report.reached_limit || stopped;
@@ -214,7 +245,7 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
     if (!leaf.state.may_be_halved()) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (unresolvable->contains(leaf, tree_)) continue;
-    if (request_.clip && crosses_box(leaf)) continue;
+    if ((request_.clip && crosses_box(leaf)) || has_thin_strip(leaf, tree_)) continue;
     const FeatureCount features = count_features(leaf, tree_);
     const bool is_solvable = !features.has_more && !has_cut(FeatureKind::Pole, leaf, tree_) &&
                              !has_cut(FeatureKind::Face, leaf, tree_) &&
@@ -303,10 +334,41 @@ bool AdaptiveMesher::leave_out_if_small(std::size_t number) {
   const bool is_small =
       halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
   if (leaf.state.leads_to_pole() || !(is_smallest || is_small)) return false;
-  leaf.state.freeze();
-  leaf.state.leave_out();
+  leaf.state.leave_out_too_small();
   mesh_.sampled_errors[number] = {};
+  has_new_left_out_ = true;
   return true;
+}
+
+/// Removes left-out leaves from the mesh that hold a part of a sheet too far from it, and returns
+/// their halves.
+std::vector<Leaf> AdaptiveMesher::halve_missed() {
+  if (!std::exchange(has_new_left_out_, false)) return {};
+  std::vector<std::size_t> missed;
+  std::vector<Leaf> halves;
+  for (const auto& [k, farthest] :
+       measure_left_out(mesh_, request_.clip, request_.threads, tree_)) {
+    const double size = 0.5 * border_of_pieces(mesh_.leaves[k], tree_).value_or(0);
+    if (farthest.distance + size <= mesh_.allowed[k] || stop_if_full()) continue;
+    // Only halves across the features tell them apart.
+    const auto both = halve(mesh_.leaves[k], direction_.is_across_u(k, predicted_), tree_);
+    if (!both) continue;
+    missed.push_back(k);
+    for (Leaf half : *both) {
+      half.state.take_back();
+      halves.push_back(half);
+    }
+  }
+  mesh_.remove(missed);
+  return halves;
+}
+
+/// Halves a leaf across its features, or else the other way.
+std::optional<std::array<Leaf, 2>> AdaptiveMesher::halve_cut(std::size_t number) {
+  const Leaf& leaf = mesh_.leaves[number];
+  const bool across_u = direction_.is_across_u(number, predicted_);
+  const auto both = halve(leaf, across_u, tree_);
+  return both ? both : halve(leaf, !across_u, tree_);
 }
 
 /// Removes failed leaves from the mesh and returns their halves. It tests the leaves that were
@@ -328,7 +390,8 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     if (is_cut && leave_out_if_small(k)) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (stop_if_done(leaf, *unresolvable)) continue;
-    const auto both = halve(leaf, direction_.is_across_u(k, predicted_), tree_);
+    const auto both =
+        is_cut ? halve_cut(k) : halve(leaf, direction_.is_across_u(k, predicted_), tree_);
     if (!both) continue;
     failed.push_back(k);
     // The error at a feature says nothing about the size of leaves.
@@ -340,9 +403,28 @@ std::vector<Leaf> AdaptiveMesher::halve_failed() {
     }
   }
   halved_ = now;
+  take_thinly_cut(failed, halves);
   mesh_.remove(failed);
   std::ranges::copy(reactivate_defined(), std::back_inserter(halves));
   return halves;
+}
+
+/// Adds whole leaves with undefined vertices in thin parts of sides, which a neighbour has added.
+void AdaptiveMesher::take_thinly_cut(std::vector<std::size_t>& numbers,
+                                     std::vector<Leaf>& active) const {
+  if (!tree_.thin().any()) return;
+  const std::size_t count = numbers.size();
+  for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+    const Leaf& leaf = mesh_.leaves[k];
+    if (!leaf.state.is_whole() || !leaf.state.may_be_halved()) continue;
+    if (!has_thin_vertex(leaf, tree_) ||
+        std::binary_search(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count),
+                           k))
+      continue;
+    numbers.push_back(k);
+    active.push_back(leaf);
+  }
+  std::ranges::sort(numbers);
 }
 
 /// Empty leaves with a defined corner, which the halving of a neighbour has added.
@@ -356,10 +438,12 @@ std::vector<Leaf> AdaptiveMesher::reactivate_defined() {
   return defined;
 }
 
-/// Leaves with counterexamples or jumps in their unproved boxes.
+/// Leaves with counterexamples or jumps in their unproved boxes. Where the work of proofs is done,
+/// the counterexamples only count as errors: more may be anywhere.
 ActiveLeaves AdaptiveMesher::activate_refuted() {
-  const std::vector<UnprovedBox> boxes = proof_.prove(mesh_);
-  std::vector<Counterexample> counterexamples = proof_.refute(boxes, mesh_);
+  const bool is_spent = proof_.is_spent();
+  auto [boxes, counterexamples] = proof_.prove(mesh_);
+  if (is_spent) counterexamples.clear();
   const Oscillation unresolvable = oscillation();
   std::erase_if(counterexamples, [&](const Counterexample& counterexample) {
     return stop_if_done(mesh_.leaves[counterexample.cell], unresolvable);
@@ -368,6 +452,36 @@ ActiveLeaves AdaptiveMesher::activate_refuted() {
   for (const Counterexample& counterexample : counterexamples) refuted.insert(counterexample.cell);
   const std::vector<std::size_t> jumping = find_jumping(boxes);
   refuted.insert(jumping.begin(), jumping.end());
+  return activate(refuted, std::move(counterexamples));
+}
+
+/// Whether a leaf may be halved for a feature that its samples miss.
+bool AdaptiveMesher::may_hide_feature(std::size_t number) const {
+  const Leaf& leaf = mesh_.leaves[number];
+  if (leaf.state.is_on_boundary()) return false;
+  const bool is_continuous = leaf.state.is_whole() || count_features(leaf, tree_).only_creases;
+  return is_continuous && !leaf.state.oscillates() && !leaf.state.leads_to_pole() &&
+         !is_clipped(leaf) && !proof_.is_proved(mesh_, number);
+}
+
+/// Adds features that stick out of the triangles of leaves to their errors. Waves are no features.
+std::vector<Counterexample> AdaptiveMesher::find_features() {
+  if (oscillates_) return {};
+  return open_.refute([this](std::size_t k) { return may_hide_feature(k); }, mesh_);
+}
+
+/// Leaves with features that stick out of their triangles.
+ActiveLeaves AdaptiveMesher::activate_with_features() {
+  std::vector<Counterexample> counterexamples = find_features();
+  const Oscillation unresolvable = oscillation();
+  std::erase_if(counterexamples, [&](const Counterexample& counterexample) {
+    Leaf& leaf = mesh_.leaves[counterexample.cell];
+    leaf.state.thaw();
+    leaf.stagnation = 0;
+    return stop_if_done(leaf, unresolvable);
+  });
+  std::set<std::size_t> refuted;
+  for (const Counterexample& counterexample : counterexamples) refuted.insert(counterexample.cell);
   return activate(refuted, std::move(counterexamples));
 }
 
@@ -384,8 +498,8 @@ std::vector<std::size_t> AdaptiveMesher::find_jumping(std::span<const UnprovedBo
   std::set<std::size_t> leaves;
   for (const UnprovedBox& box : unproved_boxes) {
     const Leaf& leaf = mesh_.leaves[box.patch];
-    const bool is_done =
-        !leaf.state.may_be_halved() || leaf.state.leads_to_pole() || is_clipped(leaf);
+    const bool is_done = !leaf.state.may_be_halved() || leaf.state.is_cut_by_feature() ||
+                         leaf.state.leads_to_pole() || is_clipped(leaf);
     if (box.may_jump && !is_done) leaves.insert(box.patch);
   }
   std::vector<Side> sides;

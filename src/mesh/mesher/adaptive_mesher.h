@@ -2,12 +2,14 @@
 // until error indicators, validation points and interval proofs find no error above the tolerance.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
+#include "mesh/error/open_leaves.h"
 #include "mesh/error/validated_mesh.h"
 #include "mesh/mesher/leaf_landmarks.h"
 #include "mesh/mesher/leaf_proof.h"
@@ -41,6 +43,8 @@ class AdaptiveMesher {
   /// The leaves and their sampled errors.
   const ValidatedMesh& mesh() const { return mesh_; }
   const CellTree& tree() const { return tree_; }
+  const LeafLandmarks& landmarks() const { return landmarks_; }
+  const LeafProof& proof() const { return proof_; }
   /// Point singularities inside leaves, which are left out.
   const std::vector<PlacedSingularity>& singularities() const { return singularities_; }
   /// The root grid; its mesh has the vertices of all leaves.
@@ -80,13 +84,19 @@ class AdaptiveMesher {
   Oscillation predict(const MeshPlan& plan) const;
   Oscillation oscillation() const;
   bool leave_out_if_small(std::size_t number);
+  std::vector<Leaf> halve_missed();
+  std::optional<std::array<Leaf, 2>> halve_cut(std::size_t number);
   bool stop_if_done(Leaf& leaf, const Oscillation& oscillation);
   std::vector<Leaf> halve_failed();
   std::vector<Leaf> reactivate_defined();
+  void take_thinly_cut(std::vector<std::size_t>& numbers, std::vector<Leaf>& active) const;
   std::vector<std::size_t> find_jumping(std::span<const UnprovedBox> unproved_boxes);
   ActiveLeaves activate(const std::set<std::size_t>& numbers,
                         std::vector<Counterexample> counterexamples);
   ActiveLeaves activate_refuted();
+  std::vector<Counterexample> find_features();
+  ActiveLeaves activate_with_features();
+  bool may_hide_feature(std::size_t leaf) const;
   void leave_flat_unproved(const LeafTriangles& triangles);
   ActiveLeaves activate_jumping();
 
@@ -102,6 +112,7 @@ class AdaptiveMesher {
   LeafValidation validation_;
   SplitDirection direction_;
   LeafProof proof_;
+  OpenLeaves open_;
   Oscillation predicted_;
   /// Vertices outside of it are far.
   Bounds proportionate_{dvec3(-std::numeric_limits<double>::infinity()),
@@ -111,6 +122,7 @@ class AdaptiveMesher {
   std::uint32_t halved_ = 0;  // revision of the last halve_failed()
   std::vector<Leaf> empty_;   // not in the mesh: the surface is defined at none of their samples
   std::vector<PlacedSingularity> singularities_;
+  bool has_new_left_out_ = false;  ///< leaves that are too small
   bool reached_limit_ = false;
   std::optional<dvec2> coarse_normals_;
   std::optional<dvec2> oscillates_;

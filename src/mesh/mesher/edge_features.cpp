@@ -10,6 +10,7 @@
 #include "mesh/mesher/pole_features.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -70,6 +71,7 @@ class FeatureTracer {
       places.push_back({sides[k][0], sides[k][1], uv[k]});
     }
     const std::vector<bool> goes_far = diverge_at(places, options_, tree_);
+    stop_at_jumps(sides, ends, goes_far, places);
     const std::vector<bool> at_face = end_at_faces(goes_far, places, options_, tree_);
     const std::uint32_t first = tree_.geometry().add_between(places, options_.threads);
     tree_.geometry().take_known_normals();
@@ -87,6 +89,35 @@ class FeatureTracer {
     }
   }
 
+  /// Moves boundaries, which are past jumps from the defined ends of their sides, to the jumps.
+  /// Ways that go to infinity, as past the jumps of floor(1/u), stay.
+  void stop_at_jumps(std::span<const Side> sides, std::span<const Line> lines,
+                     const std::vector<bool>& goes_far, std::span<Between> places) {
+    SurfaceEnclosure enclosure(tree_.surface(), Bounded::Position);
+    std::vector<std::size_t> open;
+    std::vector<Line> parts;
+    double delta = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const std::span<const Interval> bounds = enclosure.enclose({lines[k][0], places[k].uv});
+      const bool is_continuous = std::ranges::all_of(bounds, &Interval::continuous);
+      if (is_continuous || goes_far[k] || lines[k][0] == places[k].uv) continue;
+      open.push_back(k);
+      parts.push_back({lines[k][0], places[k].uv});
+      const bool is_first = tree_.geometry().is_defined(sides[k][0]);
+      delta =
+          std::min(delta, options_.tolerance(tree_.mesh().position[sides[k][is_first ? 0 : 1]]));
+    }
+    if (open.empty()) return;
+    const auto found = find_discontinuities(tree_.surface(), parts, delta, options_.threads,
+                                            tree_.effort().looks());
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (found[i].kind != Discontinuity::Jump) continue;
+      const std::size_t k = open[i];
+      tree_.edges().set_has_more(sides[k][0], sides[k][1], 0.5 * (found[i].ends[1] + places[k].uv));
+      places[k].uv = found[i].ends[0];
+    }
+  }
+
   /// Finds jumps and poles. Appends the sides along which the surface is continuous.
   void find_jumps_in(std::span<const Side> sides, std::vector<Side>& continuous) {
     double delta = std::numeric_limits<double>::infinity();
@@ -101,7 +132,8 @@ class FeatureTracer {
     std::vector<LocatedDiscontinuity> jumps;
     std::vector<Side> poles;
     for (std::size_t k = 0; k < sides.size(); ++k) {
-      if (found[k].has_more) tree_.edges().set_has_more(sides[k][0], sides[k][1]);
+      if (const auto& between = found[k].between)
+        tree_.edges().set_has_more(sides[k][0], sides[k][1], *between);
       switch (found[k].kind) {
         case Discontinuity::None:
           continuous.push_back(sides[k]);

@@ -7,20 +7,30 @@
 #include "mesh/mesher/edge_features.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/feature_count.h"
 #include "mesh/tree/match_seams.h"
 
 namespace saddle {
 
 namespace {
 
-/// Whether a side of a leaf has an edge feature other than a boundary.
-bool is_crossed(const Leaf& leaf, const CellTree& tree) {
+/// Sets the state of a leaf by the features of its sides. Returns whether it changed.
+bool set_state(Leaf& leaf, const CellTree& tree) {
+  LeafState& state = leaf.state;
+  if (state.is_cut_by_feature() || !tree.edges().may_be_crossed(leaf)) return false;
   bool is_crossed = false;
+  bool has_boundary = false;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
-    is_crossed = is_crossed || (feature && !feature->is_boundary());
+    is_crossed = is_crossed || tree.edges().has_more(a, b);
+    if (!feature) return;
+    (feature->is_boundary() ? has_boundary : is_crossed) = true;
   });
-  return is_crossed;
+  const bool is_new = is_crossed || (has_boundary && state.is_whole());
+  if (is_crossed) state.set_features(true, count_features(leaf, tree).leads_to_pole);
+  // Samples show no boundary that comes in only between them, at a hanging vertex.
+  if (has_boundary && state.is_whole()) state.cross_boundary();
+  return is_new;
 }
 
 }  // namespace
@@ -35,13 +45,8 @@ std::vector<std::size_t> follow_features(const TraceOptions& options, std::span<
       Leaf& leaf = leaves[k];
       if (!tree.revisions().has_changed(leaf, leaf.followed_at)) continue;
       leaf.followed_at = now;
-      LeafState& state = leaf.state;
-      if (!state.is_cut_by_feature() && tree.edges().may_be_crossed(leaf) &&
-          is_crossed(leaf, tree)) {
-        state.set_features(true, count_features(leaf, tree).leads_to_pole);
-        split.push_back(k);
-      }
-      if (state.is_whole()) continue;
+      if (set_state(leaf, tree)) split.push_back(k);
+      if (leaf.state.is_whole()) continue;
       append_unsearched(leaf, tree, sides);
     }
     if (sides.empty() || tree.budget().is_spent(options.triangles)) return split;

@@ -17,6 +17,9 @@ struct GridOptions {
   int lines_u = 16;
   int lines_v = 16;
   unsigned threads = 0;  ///< 0: all
+  /// The largest error is searched for between samples, in grids of up to 131,072 triangles. For
+  /// surfaces of second order whose bounds are continuous.
+  bool is_searched = false;
 };
 
 /// Tessellates a surface by a uniform grid. Cells with an undefined corner are left out and

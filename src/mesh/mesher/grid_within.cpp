@@ -1,13 +1,17 @@
 #include "mesh/mesher/grid_within.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
+#include "mesh/distance/measure_boxes.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/error/check_cells.h"
-#include "mesh/error/sampled_error.h"
 #include "mesh/grid/cut_grid.h"
 #include "mesh/grid/sample_grid.h"
 #include "mesh/proof/certify.h"
 #include "mesh/proof/report_proof.h"
+#include "mesh/sizing/effort.h"
 
 namespace saddle {
 namespace {
@@ -61,28 +65,45 @@ std::vector<Patch> cells_as_patches(const Grid& grid, double allowed) {
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
     const auto vertices = grid.vertices(cell);
     patches.push_back({{grid.uv(vertices[0]), grid.uv(vertices[2])}, allowed, cell, {}});
+    patches.back().is_measured = grid.triangle_count(cell) != 2;
   }
   return patches;
 }
 
+std::vector<Triangle> all_triangles(const Grid& grid) {
+  std::vector<Triangle> all;
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto triangles = grid.triangles(cell);
+    all.insert(all.end(), triangles.begin(), triangles.end());
+  }
+  return all;
+}
+
 /// Whether interval bounds refute the mesh: it may be broken, or an unproved box is farther away
 /// than allowed. Fills in the report's proof gaps.
-bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned threads, Grid& grid,
-                       MeshReport& report) {
-  const double allowed = aim(grid.mesh.bounds.centre());
+bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned threads,
+                       std::size_t samples, Grid& grid, MeshReport& report) {
+  const std::vector<Patch> patches = cells_as_patches(grid, aim(grid.mesh.bounds.centre()));
   ProofBudget budget(surface.bounds);
-  const std::vector<Patch> patches = cells_as_patches(grid, allowed);
-  Certification proof = certify(surface, {grid.u, grid.v}, patches, budget);
-  report.work.boxes = ProofBudget(surface.bounds).boxes - budget.boxes;
+  Effort effort(surface);
+  effort.add_samples(samples);
+  budget.allow_for(effort.total());
+  BoxMeasure measure(surface, grid, patches,
+                     {[&](std::size_t cell) { return grid.triangles(cell); },
+                      [&] { return NearestTriangles(grid, all_triangles(grid)); }},
+                     std::nullopt, threads);
+  Certification proof =
+      certify(surface, {grid.u, grid.v}, patches, std::nullopt, std::ref(measure), budget);
+  report.work.boxes = budget.boxes();
   // A jump along the surface, as within a plane, shows in no distance.
-  if (std::ranges::any_of(proof.proof_gaps, may_be_broken)) return true;
+  if (!measure.found().empty() || std::ranges::any_of(proof.proof_gaps, may_be_broken)) return true;
   std::vector<dvec2> uv;
   for (const UnprovedBox& box : proof.unproved_boxes) uv.push_back(box.middle);
   const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto triangles = grid.triangles(proof.unproved_boxes[k].patch);
-    const double distance = distance_from(grid, triangles, uv[k], points[k].position);
-    if (!(distance <= allowed)) return true;
+    const std::size_t cell = proof.unproved_boxes[k].patch;
+    const double distance = distance_from(grid, grid.triangles(cell), uv[k], points[k].position);
+    if (!(distance <= patches[cell].allowed)) return true;
     report.max_error = std::max(report.max_error, distance);
   }
   report_proof(surface, proved_cells(patches, surface.domain), threads, proof, report);
@@ -117,7 +138,8 @@ GridTrial try_grid(const Surface& surface, const MeshRequest& request, const Mes
     return trial;
   }
   const bool is_refuted =
-      request.certify && exceeds_tolerance(surface, plan.aim, request.threads, grid, report);
+      request.certify &&
+      exceeds_tolerance(surface, plan.aim, request.threads, trial.work.grid_samples, grid, report);
   trial.work.boxes = report.work.boxes;
   if (is_refuted) return trial;
   name_singular(plan.singular, surface.domain, report);

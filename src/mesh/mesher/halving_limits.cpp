@@ -4,6 +4,7 @@
 
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 

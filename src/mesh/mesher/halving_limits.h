@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "mesh/tree/feature_count.h"
 #include "mesh/tree/leaf.h"
 
 namespace saddle {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {
@@ -111,9 +111,15 @@ void LeafLandmarks::measure(std::span<const std::size_t> which, ValidatedMesh& m
       double error = distance(landmark, mesh.triangles.of(k));
       if (error > allowed && !landmark.is_hole()) error = distance_near(landmark, leaf, mesh);
       is_missed_[number] = error > allowed ? 1 : 0;
-      mesh.add(k, std::isfinite(error) ? error : kAbsent * allowed);
+      mesh.add(k, std::isfinite(error) ? error : kAbsent * allowed, landmark.uv);
     }
   }
+}
+
+bool LeafLandmarks::misses_hole(const Leaf& leaf) const {
+  return std::ranges::any_of(landmarks_in(leaf), [this](std::uint32_t number) {
+    return is_missed_[number] != 0 && places_[number].is_hole();
+  });
 }
 
 void LeafLandmarks::complete(std::span<const Triangle> triangles, double tolerance,

@@ -33,6 +33,9 @@ class LeafLandmarks {
   /// Adds the distances of landmarks from the mesh to the sampled errors of the leaves `which`.
   void measure(std::span<const std::size_t> which, ValidatedMesh& mesh);
 
+  /// Whether a leaf covers a landmark of a hole.
+  bool misses_hole(const Leaf& leaf) const;
+
   /// Adds the largest distance of a missed landmark from all triangles to the report.
   void complete(std::span<const Triangle> triangles, double tolerance, MeshReport& report) const;
 

@@ -1,14 +1,18 @@
 #include "mesh/mesher/leaf_proof.h"
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
+#include <utility>
 
+#include "mesh/distance/measure_boxes.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/grid/grid.h"
 #include "mesh/proof/report_proof.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/patches.h"
-#include "mesh/tree/singular_corners.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {
@@ -22,44 +26,81 @@ constexpr double kVisibleHole = 0.5;
 }  // namespace
 
 LeafProof::LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree,
-                     unsigned threads)
-    : surface_(surface), grid_(grid), tree_(tree), threads_(threads), budget_(surface.bounds) {}
+                     const std::optional<Bounds>& clip, unsigned threads)
+    : surface_(surface),
+      grid_(grid),
+      tree_(tree),
+      clip_(clip),
+      threads_(threads),
+      budget_(surface.bounds) {}
 
-Certification LeafProof::certify_leaves(const ValidatedMesh& mesh) {
-  const std::vector<Patch> patches = patches_of(mesh.leaves, mesh.allowed, grid_, tree_);
-  cells_ = proved_cells(patches, surface_.domain);
-  return certify(surface_, root_lines(grid_), patches, budget_);
+std::vector<std::size_t> LeafProof::unproved_leaves(const ValidatedMesh& mesh) const {
+  std::vector<std::size_t> leaves;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    if (!is_proved(mesh, k)) leaves.push_back(k);
+  }
+  return leaves;
 }
 
-std::vector<UnprovedBox> LeafProof::prove(const ValidatedMesh& mesh) {
-  proof_ = certify_leaves(mesh);
-  return std::move(proof_->unproved_boxes);
+std::vector<Patch> LeafProof::patches_of(const ValidatedMesh& mesh) const {
+  std::vector<Patch> patches;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k)
+    patches.push_back(patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_));
+  return patches;
 }
 
-std::vector<UnprovedBox> LeafProof::find_unproved(const ValidatedMesh& mesh) {
-  return certify_leaves(mesh).unproved_boxes;
+LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
+  const std::vector<std::size_t> leaves = unproved_leaves(mesh);
+  std::vector<Patch> patches;
+  patches.reserve(leaves.size());
+  for (const std::size_t k : leaves) {
+    patches.push_back(patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_));
+    const LeafTriangles::Range& range = mesh.triangles.ranges[k];
+    if (range.count < range.expected) patches.back().is_measured = true;
+  }
+  budget_.allow_for(tree_.effort().total());
+  BoxMeasure measure(surface_, grid_, patches,
+                     {[&](std::size_t patch) { return mesh.triangles.of(leaves[patch]); },
+                      [&] { return NearestTriangles(grid_, mesh.all_triangles().all); }},
+                     clip_, threads_);
+  Certification proof =
+      certify(surface_, root_lines(grid_), patches, clip_, std::ref(measure), budget_);
+  proof.bound = std::max(proof.bound, proof_ ? proof_->bound : 0);
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    if (proof.proved[k] != 0) proved_.insert(mesh.key_of(leaves[k]));
+  }
+  for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
+  Result result{std::move(proof.unproved_boxes), {}};
+  result.counterexamples = refute(result.unproved_boxes, mesh);
+  for (const BoxMeasure::Found& found : measure.found()) {
+    result.counterexamples.push_back(found.counterexample);
+    const std::size_t leaf = leaves[found.counterexample.cell];
+    result.counterexamples.back().cell = leaf;
+    mesh.add(leaf, found.distance, found.counterexample.uv);
+  }
+  cells_ = proved_cells(patches_of(mesh), surface_.domain);
+  proof_ = std::move(proof);
+  return result;
+}
+
+std::vector<UnprovedBox> LeafProof::find_unproved(ValidatedMesh& mesh) {
+  const auto before = std::pair(proof_, cells_);
+  std::vector<UnprovedBox> boxes = prove(mesh).unproved_boxes;
+  std::tie(proof_, cells_) = before;
+  return boxes;
 }
 
 std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes,
                                               ValidatedMesh& mesh) const {
   std::vector<dvec2> middles;
-  std::vector<std::size_t> leaves;
-  for (const UnprovedBox& box : boxes) {
-    middles.push_back(box.middle);
-    leaves.push_back(box.patch);
-  }
-  std::ranges::sort(leaves);
-  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
-  const LeafTriangles triangles =
-      triangulate_leaves(mesh.leaves, leaves, SingularCorners(), grid_, tree_);
+  for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
   const std::vector<SurfacePoint> points = evaluate(surface_, middles, threads_);
   std::vector<Counterexample> counterexamples;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const UnprovedBox& box = boxes[k];
-    const auto number = std::ranges::lower_bound(leaves, box.patch) - leaves.begin();
-    const double distance = distance_from(grid_, triangles.of(static_cast<std::size_t>(number)),
-                                          box.middle, points[k].position);
-    mesh.add(box.patch, distance);
+    const double distance =
+        distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k].position);
+    mesh.add(box.patch, distance, box.middle);
     const bool exceeds_tolerance =
         box.is_undefined ? is_visible_hole(box, mesh) : distance > mesh.allowed[box.patch];
     if (exceeds_tolerance)
@@ -100,12 +141,12 @@ void LeafProof::complete(bool reached_limit, MeshReport& report) {
   if (!proof_) leave_domain_unproved(GapReason::NotTried);
   name_gaps(report);
   report_proof(surface_, cells_, threads_, *proof_, report);
-  report.work.boxes += ProofBudget(surface_.bounds).boxes - budget_.boxes;
+  report.work.boxes += budget_.boxes();
 }
 
 void LeafProof::leave_domain_unproved(GapReason why) {
   const Domain& d = surface_.domain;
-  proof_ = {{}, {{why, {d.u0, d.v0}, {d.u1, d.v1}}}};
+  proof_.emplace().proof_gaps = {{why, {d.u0, d.v0}, {d.u1, d.v1}}};
 }
 
 /// Replaces the reasons that follow from bounds alone by what the report says of places in the

@@ -2,8 +2,11 @@
 // counterexamples in them, and the proof gaps that the report names.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -19,16 +22,31 @@ class CellTree;
 
 class LeafProof {
  public:
-  LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree, unsigned threads);
+  /// `clip`: the surface outside of it needs no proof.
+  LeafProof(const Surface& surface, const Grid& grid, const CellTree& tree,
+            const std::optional<Bounds>& clip, unsigned threads);
 
-  /// The boxes without a proof. Keeps the proof gaps for the report.
-  std::vector<UnprovedBox> prove(const ValidatedMesh& mesh);
+  /// The result of a proof that was tried.
+  struct Result {
+    std::vector<UnprovedBox> unproved_boxes;
+    /// Points that are farther from their leaf's triangles than allowed, or in a visible hole.
+    /// `cell` is the index of the leaf.
+    std::vector<Counterexample> counterexamples;
+  };
+
+  /// Proves the leaves that are new or whose triangles changed. Adds measured distances to the
+  /// sampled errors. Keeps the proof gaps for the report.
+  Result prove(ValidatedMesh& mesh);
+  /// Whether a proof was tried.
+  bool was_tried() const { return proof_.has_value(); }
+  /// Whether a leaf with its triangles is proved.
+  bool is_proved(const ValidatedMesh& mesh, std::size_t leaf) const {
+    return proved_.contains(mesh.key_of(leaf));
+  }
+  /// Whether the work of proofs is done: more counterexamples are told, not mended.
+  bool is_spent() const { return budget_.is_spent(true); }
   /// The boxes without a proof. The gaps of the last prove() stay for the report.
-  std::vector<UnprovedBox> find_unproved(const ValidatedMesh& mesh);
-
-  /// The middles of boxes that are farther from their leaf's triangles than allowed, or in a
-  /// visible hole. `cell` is the index of the leaf. The distances are added to the sampled errors.
-  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, ValidatedMesh& mesh) const;
+  std::vector<UnprovedBox> find_unproved(ValidatedMesh& mesh);
 
   /// Leaves the boxes of leaves unproved whose triangles were left out.
   void leave_unproved(std::span<const Leaf> leaves);
@@ -37,7 +55,9 @@ class LeafProof {
   void complete(bool reached_limit, MeshReport& report);
 
  private:
-  Certification certify_leaves(const ValidatedMesh& mesh);
+  std::vector<Patch> patches_of(const ValidatedMesh& mesh) const;
+  std::vector<std::size_t> unproved_leaves(const ValidatedMesh& mesh) const;
+  std::vector<Counterexample> refute(std::span<const UnprovedBox> boxes, ValidatedMesh& mesh) const;
   bool is_visible_hole(const UnprovedBox& box, const ValidatedMesh& mesh) const;
   void leave_domain_unproved(GapReason why);
   void name_gaps(const MeshReport& report);
@@ -45,10 +65,12 @@ class LeafProof {
   const Surface& surface_;
   const Grid& grid_;
   const CellTree& tree_;
+  const std::optional<Bounds>& clip_;
   unsigned threads_;
   ProofBudget budget_;
+  std::set<LeafKey> proved_;            // leaves, whole or measured
   std::optional<Certification> proof_;  // the last; empty: none was tried
-  ProvedCells cells_;                   // that it was tried for
+  ProvedCells cells_;                   // of the mesh that it was tried for
 };
 
 }  // namespace saddle

@@ -13,7 +13,7 @@
 //   request.tolerance = [](const Probe& probe) { return 1e-3 * probe.bounds().diagonal(); };
 //   std::optional<MeshResult> result = try_mesh(surface, request);
 // By samples, the mesh is within it if report.max_error <= *report.tolerance. If report.certified,
-// bounds prove the mesh to be within eight tolerances. report.reached_limit: a limit came first.
+// bounds prove the mesh to be within four tolerances. report.reached_limit: a limit came first.
 #pragma once
 
 #include <optional>

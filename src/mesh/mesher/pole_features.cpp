@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesh/features/approach.h"
+#include "mesh/features/bisect_together.h"
 #include "mesh/features/discontinuities.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
@@ -48,26 +49,44 @@ void end_where_finite(std::span<PoleWay> ways, const TraceOptions& options, cons
   for (std::size_t i = 0; i < finite.size(); ++i) ways[numbers[i]].last = finite[i];
 }
 
-/// The places where ways leave the clip box. A way that begins outside of it leaves at its start.
+/// A way from a vertex to a pole, and the box that it leaves: the clip box, and the vertex if that
+/// is outside. A way from below the box to a pole above it crosses both faces.
+struct WayOut {
+  Line line;
+  Bounds box;
+};
+
+/// The places where ways leave the clip box last, before the pole. A way outside of the box leaves
+/// at its start.
 std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& options,
                              const CellTree& tree) {
   std::vector<dvec2> last;
   for (const PoleWay& way : ways) last.push_back(way.last);
   const auto at_last = evaluate(tree.surface(), last, options.threads);
-  std::vector<dvec2> places;
-  std::vector<Line> inside;
-  std::vector<std::size_t> numbers;
+  std::vector<WayOut> out;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const PoleWay& way = ways[k];
-    places.push_back(tree.mesh().uv[way.from]);
-    if (!options.clip->contains(tree.mesh().position[way.from])) continue;
-    const bool goes_on = options.clip->contains(at_last[k].position);
-    inside.push_back(goes_on ? Line{way.last, way.beyond} : Line{places.back(), way.last});
-    numbers.push_back(k);
+    Bounds box = *options.clip;
+    box.add(tree.mesh().position[way.from]);
+    const bool goes_on = box.contains(at_last[k].position);
+    out.push_back(
+        {goes_on ? Line{way.last, way.beyond} : Line{tree.mesh().uv[way.from], way.last}, box});
   }
-  const auto faces =
-      last_defined(tree.surface(), inside, kHalvingsToLeast, options.threads, options.clip);
-  for (std::size_t i = 0; i < faces.size(); ++i) places[numbers[i]] = faces[i];
+  std::vector<std::size_t> open = all_open(out.size());
+  const auto is_done = [](WayOut& way, const dvec2& middle, const SurfacePoint& point) {
+    const bool is_last = has_no_middle(way.line);
+    way.line[is_finite(point.position) && way.box.contains(point.position) ? 0 : 1] = middle;
+    return is_last;
+  };
+  bisect_together(
+      tree.surface(), out, open, kHalvingsToLeast, options.threads,
+      [](const WayOut& way) { return middle_of(way.line); }, is_done);
+  std::vector<dvec2> places;
+  for (const WayOut& way : out) places.push_back(way.line[0]);
+  const auto at_faces = evaluate(tree.surface(), places, options.threads);
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (!options.clip->contains(at_faces[k].position)) places[k] = tree.mesh().uv[ways[k].from];
+  }
   return places;
 }
 

@@ -13,6 +13,7 @@
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {
@@ -271,7 +272,18 @@ void leave_out_needles(const CellLimits& limits, const CellTree& tree, Validated
 }  // namespace
 
 bool is_clipped(const Leaf& leaf, const std::optional<Bounds>& clip, const CellTree& tree) {
-  return clip && is_beyond(*clip, corner_positions(leaf, tree));
+  if (!clip || !is_beyond(*clip, corner_positions(leaf, tree))) return false;
+  // On its way to a pole the surface may cross the box between corners beyond one face. Its cuts
+  // are in the box then.
+  const auto& position = tree.mesh().position;
+  bool is_seen = false;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<EdgeFeature> cut = tree.edges().feature(a, b);
+    if (!cut || cut->kind != FeatureKind::Face) return;
+    is_seen = is_seen || clip->contains(position[cut->beside_first]) ||
+              clip->contains(position[cut->beside_second]);
+  });
+  return !is_seen;
 }
 
 std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,

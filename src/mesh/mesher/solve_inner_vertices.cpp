@@ -48,7 +48,7 @@ constexpr double kGlanceAtCorner = 0.85;
 /// The chord of a sheet's edge, in the unit square of its leaf.
 struct SheetChord {
   std::size_t leaf;
-  PolygonCorner start;
+  PolygonChord corners;
   std::array<dvec2, 2> ends;
   dvec2 from;  ///< the corner of the sub-polygon from which its edge is looked at
   /// Places of the edge, in order, and where their rays cut the chord.
@@ -75,6 +75,11 @@ double turn_between(const dvec2& a, const dvec2& b) {
 double distance_from_chord_of(const SheetChord& chord, const dvec2& place) {
   const dvec2 way = chord.ends[1] - chord.ends[0];
   return std::fabs(cross(way, place - chord.ends[0])) / glm::length(way);
+}
+
+/// Whether a place is clearly on the side of a chord where its sheet is.
+bool is_on_sheet_side(const SheetChord& chord, const dvec2& place) {
+  return cross(chord.ends[1] - chord.ends[0], place - chord.ends[0]) > kMeet;
 }
 
 /// Where lines through a and b, and through c and d, meet.
@@ -145,10 +150,10 @@ class Solver {
       };
       for (std::size_t k = 0; k < polygon.size(); ++k) {
         const PolygonCorner& start = polygon[k];
-        const std::uint32_t next = polygon[(k + 1) % polygon.size()].corner;
+        const PolygonCorner& next = polygon[(k + 1) % polygon.size()];
         const dvec2 middle = 0.5 * (place(k) + place(k + 1));
-        if (!is_chord(middle, {start.corner, next}, tree_)) continue;
-        SheetChord chord{number, start, {place(k), place(k + 1)}, middle};
+        if (!is_chord(middle, {start.corner, next.corner}, tree_)) continue;
+        SheetChord chord{number, {start, next}, {place(k), place(k + 1)}, middle};
         double height = 0;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
           const double above = cross(chord.ends[1] - chord.ends[0], place(i) - chord.ends[0]);
@@ -163,12 +168,13 @@ class Solver {
     }
   }
 
-  /// A place on the edge of a sheet.
+  /// The last place of a sheet on a ray.
   struct EdgePlace {
     dvec2 place;
-    dvec2 uv;  ///< the last on the sheet
+    dvec2 uv;
+    bool is_edge;  ///< the sheet does not go on beyond
   };
-  /// Finds the edges of sheets on rays.
+  /// Finds the last places of sheets on rays that lead to no pole.
   std::vector<std::optional<EdgePlace>> edges_on(std::span<const std::size_t> leaves,
                                                  std::span<const Line> rays, int bisections) {
     std::vector<Line> lines;
@@ -184,7 +190,7 @@ class Solver {
       // A value of its own ends where it is.
       const bool is_edge =
           rays[k][0] == rays[k][1] || (ends[k] && ends[k]->kind != SheetEnd::Kind::Open);
-      if (ends[k] && is_edge) edges[k] = {from_parameters(leaves[k], ends[k]->uv), ends[k]->uv};
+      if (ends[k]) edges[k] = {from_parameters(leaves[k], ends[k]->uv), ends[k]->uv, is_edge};
     }
     return edges;
   }
@@ -211,8 +217,8 @@ class Solver {
     for (SheetChord* const chord : looked_at) {
       places.clear();
       for (std::size_t k = 0; k < shares_of(*chord).size(); ++k, ++next) {
-        chord->is_open = chord->is_open && edges[next].has_value();
-        if (edges[next]) places.push_back(edges[next]->place);
+        chord->is_open = chord->is_open && edges[next] && edges[next]->is_edge;
+        if (chord->is_open) places.push_back(edges[next]->place);
       }
       if (chord->is_open) take(*chord, places);
     }
@@ -327,6 +333,31 @@ class Solver {
     return is_inside ? place : border_of_square(from, corner - from);
   }
 
+  /// A place on the ray to a corner of the feature, clearly before the corner.
+  static dvec2 before(const dvec2& from, const dvec2& corner) {
+    const double length = glm::distance(from, corner);
+    return length > 2 * kMeet ? glm::mix(from, corner, 1 - 2 * kMeet / length) : from;
+  }
+
+  /// The parameters of a sheet's vertex at a corner of the feature, if the sheet reaches it.
+  /// `last`: the sheet's last place on the ray beyond the corner; `inner`: on the ray that ends
+  /// before().
+  std::optional<dvec2> on_sheet(const SheetChord& chord, const dvec2& corner, const EdgePlace& last,
+                                const EdgePlace& inner) {
+    const bool starts_there = before(chord.from, corner) == chord.from;
+    if (last.is_edge && glm::distance(last.place, corner) > kMeet) return std::nullopt;
+    if (starts_there) return last.uv;
+    if (inner.is_edge) return std::nullopt;
+    // A sheet that touches the corner with its border goes on beyond.
+    if (!last.is_edge)
+      return is_on_sheet_side(chord, corner) ? std::optional(inner.uv) : std::nullopt;
+    // Where several jumps meet, rounding may put the last place beyond one of them.
+    tree_.effort().add_places(2);
+    const auto points = evaluate(tree_.surface(), std::array{last.uv, inner.uv}, 1);
+    const double apart = glm::distance(points[0].position, points[1].position);
+    return apart <= delta_ ? last.uv : inner.uv;
+  }
+
   /// All sheets whose edges meet in the corner of a leaf get a vertex there.
   std::vector<std::size_t> add_vertices() {
     std::vector<std::size_t> leaves;
@@ -348,12 +379,17 @@ class Solver {
       begin = end;
     }
     const auto edges = edges_on(leaves, rays, kRayBisections);
+    for (std::size_t k = 0; k < chords.size(); ++k)
+      rays[k][1] = before(chords[k]->from, corners[k]);
+    const auto inner = edges_on(leaves, rays, kRayBisections);
     std::vector<InnerPlace> places;
     std::vector<const SheetChord*> placed;
     for (std::size_t k = 0; k < chords.size(); ++k) {
-      if (!edges[k] || glm::distance(edges[k]->place, corners[k]) > kMeet) continue;
-      // Sheets that meet share the place; parameters are the last on the sheet.
-      places.push_back({to_units(leaves[k], corners[k]), edges[k]->uv});
+      if (!edges[k] || !inner[k]) continue;
+      const std::optional<dvec2> uv = on_sheet(*chords[k], corners[k], *edges[k], *inner[k]);
+      if (!uv) continue;
+      // Sheets that meet share the place.
+      places.push_back({to_units(leaves[k], corners[k]), *uv});
       placed.push_back(chords[k]);
     }
     const std::uint32_t first = tree_.geometry().add_inside(places, limits_.threads);
@@ -362,7 +398,7 @@ class Solver {
     for (std::size_t k = 0; k < placed.size(); ++k) {
       const auto vertex = static_cast<std::uint32_t>(first + k);
       if (!tree_.geometry().is_defined(vertex)) continue;
-      tree_.inner().add(mesh_.leaves[placed[k]->leaf], placed[k]->start, vertex);
+      tree_.inner().add(mesh_.leaves[placed[k]->leaf], placed[k]->corners, vertex);
       if (result.empty() || result.back() != placed[k]->leaf) result.push_back(placed[k]->leaf);
     }
     return result;

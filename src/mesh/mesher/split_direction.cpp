@@ -1,10 +1,12 @@
 #include "mesh/mesher/split_direction.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/mesher/oscillation.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
@@ -12,14 +14,15 @@ namespace {
 
 /// An error estimate below 0.5 tolerances says nothing about the direction of a sampled error.
 constexpr double kSignificant = 0.5;
-/// The share of a leaf that its sub-polygons must cover in (u, v): the rest is rounding of inner
-/// vertices' places.
-constexpr double kAll = 1 - 1e-9;
+/// The share of a leaf by which its sub-polygons may overlap or leave a gap in (u, v): 1e-9, for
+/// the rounding of inner vertices' places.
+constexpr double kRoundingOfArea = 1e-9;
 
 bool covers_leaf(const Leaf& leaf, const CellTree& tree) {
   double area = 0;
-  for (const Polygon& polygon : sub_polygons(leaf, tree)) area += doubled_area_of(polygon);
-  return area >= 2 * kAll * leaf.size_u() * leaf.size_v();
+  for (const Polygon& polygon : sub_polygons(leaf, tree)) area += 0.5 * doubled_area_of(polygon);
+  const double whole = leaf.size_u() * leaf.size_v();
+  return std::fabs(area - whole) <= kRoundingOfArea * whole;
 }
 
 }  // namespace
@@ -59,7 +62,8 @@ bool SplitDirection::is_cut_unclearly(std::size_t number) const {
   const FeatureCount features = count_features(leaf, tree_);
   if (features.only_creases) return mesh_.triangles.ranges[number].has_flat_sub_polygon;
   if (!features.only_jumps) return leaf.state.may_be_halved() && !features.is_through();
-  return features.has_more || (!features.is_through() && !covers_leaf(leaf, tree_));
+  const bool may_overlap = !features.is_through() || tree_.inner().has(leaf);
+  return features.has_more || (may_overlap && !covers_leaf(leaf, tree_));
 }
 
 }  // namespace saddle

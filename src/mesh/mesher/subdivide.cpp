@@ -4,16 +4,18 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/estimate_many.h"
-#include "mesh/error/sampled_error.h"
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/halve.h"
 #include "mesh/mesher/halving_limits.h"
 #include "mesh/mesher/oscillation.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
+#include "mesh/tree/feature_count.h"
 #include "mesh/tree/leaf_mesh.h"
+#include "mesh/tree/place_thin_vertices.h"
 #include "mesh/tree/singular_corners.h"
 
 namespace saddle {
@@ -63,6 +65,8 @@ class Subdivider {
     }
     tree_.geometry().evaluate(limits_.threads);
     const FastCellErrors fast_errors = estimate_many(leaves, limits_, indicator_, tree_);
+    place_thin_vertices(leaves_with_thin_parts(candidates, fast_errors), limits_.tolerance,
+                        limits_.threads, tree_);
     next_.clear();
     oscillation_.clear();
     std::vector<Estimated> boundaries;
@@ -70,16 +74,17 @@ class Subdivider {
     std::vector<Estimated> smooth;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       const FastCellError& fast = fast_errors.leaves[k];
-      if (fast.passes && candidates[k].counterexamples.empty()) {
+      const bool is_thinly_cut = has_thin_vertex(leaves[k], tree_);
+      if (fast.passes && candidates[k].counterexamples.empty() && !is_thinly_cut) {
         keep_passing(leaves[k], fast.distance);
         continue;
       }
       const int defined = fast.is_known ? 9 : count_defined(tree_, leaves[k]);
-      if (defined == 0) {
+      if (defined == 0 && !is_thinly_cut) {
         seek_defined(candidates[k]);
         continue;
       }
-      if (defined < 9) {
+      if (defined < 9 || is_thinly_cut) {
         if (!keep_oscillating_boundary(leaves[k])) boundaries.push_back({candidates[k], {}});
         continue;
       }
@@ -114,6 +119,33 @@ class Subdivider {
     result_.leaves.push_back(leaf);
   }
 
+  /// Leaves that the surface's boundary is known to cross: by samples, by vertices of neighbours,
+  /// or by counterexamples.
+  std::vector<Leaf> leaves_with_thin_parts(std::span<const Candidate> candidates,
+                                           const FastCellErrors& fast_errors) const {
+    std::vector<Leaf> leaves;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const Candidate& candidate = candidates[k];
+      const int defined = fast_errors.leaves[k].is_known ? 9 : count_defined(tree_, candidate.leaf);
+      const bool is_crossed = defined == 0 ? is_known_defined(candidate)
+                              : defined == 9
+                                  ? has_thin_vertex(candidate.leaf, tree_) || has_hole(candidate)
+                                  : true;
+      if (is_crossed) leaves.push_back(candidate.leaf);
+    }
+    return leaves;
+  }
+
+  bool is_known_defined(const Candidate& candidate) const {
+    return !candidate.counterexamples.empty() || has_defined_corner(candidate.leaf, tree_);
+  }
+
+  bool has_hole(const Candidate& candidate) const {
+    return std::ranges::any_of(candidate.counterexamples, [this](std::uint32_t number) {
+      return !is_finite(counterexamples_[number].position);
+    });
+  }
+
   /// Halves a leaf until its edge feature is nearly straight; validation points tell whether that
   /// is enough. The features of the halves are counted anew.
   void halve_toward_feature(const Estimated& estimated, Leaf leaf, bool along_u,
@@ -139,8 +171,9 @@ class Subdivider {
   /// Halves a leaf that is defined at none of its samples, if it is known to be defined somewhere.
   void seek_defined(const Candidate& candidate) {
     const Leaf& leaf = candidate.leaf;
-    const bool is_known = !candidate.counterexamples.empty() || has_defined_corner(leaf, tree_);
-    const auto halves = is_known ? halve_if_allowed(leaf, seeks_along_u(candidate)) : std::nullopt;
+    const auto halves = is_known_defined(candidate)
+                            ? halve_if_allowed(leaf, seeks_along_u(candidate))
+                            : std::nullopt;
     if (!halves) {
       result_.empty.push_back(leaf);
       return;

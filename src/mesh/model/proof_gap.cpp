@@ -22,8 +22,8 @@ constexpr std::array<GapText, 14> kTexts = {{
     {"jump", "it jumps"},
     {"pole", "it goes to infinity"},
     {"no limit", "each way leads to another place"},
-    {"crease", "it has a crease"},
     {"singular point", "a point has no normal of its own"},
+    {"crease", "it has a crease"},
     {"may be undefined", "bounds of the formula do not exclude that it is undefined somewhere"},
     {"may jump", "bounds of the formula do not exclude a jump"},
     {"endless derivatives", "second derivatives are endless or do not exist"},
@@ -137,7 +137,7 @@ void GapReasons::give_to(std::span<ProofGap> places) {
   const auto u_of = [](const Named& named) { return named.uv.x; };
   std::ranges::sort(named_, {}, u_of);
   for (ProofGap& place : places) {
-    if (place.why < GapReason::Undefined || place.why > GapReason::Work) continue;
+    if (!follows_from_bounds(place.why)) continue;
     const auto [low, high] = std::minmax(place.low.x, place.high.x);
     std::size_t first = named_.size();
     auto at = std::ranges::lower_bound(named_, low, {}, u_of);

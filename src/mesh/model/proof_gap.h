@@ -17,8 +17,8 @@ enum class GapReason : std::uint8_t {
   Jump,           ///< it jumps
   Pole,           ///< it goes to infinity
   NoLimit,        ///< each way to a point leads elsewhere
-  Crease,         ///< its normal jumps
   Singular,       ///< a point without a normal of its own
+  Crease,         ///< its normal jumps
   Undefined,      ///< bounds cannot exclude that it is undefined somewhere
   Discontinuous,  ///< bounds cannot exclude that it jumps somewhere
   Nonsmooth,      ///< second derivatives are infinite or do not exist
@@ -33,6 +33,11 @@ enum class GapReason : std::uint8_t {
 std::string name_of(GapReason why);
 /// The end of a sentence about the surface.
 std::string words_for(GapReason why);
+
+/// Whether bounds alone are the reason: they do not say what is there.
+constexpr bool follows_from_bounds(GapReason why) {
+  return why >= GapReason::Crease && why <= GapReason::Work;
+}
 
 /// A box of parameters without a proof; low may be the larger where a range runs backwards.
 struct ProofGap {

@@ -32,6 +32,9 @@ inline constexpr double kSameOnLine = 1e-9;
 /// In extents of the surface: points that are nearer to each other may be one. This is some digits
 /// more than sin(2 pi) and its like lose, and far below a float's digits or a pixel.
 inline constexpr double kSamePosition = 1e-9;
+/// In diagonals of the surface: rounding of the parameters joins no points that are farther apart.
+/// sin(2 pi)^0.1 is 0.03.
+inline constexpr double kMostRounding = 0.05;
 /// In diagonals of the surface: limits along several ways to a point that differ by less agree. A
 /// smooth surface moves by 1e-6 of its size on those ways.
 inline constexpr double kLimitsAgree = 1e-4;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace saddle {
 namespace {
@@ -47,44 +46,50 @@ double square_distance(const dvec3& p, const Bounds& box) {
 }  // namespace
 
 TriangleTree::TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles)
-    : position_(position), triangles_(triangles), order_(triangles.size()) {
-  std::iota(order_.begin(), order_.end(), 0U);
-  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+    : position_(position), triangles_(triangles) {
+  std::vector<Item> items;
+  items.reserve(triangles.size());
+  for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+    const Triangle& t = triangles[k];
+    items.push_back({position[t[0]] + position[t[1]] + position[t[2]], k});
+  }
+  order_.reserve(items.size());
+  if (!items.empty()) build(items);
 }
 
-void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
-  const auto middle_of = [this](std::uint32_t triangle) {
-    const Triangle& t = triangles_[triangle];
-    return position_[t[0]] + position_[t[1]] + position_[t[2]];
-  };
+/// Nodes follow each other in the order of build(): a node, those of its first half, of its second.
+void TriangleTree::build(std::span<Item> items) {
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
-  Bounds middles;
-  for (std::uint32_t k = first; k < last; ++k) {
-    for (const std::uint32_t corner : triangles_[order_[k]]) {
-      nodes_[self].box.add(position_[corner]);
+  if (items.size() <= kLeafSize) {
+    nodes_[self].first = static_cast<std::uint32_t>(order_.size());
+    nodes_[self].count = static_cast<std::uint32_t>(items.size());
+    for (const Item& item : items) {
+      order_.push_back(item.triangle);
+      for (const std::uint32_t corner : triangles_[item.triangle])
+        nodes_[self].box.add(position_[corner]);
     }
-    middles.add(middle_of(order_[k]));
-  }
-  if (last - first <= kLeafSize) {
-    nodes_[self].first = first;
-    nodes_[self].count = last - first;
     return;
   }
+  Bounds middles;
+  for (const Item& item : items) middles.add(item.middle);
   const dvec3 size = middles.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t half = first + (last - first) / 2;
-  std::nth_element(
-      order_.begin() + first, order_.begin() + half, order_.begin() + last,
-      [&](std::uint32_t s, std::uint32_t t) { return middle_of(s)[axis] < middle_of(t)[axis]; });
-  build(first, half);
+  const std::size_t half = items.size() / 2;
+  std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(half), {},
+                           [axis](const Item& item) { return item.middle[axis]; });
+  build(items.first(half));
   nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
-  build(half, last);
+  build(items.subspan(half));
+  for (const std::size_t child : {self + 1, std::size_t{nodes_[self].first}}) {
+    nodes_[self].box.add(nodes_[child].box.low);
+    nodes_[self].box.add(nodes_[child].box.high);
+  }
 }
 
-double TriangleTree::distance(const dvec3& p) const {
-  double best = std::numeric_limits<double>::infinity();
-  if (nodes_.empty()) return best;
+double TriangleTree::distance(const dvec3& p, double known) const {
+  double best = known * known;
+  if (nodes_.empty()) return known;
   struct Visit {
     std::size_t node;
     double from;  // square of the distance of its box
@@ -110,7 +115,7 @@ double TriangleTree::distance(const dvec3& p) const {
     stack[depth++] = far;
     stack[depth++] = near;
   }
-  return std::sqrt(best);
+  return std::min(std::sqrt(best), known);
 }
 
 }  // namespace saddle

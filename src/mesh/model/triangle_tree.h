@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,8 @@ class TriangleTree {
   explicit TriangleTree(const Mesh& mesh) : TriangleTree(mesh.position, mesh.triangles) {}
   TriangleTree(std::span<const dvec3> position, std::span<const Triangle> triangles);
 
-  /// The distance of the nearest triangle; infinite if there is none.
-  double distance(const dvec3& p) const;
+  /// The distance of the nearest triangle, or `known` if none is nearer.
+  double distance(const dvec3& p, double known = std::numeric_limits<double>::infinity()) const;
 
  private:
   struct Node {
@@ -26,7 +27,12 @@ class TriangleTree {
         0;  ///< leaf: of its triangles; else: its second child (the first follows)
     std::uint32_t count = 0;  ///< leaf: triangles; else 0
   };
-  void build(std::uint32_t first, std::uint32_t last);
+  /// A triangle and the sum of its corners.
+  struct Item {
+    dvec3 middle;
+    std::uint32_t triangle;
+  };
+  void build(std::span<Item> items);
 
   std::span<const dvec3> position_;
   std::span<const Triangle> triangles_;

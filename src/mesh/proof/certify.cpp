@@ -1,97 +1,77 @@
 #include "mesh/proof/certify.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
-#include "formula/operations.h"
-#include "surface/box_subdivision.h"
+#include "mesh/proof/box_bounds.h"
 #include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
 
-/// Halvings of a patch, both ways taken together: 12 give 1/64 of each side. A level of at most
-/// kFewBoxes boxes goes on to 24, 1/4096: narrower than any peak that a picture shows.
-constexpr int kMaxPatchDepth = 12;
-constexpr int kMaxDepthOfFew = 24;
-/// Budget: 8,000 boxes, and fewer for long formulas, 2.5 million instructions of 40 nanoseconds. A
-/// complete proof takes up to some thousand boxes: a spike 1,000, a tube around a knot 5,000.
-constexpr std::size_t kMaxBoxes = 8'000;
-constexpr std::size_t kMaxSteps = 2'500'000;
-/// Bounds that are within a factor of 4 of each other hide no feature. If the upper one is too
-/// large for a proof then, halving the box does not help: second derivatives along a surface are
-/// large under polar parameters even where it is flat.
-constexpr double kKnown = 4;
-/// The factor where the lower bound does not exceed the limit itself.
-constexpr double kWellKnown = 1.1;
-/// A box whose second derivatives are unbounded after 4 halvings holds a point where they are
-/// infinite.
-constexpr int kMaxUnboundedDepth = 4;
-/// Two levels double the boxes along a line, and keep the number of those around a point. A level
-/// with more than 1.5 times the boxes of the one two levels before, and more than 200, is not
-/// worth a proof.
-constexpr double kGrows = 1.5;
-constexpr double kFewBoxes = 200;
-/// Cost of a special function, in steps.
-constexpr std::size_t kSpecialSteps = 600;
+/// A level is short with at most a quarter as many boxes as there are patches.
+constexpr std::size_t kShort = 4;
+/// Halvings of a patch where the surface may be undefined or jump, both ways taken together: 12
+/// give 1/64 of each side. A level of at most kFewBoxes boxes goes on to 24, 1/4096.
+constexpr int kMaxBrokenDepth = 12;
+constexpr int kMaxBrokenDepthOfFew = 24;
+constexpr std::size_t kFewBoxes = 100;
+/// Halvings of a patch, both ways: neighbours in double precision.
+constexpr int kMaxPatchDepth = 100;
+/// A level of root cells helps if one in 8 is proved. After one level that does not help, another
+/// is not tested; after two in a row, two, and so on.
+constexpr std::size_t kHopeless = 8;
+/// A box is measured in up to 16 parts if its bounds are narrow enough for that.
+constexpr std::uint32_t kMostMeasured = 16;
+/// Grids of points that measure a box: 0 cells along an axis stand for the middle of its range. The
+/// middle alone needs bounds of first derivatives, or of positions; cells those of second ones.
+constexpr std::array<std::array<std::uint32_t, 2>, 4> kFewestCells = {
+    {{0, 0}, {0, 1}, {1, 0}, {1, 1}}};
+/// A box is measured if the surface is within 2 tolerances of the points.
+constexpr double kReach = 2;
+/// Without such bounds, the surface is in a sphere around its box in space. The sphere is measured
+/// if its radius is at most 3 tolerances, which leaves one for the distance of its centre.
+constexpr double kReachOfCentre = 3;
+/// A box is halved twice at once if its bound is more than 256 times too large.
+constexpr double kHalvedTwice = 256;
 
-double magnitude(const Interval& a) {
-  return std::max(std::fabs(a.low), std::fabs(a.high));
-}
-double length(std::span<const Interval> vector) {
-  return std::hypot(magnitude(vector[0]), magnitude(vector[1]), magnitude(vector[2]));
-}
-double least_length(std::span<const Interval> vector) {
-  const auto least = [](const Interval& a) { return std::max({a.low, -a.high, 0.0}); };
-  return std::hypot(least(vector[0]), least(vector[1]), least(vector[2]));
-}
-
-/// Cells [first, end) of the root grid.
-struct Cells {
-  std::size_t first_u, end_u;
-  std::size_t first_v, end_v;
-  bool is_one() const { return end_u - first_u == 1 && end_v - first_v == 1; }
-};
-
-/// The patches of each cell of the root grid.
-class PatchesOfCells {
- public:
-  PatchesOfCells(std::size_t cells, std::span<const Patch> patches)
-      : first_(cells + 1, 0), patches_(patches.size()) {
-    for (const Patch& patch : patches) ++first_[patch.root_cell + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t k = 0; k < patches.size(); ++k) patches_[next[patches[k].root_cell]++] = k;
-  }
-  std::span<const std::uint32_t> of(std::size_t cell) const {
-    return std::span(patches_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
-  }
-
- private:
-  std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> patches_;
-};
+/// Where the work ends, up to 500 patches are ranked by their bounds, and the worst places of 8 of
+/// them are looked for, by 30 halvings of each. Each of the two takes up to 5,000 places.
+constexpr std::size_t kRanked = 500;
+constexpr std::size_t kDescents = 8;
+constexpr int kDescentDepth = 30;
+constexpr std::size_t kPlacesOfDescents = 5'000;
 
 class Certifier {
  public:
   Certifier(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
-            ProofBudget& budget)
+            const std::optional<Bounds>& clip, const MeasureBoxes& measure, ProofBudget& budget)
       : root_(root),
         cells_u_(root.u.size() - 1),
         cells_v_(root.v.size() - 1),
         patches_(patches),
+        clip_(clip),
+        measure_(measure),
         budget_(budget),
         enclosure_(surface, Bounded::SecondDerivatives),
-        patches_of_(cells_u_ * cells_v_, patches) {}
+        patches_of_(cells_u_ * cells_v_, patches) {
+    result_.proved.assign(patches.size(), 1);
+  }
 
   Certification run() {
     gather_demands();
     prove_cells();
     prove_parts();
+    for (const auto& [patch, gap] : gaps_) {
+      if (!is_refuted(patch)) result_.proof_gaps.push_back(gap);
+    }
+    for (std::uint32_t k = 0; k < refuted_.size(); ++k) {
+      if (is_refuted(k))
+        result_.proof_gaps.push_back({GapReason::Wide, patches_[k].box.low, patches_[k].box.high});
+    }
     return std::move(result_);
   }
 
@@ -101,27 +81,22 @@ class Certifier {
     std::uint32_t patch;
     ParameterBox box;
     GapReason why = GapReason::Work;  ///< of the last box without a proof that held it
+    /// Bounds over a box that holds it, narrow enough: only its points decide.
+    std::optional<BoxBounds> known = {};
   };
 
-  /// Sizes and tolerances of some patches, from the smallest to the largest.
+  /// The largest size and the strictest tolerance of some patches.
   struct Demand {
-    dvec2 largest{0};
+    dvec2 size{0};
     double eps = std::numeric_limits<double>::infinity();
-    dvec2 smallest{std::numeric_limits<double>::infinity()};
-    double largest_eps = 0;
 
     void add(const Demand& other) {
-      largest = glm::max(largest, other.largest);
+      size = glm::max(size, other.size);
       eps = std::min(eps, other.eps);
-      smallest = glm::min(smallest, other.smallest);
-      largest_eps = std::max(largest_eps, other.largest_eps);
     }
+    bool is_none() const { return size == dvec2(0); }
   };
-  Demand demand(std::uint32_t patch) const {
-    const dvec2 size = patches_[patch].box.size();
-    return {size, patches_[patch].allowed, size, patches_[patch].allowed};
-  }
-  Demand demand(const Cells& cells) const {
+  Demand demand(const RootCells& cells) const {
     Demand demand;
     for (std::size_t j = cells.first_v; j < cells.end_v; ++j) {
       for (std::size_t i = cells.first_u; i < cells.end_u; ++i) {
@@ -133,168 +108,235 @@ class Certifier {
   void gather_demands() {
     of_cells_.resize(cells_u_ * cells_v_);
     for (std::size_t cell = 0; cell < of_cells_.size(); ++cell) {
-      for (const std::uint32_t patch : patches_of_.of(cell)) of_cells_[cell].add(demand(patch));
-    }
-  }
-
-  enum class Proof {
-    Proved,        ///< patches of these sizes are within their tolerances anywhere in the box
-    Open,          ///< halves of the box may be proved
-    Unbounded,     ///< second derivatives have no bound
-    Unresolvable,  ///< second derivatives are too large, and known too well for halving to help
-    Undefined,     ///< the surface is defined nowhere in the box
-  };
-
-  Proof prove(const ParameterBox& box, const Demand& of) {
-    --budget_.boxes;
-    const std::span<const Interval> all = enclosure_.enclose(box);
-    for (const Interval& a : all.first(3)) {
-      if (a.defined == Defined::No) {
-        why_ = GapReason::Undefined;
-        return Proof::Undefined;
+      for (const std::uint32_t k : patches_of_.of(cell)) {
+        const Patch& patch = patches_[k];
+        if (patch.cut_by) {
+          add_gap(*patch.cut_by, k, patch.box);
+        } else if (patch.is_measured) {
+          parts_.push_back({k, patch.box});
+        } else {
+          of_cells_[cell].add({patch.box.size(), patch.allowed});
+        }
       }
-      if (a.defined != Defined::Yes) return open(GapReason::Undefined);
-      if (!a.continuous) return open(GapReason::Discontinuous);
     }
-    for (const Interval& a : all.subspan(3)) {
-      const bool is_second = &a >= &all[9];
-      if (a.defined != Defined::Yes || (!is_second && !a.continuous))
-        return open(GapReason::Nonsmooth);
-    }
-    why_ = GapReason::Wide;
-    const auto bound = [&all](const dvec2& size, double (*length)(std::span<const Interval>)) {
-      return size.x * size.x * length(all.subspan(9, 3)) +
-             2 * size.x * size.y * length(all.subspan(12, 3)) +
-             size.y * size.y * length(all.subspan(15, 3));
-    };
-    constexpr double kLimit = 8 * kProofFactor;
-    const double largest = bound(of.largest, length);
-    if (largest <= kLimit * of.eps) {  // false for NaN
-      result_.bound = std::max(result_.bound, largest / 8);
-      return Proof::Proved;
-    }
-    const double least = bound(of.smallest, least_length);
-    const double most = bound(of.smallest, length);
-    if (!std::isfinite(most)) {
-      why_ = GapReason::Nonsmooth;
-      return Proof::Unbounded;
-    }
-    const bool is_unresolvable =
-        most > kLimit * of.largest_eps &&
-        most <= (least > kLimit * of.largest_eps ? kKnown : kWellKnown) * least;
-    return is_unresolvable ? Proof::Unresolvable : Proof::Open;
   }
 
-  Proof open(GapReason why) {
-    why_ = why;
-    return Proof::Open;
+  BoxBounds bounds_over(const ParameterBox& box) {
+    budget_.take_box();
+    return BoxBounds(enclosure_.enclose(box));
   }
 
-  void add_gap(GapReason why, const ParameterBox& box) {
-    result_.proof_gaps.push_back({why, box.low, box.high});
+  /// Whether a bound of the distance from triangles is small enough. Notes it if so.
+  bool is_proved(double arc, double allowed) {
+    if (!(arc <= kProofFactor * allowed)) return false;  // true for NaN
+    result_.bound = std::max(result_.bound, arc);
+    return true;
+  }
+
+  bool is_unseen(const BoxBounds& bounds) const {
+    return clip_ && !bounds.broken && bounds.is_outside(*clip_);
+  }
+
+  void add_gap(GapReason why, std::uint32_t patch, const ParameterBox& box) {
+    gaps_.push_back({patch, {why, box.low, box.high}});
+    result_.proved[patch] = 0;
   }
 
   /// Proves many cells of the root grid at a time. Patches of single cells without a proof become
   /// parts_.
   void prove_cells() {
-    BoxSubdivision<Cells> search({{0, cells_u_, 0, cells_v_}});
+    BoxSubdivision<RootCells> search({{0, cells_u_, 0, cells_v_}});
+    int tested = 0;   // levels in a row of which little was proved
+    int skipped = 0;  // levels since
     while (!search.open().empty()) {
       const std::size_t level = search.open().size();
-      search.test([this](const Cells& cells) { return prove(cells); });
-      search.halve_each(halve);
-      if (goes_beyond_budget(level, search.open().size())) {
-        for (const Cells& cells : search.open()) add_gap(GapReason::Work, box_of(cells));
-        return;
-      }
+      const bool is_tested = skipped >= tested;
+      search.test([&](const RootCells& cells) { return prove(cells, is_tested); });
+      const bool helps = kHopeless * (level - search.open().size()) >= level;
+      if (is_tested) tested = helps ? 0 : tested + 1;
+      skipped = is_tested ? 0 : skipped + 1;
+      search.halve_each(halve_cells);
     }
   }
 
-  ProofOutcome prove(const Cells& cells) {
-    const ParameterBox box = box_of(cells);
-    if (budget_.boxes == 0) return refute(GapReason::Work, box);
-    const Proof proof = prove(box, demand(cells));
-    if (proof == Proof::Proved) return ProofOutcome::Proved;
-    if (proof == Proof::Unresolvable) return refute(GapReason::Wide, box);
-    if (!cells.is_one()) return ProofOutcome::Open;
-    add_patches(cells);
-    return ProofOutcome::Refuted;
-  }
-
-  ProofOutcome refute(GapReason why, const ParameterBox& box) {
-    add_gap(why, box);
-    return ProofOutcome::Refuted;
-  }
-
-  /// Extrapolates the growth from a level to the next down to single cells: whether the budget
-  /// ends before. Boxes of many cells find nothing that samples did not show.
-  bool goes_beyond_budget(std::size_t level, std::size_t next) const {
-    if (next < static_cast<std::size_t>(kFewBoxes)) return false;
-    const auto count = static_cast<double>(next);
-    const double growth = count / static_cast<double>(level);
-    const double generations = std::log2(static_cast<double>(cells_u_ * cells_v_) / count);
-    return count * std::pow(growth, generations) > static_cast<double>(budget_.boxes);
-  }
-
-  ParameterBox box_of(const Cells& cells) const {
-    return {{root_.u[cells.first_u], root_.v[cells.first_v]},
-            {root_.u[cells.end_u], root_.v[cells.end_v]}};
-  }
-
-  static void halve(const Cells& cells, std::vector<Cells>& to) {
-    Cells a = cells;
-    Cells b = cells;
-    if (cells.end_u - cells.first_u >= cells.end_v - cells.first_v) {
-      a.end_u = b.first_u = (cells.first_u + cells.end_u) / 2;
-    } else {
-      a.end_v = b.first_v = (cells.first_v + cells.end_v) / 2;
+  ProofOutcome prove(const RootCells& cells, bool is_tested) {
+    const Demand of = demand(cells);
+    if (of.is_none()) return ProofOutcome::Proved;
+    const bool is_last = cells.is_one();
+    const bool is_patch = is_last && patches_of_.of(cell(cells.first_u, cells.first_v)).size() == 1;
+    if (!budget_.is_spent(true) && is_tested && !is_patch) {
+      const BoxBounds bounds = bounds_over(cells.box_in(root_));
+      if (!bounds.broken && is_proved(bounds.arc(of.size), of.eps)) return ProofOutcome::Proved;
+      if (is_unseen(bounds)) return ProofOutcome::Proved;
     }
-    to.push_back(a);
-    to.push_back(b);
-  }
-
-  void add_patches(const Cells& cells) {
+    if (!is_last) return ProofOutcome::Open;
     for (const std::uint32_t k : patches_of_.of(cell(cells.first_u, cells.first_v))) {
-      const Patch& patch = patches_[k];
-      if (patch.cut_by) {
-        add_gap(*patch.cut_by, patch.box);
-      } else {
-        parts_.push_back({k, patch.box});
-      }
+      if (!patches_[k].cut_by && !patches_[k].is_measured) parts_.push_back({k, patches_[k].box});
     }
+    return ProofOutcome::Refuted;
   }
 
   /// Proves parts of patches, level by level: wherever the search ends, all unproved boxes have
-  /// the same number of halvings, but for those that ended before.
+  /// about the same number of halvings, but for those that ended before.
   void prove_parts() {
-    constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
-    std::array<std::size_t, 2> before = {kUnknown, kUnknown};  // one level before, and two
-    BoxSubdivision<Part> search(std::move(parts_));
-    while (!search.open().empty()) {
-      const std::size_t level = search.open().size();
-      const bool grows =
-          static_cast<double>(level) > std::max(kFewBoxes, kGrows * static_cast<double>(before[1]));
-      const int max_depth =
-          static_cast<double>(level) <= kFewBoxes ? kMaxDepthOfFew : kMaxPatchDepth;
-      search.test([&](Part& part) {
-        if (grows || budget_.boxes == 0) return leave_unproved(part, {dvec2(0), false});
-        return prove(part, search.depth(), max_depth);
-      });
-      before = {level, before[0]};
-      search.halve_in_turn();
+    for (depth_ = 0; !parts_.empty(); ++depth_) {
+      is_short_ = depth_ == 0 || kShort * parts_.size() <= patches_.size();
+      next_.clear();
+      bounded_.clear();
+      measured_parts_.clear();
+      const int most_halvings = broken_ <= kFewBoxes ? kMaxBrokenDepthOfFew : kMaxBrokenDepth;
+      broken_ = 0;
+      for (Part& part : parts_) prove(part, most_halvings);
+      const std::vector<ProofOutcome> measured = measure_(bounded_);
+      for (std::size_t k = 0; k < measured.size(); ++k) {
+        const Part& part = measured_parts_[k];
+        if (measured[k] == ProofOutcome::Refuted) refute(part);
+        if (measured[k] == ProofOutcome::Proved)
+          result_.bound = std::max(result_.bound, kProofFactor * patches_[part.patch].allowed);
+        if (measured[k] == ProofOutcome::Open) {
+          halve(part, part.known->slope * part.box.size(), 1);
+        }
+      }
+      std::erase_if(next_, [this](const Part& part) { return is_refuted(part.patch); });
+      parts_.swap(next_);
+    }
+    descend();
+  }
+
+  /// Looks for the worst places of some patches for whose boxes no work is left: halves a box of
+  /// each, and goes on with the half whose bounds are farther from its corner.
+  void descend() {
+    const std::size_t boxes = kPlacesOfDescents / budget_.of_box();
+    const std::size_t descents = std::min(kDescents, boxes / (2 * kDescentDepth) + 1);
+    const std::size_t ranked = std::min({kRanked, boxes, untested_.size()});
+    std::vector<std::pair<double, std::size_t>> worst;
+    for (std::size_t k = 0; k < ranked; ++k) {
+      const std::size_t number = k * untested_.size() / ranked;
+      const Part& part = untested_[number];
+      const BoxBounds bounds = bounds_over(part.box);
+      if (bounds.broken) continue;
+      const double arc = bounds.arc(part.box.size());
+      worst.emplace_back(std::isnan(arc) ? 0 : -arc / patches_[part.patch].allowed, number);
+    }
+    std::ranges::sort(worst);
+    for (std::size_t k = 0; k < std::min(descents, worst.size()); ++k) {
+      Part part = untested_[worst[k].second];
+      const Bounds corner = bounds_over({part.box.low, part.box.low}).hull;
+      BoxBounds bounds = bounds_over(part.box);
+      for (int depth = 0; depth < kDescentDepth && !bounds.is_undefined; ++depth) {
+        const dvec2 way = bounds.slope * part.box.size();
+        const bool is_known = std::isfinite(way.x + way.y) && way.x != way.y;
+        const auto halves = halves_of(part.box, is_known ? (way.x > way.y ? 0 : 1) : depth % 2);
+        const BoxBounds first = bounds_over(halves[0]);
+        const BoxBounds second = bounds_over(halves[1]);
+        const bool is_second = second.farthest(corner.low) > first.farthest(corner.low);
+        part.box = halves[is_second ? 1 : 0];
+        bounds = is_second ? second : first;
+        if (bounds.extent() <= patches_[part.patch].allowed) break;
+      }
+      const dvec2 bend(bounds.bend.x, bounds.bend.z);
+      result_.unproved_boxes.push_back(
+          {part.patch, part.box.middle(), part.box.size(), bend, false, false});
     }
   }
 
-  ProofOutcome prove(Part& part, int depth, int max_depth) {
-    const Proof proof = prove(part.box, demand(part.patch));
-    if (proof == Proof::Proved) return ProofOutcome::Proved;
-    part.why = why_;
-    if (proof == Proof::Unresolvable) return refute(GapReason::Wide, part.box);
-    if (proof == Proof::Undefined) return leave_unproved(part, {dvec2(0), true});
-    if (depth < (proof == Proof::Unbounded ? kMaxUnboundedDepth : max_depth)) {
-      return ProofOutcome::Open;
+  /// `most_halvings`: where the surface may be undefined or jump.
+  void prove(Part& part, int most_halvings) {
+    if (is_refuted(part.patch)) return;
+    if (budget_.is_spent(is_short_)) {
+      if (untested_.empty() || untested_.back().patch != part.patch) untested_.push_back(part);
+      return leave_unproved(part, {dvec2(0), false});
     }
-    const std::span<const Interval> second = enclosure_.last().subspan(9);
-    return leave_unproved(part, {{length(second.first(3)), length(second.subspan(6, 3))}, false});
+    if (part.known && measure_later(part, *part.known)) return;
+    const BoxBounds bounds = bounds_over(part.box);
+    const dvec2 bend(bounds.bend.x, bounds.bend.z);
+    if (bounds.is_undefined) {
+      part.why = GapReason::Undefined;
+      return leave_unproved(part, {dvec2(0), true});
+    }
+    if (bounds.broken) {
+      part.why = *bounds.broken;
+      if (measure_later(part, bounds)) return;
+      ++broken_;
+      if (depth_ >= most_halvings) return leave_unproved(part, {bend, false});
+      return halve_along(part, depth_ % 2, 1);
+    }
+    const Patch& patch = patches_[part.patch];
+    const dvec2 size = part.box.size();
+    const double arc = bounds.arc(size);
+    if (depth_ == 0 && !patch.is_measured && is_proved(arc, patch.allowed)) return;
+    if (is_unseen(bounds)) return;
+    part.why = bounds.is_smooth    ? GapReason::Wide
+               : bounds.may_crease ? GapReason::Crease
+                                   : GapReason::Nonsmooth;
+    if (measure_later(part, bounds)) return;
+    if (depth_ >= kMaxPatchDepth) return leave_unproved(part, {bend, false});
+    const int times = arc > kHalvedTwice * patch.allowed && std::isfinite(arc) ? 2 : 1;
+    halve(part, bounds.contributions(size), times);
+  }
+
+  /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
+  bool measure_later(const Part& part, const BoxBounds& bounds) {
+    const double allowed = kReach * patches_[part.patch].allowed;
+    const dvec2 size = part.box.size();
+    const dvec2 bend(bounds.bend.x, bounds.bend.z);
+    if (const auto cells = cells_within(bounds, size, allowed)) {
+      budget_.take_points(std::size_t{(*cells)[0] + 1} * ((*cells)[1] + 1));
+      bounded_.push_back({part.patch, part.box, *cells, bounds.reach(size, *cells), bend});
+    } else if (const double radius = 0.5 * bounds.extent();
+               radius <= kReachOfCentre * patches_[part.patch].allowed) {
+      budget_.take_points(1);
+      bounded_.push_back({part.patch, part.box, {0, 0}, radius, bend, bounds.hull.centre()});
+    } else {
+      return false;
+    }
+    measured_parts_.push_back(part);
+    measured_parts_.back().known = bounds;
+    return true;
+  }
+
+  /// The fewest cells of a box whose corners are near enough to the surface, if kMostMeasured are
+  /// enough.
+  static std::optional<std::array<std::uint32_t, 2>> cells_within(const BoxBounds& bounds,
+                                                                  const dvec2& size,
+                                                                  double allowed) {
+    for (std::array<std::uint32_t, 2> cells : kFewestCells) {
+      while (true) {
+        if (bounds.reach(size, cells) <= allowed) return cells;
+        const dvec2 each = glm::max(dvec2(cells[0], cells[1]), dvec2(1));
+        if (cells == kFewestCells.front() || each.x * each.y >= kMostMeasured) break;
+        const dvec2 step = size / each;
+        const bool is_along_u = bounds.bend.x * step.x * step.x >= bounds.bend.z * step.y * step.y;
+        cells[cells[1] == 0 || (cells[0] > 0 && is_along_u) ? 0 : 1] *= 2;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Halves a part along the axis that contributes more.
+  void halve(const Part& part, const dvec2& contributions, int times) {
+    const auto& [u, v] = std::pair(contributions.x, contributions.y);
+    const int axis = u > v ? 0 : u < v ? 1 : depth_ % 2;  // the last for NaN
+    halve_along(part, axis, times);
+  }
+
+  void halve_along(const Part& part, int axis, int times) {
+    for (const ParameterBox& half : halves_of(part.box, axis)) {
+      Part next = part;
+      next.box = half;
+      if (times > 1) {
+        halve_along(next, axis, times - 1);
+      } else {
+        next_.push_back(next);
+      }
+    }
+  }
+
+  bool is_refuted(std::uint32_t patch) const { return !refuted_.empty() && refuted_[patch] != 0; }
+  void refute(const Part& part) {
+    refuted_.resize(patches_.size(), 0);
+    refuted_[part.patch] = 1;
+    result_.proved[part.patch] = 0;
   }
 
   /// Findings about a box without a proof.
@@ -302,11 +344,11 @@ class Certifier {
     dvec2 bend{0};
     bool is_undefined;
   };
-  ProofOutcome leave_unproved(const Part& part, const Known& known) {
+  void leave_unproved(const Part& part, const Known& known) {
     const bool may_jump = part.why == GapReason::Discontinuous;
     result_.unproved_boxes.push_back(
         {part.patch, part.box.middle(), part.box.size(), known.bend, known.is_undefined, may_jump});
-    return refute(part.why, part.box);
+    add_gap(part.why, part.patch, part.box);
   }
 
   std::size_t cell(std::size_t i, std::size_t j) const { return j * cells_u_ + i; }
@@ -314,30 +356,30 @@ class Certifier {
   RootLines root_;
   std::size_t cells_u_, cells_v_;
   std::span<const Patch> patches_;
+  const std::optional<Bounds>& clip_;
+  const MeasureBoxes& measure_;
   ProofBudget& budget_;
   SurfaceEnclosure enclosure_;
   PatchesOfCells patches_of_;
   std::vector<Demand> of_cells_;  // of the root grid
-  std::vector<Part> parts_;
-  GapReason why_ = GapReason::Work;  // of the last box without a proof
+  std::vector<Part> parts_, next_;
+  std::vector<Part> untested_;  // of patches, for which no work is left
+  std::vector<BoundedBox> bounded_;
+  std::vector<Part> measured_parts_;   // of bounded_
+  std::vector<std::uint8_t> refuted_;  // 1 for each patch that is; empty: none is
+  int depth_ = 0;
+  bool is_short_ = true;    // this level
+  std::size_t broken_ = 0;  // boxes of this level where the surface may be undefined or jump
+  std::vector<std::pair<std::uint32_t, ProofGap>> gaps_;  // of patches
   Certification result_;
 };
 
 }  // namespace
 
-ProofBudget::ProofBudget(const Tape& tape) {
-  std::size_t steps = 1;
-  for (const auto& part : {tape.of_u, tape.of_v, tape.of_both}) {
-    for (const Instruction& instruction : part) {
-      steps += is_special(instruction.op) ? kSpecialSteps : 1;
-    }
-  }
-  boxes = std::min(kMaxBoxes, kMaxSteps / steps);
-}
-
 Certification certify(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
+                      const std::optional<Bounds>& clip, const MeasureBoxes& measure,
                       ProofBudget& budget) {
-  return Certifier(surface, root, patches, budget).run();
+  return Certifier(surface, root, patches, clip, measure, budget).run();
 }
 
 }  // namespace saddle

@@ -5,28 +5,27 @@
 // J. Snyder, "Interval analysis for computer graphics", 1992.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "mesh/model/proof_gap.h"
+#include "mesh/proof/proof_budget.h"
+#include "mesh/proof/root_cells.h"
+#include "surface/box_subdivision.h"
 #include "surface/parameter_box.h"
 #include "surface/surface.h"
 
 namespace saddle {
 
-/// The proof is for 8 times the tolerance: bounds of derivatives are wider than the derivatives,
-/// and count derivatives along the surface, which make no error. Samples check finer errors.
-inline constexpr double kProofFactor = 8;
-
-/// A box of parameters and what its triangles must keep.
-struct Patch {
-  ParameterBox box;
-  double allowed;                   ///< distance from the surface, in units of length
-  std::size_t root_cell;            ///< number of the root cell that holds the box; u is inner
-  std::optional<GapReason> cut_by;  ///< feature in the box: no proof is tried
-};
+/// A proved surface is within 4 tolerances of its triangles. Points are within one. The rest is for
+/// bounds, which also count derivatives along the surface, and for the folds between triangles.
+inline constexpr double kProofFactor = 4;
 
 /// A box of parameters without a proof, a part of a patch.
 struct UnprovedBox {
@@ -38,30 +37,35 @@ struct UnprovedBox {
   bool may_jump = false;      ///< bounds do not exclude that the surface jumps in the box
 };
 
+/// A part of a patch, divided into equal rectangles. Over each the surface is within `reach` of the
+/// convex hull of its corners. With 0 cells along an axis, these are in the middle of its range.
+struct BoundedBox {
+  std::size_t patch;
+  ParameterBox box;
+  std::array<std::uint32_t, 2> cells;  ///< along u and along v
+  double reach;
+  dvec2 bend;                     ///< bounds of |r_uu| and |r_vv|
+  std::optional<dvec3> centre{};  ///< in place of the corners: of a sphere of radius `reach`
+};
+
+/// Measures points of bounded boxes. Proved: the surface in the box is within kProofFactor
+/// tolerances of the triangles of its patch. Refuted: a point is off by more than the tolerance.
+using MeasureBoxes = std::function<std::vector<ProofOutcome>(std::span<const BoundedBox>)>;
+
 struct Certification {
   std::vector<UnprovedBox> unproved_boxes;
   std::vector<ProofGap> proof_gaps;  ///< disjoint; empty: all patches are proved
+  std::vector<std::uint8_t> proved;  ///< 1 for each patch that is
   double bound = 0;                  ///< on the distance of what is proved, in units of length
-};
-
-/// The number of boxes that may still be tested.
-struct ProofBudget {
-  /// For a surface with these bounds: up to 8,000 boxes, fewer for long formulas.
-  explicit ProofBudget(const Tape& bounds);
-  std::size_t boxes;
-};
-
-/// Lines of the root grid, whose cells are numbered with u inner.
-struct RootLines {
-  std::span<const double> u, v;
 };
 
 /// Bounds the distance of r(u, v) from the triangles of each patch, of sides h and k, by
 /// (h^2 |r_uu| + 2 h k |r_uv| + k^2 |r_vv|) / 8, over boxes in which r is proved to be defined and
-/// its first derivatives continuous. Boxes of many root cells come first, parts of patches last.
-/// Boxes without a proof when the budget ends are unproved. Where bounds are narrow and derivatives
-/// too large for a proof, there is a gap and no unproved box.
+/// its first derivatives continuous. Boxes of many root cells come first, then patches, then parts
+/// of patches, for which `measure` adds the distance of their corners. Boxes without a proof when
+/// the budget ends are unproved. The surface outside of `clip` needs none.
 Certification certify(const Surface& surface, const RootLines& root, std::span<const Patch> patches,
+                      const std::optional<Bounds>& clip, const MeasureBoxes& measure,
                       ProofBudget& budget);
 
 }  // namespace saddle

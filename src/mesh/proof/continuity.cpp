@@ -88,6 +88,7 @@ class Prover {
 
   void add_unproved(const LinePart& line, std::vector<LinePart>& result) {
     std::vector<LinePart> level = {line};
+    std::vector<LinePart> shortest;
     for (int depth = 0; !level.empty() && depth < halvings_; ++depth) {
       std::erase_if(level, [this](const LinePart& part) {
         return is_proved({part.part[0], part.part[1]});
@@ -98,13 +99,39 @@ class Prover {
         if (const auto parts = cut(part)) {
           next.insert(next.end(), parts->begin(), parts->end());
         } else {
-          result.push_back(part);
+          shortest.push_back(part);
         }
       }
       level = std::move(next);
     }
-    const std::size_t step = (level.size() + kMostLineParts - 1) / kMostLineParts;
-    for (std::size_t k = 0; k < level.size(); k += step) result.push_back(level[k]);
+    shortest.insert(shortest.end(), level.begin(), level.end());
+    add_some(joined(std::move(shortest), line), result);
+  }
+
+  /// Joins parts that touch. Jumps as near to each other as kSameOnLine are one: bounds are too
+  /// wide for a proof on both sides of it.
+  static std::vector<LinePart> joined(std::vector<LinePart> parts, const LinePart& whole) {
+    const auto [first, last] = whole.part;
+    const double longest = kSameOnLine * glm::distance(first, last);
+    std::ranges::sort(parts, {},
+                      [&](const LinePart& part) { return glm::distance(first, part.part[0]); });
+    std::vector<LinePart> result;
+    for (const LinePart& part : parts) {
+      const bool is_joined = !result.empty() && result.back().part[1] == part.part[0] &&
+                             glm::distance(result.back().part[0], part.part[1]) <= longest;
+      if (!is_joined) {
+        result.push_back(part);
+        continue;
+      }
+      result.back().part[1] = part.part[1];
+      if (part.broken_end) result.back().broken_end = part.broken_end;
+    }
+    return result;
+  }
+
+  static void add_some(std::span<const LinePart> parts, std::vector<LinePart>& result) {
+    const std::size_t step = (parts.size() + kMostLineParts - 1) / kMostLineParts;
+    for (std::size_t k = 0; k < parts.size(); k += step) result.push_back(parts[k]);
   }
 
   bool is_proved(const ParameterBox& box) {

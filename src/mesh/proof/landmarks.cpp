@@ -100,7 +100,7 @@ class LandmarkSearch {
   LandmarkSearch(const Surface& surface, unsigned threads)
       : surface_(surface),
         threads_(threads),
-        budget_(ProofBudget(surface.bounds).boxes / kProofsPerLandmarkBox),
+        budget_(ProofBudget(surface.bounds).boxes_of_search() / kProofsPerLandmarkBox),
         enclosure_(surface, Bounded::Position),
         search_({{box_of(surface.domain)}}) {}
 

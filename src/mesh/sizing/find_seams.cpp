@@ -1,8 +1,12 @@
 #include "mesh/sizing/find_seams.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
+#include <glm/vector_relational.hpp>
+
+#include "mesh/features/removable.h"
 #include "mesh/model/tolerances.h"
 
 namespace saddle {
@@ -11,9 +15,34 @@ namespace {
 /// The places at which edges are compared, in parts of their lengths.
 constexpr std::array kComparedAt = {0.07, 0.19, 0.41, 0.83};
 
-bool is_near(const dvec3& a, const dvec3& b, double diagonal) {
-  return glm::distance(a, b) <= kSamePosition * diagonal;  // false for NaN
-}
+/// Places, and the surface there.
+class ComparedPlaces {
+ public:
+  ComparedPlaces(const Surface& surface, double diagonal, std::vector<dvec2> uv)
+      : domain_(surface.domain),
+        diagonal_(diagonal),
+        uv_(std::move(uv)),
+        points_(evaluate(surface, uv_, 1)) {}
+
+  /// Whether two places are one point, within rounding of the parameters.
+  bool meet(std::size_t a, std::size_t b) const {
+    const dvec3 gap = glm::abs(points_[a].position - points_[b].position);
+    if (glm::length(gap) <= kSamePosition * diagonal_) return true;  // false for NaN
+    return glm::length(gap) <= kMostRounding * diagonal_ &&
+           glm::all(glm::lessThanEqual(gap, rounding(a) + rounding(b)));
+  }
+  std::size_t size() const { return uv_.size(); }
+
+ private:
+  dvec3 rounding(std::size_t k) const {
+    return kSamePosition * diagonal_ + rounding_by_parameters(points_[k], uv_[k], domain_);
+  }
+
+  const Domain& domain_;
+  double diagonal_;
+  std::vector<dvec2> uv_;
+  std::vector<SurfacePoint> points_;
+};
 
 Seam find_seam(const Surface& surface, double diagonal, bool along_v) {
   std::vector<dvec2> uv;
@@ -24,11 +53,11 @@ Seam find_seam(const Surface& surface, double diagonal, bool along_v) {
     add(0, along);
     for (const Seam& seam : kSeams) add(1, seam.partner(along, 1.0));
   }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
+  const ComparedPlaces places(surface, diagonal, std::move(uv));
   for (std::size_t kind = 0; kind < kSeams.size(); ++kind) {
     const auto meets = [&](std::size_t place) {
       const std::size_t first = place * (1 + kSeams.size());
-      return is_near(points[first].position, points[first + 1 + kind].position, diagonal);
+      return places.meet(first, first + 1 + kind);
     };
     if (meets(0) && meets(1) && meets(2) && meets(3)) return kSeams[kind];
   }
@@ -43,11 +72,11 @@ bool is_folded(const Surface& surface, double diagonal, bool along_v, double end
       uv.push_back(surface.domain.at(along_v ? dvec2(end, at) : dvec2(at, end)));
     }
   }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
+  const ComparedPlaces places(surface, diagonal, std::move(uv));
   bool is_point = true;
-  for (std::size_t k = 0; k < points.size(); k += 2) {
-    if (!is_near(points[k].position, points[k + 1].position, diagonal)) return false;
-    is_point = is_point && is_near(points[k].position, points[0].position, diagonal);
+  for (std::size_t k = 0; k < places.size(); k += 2) {
+    if (!places.meet(k, k + 1)) return false;
+    is_point = is_point && places.meet(k, 0);
   }
   return !is_point;
 }

@@ -29,6 +29,9 @@ constexpr int kPasses = 3;
 constexpr double kFarTooLarge = 4;
 /// Lines through singular points that a grid takes each way, so that these are vertices.
 constexpr std::size_t kMostLines = 16;
+/// A loop has at least 4 cells: a polygon has no second derivatives to ask for them, and one or two
+/// cells around it are flat.
+constexpr double kCellsOfLoop = 4;
 
 /// Limits each density to kRise times its neighbours'. A larger one comes from a feature narrower
 /// than a stretch, or from a boundary or line at which second derivatives are infinite: the sample
@@ -221,12 +224,16 @@ SizingField sizing_field(const Probe& probe, const FixedLines& fixed, const Tole
 FixedLines place_lines(const Probe& probe, const FixedLines& fixed, const SizingField& sizing,
                        double times) {
   const Domain& d = probe.domain();
-  const auto closer = [times](std::vector<double> lines) {
-    for (double& density : lines) density *= times;
+  const auto closer = [times](std::vector<double> lines, bool is_loop, double range) {
+    const double least = is_loop ? kCellsOfLoop / std::fabs(range) : 0;
+    for (double& density : lines) density = std::max(times * density, least);
     return lines;
   };
-  return {place_between(Cumulative(closer(sizing.of_u), d.u0, d.u1), fixed.u, probe.seams().v),
-          place_between(Cumulative(closer(sizing.of_v), d.v0, d.v1), fixed.v, probe.seams().u)};
+  const auto& [u, v, folded_u, folded_v] = probe.seams();
+  return {
+      place_between(Cumulative(closer(sizing.of_u, u.closed, d.u1 - d.u0), d.u0, d.u1), fixed.u, v),
+      place_between(Cumulative(closer(sizing.of_v, v.closed, d.v1 - d.v0), d.v0, d.v1), fixed.v,
+                    u)};
 }
 
 std::vector<Counterexample> find_counterexamples(const Probe& probe, const FixedLines& lines,

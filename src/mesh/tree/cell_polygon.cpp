@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "mesh/tree/feature_count.h"
+
 namespace saddle {
 
 namespace {
@@ -17,14 +19,6 @@ Polygon cell_polygon(const Leaf& leaf, const CellTree& tree) {
     });
   }
   return polygon;
-}
-
-/// Adds the point of the surface at a singular vertex, once.
-void add_singular_vertex(std::uint32_t vertex, const CellTree& tree,
-                         std::vector<std::uint32_t>& points) {
-  if (tree.geometry().is_regular(vertex)) return;
-  const std::uint32_t point = tree.mesh().point[vertex];
-  if (std::ranges::count(points, point) == 0) points.push_back(point);
 }
 
 /// The points of the surface at the singular vertices of a polygon, each once.
@@ -42,17 +36,17 @@ Bounds box_around(const Polygon& polygon) {
 
 /// Whether a leaf is defined at two opposite corners only.
 bool has_opposite_gaps(const Leaf& leaf, const CellTree& tree) {
-  std::array<bool, 4> is_defined{};
-  for (std::size_t k = 0; k < 4; ++k)
-    is_defined[k] = tree.geometry().is_defined(leaf.samples.corner[k]);
-  return is_defined[0] == is_defined[2] && is_defined[1] == is_defined[3] &&
-         is_defined[0] != is_defined[1];
+  const auto& [a, b, c, d] = leaf.samples.corner;
+  const auto is_defined = [&](std::uint32_t k) { return tree.geometry().is_defined(k); };
+  return is_defined(a) == is_defined(c) && is_defined(b) == is_defined(d) &&
+         is_defined(a) != is_defined(b);
 }
 
 /// A run of vertices between two features of the cell polygon.
 struct Run {
   Polygon polygon;
   bool goes_far = false;  ///< to a pole or a point without limit
+  bool is_thin = false;   ///< with a vertex in a thin part of a side
 };
 
 /// Cuts a cell polygon at its features.
@@ -70,8 +64,8 @@ class Cutter {
     if (cuts_ == 1 && creases_.empty()) return {};
     if (cuts_ > boundaries_ && faces_ % 2 == 1) return {};  // so would a pole that leaves unnoticed
     if (cuts_ > 0) join_ends();
-    const bool is_parted = lines_ > 1 || (faces_ > 0 && has_opposite_gaps);
-    if (has_middle && cuts_ == boundaries_ && !is_parted) join_runs();
+    const bool is_parted = lines_ > 1 || thin_gaps_ > 0 || (faces_ > 0 && has_opposite_gaps);
+    if (cuts_ == boundaries_ && !is_parted && (has_middle || is_thin_strip())) join_runs();
     if (folded && cuts_ < 2) cut_at_singular_points();
     std::vector<Polygon> result;
     if (creases_.size() >= 3) add(middle(), result);
@@ -112,9 +106,11 @@ class Cutter {
     const std::uint32_t b = whole_[(k + 1) % whole_.size()].corner;
     if (tree_.geometry().is_defined(a)) {
       runs_.back().polygon.push_back(whole_[k]);
+      if (tree_.thin().contains(a)) runs_.back().is_thin = true;
     } else {
       cut();
       ++boundaries_;
+      if (tree_.thin().contains(a)) ++thin_gaps_;
       if (tree_.geometry().singularity(a) == PointSingularity::Kind::Line) ++lines_;
     }
     const std::optional<EdgeFeature> feature = tree_.edges().feature(a, b);
@@ -147,6 +143,13 @@ class Cutter {
     last.polygon.insert(last.polygon.end(), first.polygon.begin(), first.polygon.end());
     first.polygon = std::move(last.polygon);
     first.goes_far = first.goes_far || last.goes_far;
+    first.is_thin = first.is_thin || last.is_thin;
+  }
+
+  /// Whether the leaf is defined on a strip alone, which is thin where it enters.
+  bool is_thin_strip() const {
+    const auto is_there = [](const Run& run) { return !run.polygon.empty(); };
+    return std::ranges::count_if(runs_, is_there) == 2 && std::ranges::any_of(runs_, &Run::is_thin);
   }
 
   /// Joins the runs between boundaries that leave the middle whole: they only cut corners off. The
@@ -214,7 +217,7 @@ class Cutter {
       const dvec2 middle = 0.5 * (polygon[k].place + next.place) - low;
       const dvec2 size(leaf_.size_u(), leaf_.size_v());
       if (!is_chord(middle / size, {polygon[k].corner, next.corner}, tree_)) continue;
-      const auto inner = tree_.inner().after(leaf_, polygon[k]);
+      const auto inner = tree_.inner().between(leaf_, {polygon[k], next});
       if (!inner) continue;
       has_inner = true;
       const PolygonCorner corner = {*inner, tree_.vertices().place_between(*inner)};
@@ -231,6 +234,7 @@ class Cutter {
   std::size_t cuts_ = 0;
   std::size_t boundaries_ = 0;  // among the cuts
   std::size_t lines_ = 0;       // vertices on undefined lines
+  std::size_t thin_gaps_ = 0;   // undefined vertices in thin parts of sides
   std::size_t faces_ = 0;       // times that the surface leaves the clip box
 };
 
@@ -255,12 +259,27 @@ std::uint32_t count_polygon_vertices(const Leaf& leaf, const CellTree& tree) {
   return count;
 }
 
+bool has_thin_vertex(const Leaf& leaf, const CellTree& tree) {
+  bool has = false;
+  if (!tree.thin().any()) return false;
+  for_sides(leaf, tree,
+            [&](std::uint32_t a, std::uint32_t) { has = has || tree.thin().contains(a); });
+  return has;
+}
+
+bool has_thin_strip(const Leaf& leaf, const CellTree& tree) {
+  bool has = false;
+  if (!tree.thin().any()) return false;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t) {
+    has = has || (tree.thin().contains(a) && tree.geometry().is_defined(a));
+  });
+  return has;
+}
+
 std::array<dvec3, 4> corner_positions(const Leaf& leaf, const CellTree& tree) {
-  std::array<dvec3, 4> positions;
-  for (std::size_t k = 0; k < 4; ++k) {
-    positions[k] = tree.mesh().position[leaf.samples.corner[k]];
-  }
-  return positions;
+  const auto& [a, b, c, d] = leaf.samples.corner;
+  const auto& position = tree.mesh().position;
+  return {position[a], position[b], position[c], position[d]};
 }
 
 std::vector<Side> sides_of(const Leaf& leaf, const CellTree& tree) {
@@ -304,101 +323,6 @@ std::optional<bool> flat_sub_polygon_along_u(const Leaf& leaf, const CellTree& t
     return size.x > size.y;
   }
   return std::nullopt;
-}
-
-bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
-  bool has_cut = false;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
-    has_cut = has_cut || (feature && feature->kind == kind);
-  });
-  return has_cut;
-}
-
-bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree) {
-  const auto& point = tree.mesh().point;
-  return tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
-         !tree.geometry().is_regular(a) && !tree.geometry().is_regular(b) && point[a] != point[b];
-}
-
-bool is_cut_along_u(const Leaf& leaf, const CellTree& tree) {
-  Bounds cuts;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
-    if (feature) cuts.add(dvec3(tree.vertices().place_between(feature->beside_first), 0));
-    if (!is_cusp(a, b, tree)) return;
-    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(tree.vertices().place_between(end), 0));
-  });
-  const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
-  const double along_u = size.x / leaf.size_u();
-  const double along_v = size.y / leaf.size_v();
-  if (along_u == 0 && along_v == 0) return leaf.size_u() >= leaf.size_v();
-  return along_u >= along_v;
-}
-
-namespace {
-
-/// Whether a jump cuts a side at the place of its end `vertex`. A crease does not count: there the
-/// vertex belongs to both sheets.
-bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const CellTree& tree) {
-  const std::optional<EdgeFeature> feature = tree.edges().feature(vertex, other);
-  return feature && feature->kind == FeatureKind::Jump &&
-         tree.vertices().place_between(feature->beside(other)) ==
-             tree.vertices().place_between(vertex);
-}
-
-bool is_at_corner(const EdgeFeature& feature, const Leaf& leaf, const CellTree& tree) {
-  const dvec2 place = tree.vertices().place_between(feature.beside_first);
-  return std::ranges::any_of(leaf.corners(), [&](const DyadicPoint& corner) {
-    return place == dvec2(corner.u, corner.v);
-  });
-}
-
-/// The number of vertices at which jumps cut both sides.
-std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
-  std::size_t count = 0;
-  std::optional<bool> leaves_first;  // whether the first side is cut where it begins
-  bool arrives = false;              // whether the side before is where it ends
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    const bool leaves = is_cut_at(a, b, tree);
-    if (!leaves_first) leaves_first = leaves;
-    if (arrives && leaves) ++count;
-    arrives = is_cut_at(b, a, tree);
-  });
-  if (arrives && leaves_first.value_or(false)) ++count;
-  return count;
-}
-
-}  // namespace
-
-FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
-  FeatureCount count;
-  std::vector<std::uint32_t> singular;
-  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
-    add_singular_vertex(a, tree, singular);
-    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
-    count.leads_to_pole = count.leads_to_pole || tree.edges().leads_to_pole(a, b);
-    if (!feature) return;
-    // A pole that leaves the clip box at an undefined vertex counts once.
-    if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
-    const bool on_side_of_u =
-        tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
-    const bool has_more = tree.edges().has_more(a, b);
-    const std::size_t features = has_more ? 2 : 1;
-    count.has_more = count.has_more || has_more;
-    count.features += features;
-    (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
-    if (is_at_corner(*feature, leaf, tree)) {
-      ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
-    }
-    if (feature->kind != FeatureKind::Crease) {
-      count.only_creases = false;
-      count.only_jumps = count.only_jumps && feature->kind == FeatureKind::Jump;
-    }
-  });
-  count.singular_points = singular.size();
-  if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);
-  return count;
 }
 
 }  // namespace saddle

@@ -13,6 +13,7 @@
 #include "mesh/tree/inner_vertices.h"
 #include "mesh/tree/leaf.h"
 #include "mesh/tree/revision_clock.h"
+#include "mesh/tree/thin_vertices.h"
 #include "mesh/tree/triangle_budget.h"
 #include "mesh/tree/vertex_geometry.h"
 
@@ -50,6 +51,9 @@ class CellTree {
   /// Vertices inside of leaves.
   InnerVertices& inner() { return inner_; }
   const InnerVertices& inner() const { return inner_; }
+  /// Vertices in thin parts of sides.
+  ThinVertices& thin() { return thin_; }
+  const ThinVertices& thin() const { return thin_; }
   /// The work so far. Evaluations elsewhere for the same mesh are added to it.
   Effort& effort() { return effort_; }
   const Effort& effort() const { return effort_; }
@@ -59,9 +63,11 @@ class CellTree {
 
   /// Takes the middle of side k of a leaf into use.
   void use_middle(const Leaf& leaf, std::size_t k) {
-    const std::uint32_t from = leaf.samples.corner[k];
-    const std::uint32_t to = leaf.samples.corner[(k + 1) % 4];
-    if (vertices_.use_middle(from, leaf.samples.side[k], to)) edges_.discount_feature(from, to);
+    use_middle(leaf.samples.corner[k], leaf.samples.side[k], leaf.samples.corner[(k + 1) % 4]);
+  }
+  /// Takes the middle of a side between neighbours into use.
+  void use_middle(std::uint32_t from, std::uint32_t middle, std::uint32_t to) {
+    if (vertices_.use_middle(from, middle, to)) edges_.discount_feature(from, to);
   }
   /// Whether the surface is known to go to infinity somewhere.
   bool has_poles() const { return edges_.has_poles() || geometry_.has_poles(); }
@@ -72,6 +78,7 @@ class CellTree {
   DyadicVertices vertices_;
   EdgeTable edges_;
   InnerVertices inner_;
+  ThinVertices thin_;
   VertexGeometry geometry_;
   TriangleBudget budget_;
 };

@@ -69,10 +69,10 @@ struct EdgeRecord {
 
   Side side;
   std::optional<EdgeFeature> feature;
-  std::uint32_t pole = kNoPole;  ///< number of the pole that the side leads to
-  bool is_searched = false;      ///< `feature` says what the search found
-  bool is_continuous = false;    ///< positions are; normals need not be
-  bool has_more = false;         ///< more features than `feature`
+  std::uint32_t pole = kNoPole;                ///< number of the pole that the side leads to
+  bool is_searched = false;                    ///< `feature` says what the search found
+  bool is_continuous = false;                  ///< positions are; normals need not be
+  std::optional<dvec2> between_features = {};  ///< parameters; there are more than `feature`
 };
 
 /// The records of all sides, in one hash table.
@@ -106,10 +106,17 @@ class EdgeTable {
 
   /// Whether a side has more features than feature() tells.
   bool has_more(std::uint32_t a, std::uint32_t b) const {
-    const EdgeRecord* const record = find(a, b);
-    return record != nullptr && record->has_more;
+    return between_features(a, b).has_value();
   }
-  void set_has_more(std::uint32_t a, std::uint32_t b) { record(a, b).has_more = true; }
+  /// `between`: parameters between two of them.
+  void set_has_more(std::uint32_t a, std::uint32_t b, const dvec2& between) {
+    record(a, b).between_features = between;
+  }
+  /// Parameters between two features of a side that has more than feature() tells.
+  std::optional<dvec2> between_features(std::uint32_t a, std::uint32_t b) const {
+    const EdgeRecord* const record = find(a, b);
+    return record != nullptr ? record->between_features : std::nullopt;
+  }
 
   /// Whether the surface is known to go to infinity across a side.
   bool leads_to_pole(std::uint32_t a, std::uint32_t b) const {

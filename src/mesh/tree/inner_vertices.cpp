@@ -11,21 +11,21 @@ namespace {
 /// Features nearer to each other than this, in units of the cell tree, are one.
 constexpr double kOneFeature = 1e-6;
 
+bool is_same(const PolygonCorner& a, const PolygonCorner& b) {
+  return a.corner == b.corner || glm::distance(a.place, b.place) < kOneFeature;
+}
+
 }  // namespace
 
-std::optional<std::uint32_t> InnerVertices::after(const Leaf& leaf,
-                                                  const PolygonCorner& start) const {
+std::optional<std::uint32_t> InnerVertices::between(const Leaf& leaf,
+                                                    const PolygonChord& chord) const {
   if (chords_.empty()) return std::nullopt;
   const auto found = chords_.find(key_of(leaf));
   if (found == chords_.end()) return std::nullopt;
-  const std::vector<Chord>& chords = found->second;
-  const auto same = std::ranges::find_if(
-      chords, [&](const Chord& chord) { return chord.start.corner == start.corner; });
-  if (same != chords.end()) return same->vertex;
-  const auto near = std::ranges::find_if(chords, [&](const Chord& chord) {
-    return glm::distance(chord.start.place, start.place) < kOneFeature;
+  const auto same = std::ranges::find_if(found->second, [&](const Chord& of_leaf) {
+    return is_same(of_leaf.ends[0], chord[0]) && is_same(of_leaf.ends[1], chord[1]);
   });
-  return near != chords.end() ? std::optional(near->vertex) : std::nullopt;
+  return same != found->second.end() ? std::optional(same->vertex) : std::nullopt;
 }
 
 }  // namespace saddle

@@ -13,21 +13,24 @@
 
 namespace saddle {
 
-/// The inner vertices of leaves. One belongs to the chord of a sub-polygon that starts at a given
-/// corner, counter-clockwise, and lies between the chord's ends. The halves of a leaf have none.
+/// The chord of a sub-polygon, counter-clockwise.
+using PolygonChord = std::array<PolygonCorner, 2>;
+
+/// The inner vertices of leaves. One belongs to a chord of a sub-polygon and lies between the
+/// chord's ends. The halves of a leaf have none.
 class InnerVertices {
  public:
-  /// The vertex on the chord from `start`, if it has one. A feature that was found again, on the
-  /// half of a side, has another vertex at the same place.
-  std::optional<std::uint32_t> after(const Leaf& leaf, const PolygonCorner& start) const;
-  void add(const Leaf& leaf, const PolygonCorner& start, std::uint32_t vertex) {
-    chords_[key_of(leaf)].push_back({start, vertex});
+  /// The vertex on a chord, if it has one. A feature that was found again, on the half of a side,
+  /// has another vertex at the same place. The sheet beyond has the same chord the other way round.
+  std::optional<std::uint32_t> between(const Leaf& leaf, const PolygonChord& chord) const;
+  void add(const Leaf& leaf, const PolygonChord& chord, std::uint32_t vertex) {
+    chords_[key_of(leaf)].push_back({chord, vertex});
   }
   bool has(const Leaf& leaf) const { return !chords_.empty() && chords_.contains(key_of(leaf)); }
 
  private:
   struct Chord {
-    PolygonCorner start;
+    PolygonChord ends;
     std::uint32_t vertex;
   };
   using Key = std::array<std::uint32_t, 4>;

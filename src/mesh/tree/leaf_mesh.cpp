@@ -157,13 +157,14 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
     } else {
       std::vector<Polygon> polygons = sub_polygons(leaves[which[k]], tree);
       for (std::size_t sub_polygon = 0; sub_polygon < polygons.size(); ++sub_polygon) {
-        range.has_flat_sub_polygon = range.has_flat_sub_polygon || is_flat(polygons[sub_polygon]);
+        const bool has_no_area = is_flat(polygons[sub_polygon]);
+        range.has_flat_sub_polygon = range.has_flat_sub_polygon || has_no_area;
         points.clear();
         for (PolygonCorner& corner : polygons[sub_polygon]) {
           choose_corner(which[k], sub_polygon, corner.corner);
           points.push_back(grid.mesh.point[corner.corner]);
         }
-        expected += triangles_between(points);
+        if (!has_no_area) expected += triangles_between(points);
         triangulate_polygon(grid, std::move(polygons[sub_polygon]), result.all);
       }
     }

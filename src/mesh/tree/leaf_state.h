@@ -13,7 +13,7 @@ enum class LeafCut : std::uint8_t {
   BoundaryAndFeature,  ///< both
 };
 
-/// Whether a leaf may be halved further. Both ends are final.
+/// Whether a leaf may be halved further. An oscillation is final.
 enum class LeafProgress : std::uint8_t {
   Active,
   Frozen,       ///< halving does not help, or is not allowed
@@ -40,6 +40,8 @@ class LeafState {
   bool leads_to_pole() const { return leads_to_pole_; }
   /// The leaf is no part of the mesh: it contains a pole or a point without limit.
   bool is_left_out() const { return is_left_out_; }
+  /// The leaf is left out since its features do not part it clearly.
+  bool is_too_small() const { return is_too_small_; }
 
   /// A sample of the leaf is undefined.
   void cross_boundary() { set_cut(true, is_cut_by_feature()); }
@@ -59,8 +61,22 @@ class LeafState {
   void freeze() {
     if (progress_ == LeafProgress::Active) progress_ = LeafProgress::Frozen;
   }
+  /// A feature was found in the leaf, toward which it may be halved.
+  void thaw() {
+    if (progress_ == LeafProgress::Frozen) progress_ = LeafProgress::Active;
+  }
   void stop_at_oscillation() { progress_ = LeafProgress::Oscillating; }
   void leave_out() { is_left_out_ = true; }
+  /// The leaf is too small to see or to halve, and its features do not part it clearly.
+  void leave_out_too_small() {
+    freeze();
+    is_left_out_ = is_too_small_ = true;
+  }
+  /// The leaf is halved on.
+  void take_back() {
+    is_left_out_ = is_too_small_ = false;
+    progress_ = LeafProgress::Active;
+  }
 
  private:
   void set_cut(bool by_boundary, bool by_feature) {
@@ -72,6 +88,7 @@ class LeafState {
   LeafProgress progress_ = LeafProgress::Active;
   bool leads_to_pole_ = false;
   bool is_left_out_ = false;
+  bool is_too_small_ = false;
 };
 
 }  // namespace saddle

@@ -25,20 +25,19 @@ GapReason worst_feature(const Leaf& leaf, const CellTree& tree) {
 
 }  // namespace
 
-std::vector<Patch> patches_of(std::span<const Leaf> leaves, std::span<const double> allowed,
-                              const Grid& grid, const CellTree& tree) {
-  std::vector<Patch> patches;
-  patches.reserve(leaves.size());
-  for (std::size_t k = 0; k < leaves.size(); ++k) {
-    const Leaf& leaf = leaves[k];
-    patches.push_back(
-        {{tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)},
-         allowed[k],
-         grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
-         {}});
-    if (!leaf.state.is_whole()) patches.back().cut_by = worst_feature(leaf, tree);
-  }
-  return patches;
+Patch patch_of(const Leaf& leaf, double allowed, const Grid& grid, const CellTree& tree) {
+  Patch patch = {{tree.vertices().parameters(leaf.low), tree.vertices().parameters(leaf.high)},
+                 allowed,
+                 grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit),
+                 {}};
+  // Its waves are too short for any mesh.
+  if (leaf.state.oscillates()) patch.cut_by = GapReason::Wide;
+  if (leaf.state.is_whole()) return patch;
+  patch.cut_by = worst_feature(leaf, tree);
+  // The surface is continuous across a crease: measured distances prove it.
+  patch.is_measured = patch.cut_by == GapReason::Crease;
+  if (patch.is_measured) patch.cut_by.reset();
+  return patch;
 }
 
 }  // namespace saddle

@@ -1,9 +1,6 @@
 // Leaves as patches for the interval proof.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "mesh/grid/grid.h"
 #include "mesh/proof/certify.h"
 #include "mesh/tree/leaf.h"
@@ -12,9 +9,8 @@ namespace saddle {
 
 class CellTree;
 
-/// The patch of each leaf. `allowed`: of each leaf, in units of length.
-std::vector<Patch> patches_of(std::span<const Leaf> leaves, std::span<const double> allowed,
-                              const Grid& grid, const CellTree& tree);
+/// The patch of a leaf. `allowed`: in units of length.
+Patch patch_of(const Leaf& leaf, double allowed, const Grid& grid, const CellTree& tree);
 
 /// The lines of the root grid; they refer to `grid`.
 inline RootLines root_lines(const Grid& grid) {

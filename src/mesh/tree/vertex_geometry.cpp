@@ -137,9 +137,13 @@ void VertexGeometry::finish_new(unsigned threads) {
 
 void VertexGeometry::fill_removable(std::span<const std::uint32_t> undefined, unsigned threads) {
   const std::vector<Beside> beside = look_beside(undefined, threads);
+  const double diagonal = grid_.mesh.bounds.diagonal();
   std::vector<std::uint32_t> singularities;
   for (std::size_t k = 0; k < undefined.size(); ++k) {
-    if (beside[k].limit) {
+    const dvec2& uv = grid_.mesh.uv[undefined[k]];
+    const bool has_limit = beside[k].limit && !(beside[k].is_alone &&
+                                                has_limits_aside(surface_, uv, diagonal, threads));
+    if (has_limit) {
       fill(undefined[k], *beside[k].limit);
     } else if (beside[k].is_defined) {
       singularities.push_back(undefined[k]);
@@ -271,7 +275,7 @@ void VertexGeometry::join_pole(std::uint32_t vertex) {
       on_u ? DyadicPoint{a.u, a.v + kCellUnit} : DyadicPoint{a.u + kCellUnit, a.v};
   const std::uint32_t root = vertices_.vertex_on_grid(a);
   const bool ends_meet = grid_.mesh.point[root] == grid_.mesh.point[vertices_.vertex_on_grid(b)];
-  if (!ends_meet || !is_one_point(grid_, root, vertex)) return;
+  if (!ends_meet || !is_one_point(surface_, grid_, root, vertex)) return;
   grid_.mesh.position[vertex] = grid_.mesh.position[root];
   grid_.mesh.point[vertex] = grid_.mesh.point[root];
   make_singular(root);

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"

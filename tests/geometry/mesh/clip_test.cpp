@@ -9,6 +9,7 @@
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
 #include "surface_from_text.h"
@@ -54,6 +55,54 @@ TEST(Clip, LeavesNoTrianglesWithoutAreaWhereVerticesAreOnAFace) {
   const MeshResult corner = clipped(saddle_surface, quarter);
   EXPECT_GT(smallest_area(corner.mesh), 1e-6);
   EXPECT_EQ(euler_number(corner.mesh), 1);
+}
+
+TEST(Clip, EndsWhereTheSurfaceLeavesTheBox) {
+  // z = 0.00275 on a circle. Nothing of the surface in the box is higher than the tolerance.
+  constexpr double kHeight = 0.00018;
+  constexpr double kFace = 0.00275;
+  const double radius = std::sqrt(kHeight / kFace);
+  const MeshResult plane = clipped(height_field("0.00018/((u+0.4)^2+(v+0.26)^2)"),
+                                   {dvec3(-kNoLimit), dvec3(kNoLimit, kNoLimit, kFace)});
+  std::size_t on_face = 0;
+  const Mesh& mesh = plane.mesh;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const dvec3& a = mesh.position[t[k]];
+      const dvec3& b = mesh.position[t[(k + 1) % 3]];
+      if (a.z != kFace || b.z != kFace) continue;
+      ++on_face;
+      for (const dvec3& p : {a, 0.5 * (a + b)})
+        EXPECT_NEAR(glm::length(dvec2(p) + dvec2(0.4, 0.26)), radius, 4e-3);
+    }
+  }
+  EXPECT_GT(on_face, 10U);
+}
+
+TEST(Clip, NeedsNoFinerMeshWhereTheCoarseOneHasItsLinesNearEnough) {
+  // Chords of length 2/15 are 0.00044 above v^2/10, and the slope is 0.3 or more: lines on the
+  // faces are off by at most 0.0015. Sides that a line nearly runs along cross the face elsewhere.
+  const Surface valley = height_field("0.3*u+0.1*v^2");
+  const Bounds slab{dvec3(-3, -3, -0.2), dvec3(3, 3, 0.1)};
+  MeshRequest finer = within_length(2.9e-3);
+  finer.clip = slab;
+  EXPECT_EQ(try_mesh(valley, finer).value().mesh.triangles.size(),
+            clipped(valley, slab).mesh.triangles.size());
+}
+
+TEST(Clip, KeepsTheStripThatCrossesTheBoxOnItsWayToAPole) {
+  // Beside u = v = -1 the surface rises from below the box to a pole above it between two corners
+  // of a cell.
+  const Surface surface = height_field("u+v-0.0198/(u-v)");
+  const MeshResult strip =
+      clipped(surface, {dvec3(-kNoLimit, -kNoLimit, -1.2), dvec3(kNoLimit, kNoLimit, 1.2)});
+  const TriangleTree tree(strip.mesh);
+  for (const double u : {-1.0, -0.999, -0.99}) {
+    for (double d = 0.005; d < 0.03; d += 0.0005) {
+      const dvec3 p(u, u + d, 2 * u + d + 0.0198 / d);
+      if (std::fabs(p.z) < 1.2) EXPECT_LE(tree.distance(p), 4.1e-3) << u << " " << d;
+    }
+  }
 }
 
 TEST(Clip, CutsATorusAlongItsLinesIntoABand) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/error/crease_distance.h"
-#include "mesh/error/newton_step.h"
+#include "mesh/distance/crease_distance.h"
+#include "mesh/distance/newton_step.h"
 #include "mesh/mesher/mesher.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"

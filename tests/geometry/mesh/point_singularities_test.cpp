@@ -45,12 +45,22 @@ TEST(Holes, AreToldApart) {
       {"u*v/(u^2+v^2)", {0, 0}, Kind::Essential},  // 0 along both, too
       {"sin(1/(u^2+v^2))", {0, 0}, Kind::Essential},
       {"(u^2+v^2)^0.1*u/sqrt(u^2+v^2)", {0, 0}, Kind::Removable},
+      // 0 on all straight ways, and 1/2 on v = u^2, u = v^2, v = u^3, v = u^4, and aslant
+      {"u^2*v/(u^4+v^2)", {0, 0}, Kind::Essential},
+      {"u*v^2/(u^2+v^4)", {0, 0}, Kind::Essential},
+      {"u^3*v/(u^6+v^2)", {0, 0}, Kind::Essential},
+      {"u^4*v/(u^8+v^2)", {0, 0}, Kind::Essential},
+      {"(u+v)^2*(u-v)/((u+v)^4+(u-v)^2)", {0, 0}, Kind::Essential},
+      {"(u-0.3)^2*(v+0.2)/((u-0.3)^4+(v+0.2)^2)", {0.3, -0.2}, Kind::Essential},
+      {"u^3*v/(u^4+v^2)", {0, 0}, Kind::Removable},  // at most abs(u)/2
+      {"(1-cos(hypot(u,v)))/(u^2+v^2)", {0, 0}, Kind::Removable},
   };
   for (const auto& [z, place, kind] : cases) {
     EXPECT_EQ(static_cast<int>(hole_at(z, place).kind), static_cast<int>(kind)) << z;
   }
   const Domain quarter{0, 1, 0, 1};
   EXPECT_EQ(hole_at("u*v/(u^2+v^2)", {0, 0}, quarter).kind, Kind::Essential) << "from one quarter";
+  EXPECT_EQ(hole_at("u^2*v/(u^4+v^2)", {0, 0}, quarter).kind, Kind::Essential);
   EXPECT_GT(hole_at("u*v/(u^2+v^2)^2", {0, 0}).near.high.z, 1e18);
 }
 
@@ -78,6 +88,24 @@ TEST(Holes, WithoutALimitAreNamedAndLeftOut) {
   }
   EXPECT_LT(singularity, 4e-5) << "no wider than two tolerances";
   EXPECT_GT(singularity, 0);
+}
+
+/// Each straight way to the point has the limit 0, and the surface is defined beside it: its vertex
+/// is not filled in.
+TEST(Holes, WithoutALimitAlongCurvesAreNamedAndLeftOut) {
+  for (const auto& [z, place] : {std::pair("u^2*v/(u^4+v^2)", dvec2(0)),
+                                 std::pair("(u-0.3)^2*v/((u-0.3)^4+v^2)", dvec2(0.3, 0))}) {
+    for (const int lines : {0, 16, 17}) {
+      MeshRequest options = within_share(1e-3);
+      options.lines_u = options.lines_v = lines;
+      const MeshReport report = try_mesh(height_field(z), options).value().report;
+      // A ridge narrower than any cell leads to the point.
+      EXPECT_LE(report.max_error, 2 * *report.tolerance) << z << ' ' << lines;
+      ASSERT_EQ(report.without_limit.size(), 1U) << z << ' ' << lines;
+      EXPECT_LT(glm::distance(report.without_limit[0], place), 1e-12) << z << ' ' << lines;
+      EXPECT_EQ(report.singular_point_count, 0U) << z << ' ' << lines;
+    }
+  }
 }
 
 /// Bounds leave room for a jump along all of the line on which atan2 has one: that goes through the

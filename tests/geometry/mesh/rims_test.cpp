@@ -17,7 +17,7 @@
 namespace saddle {
 namespace {
 
-MeshResult mesh_of(const char* z, double tolerance, int lines = 0) {
+MeshResult mesh_of_rim(const char* z, double tolerance, int lines = 0) {
   MeshRequest options = within_share(tolerance);
   options.lines_u = lines;
   options.lines_v = lines;
@@ -42,7 +42,7 @@ double off_hemisphere(const Mesh& mesh) {
 
 TEST(Rims, AreRightWhereTheyTouchTheEdgeOfTheDomain) {
   for (const int lines : {0, 7, 16}) {
-    const MeshResult result = mesh_of("sqrt(1-u^2-v^2)", 5e-4, lines);
+    const MeshResult result = mesh_of_rim("sqrt(1-u^2-v^2)", 5e-4, lines);
     EXPECT_LE(off_hemisphere(result.mesh), *result.report.tolerance) << lines;
     EXPECT_EQ(euler_number(result.mesh), 1) << lines;
   }
@@ -50,7 +50,7 @@ TEST(Rims, AreRightWhereTheyTouchTheEdgeOfTheDomain) {
 
 TEST(Rims, AreFoundWhereNothingBesideAHoleTellsOfIt) {
   // As flat as a sheet; the hole, of a radius of 0.02, lies between all samples.
-  const MeshResult result = mesh_of("1e-9*sqrt((u-0.03)^2+(v-0.04)^2-0.0004)", 1e-3, 16);
+  const MeshResult result = mesh_of_rim("1e-9*sqrt((u-0.03)^2+(v-0.04)^2-0.0004)", 1e-3, 16);
   EXPECT_EQ(euler_number(result.mesh), 0);
   const dvec2 centre(0.03, 0.04);
   double nearest = 1;
@@ -65,7 +65,7 @@ TEST(Rims, AreFoundWhereNothingBesideAHoleTellsOfIt) {
 
 TEST(Rims, KeepTheToleranceOnEitherSideOfTheirChords) {
   // The rim bends away from the surface, which stands upright on it.
-  const MeshResult result = mesh_of("sqrt(u^2+v^2-0.3)", 1e-3);
+  const MeshResult result = mesh_of_rim("sqrt(u^2+v^2-0.3)", 1e-3);
   const TriangleTree tree(result.mesh);
   double from_surface = 0;
   double from_rim = 0;
@@ -89,7 +89,7 @@ TEST(Rims, KeepTheToleranceOnEitherSideOfTheirChords) {
 }
 
 TEST(Rims, OfNarrowStripsDoNotTearThem) {
-  const MeshResult result = mesh_of("sqrt(1e-4-(u-v)^2)", 1e-3, 16);
+  const MeshResult result = mesh_of_rim("sqrt(1e-4-(u-v)^2)", 1e-3, 16);
   const TriangleTree tree(result.mesh);
   for (int k = 0; k <= 1000; ++k) {
     const double u = -1 + 0.002 * k;
@@ -105,7 +105,7 @@ TEST(Islands, ThatNoCellOfTheRootGridHoldsAreFound) {
   for (const auto& [z, expected] :
        {Case{"sqrt(u-0.999)", 0.002}, Case{"sqrt(1e-6-(u-0.3)^2)", 0.004},
         Case{"sqrt(1e-7-(u-0.3)^2-(v+0.2)^2)", std::numbers::pi * 1e-7}}) {
-    const MeshResult result = mesh_of(z, 1e-3, 16);
+    const MeshResult result = mesh_of_rim(z, 1e-3, 16);
     double sum = 0;
     for (const Triangle& t : result.mesh.triangles) {
       const dvec2 a = result.mesh.uv[t[1]] - result.mesh.uv[t[0]];
@@ -120,7 +120,7 @@ TEST(Islands, ThatNoCellOfTheRootGridHoldsAreFound) {
 TEST(Islands, BesideWhatIsFoundAnywayAreFound) {
   // Two discs of which one has a radius of 0.01, far less than a cell of the root grid.
   const MeshResult result =
-      mesh_of("sqrt(max(0.25-(u+0.4)^2-v^2,1e-4-(u-0.723)^2-(v-0.517)^2))", 1e-3, 16);
+      mesh_of_rim("sqrt(max(0.25-(u+0.4)^2-v^2,1e-4-(u-0.723)^2-(v-0.517)^2))", 1e-3, 16);
   const TriangleTree tree(result.mesh);
   EXPECT_LE(tree.distance({0.723, 0.517, 0.01}), *result.report.tolerance);
 }

@@ -148,5 +148,34 @@ TEST(SampledMesh, HasItsCreasesAsEdges) {
   }
 }
 
+/// A spike 1 high and 1e-3 wide, between all samples.
+TEST(SampledMesh, TellsOfSpikesBetweenItsSamples) {
+  const MeshResult spike = sampled("exp(-1e6*((u-0.312)^2+(v-0.17)^2))", {-1, 1, -1, 1});
+  EXPECT_LE(spike.report.max_error, 1);
+  EXPECT_GE(spike.report.max_error, 1 / 1.1);
+  EXPECT_EQ(spike.mesh.triangles.size(), 800U);
+}
+
+/// Chords of a parabola u^2 between 20 cells of 0.1 are (0.1/2)^2 off at most.
+TEST(SampledMesh, TellsTheErrorOfChords) {
+  const MeshResult parabola = sampled("u^2", {-1, 1, -1, 1});
+  EXPECT_LE(parabola.report.max_error, 0.0025 * (1 + 1e-9));
+  EXPECT_GE(parabola.report.max_error, 0.0025 / 1.1);
+}
+
+/// Jumps of which no triangle joins both sides.
+TEST(SampledMesh, BridgesNoJump) {
+  const MeshResult wave = sampled(height_field("(v>0.5*sin(5*u))?u+3:-u-3"), 64);
+  EXPECT_GT(wave.report.jump_count, 50U);
+  std::size_t joined = 0;
+  for (const Triangle& t : wave.mesh.triangles) {
+    std::set<bool> sides;
+    for (const std::uint32_t corner : t) sides.insert(wave.mesh.position[corner].z > 0);
+    if (sides.size() > 1) ++joined;
+  }
+  EXPECT_EQ(joined, 0U);
+  EXPECT_LE(wave.report.max_error, 5e-3);
+}
+
 }  // namespace
 }  // namespace saddle

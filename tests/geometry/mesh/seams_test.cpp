@@ -1,6 +1,7 @@
 // Edges of the domain that meet, and grid lines.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -234,6 +235,71 @@ TEST(Seams, OfASpikeAreNotDecidedByItsHeight) {
   const MeshResult result = mesh(spike, 10, 10);
   EXPECT_EQ(result.report.closed_u, "");
   EXPECT_EQ(result.mesh.point_count, 121U);
+}
+
+/// A superquadric, or a torus of such sections. The ends of the ranges are multiples of pi, where
+/// sin and cos are 1e-16, and 1e-16^0.2 is 6e-4.
+Surface superquadric(double exponent, const Domain& domain, bool is_torus) {
+  const std::string power = std::to_string(exponent);
+  const std::vector<Definition> definitions = {{"c", "sign(cos(v))*abs(cos(v))^" + power},
+                                               {"s", "sign(sin(v))*abs(sin(v))^" + power},
+                                               {"a", "sign(cos(u))*abs(cos(u))^" + power},
+                                               {"b", "sign(sin(u))*abs(sin(u))^" + power}};
+  const std::string radius = is_torus ? "(3+c)" : "c";
+  return surface_from_text(radius + "*a", radius + "*b", "s", domain, definitions, Order::Second);
+}
+
+/// A torus whose section is a regular polygon, turned by `turns` of its corners on the way around.
+Surface torus_of_polygon(int corners, int turns, const Domain& domain) {
+  const std::string n = std::to_string(corners);
+  const std::vector<Definition> definitions = {
+      {"r", "cos(pi/" + n + ")/cos(mod(v,2*pi/" + n + ")-pi/" + n + ")"},
+      {"w", "v+" + std::to_string(turns) + "*u/" + n}};
+  return surface_from_text("(3+r*cos(w))*cos(u)", "(3+r*cos(w))*sin(u)", "r*sin(w)", domain,
+                           definitions, Order::Second);
+}
+
+/// Expects a closed mesh within 1e-3 of the diagonal, with grid lines and without.
+void expect_closed(const Surface& surface, long euler, const std::string& what) {
+  for (const int lines : {0, 16}) {
+    MeshRequest options = within_share(1e-3);
+    options.lines_u = options.lines_v = lines;
+    const MeshResult result = try_mesh(surface, options).value();
+    EXPECT_LE(result.report.max_error, result.report.tolerance) << what << ", lines " << lines;
+    EXPECT_EQ(euler_number(result.mesh), euler) << what << ", lines " << lines;
+    const auto counts = edge_counts(result.mesh);
+    EXPECT_TRUE(std::ranges::all_of(counts, [](const auto& edge) { return edge.second == 2; }))
+        << what << ", lines " << lines;
+  }
+}
+
+TEST(Seams, OfSuperquadricsAreClosed) {
+  for (const double exponent : {0.2, 0.5, 1.0, 2.5}) {
+    for (const double first : {-kPi, 0.0}) {
+      const std::string what = std::to_string(exponent) + " from " + std::to_string(first);
+      const double last = first + kTwoPi;
+      expect_closed(superquadric(exponent, {first, last, -kPi / 2, kPi / 2}, false), 2, what);
+      expect_closed(superquadric(exponent, {first, last, first, last}, true), 0, "torus " + what);
+    }
+  }
+}
+
+TEST(Seams, OfTwistedPolygonsAreClosed) {
+  for (const int corners : {3, 4, 5, 6}) {
+    for (int turns = 0; turns < std::min(corners, 3); ++turns) {
+      for (const double first : {-kPi, 0.0}) {
+        expect_closed(
+            torus_of_polygon(corners, turns, {first, first + kTwoPi, first, first + kTwoPi}), 0,
+            std::to_string(turns) + " of " + std::to_string(corners));
+      }
+    }
+  }
+}
+
+TEST(Seams, AreNotMadeWhereTheEdgeIsAJump) {
+  // At u = 0 alone sign(u) is 0: the edges differ, and no rounding of u explains it.
+  const Surface step = surface_from_text("cos(u)", "sin(u)", "v+0.01*sign(u)", {0, kTwoPi, -1, 1});
+  EXPECT_EQ(mesh(step, 12, 4).report.closed_u, "");
 }
 
 TEST(GridLines, AreEvenlySpacedChainsOfMeshEdges) {

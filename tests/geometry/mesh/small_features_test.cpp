@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/format.h"
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh_requests.h"
@@ -24,7 +24,7 @@ constexpr double kFeatureTolerance = 3e-3;
 /// Distances of jump lines from their chords are measured at landmarks alone.
 constexpr double kNearChord = 2.5 * kFeatureTolerance;
 
-MeshResult mesh_of(const std::string& z, int lines) {
+MeshResult mesh_with_lines(const std::string& z, int lines) {
   MeshRequest request = within_length(kFeatureTolerance);
   request.lines_u = request.lines_v = lines;
   std::optional<MeshResult> result = try_mesh(height_field(z), request);
@@ -65,7 +65,7 @@ TEST_P(SmallFeatures, DiscsAreInTheMesh) {
     for (const dvec2& at : {dvec2(0), dvec2(0.4, 0.3), dvec2(-0.6123, 0.2718)}) {
       const std::string z =
           "(hypot(u-(" + number(at.x) + "),v-(" + number(at.y) + "))<" + number(radius) + ")?1:0";
-      const MeshResult result = mesh_of(z, GetParam());
+      const MeshResult result = mesh_with_lines(z, GetParam());
       EXPECT_LE(distance_of_circle(result.mesh, at, radius, 1), kNearChord) << z;
       EXPECT_LE(distance_of_circle(result.mesh, at, radius, 0), kNearChord) << z;
       EXPECT_LE(result.report.max_error, kFeatureTolerance) << z;
@@ -77,7 +77,7 @@ TEST_P(SmallFeatures, DiscsAreInTheMesh) {
 TEST_P(SmallFeatures, IslandsAreInTheMeshBesideOtherParts) {
   for (const double radius : {0.02, 1e-3, 1e-4}) {
     const std::string z = "(hypot(u-0.3,v-0.2)<" + number(radius) + ")?1+u:((u<-0.5)?0.2*u:nan)";
-    const MeshResult result = mesh_of(z, GetParam());
+    const MeshResult result = mesh_with_lines(z, GetParam());
     EXPECT_LE(distance_of(result.mesh, {0.3, 0.2, 1.3}), kFeatureTolerance) << z;
     EXPECT_LE(result.report.max_error, kFeatureTolerance) << z;
   }
@@ -87,7 +87,7 @@ TEST_P(SmallFeatures, HolesAreOpen) {
   // The distance of a hole's middle from the mesh is its radius, to the tolerance.
   for (const double radius : {0.3, 0.05, 0.02, 0.01}) {
     const std::string z = "min(1,1+sqrt(hypot(u+0.78722,v-0.58648)-" + number(radius) + "))";
-    const MeshResult result = mesh_of(z, GetParam());
+    const MeshResult result = mesh_with_lines(z, GetParam());
     EXPECT_GE(distance_of(result.mesh, {-0.78722, 0.58648, 1}), radius - kNearChord) << z;
     EXPECT_GT(result.report.undefined_fraction, 0) << z;
   }
@@ -96,14 +96,14 @@ TEST_P(SmallFeatures, HolesAreOpen) {
 TEST_P(SmallFeatures, SlotsAreInTheMesh) {
   for (const double width : {1e-2, 1e-3, 1e-5}) {
     const std::string z = "(abs(u-0.31)<" + number(width) + ")?1:0";
-    const MeshResult result = mesh_of(z, GetParam());
+    const MeshResult result = mesh_with_lines(z, GetParam());
     for (const double v : {-1.0, -0.7, 0.05, 0.4, 0.99})
       EXPECT_LE(distance_of(result.mesh, {0.31, v, 1}), kFeatureTolerance) << z << v;
   }
 }
 
 TEST(SmallFeatures, AreNotCutOffByASingleCell) {
-  const MeshResult half = mesh_of("(u^2+v^2<0.5&&v>0)?1:0", 0);
+  const MeshResult half = mesh_with_lines("(u^2+v^2<0.5&&v>0)?1:0", 0);
   for (const dvec2& p : {dvec2(0, 0.1), dvec2(0.5, 0.3), dvec2(-0.6, 0.1), dvec2(0, 0.7)})
     EXPECT_LE(distance_of(half.mesh, dvec3(p, 1)), kFeatureTolerance);
   EXPECT_LE(distance_of(half.mesh, {0, -0.1, 0}), kFeatureTolerance);

@@ -65,7 +65,7 @@ TEST_F(Edges, KeepEachFactWhenAnotherIsFiled) {
   EXPECT_FALSE(edges_.is_searched(1, 2));
   edges_.set_feature(1, 2, std::nullopt);
   EXPECT_TRUE(edges_.is_searched(1, 2));
-  edges_.set_has_more(1, 2);
+  edges_.set_has_more(1, 2, dvec2(0.5, 0.25));
   edges_.set_leads_to_pole(1, 2, {dvec2(1.25, 0), dvec2(1.5, 0)});
   edges_.set_leads_to_pole(1, 2, {dvec2(9, 9), dvec2(9, 9)});
   EXPECT_TRUE(edges_.is_continuous(1, 2));

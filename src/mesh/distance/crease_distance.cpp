@@ -1,4 +1,4 @@
-#include "mesh/error/crease_distance.h"
+#include "mesh/distance/crease_distance.h"
 
 #include <algorithm>
 #include <cmath>

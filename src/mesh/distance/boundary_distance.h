@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "mesh/distance/strip_distance.h"
+#include "mesh/features/sheet_ends.h"
 #include "mesh/grid/grid.h"
 #include "mesh/proof/continuity.h"
 #include "mesh/tree/leaf.h"
@@ -21,19 +23,18 @@ class BoundaryDistance {
   /// Errors outside of `clip` do not count.
   BoundaryDistance(const Surface& surface, const Grid& grid, const CellTree& tree,
                    const std::optional<Bounds>& clip, unsigned threads)
-      : surface_(surface), grid_(grid), tree_(tree), clip_(clip), threads_(threads) {}
+      : surface_(surface),
+        grid_(grid),
+        tree_(tree),
+        clip_(clip),
+        threads_(threads),
+        strips_(surface, grid, tree, clip, threads) {}
 
   /// Adds a leaf with its triangles, which must outlive this, and its tolerance. Skips leaves
   /// without a boundary or a jump, and those that lead to a pole.
   void add(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
            double allowed);
 
-  /// A distance that was found at the leaf of some number, in units of length.
-  struct LeafDistance {
-    std::size_t leaf;
-    double distance;
-    bool is_at_jump = false;
-  };
   /// Distances at the leaves that were added; several for some.
   std::vector<LeafDistance> measure();
 
@@ -43,21 +44,29 @@ class BoundaryDistance {
   /// A place on a chord of an edge, and where the edge is looked for.
   struct EdgeChord {
     std::size_t leaf;
-    std::span<const Triangle> triangles;
+    std::span<const Triangle> triangles;  ///< of the leaf
+    Triangle own;                         ///< the one of the chord
     std::array<std::uint32_t, 2> ends;
-    dvec2 middle;     ///< the place on the chord
-    dvec2 opposite;   ///< the corner of the triangle across from the chord
-    dvec2 across;     ///< on the leaf's border, straight from the place into the triangle
-    dvec2 beyond;     ///< the same on the other side of the chord
+    dvec2 middle;    ///< the place on the chord
+    dvec2 opposite;  ///< a corner of the sheet's triangles across from the chord
+    dvec2 across;    ///< on the leaf's border, straight from the place into the triangle
+    dvec2 beyond;    ///< the same on the other side of the chord
+    /// Where the way goes on in the next leaf, if no corner of the sheet is on the side between.
+    std::optional<dvec2> outside;
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                   bool is_jump);
-  double foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const;
+  void add_bulges(const Leaf& leaf, std::size_t number);
+  std::optional<dvec2> outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
+                                  const dvec2& border, const dvec2& way) const;
+  double foot(std::uint32_t from, std::uint32_t to, const dvec3& above) const;
   std::vector<std::array<dvec2, 2>> ways_to_boundary(std::span<const SurfacePoint> at_middle);
   std::vector<dvec2> ends_of(std::span<const std::array<dvec2, 2>> ways) const;
-  double distance_from_edge(const EdgeChord& chord, const dvec2& uv,
-                            const SurfacePoint& point) const;
+  double distance_from_edge(const EdgeChord& chord, std::span<const Triangle> triangles,
+                            const dvec2& uv, const SurfacePoint& point) const;
+  void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;
+  std::vector<std::optional<SheetEnd>> ends_at_jumps();
   void measure_chords(std::vector<LeafDistance>& found);
   void measure_jumps(std::vector<LeafDistance>& found);
   void measure_omitted(std::vector<LeafDistance>& found);
@@ -70,6 +79,7 @@ class BoundaryDistance {
   const CellTree& tree_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
+  StripDistance strips_;
   std::vector<EdgeChord> chords_;  ///< of boundaries
   std::vector<EdgeChord> jumps_;
   double delta_ = std::numeric_limits<double>::infinity();  ///< a smaller gap is no jump

@@ -1,4 +1,4 @@
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <glm/common.hpp>
 
-#include "mesh/error/newton_step.h"
-#include "mesh/error/triangle_error.h"
+#include "mesh/distance/newton_step.h"
+#include "mesh/distance/triangle_error.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
@@ -139,6 +139,13 @@ double distance_from(const Grid& grid, std::span<const Triangle> triangles, cons
   const Triangle& own = *triangle_below(grid, triangles, uv).triangle;
   const dvec3 p = grid.local_scale * position;
   return distance(grid, triangles, p, nearest_on(grid, own, p)) / grid.local_scale;
+}
+
+WeightedDistance nearest_weights(const Grid& grid, const Triangle& triangle,
+                                 const dvec3& position) {
+  if (!is_finite(position)) return {std::numeric_limits<double>::infinity(), dvec3(0)};
+  const Nearest nearest = nearest_on(grid, triangle, grid.local_scale * position);
+  return {nearest.distance / grid.local_scale, nearest.weights};
 }
 
 SampledError sampled_error(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,

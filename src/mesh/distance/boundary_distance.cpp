@@ -1,22 +1,20 @@
-#include "mesh/error/boundary_distance.h"
+#include "mesh/distance/boundary_distance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "mesh/error/sampled_error.h"
+#include "mesh/distance/sampled_error.h"
+#include "mesh/distance/sheet_view.h"
 #include "mesh/features/approach.h"
-#include "mesh/features/sheet_ends.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
 namespace {
-
-/// Halvings of the way across a leaf to its boundary: 1e-6 of it is enough for a distance.
-constexpr int kWayHalvings = 20;
 
 /// Where a leaf without triangles is sampled, in sides of the leaf, and the directions from there
 /// to its border.
@@ -26,11 +24,11 @@ constexpr std::array kLeafDirections = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), 
 /// The surface is looked at just before a chord, as far as bisections go: it may jump on it.
 constexpr double kBeforeChord = 1 - 1.0 / (1 << kWayHalvings);
 /// Places on the chord of a jump, in its length: a line that turns in the chord's middle is not
-/// missed. A corner of a boundary is solved for; its arc is farthest in the middle.
+/// missed. Ways through them are not straight across, and so the largest distance is predicted. A
+/// corner of a boundary is solved for; its arc is farthest in the middle.
 constexpr std::array kJumpPlaces = {0.25, 0.5, 0.75};
 constexpr std::array kBoundaryPlaces = {0.5};
 constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
-
 }  // namespace
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
@@ -41,8 +39,13 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     if (!triangles.empty()) return add_chords(leaf, number, triangles, true);
   } else {
     if (leaf.state.cut() != LeafCut::Boundary) return;
+    if (strips_.add(leaf, number, triangles, allowed)) {
+      if (triangles.empty()) add_bulges(leaf, number);  // the strip may end before the first line
+      return;
+    }
     if (!triangles.empty()) return add_chords(leaf, number, triangles, false);
   }
+  add_bulges(leaf, number);
   omitted_.push_back(number);
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
@@ -51,6 +54,36 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
     for (const dvec2& way : kLeafDirections)
       places_in_omitted_.push_back(low + size * border_of_square(place, way));
   }
+}
+
+/// Adds the stretches of the sides of a leaf without triangles between two boundaries, edge by
+/// edge: the surface reaches into the leaf there, if it is defined in an edge's middle.
+void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const auto place = [&](std::uint32_t vertex) { return (grid_.mesh.uv[vertex] - low) / size; };
+  std::vector<std::uint32_t> stretch;  // empty outside
+  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<EdgeFeature> feature = tree_.edges().feature(a, b);
+    if (!feature || !feature->is_boundary()) {
+      if (!stretch.empty()) stretch.push_back(b);
+      return;
+    }
+    const std::uint32_t end = feature->beside_first;
+    if (!stretch.empty()) stretch.push_back(end);
+    for (std::size_t k = 1; k < stretch.size(); ++k) {
+      const dvec2 middle = 0.5 * (place(stretch[k - 1]) + place(stretch[k]));
+      const dvec2 along = place(stretch[k]) - place(stretch[k - 1]);
+      if (along == dvec2(0)) continue;
+      const dvec2 at = low + size * middle;
+      // Counter-clockwise, the leaf is to the left.
+      const dvec2 beyond = low + size * border_of_square(middle, {-along.y, along.x});
+      chords_.push_back(
+          {number, {}, {}, {stretch[k - 1], stretch[k]}, at, at, at, beyond, std::nullopt, false});
+    }
+    stretch.clear();
+    if (tree_.geometry().is_defined(b)) stretch = {end, b};
+  });
 }
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
@@ -62,7 +95,10 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const bool is_at_face = has_cut(FeatureKind::Face, leaf, tree_);
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
-  for (const Triangle& t : triangles) {
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const Triangle& t = triangles[k];
+    std::vector<Triangle> sheet;  // made for its first chord
+    std::vector<PlacedTriangle> placed;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = t[i];
       const std::uint32_t b = t[(i + 1) % 3];
@@ -70,38 +106,78 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
       if (has_side(triangles, b, a)) continue;  // a diagonal
       const dvec2 middle = 0.5 * (place(a) + place(b));
       if (!is_chord(middle, {a, b}, tree_)) continue;
-      const dvec2 outward = glm::mix(place(a), place(b), foot(a, b, opposite)) - place(opposite);
+      const dvec2 outward =
+          glm::mix(place(a), place(b), foot(a, b, grid_.mesh.position[opposite])) - place(opposite);
       if (outward == dvec2(0)) continue;
+      if (sheet.empty()) {
+        sheet = connected_to(k, triangles);
+        for (const Triangle& other : sheet)
+          placed.push_back({other, {place(other[0]), place(other[1]), place(other[2])}});
+      }
       for (const double share : places) {
         const dvec2 at = glm::mix(place(a), place(b), share);
-        // A jump is looked for from the corner, which is on the sheet, through the place.
-        const dvec2 way = is_jump ? at - place(opposite) : outward;
+        // A jump is looked for from a corner, which is on the sheet, through the place.
+        const std::uint32_t from =
+            is_jump ? corner_across(grid_, {a, b}, share, at, opposite, placed) : opposite;
+        const dvec2 way = is_jump ? at - place(from) : outward;
+        const dvec2 border = border_of_square(at, way);
         chords.push_back({number,
-                          is_jump ? std::span(&t, 1) : triangles,
+                          triangles,
+                          t,
                           {a, b},
                           low + size * at,
-                          grid_.mesh.uv[opposite],
+                          grid_.mesh.uv[from],
                           low + size * border_of_square(at, -way),
-                          low + size * border_of_square(at, way),
+                          low + size * border,
+                          outside_of(leaf, sheet, border, way),
                           is_at_face});
       }
     }
   }
 }
 
-std::vector<BoundaryDistance::LeafDistance> BoundaryDistance::measure() {
-  std::vector<LeafDistance> found;
+/// A place in the next leaf, on a way that leaves a leaf at its border. None where the sheet has a
+/// corner on that side, which the next leaf shares, or the domain ends.
+std::optional<dvec2> BoundaryDistance::outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
+                                                  const dvec2& border, const dvec2& way) const {
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
+  const auto is_between = [](const dvec2& at, const dvec2& a, const dvec2& b) {
+    return std::fabs(cross_product(b - a, at - a)) < kNoGap && glm::dot(at - a, at - b) <= kNoGap;
+  };
+  bool is_shared = false;
+  for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
+    if (!is_between(border, place(a), place(b))) return;
+    for (const Triangle& t : sheet) {
+      for (const std::uint32_t corner : t)
+        is_shared = is_shared || is_between(place(corner), place(a), place(b));
+    }
+  });
+  if (is_shared) return std::nullopt;
+  const dvec2 reach = way / std::max(std::fabs(way.x), std::fabs(way.y));
+  const dvec2 outside = low + size * (border + reach);
+  const ParameterBox domain = box_of(surface_.domain);
+  const dvec2 inside =
+      glm::clamp(outside, glm::min(domain.low, domain.high), glm::max(domain.low, domain.high));
+  return inside == outside ? std::optional(outside) : std::nullopt;
+}
+
+std::vector<LeafDistance> BoundaryDistance::measure() {
+  std::vector<LeafDistance> found = strips_.measure();
+  evaluations_ += strips_.evaluations();
   if (!chords_.empty()) measure_chords(found);
   if (!jumps_.empty()) measure_jumps(found);
   if (!omitted_.empty()) measure_omitted(found);
   return found;
 }
 
-/// The part of the way from one vertex to another at which a third is straight above it.
-double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, std::uint32_t above) const {
+/// The part of the way from one vertex to another at which a position is straight above it.
+double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, const dvec3& above) const {
   const dvec3 edge = grid_.local(to) - grid_.local(from);
   const double square = glm::dot(edge, edge);
-  return square > 0 ? glm::dot(grid_.local(above) - grid_.local(from), edge) / square : 0.5;
+  const dvec3 way = grid_.local_scale * above - grid_.local(from);
+  return square > 0 ? glm::dot(way, edge) / square : 0.5;
 }
 
 /// Where the surface, or its part in the clip box, ends on ways across chords.
@@ -116,7 +192,25 @@ std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (chords_[k].is_at_face) ends[k] = faces[next++];
   }
+  follow_outside(ways, ends);
   return ends;
+}
+
+/// Moves the ends of ways that are still defined at the border of their leaf to the boundary in the
+/// next leaf, if it is there.
+void BoundaryDistance::follow_outside(std::span<const Line> ways, std::vector<dvec2>& ends) const {
+  std::vector<std::size_t> open;
+  std::vector<Line> outside;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const EdgeChord& chord = chords_[k];
+    if (!chord.outside || ways[k][1] != chord.beyond || !is_at_end(ends[k], ways[k])) continue;
+    open.push_back(k);
+    outside.push_back({chord.beyond, *chord.outside});
+  }
+  const std::vector<dvec2> last = last_defined(surface_, outside, kWayHalvings, threads_, clip_);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (!is_at_end(last[i], outside[i])) ends[open[i]] = last[i];
+  }
 }
 
 /// Ways across chords that cross the boundary: outward if the surface is seen at the chord's
@@ -153,7 +247,8 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   evaluations_ += chords_.size() * (2 + kWayHalvings);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const EdgeChord& chord = chords_[k];
-    found.push_back({chord.leaf, distance_from_edge(chord, boundary[k], at_boundary[k])});
+    found.push_back(
+        {chord.leaf, distance_from_edge(chord, chord.triangles, boundary[k], at_boundary[k])});
     if (!is_seen(at_middle[k].position)) continue;
     found.push_back(
         {chord.leaf, distance_from(grid_, chord.triangles, chord.middle, at_middle[k].position)});
@@ -162,39 +257,67 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
 
 /// The distance of a point of the edge from its chord, or from the triangles where it lies beyond
 /// the chord's ends. Beside a clip box chords lie along its faces, and only triangles count.
-double BoundaryDistance::distance_from_edge(const EdgeChord& chord, const dvec2& uv,
+double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
+                                            std::span<const Triangle> triangles, const dvec2& uv,
                                             const SurfacePoint& point) const {
   const double from_chord = distance_from_chord(grid_, chord.ends, point.position);
   const bool is_beyond = glm::dot(uv - chord.middle, chord.beyond - chord.middle) >= 0;
   if (!is_beyond) return from_chord;
-  const double from_triangles = distance_from(grid_, chord.triangles, uv, point.position);
+  const double from_triangles = distance_from(grid_, triangles, uv, point.position);
   return clip_ ? from_triangles : std::max(from_chord, from_triangles);
+}
+
+/// Where sheets end on the ways across the chords of jumps. Follows ways that leave their leaf
+/// where the next one has nothing of the sheet.
+std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
+  std::vector<Line> ways;
+  for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
+  auto ends = sheet_ends(surface_, ways, delta_, kWayHalvings, clip_, threads_, evaluations_);
+  std::vector<std::size_t> open;
+  std::vector<Line> outside;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!ends[k] || ends[k]->kind != SheetEnd::Kind::Open || !jumps_[k].outside) continue;
+    open.push_back(k);
+    outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
+  }
+  const auto more =
+      sheet_ends(surface_, outside, delta_, kWayHalvings, clip_, threads_, evaluations_);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
+  }
+  return ends;
 }
 
 /// A sheet ends where the surface jumps, or at a boundary, on the way from a corner of its
 /// triangles across the chord.
 void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
-  std::vector<Line> ways;
-  for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
-  const auto ends = sheet_ends(surface_, ways, delta_, kWayHalvings, clip_, threads_, evaluations_);
+  const auto ends = ends_at_jumps();
   std::vector<dvec2> uv;
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    uv.push_back(ends[k] ? ends[k]->uv : ways[k][0]);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    uv.push_back(ends[k] ? ends[k]->uv : jumps_[k].opposite);
     uv.push_back(glm::mix(jumps_[k].opposite, jumps_[k].middle, kBeforeChord));
   }
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += uv.size();
-  for (std::size_t k = 0; k < ways.size(); ++k) {
+  std::vector<Height> heights;  // of the chord so far
+  for (std::size_t k = 0; k < ends.size(); ++k) {
     const EdgeChord& chord = jumps_[k];
+    if (k % kJumpPlaces.size() == 0) heights.clear();
     const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
     const SurfacePoint& at_end = points[2 * k];
     if (!ends[k] || !is_seen(at_end.position)) continue;
     const bool is_beyond = glm::dot(uv[2 * k] - chord.middle, chord.beyond - chord.opposite) >= 0;
-    if (!is_beyond || ends[k]->kind == SheetEnd::Kind::Jump)
-      add(distance_from_edge(chord, uv[2 * k], at_end));
-    // Without a jump the sheet goes on through the chord.
-    if (is_beyond && ends[k]->kind != SheetEnd::Kind::Jump)
+    if (!is_beyond || ends[k]->kind == SheetEnd::Kind::Jump) {
+      const double distance =
+          distance_from_edge(chord, std::span(&chord.own, 1), uv[2 * k], at_end);
+      add(distance);
+      heights.push_back({foot(chord.ends[0], chord.ends[1], at_end.position), distance});
+      if (heights.size() == kJumpPlaces.size())
+        add(predicted_distance({heights[0], heights[1], heights[2]}));
+    } else {
+      // Without a jump the sheet goes on through the chord.
       add(distance_from_chord(grid_, chord.ends, points[2 * k + 1].position));
+    }
   }
 }
 

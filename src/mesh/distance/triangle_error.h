@@ -43,7 +43,7 @@ static inline double height_above(LoopTriangle t, LoopVector weights, LoopVector
 /// The square of the difference between an exact unit normal and an interpolated one, made a unit
 /// vector. `square`: the square of the latter's length.
 static inline double square_of_chord(LoopVector interpolated, double square, LoopVector exact) {
-  const LoopVector chord = minus(times(1 / sqrt(square), interpolated), exact);
+  const LoopVector chord = minus(times(1 / ::sqrt(square), interpolated), exact);
   return dot(chord, chord);
 }
 

@@ -17,6 +17,8 @@ struct SampledError {
   double distance = 0;     ///< in units of length; 0 if the surface is undefined
   double degrees = 0;      ///< between the exact and the interpolated normal; 0 without one
   bool on_crease = false;  ///< measured from a crease's chord
+  /// The place of `distance`; nothing at a validation place of a plain leaf, or of the mesh.
+  std::optional<dvec2> uv = {};
 };
 /// The error at `point`, which is at (u, v). The distance is that from the triangle around (u, v)
 /// if the point is straight above it, else from the nearest triangle. The distance of the
@@ -42,7 +44,7 @@ struct Below {
 Below triangle_below(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv);
 /// A place above which the surface may be farther from its triangle.
 struct Predicted {
-  double distance = 0;  ///< by mesh/error/newton_step.h
+  double distance = 0;  ///< by mesh/distance/newton_step.h
   dvec2 uv{0};
 };
 /// Predicts from the point at (u, v), above the triangle that it is straight above, or else the
@@ -62,6 +64,17 @@ Seen seen_at(const std::optional<Bounds>& clip, const Grid& grid,
 /// The distance alone of a position from the triangles.
 double distance_from(const Grid& grid, std::span<const Triangle> triangles, const dvec2& uv,
                      const dvec3& position);
+/// The distance of a position from one triangle, and the weights of the triangle's corners at the
+/// nearest point; infinite if the position is not finite.
+struct WeightedDistance {
+  double distance;
+  dvec3 weights;
+};
+WeightedDistance nearest_weights(const Grid& grid, const Triangle& triangle, const dvec3& position);
+inline double distance_from_triangle(const Grid& grid, const Triangle& triangle,
+                                     const dvec3& position) {
+  return nearest_weights(grid, triangle, position).distance;
+}
 
 using Chord = std::array<std::uint32_t, 2>;  ///< from corner to corner
 

@@ -1,0 +1,194 @@
+#include "mesh/distance/measure_boxes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "mesh/distance/sampled_error.h"
+
+namespace saddle {
+namespace {
+
+/// The corners of the rectangles of a box, u inner.
+void append_points(const BoundedBox& box, std::vector<dvec2>& uv) {
+  if (box.centre) return;
+  const auto part = [](std::uint32_t k, std::uint32_t cells) {
+    return cells == 0 ? 0.5 : static_cast<double>(k) / cells;
+  };
+  for (std::uint32_t j = 0; j <= box.cells[1]; ++j) {
+    for (std::uint32_t i = 0; i <= box.cells[0]; ++i) {
+      const dvec2 at(part(i, box.cells[0]), part(j, box.cells[1]));
+      uv.push_back((1.0 - at) * box.box.low + at * box.box.high);
+    }
+  }
+}
+
+std::size_t count_points(const BoundedBox& box) {
+  return box.centre ? 0 : std::size_t{box.cells[0] + 1} * (box.cells[1] + 1);
+}
+
+/// Two triangles with a common side: the numbers of the corners that are not on it.
+std::optional<std::array<std::size_t, 2>> apexes_of(const Grid& grid, const Triangle& a,
+                                                    const Triangle& b) {
+  const auto& p = grid.mesh.position;
+  std::array<std::size_t, 2> apex = {3, 3};
+  const auto is_at = [&](const Triangle& other, const dvec3& place) {
+    return p[other[0]] == place || p[other[1]] == place || p[other[2]] == place;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!is_at(b, p[a[k]])) {
+      if (apex[0] < 3) return std::nullopt;
+      apex[0] = k;
+    }
+    if (!is_at(a, p[b[k]])) apex[1] = k;
+  }
+  if (apex[0] == 3 || apex[1] == 3) return std::nullopt;
+  return apex;
+}
+
+/// The plane of a triangle: the distance of a point from it.
+struct Plane {
+  Plane(const dvec3& a, const dvec3& b, const dvec3& c)
+      : origin(a), normal(glm::normalize(glm::cross(b - a, c - a))) {}
+  double distance(const dvec3& p) const { return std::fabs(glm::dot(p - origin, normal)); }
+  dvec3 origin, normal;
+};
+
+}  // namespace
+
+/// A bound of the distance from triangles a and b of any point between points on a and points on b.
+/// A line from a to b crosses the common side, if the two make a convex quadrilateral, at most as
+/// far from it as its end on b is from the plane of a.
+double BoxMeasure::fold_between(const Triangle& a, const Triangle& b,
+                                const std::array<std::size_t, 4>& corners) const {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto apex = apexes_of(grid_, a, b);
+  if (!apex) return kUnknown;
+  const auto& position = grid_.mesh.position;
+  const dvec3 from = position[a[((*apex)[0] + 1) % 3]];
+  const dvec3 to = position[a[((*apex)[0] + 2) % 3]];
+  const dvec3 over_a = position[a[(*apex)[0]]];
+  const dvec3 over_b = position[b[(*apex)[1]]];
+  const Plane plane(from, to, over_a);
+  const auto turn = [&](const dvec3& p, const dvec3& q, const dvec3& r) {
+    return glm::dot(glm::cross(q - p, r - q), plane.normal);
+  };
+  const bool is_convex = turn(over_a, from, over_b) > 0 && turn(over_b, to, over_a) > 0;
+  if (!is_convex) return kUnknown;  // true for NaN
+  double fold = 0;
+  for (const std::size_t k : corners) {
+    if (nearest_[k].triangle == b) fold = std::max(fold, plane.distance(nearest_[k].point));
+  }
+  return fold;
+}
+
+BoxMeasure::BoxMeasure(const Surface& surface, const Grid& grid, std::span<const Patch> patches,
+                       Triangles triangles, const std::optional<Bounds>& clip, unsigned threads)
+    : surface_(surface),
+      grid_(grid),
+      patches_(patches),
+      triangles_(std::move(triangles)),
+      clip_(clip),
+      threads_(threads) {}
+
+std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> boxes) {
+  std::vector<dvec2> uv;
+  for (const BoundedBox& box : boxes) append_points(box, uv);
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  std::vector<ProofOutcome> outcomes;
+  outcomes.reserve(boxes.size());
+  std::size_t first = 0;
+  for (const BoundedBox& box : boxes) {
+    const std::size_t count = count_points(box);
+    outcomes.push_back(
+        measure(box, std::span(uv).subspan(first, count), std::span(points).subspan(first, count)));
+    first += count;
+  }
+  return outcomes;
+}
+
+/// A triangle that is near enough, first the one of the point before; else the nearest.
+NearestTriangle BoxMeasure::nearest(const BoundedBox& box, const dvec3& position) {
+  const double enough = patches_[box.patch].allowed;
+  NearestTriangle nearest;
+  if (!nearest_.empty()) nearest = nearest_point(grid_, nearest_.back().triangle, position);
+  for (const Triangle& t : triangles_.of(box.patch)) {
+    if (nearest.distance <= enough) return nearest;
+    const NearestTriangle own = nearest_point(grid_, t, position);
+    if (own.distance < nearest.distance) nearest = own;
+  }
+  if (nearest.distance <= enough) return nearest;
+  if (!tree_) tree_.emplace(triangles_.all());
+  return tree_->nearest(position, enough, nearest);
+}
+
+ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> uv,
+                                 std::span<const SurfacePoint> points) {
+  const double allowed = patches_[box.patch].allowed;
+  double worst = 0;
+  std::size_t farthest = 0;
+  nearest_.clear();
+  const double most = kProofFactor * allowed - box.reach;
+  if (box.centre) {
+    nearest_.push_back(nearest(box, *box.centre));
+    return nearest_.front().distance <= most ? ProofOutcome::Proved : ProofOutcome::Open;
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const dvec3& p = points[k].position;
+    nearest_.push_back(nearest(box, p));
+    const double distance = nearest_.back().distance;
+    if (!(distance > worst) || (clip_ && !clip_->contains(p))) continue;
+    worst = distance;
+    farthest = k;
+  }
+  if (worst > allowed) {
+    const dvec2 size = box.box.size() / glm::max(dvec2(box.cells[0], box.cells[1]), dvec2(1));
+    found_.push_back({{uv[farthest], points[farthest].position, size, box.bend, box.patch}, worst});
+    return ProofOutcome::Refuted;
+  }
+  const std::size_t row = box.cells[0] + 1;
+  // A range that is not divided has one point.
+  const std::size_t next_u = box.cells[0] > 0 ? 1 : 0;
+  const std::size_t next_v = box.cells[1] > 0 ? row : 0;
+  for (std::size_t j = 0; j < std::max(box.cells[1], 1U); ++j) {
+    for (std::size_t i = 0; i < std::max(box.cells[0], 1U); ++i) {
+      const std::size_t k = j * row + i;
+      const std::array corners = {k, k + next_u, k + next_v, k + next_v + next_u};
+      if (!is_near(corners, points, most)) return ProofOutcome::Open;
+    }
+  }
+  return ProofOutcome::Proved;
+}
+
+/// Whether the convex hull of points is near one triangle, or two with a common side. The distance
+/// from a convex set is a convex function: of the hull, the points have the largest.
+bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners,
+                         std::span<const SurfacePoint> points, double most) const {
+  const Triangle& a = nearest_[corners[0]].triangle;
+  const Triangle* other = nullptr;
+  double worst = 0;
+  bool are_two = true;
+  for (const std::size_t k : corners) {
+    const Triangle& t = nearest_[k].triangle;
+    worst = std::max(worst, nearest_[k].distance);
+    if (t == a) continue;
+    are_two = are_two && (other == nullptr || *other == t);
+    other = &t;
+  }
+  if (!(worst <= most)) return false;
+  if (other == nullptr) return true;
+  if (are_two &&
+      worst + std::min(fold_between(a, *other, corners), fold_between(*other, a, corners)) <= most)
+    return true;
+  return std::ranges::any_of(corners, [&](std::size_t one) {
+    return std::ranges::all_of(corners, [&](std::size_t k) {
+      return distance_from_triangle(grid_, nearest_[one].triangle, points[k].position) <= most;
+    });
+  });
+}
+
+}  // namespace saddle

@@ -1,0 +1,60 @@
+// Measures the corners of boxes whose surface is bounded around them: whether the triangles of
+// their patch are within proof.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/distance/nearest_triangles.h"
+#include "mesh/grid/grid.h"
+#include "mesh/model/counterexample.h"
+#include "mesh/proof/certify.h"
+
+namespace saddle {
+
+class BoxMeasure {
+ public:
+  /// The triangles of each patch, and of the whole mesh.
+  struct Triangles {
+    std::function<std::span<const Triangle>(std::size_t patch)> of;
+    std::function<NearestTriangles()> all;
+  };
+
+  /// `patches`: of the boxes. Points outside of `clip` refute nothing.
+  BoxMeasure(const Surface& surface, const Grid& grid, std::span<const Patch> patches,
+             Triangles triangles, const std::optional<Bounds>& clip, unsigned threads);
+
+  /// MeasureBoxes
+  std::vector<ProofOutcome> operator()(std::span<const BoundedBox> boxes);
+
+  /// A point of each refuted box that is farther away than its patch allows, and its distance.
+  struct Found {
+    Counterexample counterexample;
+    double distance;
+  };
+  const std::vector<Found>& found() const { return found_; }
+
+ private:
+  NearestTriangle nearest(const BoundedBox& box, const dvec3& position);
+  ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
+                       std::span<const SurfacePoint> points);
+  double fold_between(const Triangle& a, const Triangle& b,
+                      const std::array<std::size_t, 4>& corners) const;
+  bool is_near(const std::array<std::size_t, 4>& corners, std::span<const SurfacePoint> points,
+               double most) const;
+
+  const Surface& surface_;
+  const Grid& grid_;
+  std::span<const Patch> patches_;
+  Triangles triangles_;
+  std::optional<NearestTriangles> tree_;  // made for the first point that its patch misses
+  const std::optional<Bounds>& clip_;
+  unsigned threads_;
+  std::vector<Found> found_;
+  std::vector<NearestTriangle> nearest_;  // of the points of one box
+};
+
+}  // namespace saddle

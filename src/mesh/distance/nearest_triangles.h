@@ -1,0 +1,41 @@
+// The nearest of many triangles: a tree of boxes around triangles that follow each other, as those
+// of neighbouring leaves do.
+// Source: C. Ericson, "Real-Time Collision Detection", 2005, chapter 6.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/bounds.h"
+#include "mesh/grid/grid.h"
+
+namespace saddle {
+
+struct NearestTriangle {
+  Triangle triangle = {};
+  dvec3 point{0};
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The point of a triangle that is nearest to a position.
+NearestTriangle nearest_point(const Grid& grid, const Triangle& triangle, const dvec3& position);
+
+class NearestTriangles {
+ public:
+  NearestTriangles(const Grid& grid, std::span<const Triangle> triangles);
+
+  /// A triangle within `enough` of a position; if there is none, the nearest, or `known`, if that
+  /// is nearer.
+  NearestTriangle nearest(const dvec3& position, double enough, NearestTriangle known) const;
+
+ private:
+  const Grid& grid_;
+  std::vector<Triangle> triangles_;
+  /// A heap: node k is around nodes 2 k + 1 and 2 k + 2; the last leaves_ nodes hold triangles.
+  std::vector<Bounds> boxes_;
+  std::size_t leaves_ = 1;
+};
+
+}  // namespace saddle

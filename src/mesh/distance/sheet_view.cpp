@@ -1,0 +1,107 @@
+#include "mesh/distance/sheet_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/model/sides.h"
+#include "mesh/tree/cell_polygon.h"
+
+namespace saddle {
+
+namespace {
+
+/// In chords: heights are compared that are 1/8 apart at least, half as far as kJumpPlaces.
+constexpr double kApart = 0.125;
+
+/// The part of a line, from 0 to 1, within a triangle.
+std::array<double, 2> part_in(const std::array<dvec2, 3>& triangle, const Line& line) {
+  std::array<double, 2> part = {0, 1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const dvec2 side = triangle[(k + 1) % 3] - triangle[k];
+    const double first = cross_product(side, line[0] - triangle[k]);
+    const double last = cross_product(side, line[1] - triangle[k]);
+    if (first < 0 && last < 0) return {1, 0};
+    if (first < 0) part[0] = std::max(part[0], first / (first - last));
+    if (last < 0) part[1] = std::min(part[1], first / (first - last));
+  }
+  return part;
+}
+
+/// Whether triangles cover a line from a place within one of them.
+bool cover(std::span<const PlacedTriangle> triangles, const Line& line) {
+  const double gap = kNoGap / glm::distance(line[0], line[1]);
+  double covered = 0;
+  for (bool has_grown = true; has_grown && covered < 1 - gap;) {
+    has_grown = false;
+    for (const PlacedTriangle& t : triangles) {
+      const auto [first, last] = part_in(t.places, line);
+      if (first > covered + gap || !(last > covered + gap)) continue;
+      covered = last;
+      has_grown = true;
+    }
+  }
+  return covered >= 1 - gap;
+}
+
+/// The largest distance of a parabola through three heights between the outer two.
+double top_of_parabola(const Height& a, const Height& b, const Height& c) {
+  const double before = (b.distance - a.distance) / (b.share - a.share);
+  const double after = (c.distance - b.distance) / (c.share - b.share);
+  const double bend = (after - before) / (c.share - a.share);
+  if (!(bend < 0)) return 0;
+  const double slope = before + bend * (b.share - a.share);  // at b
+  const double step = std::clamp(-slope / (2 * bend), a.share - b.share, c.share - b.share);
+  return b.distance + step * (slope + bend * step);
+}
+
+}  // namespace
+
+std::vector<Triangle> connected_to(std::size_t number, std::span<const Triangle> triangles) {
+  std::vector<Triangle> connected = {triangles[number]};
+  for (std::size_t next = 0; next < connected.size(); ++next) {
+    const Triangle t = connected[next];
+    for (const Triangle& other : triangles) {
+      if (std::ranges::find(connected, other) != connected.end()) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!has_side(std::span(&other, 1), t[(k + 1) % 3], t[k])) continue;
+        connected.push_back(other);
+        break;
+      }
+    }
+  }
+  return connected;
+}
+
+std::uint32_t corner_across(const Grid& grid, const Chord& chord, double share, const dvec2& at,
+                            std::uint32_t opposite, std::span<const PlacedTriangle> triangles) {
+  const dvec3 along = grid.local(chord[1]) - grid.local(chord[0]);
+  const dvec3 middle = grid.local(chord[0]) + share * along;
+  std::uint32_t best = opposite;
+  double sine = 0;
+  for (const PlacedTriangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const dvec3 way = grid.local(t.corners[k]) - middle;
+      const double square = glm::dot(way, way);
+      if (t.corners[k] == chord[0] || t.corners[k] == chord[1] || square == 0) continue;
+      const double own = glm::length(glm::cross(along, way)) / std::sqrt(square);
+      if (!(own > sine) || !cover(triangles, {at, t.places[k]})) continue;
+      best = t.corners[k];
+      sine = own;
+    }
+  }
+  return best;
+}
+
+double predicted_distance(std::array<Height, 3> heights) {
+  std::ranges::sort(heights, {}, &Height::share);
+  const auto& [a, b, c] = heights;
+  const bool are_apart = b.share - a.share > kApart && c.share - b.share > kApart;
+  if (!(a.share > 0 && c.share < 1 && are_apart)) return 0;
+  const double at_first = a.distance + (a.distance - b.distance) * a.share / (b.share - a.share);
+  const double at_last =
+      c.distance + (c.distance - b.distance) * (1 - c.share) / (c.share - b.share);
+  return std::max({at_first, at_last, top_of_parabola({0, 0}, a, b), top_of_parabola(a, b, c),
+                   top_of_parabola(b, c, {1, 0})});
+}
+
+}  // namespace saddle

@@ -1,0 +1,54 @@
+// The sheet of a cell on one side of a chord: how the sheet's own edge is seen from its corners.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/grid/grid.h"
+#include "mesh/proof/continuity.h"
+
+namespace saddle {
+
+/// In sides of a leaf: a gap this short between two triangles along a line is rounding.
+inline constexpr double kNoGap = 1e-9;
+
+/// Halvings of the way across a leaf to its boundary: 1e-6 of it is enough for a distance.
+inline constexpr int kWayHalvings = 20;
+
+/// Whether bisections of a line that is defined at its first end have led to its second.
+inline bool is_at_end(const dvec2& last, const Line& line) {
+  constexpr double kLast = 2.0 / (1 << kWayHalvings);
+  return glm::distance(last, line[1]) <= kLast * glm::distance(line[0], line[1]);
+}
+
+inline double cross_product(const dvec2& a, const dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// The triangles that are connected to the one of some number by common sides.
+std::vector<Triangle> connected_to(std::size_t number, std::span<const Triangle> triangles);
+
+/// A triangle with the places of its corners in its leaf, counter-clockwise.
+struct PlacedTriangle {
+  Triangle corners;
+  std::array<dvec2, 3> places;
+};
+
+/// The corner of triangles from which `at`, a place on a chord, is seen within them, in
+/// space as straight across the chord as possible.
+/// `opposite`: that of the chord's own triangle.
+std::uint32_t corner_across(const Grid& grid, const Chord& chord, double share, const dvec2& at,
+                            std::uint32_t opposite, std::span<const PlacedTriangle> triangles);
+
+/// The distance of an edge from its chord, above a share of the chord.
+struct Height {
+  double share;
+  double distance;
+};
+
+/// The largest distance of an edge from its chord, predicted from three heights. Where a jump ends
+/// at a corner, distances grow up to the corner.
+double predicted_distance(std::array<Height, 3> heights);
+
+}  // namespace saddle

@@ -1,0 +1,237 @@
+#include "mesh/error/face_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/features/bisect_together.h"
+#include "mesh/model/clip.h"
+
+namespace saddle {
+
+namespace {
+
+/// A search ends at a step of less than 0.02 tolerances, or after 30 steps.
+constexpr double kFaceStep = 0.02;
+constexpr int kMostFaceSteps = 30;
+/// The end of a side beyond a pole is taken to be at most 16 times as far from the face as the
+/// other end.
+constexpr double kSteepest = 16;
+/// A line between two sides is looked for up to half of their distance to either side.
+constexpr double kBesideCut = 0.5;
+
+/// The least and the largest parameters of a triangle.
+std::array<dvec2, 2> uv_bounds(const Mesh& mesh, const Triangle& t) {
+  const auto& [a, b, c] = std::array{mesh.uv[t[0]], mesh.uv[t[1]], mesh.uv[t[2]]};
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+}  // namespace
+
+double FaceDistance::distance_from_segment(const std::array<dvec3, 2>& ends, const dvec3& p) {
+  const dvec3 way = ends[1] - ends[0];
+  const double square = glm::dot(way, way);
+  const double share = square > 0 ? std::clamp(glm::dot(p - ends[0], way) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(p, ends[0] + share * way);
+}
+
+void FaceDistance::for_faces(const auto& act) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double limit : {clip_.low[axis], clip_.high[axis]}) {
+      if (std::isfinite(limit)) act(Face{axis, limit});
+    }
+  }
+}
+
+void FaceDistance::add(std::size_t leaf, std::span<const Triangle> triangles) {
+  for_faces([&](const Face& face) {
+    for (const Triangle& t : triangles) add_cut(leaf, t, face);
+  });
+}
+
+/// The sides of a triangle that cross a face, and where; nothing if there are not two.
+std::optional<FaceDistance::CutSides> FaceDistance::sides_of_cut(const Triangle& t,
+                                                                 const Face& face) const {
+  const auto& position = grid_.mesh.position;
+  CutSides cut;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const dvec3& a = position[t[k]];
+    const dvec3& b = position[t[(k + 1) % 3]];
+    const double from = a[face.axis] - face.limit;
+    const double to = b[face.axis] - face.limit;
+    if (!(std::min(from, to) < 0 && std::max(from, to) > 0) || count == 2) continue;
+    cut.ends[count] = glm::mix(a, b, from / (from - to));
+    cut.ends[count][face.axis] = face.limit;
+    cut.sides[count++] = k;
+  }
+  return count == 2 ? std::optional(cut) : std::nullopt;
+}
+
+/// Adds the cut of a triangle by a face, if it is not beyond the box's other faces.
+void FaceDistance::add_cut(std::size_t leaf, const Triangle& t, const Face& face) {
+  const std::optional<CutSides> found = sides_of_cut(t, face);
+  if (!found || is_beyond(clip_, found->ends)) return;
+  const Mesh& mesh = grid_.mesh;
+  const auto [low, high] = uv_bounds(mesh, t);
+  Cut cut{leaf, face, high - low, found->ends, {}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t a = t[found->sides[k]];
+    const std::uint32_t b = t[(found->sides[k] + 1) % 3];
+    const auto height = [&](std::uint32_t end) {
+      return mesh.position[end][face.axis] - face.limit;
+    };
+    cut.sides[k] =
+        number_of(crossing_of({mesh.uv[a], mesh.uv[b]}, {height(a), height(b)}, face), leaf);
+  }
+  cuts_.push_back(cut);
+}
+
+FaceDistance::Crossing FaceDistance::crossing_of(Line line, std::array<double, 2> heights,
+                                                 const Face& face) {
+  if (heights[0] > 0) {
+    std::swap(line[0], line[1]);
+    std::swap(heights[0], heights[1]);
+  }
+  const double least = std::min(-heights[0], heights[1]);
+  heights = {std::max(heights[0], -kSteepest * least), std::min(heights[1], kSteepest * least)};
+  return {face, line, heights};
+}
+
+/// The number of a side's crossing, which two triangles of a leaf may share.
+std::size_t FaceDistance::number_of(const Crossing& crossing, std::size_t leaf) {
+  for (std::size_t k = cuts_.size(); k-- > 0 && cuts_[k].leaf == leaf;) {
+    for (const std::size_t side : cuts_[k].sides) {
+      if (sides_[side].line == crossing.line && sides_[side].face == crossing.face) return side;
+    }
+  }
+  sides_.push_back(crossing);
+  return sides_.size() - 1;
+}
+
+/// Finds where lines from below faces to above them cross, by the Illinois method.
+void FaceDistance::find(std::vector<Crossing>& crossings) {
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    if (crossings[k].heights[0] < 0 && crossings[k].heights[1] > 0) open.push_back(k);
+  }
+  const auto place = [](const Crossing& crossing) {
+    const auto& [below, above] = crossing.heights;
+    return glm::mix(crossing.line[0], crossing.line[1], below / (below - above));
+  };
+  const auto is_done = [&](Crossing& crossing, const dvec2& uv, const SurfacePoint& point) {
+    ++evaluations_;
+    const double height = point.position[crossing.face.axis] - crossing.face.limit;
+    const dvec3 before = crossing.position;
+    crossing.uv = uv;
+    crossing.position = point.position;
+    crossing.position[crossing.face.axis] = crossing.face.limit;
+    const std::size_t end = height < 0 ? 0 : 1;
+    crossing.line[end] = uv;
+    crossing.heights[end] = height;
+    if (crossing.last_end == end) crossing.heights[1 - end] /= 2;
+    crossing.last_end = end;
+    return height == 0 || glm::distance(crossing.position, before) < enough_;
+  };
+  bisect_together(surface_, crossings, open, kMostFaceSteps, threads_, place, is_done);
+}
+
+/// Lines across the middles between the places where the sides of cuts cross faces.
+std::vector<FaceDistance::Crossing> FaceDistance::middles() const {
+  std::vector<dvec2> uv;
+  for (const Cut& cut : cuts_) {
+    const dvec2 a = sides_[cut.sides[0]].uv;
+    const dvec2 b = sides_[cut.sides[1]].uv;
+    const dvec2 along = (b - a) / cut.size;
+    const dvec2 aside = kBesideCut * cut.size * dvec2(-along.y, along.x);
+    uv.push_back(0.5 * (a + b) - aside);
+    uv.push_back(0.5 * (a + b) + aside);
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  std::vector<Crossing> across;
+  for (std::size_t k = 0; k < cuts_.size(); ++k) {
+    const Face& face = cuts_[k].face;
+    const auto height = [&](std::size_t i) { return points[i].position[face.axis] - face.limit; };
+    across.push_back(
+        crossing_of({uv[2 * k], uv[2 * k + 1]}, {height(2 * k), height(2 * k + 1)}, face));
+  }
+  return across;
+}
+
+/// The places of the surface's lines that are above the tolerance from the cuts of their own
+/// leaves.
+std::vector<FaceDistance::FarPlace> FaceDistance::far_from_own_cuts(
+    const ValidatedMesh& mesh, const std::vector<Crossing>& across) const {
+  std::vector<FarPlace> far;
+  for (std::size_t first = 0; first < cuts_.size();) {
+    std::size_t last = first;
+    while (last < cuts_.size() && cuts_[last].leaf == cuts_[first].leaf) ++last;
+    const auto of_leaf = std::span(cuts_).subspan(first, last - first);
+    const auto add = [&](const Crossing& crossing, const dvec3& on_cut) {
+      if (!is_finite(crossing.position) || !clip_.contains(crossing.position)) return;
+      FarPlace place{of_leaf.front().leaf, &crossing, on_cut};
+      for (const Cut& cut : of_leaf) {
+        if (cut.face == crossing.face) place.move_to_cut(cut.ends);
+      }
+      if (place.distance > mesh.allowed[place.leaf]) far.push_back(place);
+    };
+    for (; first < last; ++first) {
+      const Cut& cut = cuts_[first];
+      for (std::size_t k = 0; k < 2; ++k) add(sides_[cut.sides[k]], cut.ends[k]);
+      add(across[first], 0.5 * (cut.ends[0] + cut.ends[1]));
+    }
+  }
+  return far;
+}
+
+/// Moves places to cuts of the triangles that are nearer.
+void FaceDistance::move_to_cuts(std::span<const Triangle> triangles,
+                                std::span<FarPlace> places) const {
+  for_faces([&](const Face& face) {
+    for (const Triangle& t : triangles) {
+      const std::optional<CutSides> cut = sides_of_cut(t, face);
+      if (!cut) continue;
+      for (FarPlace& place : places) {
+        if (place.crossing->face == face) place.move_to_cut(cut->ends);
+      }
+    }
+  });
+}
+
+/// Moves places to parts of the surface's lines that are nearer.
+void FaceDistance::move_to_lines(const std::vector<Crossing>& across,
+                                 std::span<FarPlace> places) const {
+  for (std::size_t k = 0; k < cuts_.size(); ++k) {
+    const dvec3& middle = across[k].position;
+    if (!is_finite(middle)) continue;
+    for (const std::size_t side : cuts_[k].sides) {
+      const dvec3& end = sides_[side].position;
+      if (!is_finite(end)) continue;
+      for (FarPlace& place : places) {
+        if (place.crossing->face == cuts_[k].face) place.move_to_line({end, middle});
+      }
+    }
+  }
+}
+
+void FaceDistance::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
+                           const LeafTriangles& triangles) {
+  for (const Cut& cut : cuts_) enough_ = std::min(enough_, kFaceStep * mesh.allowed[cut.leaf]);
+  find(sides_);
+  std::vector<Crossing> across = middles();
+  evaluations_ += 2 * across.size();
+  find(across);
+  std::vector<FarPlace> far = far_from_own_cuts(mesh, across);
+  if (far.empty()) return;
+  std::vector<bool> is_newer(mesh.leaves.size(), false);
+  for (const std::size_t leaf : which) is_newer[leaf] = true;
+  move_to_cuts(triangles.all, far);
+  for (std::size_t k = 0; k < mesh.triangles.ranges.size(); ++k) {
+    if (!is_newer[k]) move_to_cuts(mesh.triangles.of(k), far);
+  }
+  move_to_lines(across, far);
+  for (const FarPlace& place : far)
+    mesh.add(place.leaf, std::max(place.distance, place.distance_of_cut), place.crossing->uv);
+}
+
+}  // namespace saddle

@@ -1,0 +1,28 @@
+// Leaves without triangles: in each of them features are too near to each other to be told apart.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "base/bounds.h"
+#include "mesh/distance/whole_mesh_error.h"
+#include "mesh/error/validated_mesh.h"
+
+namespace saddle {
+
+class CellTree;
+
+/// A leaf without triangles, and the place of its sheets that is farthest from the mesh.
+struct LeftOutLeaf {
+  std::size_t leaf;
+  PlacedError farthest;
+};
+
+/// Measures the sheets in all leaves that are too small for triangles, where they meet the sides,
+/// from the triangles of the other leaves. Places outside of `clip` have no error.
+std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
+                                          const std::optional<Bounds>& clip, unsigned threads,
+                                          const CellTree& tree);
+
+}  // namespace saddle

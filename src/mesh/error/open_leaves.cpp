@@ -1,0 +1,122 @@
+#include "mesh/error/open_leaves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "mesh/distance/sampled_error.h"
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+namespace {
+
+/// Leaves that are searched, in all rounds together, and then 8 in each round.
+constexpr std::size_t kMostOpened = 512;
+/// The search starts with 8 leaves and goes on with 64 at a time.
+constexpr std::size_t kFirstSearched = 8;
+constexpr std::size_t kSearchedTogether = 64;
+/// Features for which the mesh would need 16 times as many leaves are told, not mended, unless they
+/// are in 4 leaves at most, as a needle is.
+constexpr double kMostGrowth = 16;
+constexpr std::size_t kFew = 4;
+
+/// The half-width of a feature is looked for at 2^-1 to 2^-24 of a part, to both sides.
+constexpr int kWidths = 24;
+
+/// The distances from the top of a feature, along u and along v, at which its height is halved.
+dvec2 half_widths(const Surface& surface, const FeatureSearch::Distance& distance,
+                  const SearchedPart& part, const PlacedError& top) {
+  const dvec2 size = part.box.size();
+  std::vector<dvec2> uv;
+  for (int axis = 0; axis < 2; ++axis) {
+    dvec2 step(0);
+    for (step[axis] = 0.5 * size[axis]; uv.size() < std::size_t{2 * kWidths} * (axis == 0 ? 1 : 2);
+         step *= 0.5) {
+      uv.push_back(top.uv - step);
+      uv.push_back(top.uv + step);
+    }
+  }
+  const std::vector<SurfacePoint> points = evaluate(surface, uv, 1);
+  dvec2 widths = size;
+  for (std::size_t k = 0; k < uv.size(); ++k) {
+    const int axis = k < std::size_t{2 * kWidths} ? 0 : 1;
+    const double height = part.scale * distance(part, uv[k], points[k].position, 0);
+    if (height < 0.5 * top.distance)
+      widths[axis] = std::min(widths[axis], std::fabs(uv[k][axis] - top.uv[axis]));
+  }
+  return widths;
+}
+
+}  // namespace
+
+SearchedPart part_of(const ValidatedMesh& mesh, std::size_t leaf,
+                     std::span<const Triangle> triangles, const Grid& grid, const CellTree& tree) {
+  Bounds around;
+  for (const Triangle& t : triangles) {
+    for (const std::uint32_t corner : t) around.add(grid.mesh.position[corner]);
+  }
+  const Leaf& of = mesh.leaves[leaf];
+  return {
+      {tree.vertices().parameters(of.low), tree.vertices().parameters(of.high)}, triangles, around};
+}
+
+OpenLeaves::OpenLeaves(const Surface& surface, const Grid& grid, const CellTree& tree,
+                       const std::optional<Bounds>& clip, unsigned threads)
+    : surface_(surface),
+      grid_(grid),
+      tree_(tree),
+      clip_(clip),
+      threads_(threads),
+      left_(kMostOpened) {}
+
+std::vector<Counterexample> OpenLeaves::refute(const std::function<bool(std::size_t leaf)>& is_open,
+                                               ValidatedMesh& mesh) {
+  std::vector<SearchedPart> parts;
+  for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
+    if (!is_open(k) || mesh.triangles.of(k).empty() || !searched_.insert(mesh.key_of(k)).second)
+      continue;
+    parts.push_back(part_of(mesh, k, mesh.triangles.of(k), grid_, tree_));
+    parts.back().scale = 1 / mesh.allowed[k];
+    parts.back().number = k;
+  }
+  if (parts.empty()) return {};
+  const FeatureSearch::Distance distance = [this](const SearchedPart& part, const dvec2& uv,
+                                                  const dvec3& position, double) {
+    return distance_from(grid_, part.triangles, uv, position);
+  };
+  FeatureSearch search(surface_, distance, 1, clip_, threads_);
+  search.keep_widest(std::max(left_, kFirstSearched), 0, parts);
+  // Bounds of a long formula are wide where nothing is: the search goes on while it finds.
+  std::vector<PlacedError> found;
+  for (std::size_t some = kFirstSearched; found.size() < parts.size(); some = kSearchedTogether) {
+    const auto next = std::span(parts).subspan(found.size());
+    const auto distances = search.dive(next.first(std::min(some, next.size())));
+    found.insert(found.end(), distances.begin(), distances.end());
+    if (std::ranges::none_of(distances, [](const PlacedError& at) { return at.distance > 1; }))
+      break;
+  }
+  parts.resize(found.size());
+  left_ -= std::min(left_, parts.size());
+  std::vector<Counterexample> counterexamples;
+  double leaves = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto& [distance_ratio, uv] = found[k];
+    if (!(distance_ratio > 1)) continue;
+    const std::size_t leaf = parts[k].number;
+    mesh.add(leaf, distance_ratio * mesh.allowed[leaf], uv);
+    // One leaf along a line of parameters; along another curve, as many as the feature is narrow.
+    const dvec2 narrow = parts[k].box.size() / half_widths(surface_, distance, parts[k], found[k]);
+    leaves += std::min(narrow.x, narrow.y);
+    counterexamples.push_back({uv, evaluate(surface_, std::span(&uv, 1), 1)[0].position, dvec2(0),
+                               narrow * narrow / (parts[k].box.size() * parts[k].box.size()),
+                               leaf});
+  }
+  const double most = kMostGrowth * static_cast<double>(mesh.leaves.size());
+  gives_up_ = gives_up_ || (counterexamples.size() > kFew && leaves > most);
+  if (gives_up_) return {};
+  return counterexamples;
+}
+
+}  // namespace saddle

@@ -1,0 +1,329 @@
+#include "mesh/mesher/report_errors.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "mesh/distance/boundary_distance.h"
+#include "mesh/distance/whole_mesh_error.h"
+#include "mesh/error/open_leaves.h"
+#include "mesh/error/validation_points.h"
+#include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/proof/feature_search.h"
+#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/feature_count.h"
+
+namespace saddle {
+
+namespace {
+
+/// The largest leaves are searched for what samples miss: 1/16 of all, but 1024 at least.
+constexpr std::size_t kSearchedPart = 16;
+constexpr std::size_t kLeastSearched = 1024;
+
+/// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
+constexpr std::ptrdiff_t kWaves = 16;
+/// Leaves that are measured together.
+constexpr std::size_t kTogether = 256;
+/// The search climbs from the worst 16 leaves, with 160 evaluations each.
+constexpr std::size_t kClimbed = 16;
+/// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes.
+constexpr std::size_t kFollowed = 256;
+/// Features that do not stick out are looked for in 32 leaves of a mesh that is off anyway.
+constexpr std::size_t kFollowedWithin = 32;
+constexpr std::size_t kMostBoxes = 8192;
+
+/// The search, from the largest known error down.
+class ErrorSearch {
+ public:
+  ErrorSearch(double tolerance, const WholeMeshError& whole, const PlacedError& known)
+      : tolerance_(tolerance), whole_(whole), worst_(known) {}
+
+  const PlacedError& worst() const { return worst_; }
+
+  /// Measures leaves at their places.
+  void measure(std::span<const SearchedLeaf> leaves) {
+    std::vector<WholeMeshError::Place> places;
+    for (const SearchedLeaf& leaf : leaves) {
+      for (const dvec2& uv : leaf.places)
+        places.push_back({uv, leaf.part.triangles, worst_.distance / leaf.part.scale});
+    }
+    const std::vector<double> found = whole_.distances(places);
+    std::size_t k = 0;
+    for (const SearchedLeaf& leaf : leaves) {
+      WholeMeshError::Climb start{{0, leaf.part.box.middle()}, leaf.part.box, leaf.part.triangles};
+      for (const dvec2& uv : leaf.places) {
+        if (found[k] > start.best.distance) start.best = {found[k], uv};
+        ++k;
+      }
+      take(start.best, leaf.part.scale);
+      starts_.push_back({start, leaf.part.scale});
+    }
+  }
+
+  void climb() {
+    std::ranges::stable_sort(starts_, std::ranges::greater(), &Start::error);
+    std::vector<WholeMeshError::Climb> climbs;
+    for (const Start& start : std::span(starts_).first(std::min(kClimbed, starts_.size())))
+      climbs.push_back(start.climb);
+    whole_.climb(climbs);
+    for (std::size_t k = 0; k < climbs.size(); ++k) take(climbs[k].best, starts_[k].scale);
+    starts_.clear();
+  }
+
+  /// Adds triangles that climb_on_mesh() measures: from the middles of their sides and their own.
+  void measure_triangles(const SearchedPart& part) {
+    if (part.scale != 1) return;
+    for (const Triangle& t : part.triangles) {
+      for (const dvec3& weights : kMiddlesOfTriangle) on_mesh_.push_back({&t, weights});
+    }
+  }
+  void climb_on_mesh() { take(whole_.from_mesh(on_mesh_, worst_.distance, tolerance_), 1); }
+
+ private:
+  struct Start {
+    WholeMeshError::Climb climb;
+    double scale;
+    double error() const { return scale * climb.best.distance; }
+  };
+
+  void take(const PlacedError& found, double scale) {
+    if (scale * found.distance > worst_.distance) worst_ = {scale * found.distance, found.uv};
+  }
+
+  double tolerance_;
+  const WholeMeshError& whole_;
+  PlacedError worst_;
+  std::vector<Start> starts_;
+  std::vector<MeshPlace> on_mesh_;
+};
+
+}  // namespace
+
+PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
+                          std::span<const SearchedPart> others, double tolerance,
+                          const std::optional<Bounds>& clip, unsigned threads,
+                          const std::function<const WholeMeshError&()>& whole, SearchFrom from) {
+  const auto distance = [&whole](const SearchedPart& part, const dvec2& uv, const dvec3& position,
+                                 double known) {
+    return whole().distance({uv, part.triangles, known}, position);
+  };
+  FeatureSearch features(surface, distance, tolerance, clip, threads);
+  std::vector<SearchedPart> parts(others.begin(), others.end());
+  features.keep_widest(kFollowed, suspects.empty() ? 0 : kFollowedWithin, parts);
+  if (suspects.empty() && parts.empty()) return {};
+  std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
+  if (from == SearchFrom::Both) {
+    for (const SearchedLeaf& leaf : suspects.first(std::min(kFollowed, suspects.size())))
+      parts.push_back(leaf.part);
+  }
+  features.dive(parts);
+  ErrorSearch search(tolerance, whole(), features.search(kMostBoxes));
+  for (std::size_t next = 0;
+       next < suspects.size() && suspects[next].error > search.worst().distance;
+       next += kTogether) {
+    search.measure(suspects.subspan(next, std::min(kTogether, suspects.size() - next)));
+  }
+  search.climb();
+  if (from == SearchFrom::Both) {
+    for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
+    for (const SearchedPart& part : others) search.measure_triangles(part);
+    search.climb_on_mesh();
+  }
+  return search.worst();
+}
+
+namespace {
+
+class ErrorReporter {
+ public:
+  ErrorReporter(const AdaptiveMesher& mesher, const MeshReport& report)
+      : mesher_(mesher),
+        mesh_(mesher.mesh()),
+        tree_(mesher.tree()),
+        grid_(mesher.grid()),
+        has_waves_(kWaves * std::ranges::count_if(
+                                mesher.mesh().leaves,
+                                [](const Leaf& leaf) { return leaf.state.oscillates(); }) >
+                   std::ssize(mesher.mesh().leaves)),
+        strictest_(report.rounding ? std::numeric_limits<double>::infinity() : *report.tolerance) {}
+
+  /// The largest errors of the triangles. Errors above the tolerance are searched for again,
+  /// against the whole mesh.
+  void report(const Surface& surface, const MeshRequest& request, const LeafTriangles& triangles,
+              MeshReport& report) const {
+    PlacedError worst;
+    std::vector<std::size_t> suspects;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      if (triangles.of(k).empty() || mesher_.is_clipped(leaf)) continue;
+      const PlacedError error = error_of(k);
+      if (error.distance > *report.tolerance &&
+          (is_covered(leaf) || is_of_surface(k) || is_on_strip(leaf))) {
+        suspects.push_back(k);
+      } else if (error.distance > worst.distance) {
+        worst = error;
+      }
+      const double degrees = mesh_.sampled_errors[k].degrees;
+      if (degrees > report.max_normal_error &&
+          thickness_of(leaf, grid_, tree_) > kSeenTurn * mesh_.allowed[k])
+        report.max_normal_error = degrees;
+    }
+    std::vector<SearchedLeaf> suspected;
+    for (const std::size_t k : suspects) {
+      suspected.push_back({error_of(k).distance, searched(k, triangles), {}});
+      suspected.back().part.sticks_out = false;
+      append_samples(k, suspected.back().places);
+    }
+    const PlacedError beside = append_strips(surface, request, suspects, triangles, suspected);
+    if (beside.distance > worst.distance) worst = beside;
+    const PlacedError found = search(surface, request, suspected, triangles, *report.tolerance);
+    if (found.distance > worst.distance) worst = found;
+    report.max_error = worst.distance;
+    if (worst.distance > *report.tolerance) report.worst_place = worst.uv;
+  }
+
+ private:
+  /// A tolerance that varies: errors are scaled to the strictest one.
+  double scale_of(std::size_t k) const {
+    return mesh_.allowed[k] > strictest_ ? strictest_ / mesh_.allowed[k] : 1;
+  }
+
+  /// The error of a leaf by its samples, scaled.
+  PlacedError error_of(std::size_t k) const {
+    const Leaf& leaf = mesh_.leaves[k];
+    const SampledError& sampled = mesh_.sampled_errors[k];
+    // The samples of a leaf that crosses the clip box may be outside of it.
+    const double known = mesher_.crosses_box(leaf) ? 0 : leaf.known_error * mesh_.allowed[k];
+    const double error = scale_of(k) * std::max(sampled.distance, known);
+    const dvec2 middle = tree_.vertices().parameters(leaf.middle());
+    return {error, sampled.distance >= known ? sampled.uv.value_or(middle) : middle};
+  }
+
+  /// Whether the error of a leaf is that of a place of the surface. Places of the mesh at its jumps
+  /// are searched for among those of its triangles.
+  bool is_of_surface(std::size_t k) const {
+    const Leaf& leaf = mesh_.leaves[k];
+    return mesh_.sampled_errors[k].uv && !leaf.state.is_on_boundary() && !leaf.state.oscillates() &&
+           !mesher_.landmarks().misses_hole(leaf);
+  }
+
+  /// Whether the surface over a leaf is defined and continuous.
+  bool is_covered(const Leaf& leaf) const {
+    if (leaf.state.is_on_boundary() || (leaf.state.oscillates() && has_waves_)) return false;
+    if (mesher_.landmarks().misses_hole(leaf)) return false;
+    return leaf.state.is_whole() || count_features(leaf, tree_).only_creases;
+  }
+
+  /// Whether a strip of the surface that is thin where it enters crosses a leaf: triangles of other
+  /// leaves may be nearer to it than its own.
+  bool is_on_strip(const Leaf& leaf) const {
+    return leaf.state.is_on_boundary() && has_thin_strip(leaf, tree_) &&
+           !has_cut(FeatureKind::Jump, leaf, tree_) && !mesher_.crosses_box(leaf);
+  }
+
+  /// Appends the places on the strips of leaves. Returns the largest error at the edges of the
+  /// mesh, which its other triangles do not reduce.
+  PlacedError append_strips(const Surface& surface, const MeshRequest& request,
+                            std::span<const std::size_t> suspects, const LeafTriangles& triangles,
+                            std::span<SearchedLeaf> suspected) const {
+    BoundaryDistance strips(surface, grid_, tree_, request.clip, request.threads);
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+      const std::size_t k = suspects[i];
+      if (is_on_strip(mesh_.leaves[k]))
+        strips.add(mesh_.leaves[k], i, triangles.of(k), mesh_.allowed[k]);
+    }
+    PlacedError worst;
+    for (const auto& found : strips.measure()) {
+      const SearchedLeaf& leaf = suspected[found.leaf];
+      const double error = leaf.part.scale * found.distance;
+      if (found.uv) {
+        suspected[found.leaf].places.push_back(*found.uv);
+      } else if (error > worst.distance) {
+        worst = {error, leaf.part.box.middle()};
+      }
+    }
+    return worst;
+  }
+
+  PlacedError search(const Surface& surface, const MeshRequest& request,
+                     std::span<SearchedLeaf> suspected, const LeafTriangles& triangles,
+                     double tolerance) const {
+    std::vector<SearchedPart> others;
+    for (const std::size_t k : largest_leaves(triangles)) {
+      if (!suspected.empty() || triangles.of(k).empty()) others.push_back(searched(k, triangles));
+    }
+    std::optional<WholeMeshError> whole;
+    const auto measured = [&]() -> const WholeMeshError& {
+      if (!whole) whole.emplace(surface, grid_, triangles.all, request.clip, request.threads);
+      return *whole;
+    };
+    return largest_error(surface, suspected, others, tolerance, request.clip, request.threads,
+                         measured, SearchFrom::Both);
+  }
+
+  SearchedPart searched(std::size_t k, const LeafTriangles& triangles) const {
+    SearchedPart part = part_of(mesh_, k, triangles.of(k), grid_, tree_);
+    for (const dvec3& p : corner_positions(mesh_.leaves[k], tree_)) part.around.add(p);
+    part.scale = scale_of(k);
+    return part;
+  }
+
+  /// The place of the leaf's error, or the places of which it is one.
+  void append_samples(std::size_t k, std::vector<dvec2>& places) const {
+    const Leaf& leaf = mesh_.leaves[k];
+    const SampledError& sampled = mesh_.sampled_errors[k];
+    const dvec2 low = tree_.vertices().parameters(leaf.low);
+    const dvec2 high = tree_.vertices().parameters(leaf.high);
+    if (sampled.uv) {
+      places.push_back(*sampled.uv);
+    } else {
+      for (const dvec2& part : validation_places(leaf)) places.push_back(glm::mix(low, high, part));
+    }
+    if (leaf.known_error * mesh_.allowed[k] <= sampled.distance) return;
+    const auto append = [&](std::uint32_t vertex) {
+      if (vertex != SampleVertices::kUnasked) places.push_back(grid_.mesh.uv[vertex]);
+    };
+    std::ranges::for_each(leaf.samples.side, append);
+    append(leaf.samples.centre);
+  }
+
+  /// The largest leaves by their parameters; only those without a proof, if one was tried.
+  std::vector<std::size_t> largest_leaves(const LeafTriangles& triangles) const {
+    const bool was_proved = mesher_.proof().was_tried();
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
+      const Leaf& leaf = mesh_.leaves[k];
+      if (!is_covered(leaf) || leaf.state.leads_to_pole() || mesher_.is_clipped(leaf)) continue;
+      // A leaf that is left out at a crease is below the tolerance, unless a ridge sticks out of
+      // it.
+      if (triangles.of(k).empty() && leaf.state.is_whole()) continue;
+      if (!was_proved || !mesher_.proof().is_proved(mesh_, k)) result.push_back(k);
+    }
+    std::ranges::stable_sort(result, std::ranges::greater(), [this](std::size_t k) {
+      return static_cast<double>(mesh_.leaves[k].size_u()) * mesh_.leaves[k].size_v();
+    });
+    result.resize(
+        std::min(result.size(), std::max(kLeastSearched, mesh_.leaves.size() / kSearchedPart)));
+    return result;
+  }
+
+  const AdaptiveMesher& mesher_;
+  const ValidatedMesh& mesh_;
+  const CellTree& tree_;
+  const Grid& grid_;
+  bool has_waves_;    ///< an area oscillates: no triangles there are near the surface
+  double strictest_;  ///< tolerance; infinite if rounding alone makes it vary
+};
+
+}  // namespace
+
+void report_errors(const Surface& surface, const MeshRequest& request, const AdaptiveMesher& mesher,
+                   const LeafTriangles& triangles, MeshReport& report) {
+  ErrorReporter(mesher, report).report(surface, request, triangles, report);
+}
+
+}  // namespace saddle

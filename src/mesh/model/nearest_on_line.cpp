@@ -1,0 +1,50 @@
+#include "mesh/model/nearest_on_line.h"
+
+#include <algorithm>
+
+namespace saddle {
+
+namespace {
+
+double distance_to_segment(const dvec3& p, const dvec3& a, const dvec3& b) {
+  const dvec3 along = b - a;
+  const double square = glm::dot(along, along);
+  const double share = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return glm::distance(p, a + share * along);
+}
+
+}  // namespace
+
+void NearestOnLine::add(double t, const dvec3& position) {
+  if (!is_finite(position)) return;
+  if (const double distance = glm::distance(target_, position); distance < distance_) {
+    distance_ = distance;
+    nearest_ = t;
+  }
+  samples_.insert(std::ranges::lower_bound(samples_, t, {}, &Sample::t), Sample{t, position});
+}
+
+std::optional<double> NearestOnLine::next(double shortest) const {
+  double nearest = distance_;
+  std::optional<double> middle;
+  double longest = shortest;
+  std::optional<double> beside;  // the nearest sample
+  for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
+    const Sample& a = samples_[k];
+    const Sample& b = samples_[k + 1];
+    const double t = 0.5 * (a.t + b.t);
+    const double length = glm::distance(a.position, b.position);
+    if (!(a.t < t && t < b.t) || length <= shortest) continue;
+    if ((a.t == nearest_ || b.t == nearest_) && length > longest) {
+      longest = length;
+      beside = t;
+    }
+    const double distance = distance_to_segment(target_, a.position, b.position);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    middle = t;
+  }
+  return middle ? middle : beside;
+}
+
+}  // namespace saddle

@@ -1,0 +1,83 @@
+#include "mesh/proof/box_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace saddle {
+namespace {
+
+double magnitude(const Interval& a) {
+  return std::max(std::fabs(a.low), std::fabs(a.high));
+}
+double length(std::span<const Interval> vector) {
+  return std::hypot(magnitude(vector[0]), magnitude(vector[1]), magnitude(vector[2]));
+}
+double arc_of(const dvec3& bend, const dvec2& size) {
+  return (size.x * size.x * bend.x + 2 * size.x * size.y * bend.y + size.y * size.y * bend.z) / 8;
+}
+
+bool are_defined(std::span<const Interval> bounds) {
+  return std::ranges::all_of(bounds, [](const Interval& a) { return a.defined == Defined::Yes; });
+}
+
+}  // namespace
+
+BoxBounds::BoxBounds(std::span<const Interval> bounds) {
+  for (const Interval& a : bounds.first(3)) {
+    is_undefined = is_undefined || a.defined == Defined::No;
+    if (a.defined != Defined::Yes) {
+      broken = GapReason::Undefined;
+    } else if (!a.continuous && !broken) {
+      broken = GapReason::Discontinuous;
+    }
+  }
+  if (is_undefined) return;
+  hull = {{bounds[0].low, bounds[1].low, bounds[2].low},
+          {bounds[0].high, bounds[1].high, bounds[2].high}};
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto tangents = bounds.subspan(3, 6);
+  const auto length_of = [](std::span<const Interval> vector) {
+    return are_defined(vector) ? length(vector) : kUnknown;
+  };
+  if (!broken) slope = {length_of(tangents.first(3)), length_of(tangents.last(3))};
+  const auto are_continuous = [](std::span<const Interval> vector) {
+    return std::ranges::all_of(vector, [](const Interval& a) { return a.continuous; });
+  };
+  may_crease = std::isfinite(slope.x + slope.y) && !are_continuous(tangents);
+  if (broken) return;
+  const bool along_u = are_continuous(tangents.first(3));
+  const bool along_v = are_continuous(tangents.last(3));
+  is_smooth = along_u && along_v && are_defined(bounds.subspan(3));
+  const auto second = bounds.subspan(9);
+  if (along_u) bend.x = length_of(second.first(3));
+  if (along_u && along_v) bend.y = length_of(second.subspan(3, 3));
+  if (along_v) bend.z = length_of(second.last(3));
+}
+
+double BoxBounds::arc(const dvec2& size) const {
+  return arc_of(bend, size);
+}
+
+double BoxBounds::reach(const dvec2& size, const std::array<std::uint32_t, 2>& cells) const {
+  const dvec2 by_slope = 0.5 * size * slope;
+  const auto by_bend = [&size, &cells](int axis, double of_axis) {
+    const double step = size[axis] / cells[static_cast<std::size_t>(axis)];
+    return step * step * of_axis / 8;
+  };
+  if (cells[0] > 0 && cells[1] > 0) return arc(size / dvec2(cells[0], cells[1]));
+  if (cells[0] > 0) return by_bend(0, bend.x) + by_slope.y;
+  if (cells[1] > 0) return by_bend(1, bend.z) + by_slope.x;
+  return by_slope.x + by_slope.y;
+}
+
+dvec2 BoxBounds::contributions(const dvec2& size) const {
+  return glm::min(0.5 * size * slope, size * size * dvec2(bend.x, bend.z) / 8.0);
+}
+
+bool BoxBounds::is_outside(const Bounds& box) const {
+  return glm::any(glm::lessThan(hull.high, box.low)) ||
+         glm::any(glm::greaterThan(hull.low, box.high));
+}
+
+}  // namespace saddle

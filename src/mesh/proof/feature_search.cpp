@@ -1,0 +1,179 @@
+#include "mesh/proof/feature_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace saddle {
+
+namespace {
+
+/// 56 halvings, in turn along u and v, are 28 each way, to 4e-9 of a part: differences of closer
+/// parameters are rounding in places.
+constexpr int kDeepest = 56;
+/// A box whose bound is less than 1.03 times the largest known distance is not searched.
+constexpr double kMatters = 1.03;
+/// The sample of a box, in shares of its sides: at dyadic places formulas have values of their own.
+const dvec2 kSample(0.5129, 0.4733);
+/// Boxes that are halved together.
+constexpr std::size_t kHalvedTogether = 64;
+
+dvec2 sample_of(const ParameterBox& box) {
+  return glm::mix(box.low, box.high, kSample);
+}
+
+/// By how much bounds of the surface over `box` exceed `known`; infinite without bounds.
+double room_beyond(const Bounds& known, const ParameterBox& box, SurfaceEnclosure& enclosure) {
+  const std::span<const Interval> bounds = enclosure.enclose(box);
+  dvec3 excess(0);
+  for (int k = 0; k < 3; ++k) {
+    const Interval& bound = bounds[static_cast<std::size_t>(k)];
+    excess[k] = std::max({known.low[k] - bound.low, bound.high - known.high[k], 0.0});
+  }
+  const double room = glm::length(excess);
+  return std::isnan(room) ? std::numeric_limits<double>::infinity() : room;
+}
+
+Bounds hull_of(std::span<const Interval> of) {
+  return {{of[0].low, of[1].low, of[2].low}, {of[0].high, of[1].high, of[2].high}};
+}
+
+}  // namespace
+
+void FeatureSearch::keep_widest(std::size_t most, std::size_t others,
+                                std::vector<SearchedPart>& parts) {
+  using Ranked = std::pair<double, std::size_t>;
+  std::vector<Ranked> wide;
+  std::vector<Ranked> within;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double room = parts[k].scale * room_beyond(parts[k].around, parts[k].box, enclosure_);
+    const double length = parts[k].scale * hull_of(enclosure_.last()).diagonal();
+    if (room > least_) {
+      wide.emplace_back(-room, k);
+    } else {
+      within.emplace_back(-length, k);
+    }
+  }
+  std::ranges::sort(wide);
+  std::ranges::sort(within);
+  std::vector<SearchedPart> kept;
+  for (const auto& [room, k] : std::span(wide).first(std::min(most, wide.size())))
+    kept.push_back(parts[k]);
+  for (const auto& [length, k] : std::span(within).first(std::min(others, within.size()))) {
+    kept.push_back(parts[k]);
+    kept.back().sticks_out = false;
+  }
+  parts.swap(kept);
+}
+
+double FeatureSearch::limit() const {
+  return kMatters * std::max(least_, worst_.distance);
+}
+
+/// The surface over a box is within half of the diagonal of its bounds from their middle.
+double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& box) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const double room = part.scale * room_beyond(part.around, box, enclosure_);
+  if (part.sticks_out && room <= least_) return 0;
+  const std::span<const Interval> of = enclosure_.last();
+  if (least_defined(of) == Defined::No) return 0;
+  const Bounds hull = hull_of(of);
+  const bool is_clipped = clip_ && (glm::any(glm::lessThan(hull.high, clip_->low)) ||
+                                    glm::any(glm::greaterThan(hull.low, clip_->high)));
+  if (is_clipped) return 0;
+  const double radius = 0.5 * hull.diagonal();
+  if (!std::isfinite(radius)) return kUnknown;
+  const double known = std::max(0.0, limit() / part.scale - radius);
+  return part.scale * (distance_(part, box.middle(), hull.centre(), known) + radius);
+}
+
+std::array<FeatureSearch::Node, 2> FeatureSearch::halves(const Node& node) {
+  const auto boxes = halves_of(node.box, node.depth % 2);
+  const auto half = [&](const ParameterBox& box) {
+    return Node{node.part, box, node.depth + 1, bound_over(*node.part, box)};
+  };
+  return {half(boxes[0]), half(boxes[1])};
+}
+
+void FeatureSearch::keep(const Node& node) {
+  if (!(node.bound > limit()) || node.depth >= kDeepest) return;
+  open_.push_back(node);
+  std::ranges::push_heap(open_, std::ranges::less(), &Node::bound);
+}
+
+std::vector<double> FeatureSearch::measure(std::span<const Sample> samples) const {
+  std::vector<dvec2> uv(samples.size());
+  std::ranges::transform(samples, uv.begin(), &Sample::uv);
+  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  std::vector<double> result(samples.size(), 0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Sample& sample = samples[k];
+    const dvec3& p = points[k].position;
+    if (!is_finite(p) || (clip_ && !clip_->contains(p))) continue;
+    const double known = sample.known / sample.part->scale;
+    result[k] = sample.part->scale * distance_(*sample.part, sample.uv, p, known);
+  }
+  return result;
+}
+
+std::vector<PlacedError> FeatureSearch::dive(std::span<const SearchedPart> parts) {
+  std::vector<PlacedError> found(parts.size());
+  std::vector<Node> nodes;
+  for (const SearchedPart& part : parts)
+    nodes.push_back({&part, part.box, 0, bound_over(part, part.box)});
+  for (int depth = 0; depth < kDeepest; ++depth) {
+    std::vector<std::size_t> active;
+    std::vector<Sample> samples;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const double known = found[k].distance;
+      if (!(nodes[k].bound > kMatters * std::max(least_, known))) continue;
+      const auto [first, second] = halves(nodes[k]);
+      const bool is_second = second.bound > first.bound;
+      nodes[k] = is_second ? second : first;
+      keep(is_second ? first : second);
+      active.push_back(k);
+      samples.push_back({nodes[k].part, sample_of(nodes[k].box), known});
+    }
+    if (active.empty()) break;
+    const std::vector<double> distances = measure(samples);
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      PlacedError& of = found[active[i]];
+      if (!(distances[i] > of.distance)) continue;
+      of = {distances[i], samples[i].uv};
+      if (of.distance > worst_.distance) worst_ = of;
+    }
+  }
+  return found;
+}
+
+PlacedError FeatureSearch::search(std::size_t boxes) {
+  for (std::size_t tested = 0; tested < boxes && !open_.empty();) {
+    std::vector<Sample> samples;
+    std::vector<Node> next;
+    while (samples.size() < kHalvedTogether && !open_.empty()) {
+      std::ranges::pop_heap(open_, std::ranges::less(), &Node::bound);
+      const Node node = open_.back();
+      open_.pop_back();
+      if (!(node.bound > limit())) {
+        open_.clear();
+        break;
+      }
+      tested += 2;
+      for (const Node& half : halves(node)) {
+        if (!(half.bound > limit())) continue;
+        next.push_back(half);
+        samples.push_back({half.part, sample_of(half.box), worst_.distance});
+      }
+    }
+    const std::vector<double> distances = measure(samples);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (distances[k] > worst_.distance) worst_ = {distances[k], samples[k].uv};
+    }
+    for (const Node& node : next) keep(node);
+  }
+  return worst_;
+}
+
+}  // namespace saddle

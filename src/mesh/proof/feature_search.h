@@ -1,0 +1,90 @@
+// Searches parts of a mesh for features of the surface that samples miss, as thin ridges and
+// needles: a branch and bound that follows interval bounds of the position to the largest distance.
+// Source: E. Hansen, G. Walster, "Global optimization using interval analysis", 2004, chapter 12.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/bounds.h"
+#include "mesh/model/mesh.h"
+#include "mesh/model/placed_error.h"
+#include "surface/parameter_box.h"
+#include "surface/surface_enclosure.h"
+
+namespace saddle {
+
+/// A box of parameters and its triangles.
+struct SearchedPart {
+  ParameterBox box;
+  std::span<const Triangle> triangles;
+  Bounds around;           ///< of the triangles
+  double scale = 1;        ///< of distances
+  bool sticks_out = true;  ///< only features that leave `around` are looked for
+  std::size_t number = 0;  ///< of the leaf or cell
+};
+
+class FeatureSearch {
+ public:
+  /// The distance of a position over a part from the mesh. If it is above `known`, it is exact.
+  using Distance = std::function<double(const SearchedPart& part, const dvec2& uv,
+                                        const dvec3& position, double known)>;
+  /// Scaled distances of up to `least` do not count, nor does the surface outside of `clip`, which
+  /// must outlive this.
+  FeatureSearch(const Surface& surface, Distance distance, double least,
+                const std::optional<Bounds>& clip, unsigned threads)
+      : surface_(surface),
+        distance_(std::move(distance)),
+        least_(least),
+        clip_(clip),
+        threads_(threads),
+        enclosure_(surface, Bounded::Position) {}
+
+  /// Keeps at most `most` parts over which bounds exceed the triangles by more than `least`, those
+  /// with most room first; then the other parts with the longest bounds, `others` at most, in which
+  /// features need not stick out.
+  void keep_widest(std::size_t most, std::size_t others, std::vector<SearchedPart>& parts);
+
+  /// The largest distance found in each part, scaled. Halves the part toward the larger bounds
+  /// until these tell no larger distance. Keeps the other halves for search(). The parts must
+  /// outlive this.
+  std::vector<PlacedError> dive(std::span<const SearchedPart> parts);
+
+  /// Tests the other halves of all dives, the largest bounds first, up to a number of boxes.
+  /// Returns the largest scaled distance of all.
+  PlacedError search(std::size_t boxes);
+
+ private:
+  struct Node {
+    const SearchedPart* part;
+    ParameterBox box;
+    int depth;
+    double bound;  ///< of the scaled distance
+  };
+  struct Sample {
+    const SearchedPart* part;
+    dvec2 uv;
+    double known;
+  };
+  double bound_over(const SearchedPart& part, const ParameterBox& box);
+  std::array<Node, 2> halves(const Node& node);
+  void keep(const Node& node);
+  std::vector<double> measure(std::span<const Sample> samples) const;
+  double limit() const;
+
+  const Surface& surface_;
+  Distance distance_;
+  double least_;
+  const std::optional<Bounds>& clip_;
+  unsigned threads_;
+  SurfaceEnclosure enclosure_;
+  std::vector<Node> open_;  // a heap
+  PlacedError worst_;
+};
+
+}  // namespace saddle

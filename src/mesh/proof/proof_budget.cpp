@@ -1,0 +1,56 @@
+#include "mesh/proof/proof_budget.h"
+
+#include <algorithm>
+
+#include "formula/operations.h"
+
+namespace saddle {
+namespace {
+
+/// Boxes for a search of few boxes: 8,000, and fewer for long formulas, 2.5 million instructions.
+constexpr std::size_t kMaxBoxes = 8'000;
+constexpr std::size_t kMaxSteps = 2'500'000;
+/// Places that a box takes: 6, and one for each 12 instructions; and a measured point.
+constexpr std::size_t kPlacesPerBox = 6;
+constexpr std::size_t kStepsPerPlace = 12;
+constexpr std::size_t kPlacesPerPoint = 2;
+/// Proofs may take 0.25 times the places that their mesh took, and 16,000, about half the time that
+/// the program takes to start.
+constexpr double kShareOfMesh = 0.25;
+constexpr std::size_t kLeastPlaces = 16'000;
+/// Short levels of boxes may take 170,000 in place of 16,000: the proof of a tube around a knot
+/// takes 150,000.
+constexpr std::size_t kLeastPlacesOfShort = 170'000;
+/// Cost of a special function, in steps.
+constexpr std::size_t kSpecialSteps = 600;
+
+}  // namespace
+
+ProofBudget::ProofBudget(const Tape& tape) {
+  std::size_t steps = 1;
+  for (const auto& part : {tape.of_u, tape.of_v, tape.of_both}) {
+    for (const Instruction& instruction : part) {
+      steps += is_special(instruction.op) ? kSpecialSteps : 1;
+    }
+  }
+  of_box_ = kPlacesPerBox + steps / kStepsPerPlace;
+  boxes_of_search_ = std::min(kMaxBoxes, kMaxSteps / steps);
+  allow_for(0);
+}
+
+void ProofBudget::allow_for(std::size_t effort) {
+  const auto share = static_cast<std::size_t>(kShareOfMesh * static_cast<double>(effort));
+  most_ = kLeastPlaces + share;
+  most_of_short_ = kLeastPlacesOfShort + share;
+}
+
+void ProofBudget::take_box() {
+  ++boxes_;
+  spent_ += of_box_;
+}
+
+void ProofBudget::take_points(std::size_t count) {
+  spent_ += kPlacesPerPoint * count;
+}
+
+}  // namespace saddle

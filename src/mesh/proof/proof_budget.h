@@ -1,0 +1,36 @@
+// The work of proofs, limited by that of their mesh.
+#pragma once
+
+#include <cstddef>
+
+#include "surface/surface.h"
+
+namespace saddle {
+
+/// The work that proofs may still take, in places (mesh/sizing/effort.h).
+class ProofBudget {
+ public:
+  explicit ProofBudget(const Tape& bounds);
+
+  /// Allows the work that a mesh of this effort is worth, for all proofs together.
+  void allow_for(std::size_t effort);
+  /// Whether no box is left for a level of boxes; a short one may take more.
+  bool is_spent(bool is_short) const { return spent_ >= (is_short ? most_of_short_ : most_); }
+  void take_box();
+  void take_points(std::size_t count);
+
+  /// Places that a box takes.
+  std::size_t of_box() const { return of_box_; }
+  /// The boxes that were taken.
+  std::size_t boxes() const { return boxes_; }
+  /// The boxes of a search for single places, up to 8,000.
+  std::size_t boxes_of_search() const { return boxes_of_search_; }
+
+ private:
+  std::size_t of_box_, boxes_of_search_;
+  std::size_t most_ = 0, most_of_short_ = 0;
+  std::size_t spent_ = 0;
+  std::size_t boxes_ = 0;
+};
+
+}  // namespace saddle

@@ -1,0 +1,111 @@
+#include "mesh/tree/feature_count.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "mesh/tree/cell_tree.h"
+
+namespace saddle {
+
+void add_singular_vertex(std::uint32_t vertex, const CellTree& tree,
+                         std::vector<std::uint32_t>& points) {
+  if (tree.geometry().is_regular(vertex)) return;
+  const std::uint32_t point = tree.mesh().point[vertex];
+  if (std::ranges::count(points, point) == 0) points.push_back(point);
+}
+
+bool has_cut(FeatureKind kind, const Leaf& leaf, const CellTree& tree) {
+  bool has_cut = false;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
+    has_cut = has_cut || (feature && feature->kind == kind);
+  });
+  return has_cut;
+}
+
+bool is_cusp(std::uint32_t a, std::uint32_t b, const CellTree& tree) {
+  const auto& point = tree.mesh().point;
+  return tree.geometry().is_defined(a) && tree.geometry().is_defined(b) &&
+         !tree.geometry().is_regular(a) && !tree.geometry().is_regular(b) && point[a] != point[b];
+}
+
+bool is_cut_along_u(const Leaf& leaf, const CellTree& tree) {
+  Bounds cuts;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
+    if (feature) cuts.add(dvec3(tree.vertices().place_between(feature->beside_first), 0));
+    if (!is_cusp(a, b, tree)) return;
+    for (const std::uint32_t end : {a, b}) cuts.add(dvec3(tree.vertices().place_between(end), 0));
+  });
+  const dvec3 size = cuts.empty() ? dvec3(0) : cuts.size();
+  const double along_u = size.x / leaf.size_u();
+  const double along_v = size.y / leaf.size_v();
+  return along_u == 0 && along_v == 0 ? leaf.size_u() >= leaf.size_v() : along_u >= along_v;
+}
+
+namespace {
+
+/// Whether a jump cuts a side at the place of its end `vertex`. A crease does not count: there the
+/// vertex belongs to both sheets.
+bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const CellTree& tree) {
+  const std::optional<EdgeFeature> feature = tree.edges().feature(vertex, other);
+  return feature && feature->kind == FeatureKind::Jump &&
+         tree.vertices().place_between(feature->beside(other)) ==
+             tree.vertices().place_between(vertex);
+}
+
+bool is_at_corner(const EdgeFeature& feature, const Leaf& leaf, const CellTree& tree) {
+  const dvec2 place = tree.vertices().place_between(feature.beside_first);
+  return std::ranges::any_of(leaf.corners(), [&](const DyadicPoint& corner) {
+    return place == dvec2(corner.u, corner.v);
+  });
+}
+
+/// The number of vertices at which jumps cut both sides.
+std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
+  std::size_t count = 0;
+  std::optional<bool> leaves_first;  // whether the first side is cut where it begins
+  bool arrives = false;              // whether the side before is where it ends
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    const bool leaves = is_cut_at(a, b, tree);
+    if (!leaves_first) leaves_first = leaves;
+    if (arrives && leaves) ++count;
+    arrives = is_cut_at(b, a, tree);
+  });
+  if (arrives && leaves_first.value_or(false)) ++count;
+  return count;
+}
+
+}  // namespace
+
+FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
+  FeatureCount count;
+  std::vector<std::uint32_t> singular;
+  for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
+    add_singular_vertex(a, tree, singular);
+    const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
+    count.leads_to_pole = count.leads_to_pole || tree.edges().leads_to_pole(a, b);
+    if (!feature) return;
+    // A pole that leaves the clip box at an undefined vertex counts once.
+    if (feature->kind == FeatureKind::Face && !tree.geometry().is_defined(a)) return;
+    const bool on_side_of_u =
+        tree.vertices().place_between(a).x == tree.vertices().place_between(b).x;
+    const bool has_more = tree.edges().has_more(a, b);
+    const std::size_t features = has_more ? 2 : 1;
+    count.has_more = count.has_more || has_more;
+    count.features += features;
+    (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
+    if (is_at_corner(*feature, leaf, tree)) {
+      ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
+    }
+    if (feature->kind != FeatureKind::Crease) {
+      count.only_creases = false;
+      count.only_jumps = count.only_jumps && feature->kind == FeatureKind::Jump;
+    }
+  });
+  count.singular_points = singular.size();
+  if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);
+  return count;
+}
+
+}  // namespace saddle

@@ -1,0 +1,82 @@
+// Thin ridges, grooves and needles are in the mesh, or the report tells by how much it misses them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "mesh/mesher/mesher.h"
+#include "mesh/model/mesh_report.h"
+#include "mesh/model/triangle_tree.h"
+#include "mesh_requests.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+constexpr double kRidgeTolerance = 3e-3;
+
+MeshResult ridge_mesh(const std::string& z) {
+  return try_mesh(height_field(z), within_length(kRidgeTolerance)).value();
+}
+
+/// The largest distance of a curve, for -1 <= t <= 1, from a mesh.
+double distance_of_curve(const Mesh& mesh, const std::function<dvec3(double)>& curve) {
+  constexpr int kPoints = 2000;
+  const TriangleTree tree(mesh);
+  double worst = 0;
+  for (int k = 0; k <= kPoints; ++k)
+    worst = std::max(worst, tree.distance(curve(2.0 * k / kPoints - 1)));
+  return worst;
+}
+
+TEST(OpenLeaves, AreInTheMeshAlongALineOfParameters) {
+  struct Ridge {
+    const char* z;
+    double u, height;
+  };
+  // u exp(-u^2) has its extremes sqrt(1 / (2 e)) at u = sqrt(1 / 2).
+  for (const Ridge& ridge :
+       {Ridge{"exp(-((u-0.378522)*1e5)^2)", 0.378522, 1},
+        Ridge{"min(1,abs(u-0.378522)/1e-4)", 0.378522, 0},
+        Ridge{"(u-0.09205)/1.409e-4*exp(-((u-0.09205)/1.409e-4)^2)",
+              0.09205 + 1.409e-4 * std::sqrt(0.5), std::sqrt(0.5 / std::exp(1.0))}}) {
+    const MeshResult mesh = ridge_mesh(ridge.z);
+    EXPECT_LE(mesh.report.max_error, kRidgeTolerance) << ridge.z;
+    const auto crest = [&](double v) { return dvec3(ridge.u, v, ridge.height); };
+    EXPECT_LE(distance_of_curve(mesh.mesh, crest), 1.02 * kRidgeTolerance) << ridge.z;
+  }
+}
+
+TEST(OpenLeaves, AreToldWhereTheyAreTooLong) {
+  for (const std::string z :
+       {"min(1,abs(v-u^2)/7.655e-5)", "exp(-((v-u^2)/1e-5)^2)", "1/(1+((v-u^2)/2e-6)^2)"}) {
+    const MeshResult mesh = ridge_mesh(z);
+    const double height = z.starts_with("min") ? 0 : 1;
+    const auto crest = [&](double u) { return dvec3(u, u * u, height); };
+    const double found = distance_of_curve(mesh.mesh, crest);
+    EXPECT_GE(1.1 * mesh.report.max_error, found) << z;
+    EXPECT_LE(mesh.report.max_error, std::max(3 * found, kRidgeTolerance)) << z;
+  }
+}
+
+TEST(OpenLeaves, ATipTooFineForTheMeshIsTold) {
+  for (const std::string width : {"1e-4", "1.691e-5", "1.89e-6"}) {
+    const MeshResult mesh = ridge_mesh("0.6*max(0,1-hypot(u-0.6275,v+0.668258)/" + width + ")");
+    const double found = TriangleTree(mesh.mesh).distance({0.6275, -0.668258, 0.6});
+    EXPECT_GE(1.1 * std::max(mesh.report.max_error, kRidgeTolerance), found) << width;
+    EXPECT_LE(mesh.report.max_error, std::max(3 * found, kRidgeTolerance)) << width;
+  }
+}
+
+// The chords from samples on both sides of a groove do not come near its wall.
+TEST(OpenLeaves, AMeshDownAGrooveIsNotFalselyOff) {
+  const MeshResult mesh = ridge_mesh("0.7637*u-0.8685*exp(-(u/1.943e-5)^2)");
+  const auto crest = [](double v) { return dvec3(0, v, -0.8685); };
+  EXPECT_LE(distance_of_curve(mesh.mesh, crest), kRidgeTolerance);
+  EXPECT_LE(mesh.report.max_error, kRidgeTolerance);
+}
+
+}  // namespace
+}  // namespace saddle
