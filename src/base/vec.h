@@ -19,6 +19,11 @@ inline double degrees_between(const dvec3& a, const dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * kDegrees;
 }
 
+/// The cross product of vectors in a plane: the signed area of their parallelogram.
+inline double cross(const dvec2& a, const dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
 /// Whether no component is infinite or NaN.
 inline bool is_finite(const dvec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

@@ -15,4 +15,9 @@ Defined least_defined(std::span<const Interval> bounds) {
   return least;
 }
 
+Bounds hull_of(std::span<const Interval> bounds) {
+  return {{bounds[0].low, bounds[1].low, bounds[2].low},
+          {bounds[0].high, bounds[1].high, bounds[2].high}};
+}
+
 }  // namespace saddle

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "eval/enclose.h"
 #include "surface/parameter_box.h"
 #include "surface/surface.h"
@@ -47,5 +48,8 @@ bool are_continuous(std::span<const Interval> bounds);
 
 /// The least that is proved of any: `No` if one is defined nowhere in the box.
 Defined least_defined(std::span<const Interval> bounds);
+
+/// The box in space around the bounds of x, y and z, the first three.
+Bounds hull_of(std::span<const Interval> bounds);
 
 }  // namespace saddle

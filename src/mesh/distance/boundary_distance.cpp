@@ -7,6 +7,7 @@
 #include "mesh/distance/sampled_error.h"
 #include "mesh/distance/sheet_view.h"
 #include "mesh/features/approach.h"
+#include "mesh/model/clip.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -29,6 +30,7 @@ constexpr double kBeforeChord = 1 - 1.0 / (1 << kWayHalvings);
 constexpr std::array kJumpPlaces = {0.25, 0.5, 0.75};
 constexpr std::array kBoundaryPlaces = {0.5};
 constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
+
 }  // namespace
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
@@ -144,7 +146,7 @@ std::optional<dvec2> BoundaryDistance::outside_of(const Leaf& leaf, std::span<co
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   const auto is_between = [](const dvec2& at, const dvec2& a, const dvec2& b) {
-    return std::fabs(cross_product(b - a, at - a)) < kNoGap && glm::dot(at - a, at - b) <= kNoGap;
+    return std::fabs(cross(b - a, at - a)) < kNoGap && glm::dot(at - a, at - b) <= kNoGap;
   };
   bool is_shared = false;
   for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
@@ -218,7 +220,7 @@ void BoundaryDistance::follow_outside(std::span<const Line> ways, std::vector<dv
 std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoint> at_middle) {
   std::vector<dvec2> across;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
-    if (!is_seen(at_middle[k].position)) across.push_back(chords_[k].across);
+    if (!is_seen(clip_, at_middle[k].position)) across.push_back(chords_[k].across);
   }
   const std::vector<SurfacePoint> at_across = evaluate(surface_, across, threads_);
   evaluations_ += across.size();
@@ -226,10 +228,10 @@ std::vector<Line> BoundaryDistance::ways_to_boundary(std::span<const SurfacePoin
   std::size_t next = 0;
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const EdgeChord& chord = chords_[k];
-    if (is_seen(at_middle[k].position)) {
+    if (is_seen(clip_, at_middle[k].position)) {
       ways.push_back({chord.middle, chord.beyond});
     } else {
-      const bool is_inside = is_seen(at_across[next++].position);
+      const bool is_inside = is_seen(clip_, at_across[next++].position);
       ways.push_back({is_inside ? chord.across : chord.opposite, chord.middle});
     }
   }
@@ -249,7 +251,7 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
     const EdgeChord& chord = chords_[k];
     found.push_back(
         {chord.leaf, distance_from_edge(chord, chord.triangles, boundary[k], at_boundary[k])});
-    if (!is_seen(at_middle[k].position)) continue;
+    if (!is_seen(clip_, at_middle[k].position)) continue;
     found.push_back(
         {chord.leaf, distance_from(grid_, chord.triangles, chord.middle, at_middle[k].position)});
   }
@@ -293,31 +295,35 @@ std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
 void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
   const auto ends = ends_at_jumps();
   std::vector<dvec2> uv;
+  std::vector<dvec2> before;  // chords through which sheets go on
+  std::vector<bool> goes_on;
   for (std::size_t k = 0; k < ends.size(); ++k) {
-    uv.push_back(ends[k] ? ends[k]->uv : jumps_[k].opposite);
-    uv.push_back(glm::mix(jumps_[k].opposite, jumps_[k].middle, kBeforeChord));
+    const EdgeChord& chord = jumps_[k];
+    uv.push_back(ends[k] ? ends[k]->uv : chord.opposite);
+    const bool is_beyond = glm::dot(uv[k] - chord.middle, chord.beyond - chord.opposite) >= 0;
+    goes_on.push_back(ends[k] && is_beyond && ends[k]->kind != SheetEnd::Kind::Jump);
+    if (goes_on[k]) before.push_back(glm::mix(chord.opposite, chord.middle, kBeforeChord));
   }
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
-  evaluations_ += uv.size();
+  const std::vector<SurfacePoint> at_ends = evaluate(surface_, uv, threads_);
+  const std::vector<SurfacePoint> before_chords = evaluate(surface_, before, threads_);
+  evaluations_ += uv.size() + before.size();
+  std::size_t next = 0;         // of before_chords
   std::vector<Height> heights;  // of the chord so far
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const EdgeChord& chord = jumps_[k];
     if (k % kJumpPlaces.size() == 0) heights.clear();
     const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
-    const SurfacePoint& at_end = points[2 * k];
-    if (!ends[k] || !is_seen(at_end.position)) continue;
-    const bool is_beyond = glm::dot(uv[2 * k] - chord.middle, chord.beyond - chord.opposite) >= 0;
-    if (!is_beyond || ends[k]->kind == SheetEnd::Kind::Jump) {
-      const double distance =
-          distance_from_edge(chord, std::span(&chord.own, 1), uv[2 * k], at_end);
-      add(distance);
-      heights.push_back({foot(chord.ends[0], chord.ends[1], at_end.position), distance});
-      if (heights.size() == kJumpPlaces.size())
-        add(predicted_distance({heights[0], heights[1], heights[2]}));
-    } else {
-      // Without a jump the sheet goes on through the chord.
-      add(distance_from_chord(grid_, chord.ends, points[2 * k + 1].position));
+    const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
+    if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
+    if (through != nullptr) {
+      add(distance_from_chord(grid_, chord.ends, through->position));
+      continue;
     }
+    const double distance = distance_from_edge(chord, std::span(&chord.own, 1), uv[k], at_ends[k]);
+    add(distance);
+    heights.push_back({foot(chord.ends[0], chord.ends[1], at_ends[k].position), distance});
+    if (heights.size() == kJumpPlaces.size())
+      add(predicted_distance({heights[0], heights[1], heights[2]}));
   }
 }
 
@@ -328,7 +334,7 @@ void BoundaryDistance::measure_omitted(std::vector<LeafDistance>& found) {
   const std::vector<SurfacePoint> points = evaluate(surface_, places_in_omitted_, threads_);
   evaluations_ += points.size();
   for (std::size_t k = 0; k < points.size(); k += kPlaceGroup) {
-    if (!is_seen(points[k].position)) continue;
+    if (!is_seen(clip_, points[k].position)) continue;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t way = 1; way < kPlaceGroup; ++way) {
       const dvec3& beside = points[k + way].position;

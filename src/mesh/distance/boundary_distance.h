@@ -70,9 +70,6 @@ class BoundaryDistance {
   void measure_chords(std::vector<LeafDistance>& found);
   void measure_jumps(std::vector<LeafDistance>& found);
   void measure_omitted(std::vector<LeafDistance>& found);
-  bool is_seen(const dvec3& position) const {
-    return is_finite(position) && (!clip_ || clip_->contains(position));
-  }
 
   const Surface& surface_;
   const Grid& grid_;

@@ -51,7 +51,7 @@ class BoxMeasure {
   std::span<const Patch> patches_;
   Triangles triangles_;
   std::optional<NearestTriangles> tree_;  // made for the first point that its patch misses
-  const std::optional<Bounds>& clip_;
+  std::optional<Bounds> clip_;
   unsigned threads_;
   std::vector<Found> found_;
   std::vector<NearestTriangle> nearest_;  // of the points of one box

@@ -10,6 +10,7 @@
 #include "mesh/distance/newton_step.h"
 #include "mesh/distance/triangle_error.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/model/segment.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
@@ -24,20 +25,6 @@ struct Nearest {
   bool inside = false;  ///< the triangle, straight below `p`
 };
 
-/// The nearest point on the edge from corner a to corner b.
-struct OnEdge {
-  double square = std::numeric_limits<double>::infinity();  ///< of the distance
-  double share = 0;                                         ///< from a
-};
-
-OnEdge nearest_on_edge(const dvec3& a, const dvec3& b, const dvec3& p) {
-  const dvec3 edge = b - a;
-  const double square = glm::dot(edge, edge);
-  const double share = square > 0 ? std::clamp(glm::dot(p - a, edge) / square, 0.0, 1.0) : 0;
-  const dvec3 off = p - (a + share * edge);
-  return {glm::dot(off, off), share};
-}
-
 Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   const double square = glm::dot(normal, normal);
@@ -48,30 +35,32 @@ Nearest nearest_on_triangle(const std::array<dvec3, 3>& t, const dvec3& p) {
   if (square > 0 && weights.x >= 0 && weights.y >= 0 && weights.z >= 0) {
     return {std::abs(glm::dot(p - t[0], normal)) / std::sqrt(square), weights / square, true};
   }
-  OnEdge best;
+  double least = std::numeric_limits<double>::infinity();  // square of the distance
+  double share = 0;
   int from = 0;
   for (int k = 0; k < 3; ++k) {
     // Only an edge that p is beyond can be nearest, unless by rounding p is inside of all.
     if (square > 0 && weights[(k + 2) % 3] > 0) continue;
-    const OnEdge edge = nearest_on_edge(t[static_cast<std::size_t>(k)],
-                                        t[static_cast<std::size_t>((k + 1) % 3)], p);
-    if (!(edge.square < best.square)) continue;
-    best = edge;
+    const auto [on_edge, offset] = nearest_on_segment(t[static_cast<std::size_t>(k)],
+                                                      t[static_cast<std::size_t>((k + 1) % 3)], p);
+    const double square_of_distance = glm::dot(offset, offset);
+    if (!(square_of_distance < least)) continue;
+    least = square_of_distance;
+    share = on_edge;
     from = k;
   }
-  Nearest nearest{std::sqrt(best.square), dvec3(0)};
-  nearest.weights[from] = 1 - best.share;
-  nearest.weights[(from + 1) % 3] = best.share;
+  Nearest nearest{std::sqrt(least), dvec3(0)};
+  nearest.weights[from] = 1 - share;
+  nearest.weights[(from + 1) % 3] = share;
   return nearest;
 }
 
 /// Weights of a triangle's corners at (u, v); some are negative outside.
 dvec3 weights_at(const Grid& grid, const Triangle& t, const dvec2& uv) {
   const auto& at = grid.mesh.uv;
-  const auto area = [](const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; };
-  const double per_whole = 1 / area(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
+  const double per_whole = 1 / cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
   const auto weight = [&](std::size_t a, std::size_t b) {
-    return area(at[t[a]] - uv, at[t[b]] - uv) * per_whole;
+    return cross(at[t[a]] - uv, at[t[b]] - uv) * per_whole;
   };
   return {weight(1, 2), weight(2, 0), weight(0, 1)};
 }

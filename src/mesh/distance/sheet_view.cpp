@@ -18,8 +18,8 @@ std::array<double, 2> part_in(const std::array<dvec2, 3>& triangle, const Line& 
   std::array<double, 2> part = {0, 1};
   for (std::size_t k = 0; k < 3; ++k) {
     const dvec2 side = triangle[(k + 1) % 3] - triangle[k];
-    const double first = cross_product(side, line[0] - triangle[k]);
-    const double last = cross_product(side, line[1] - triangle[k]);
+    const double first = cross(side, line[0] - triangle[k]);
+    const double last = cross(side, line[1] - triangle[k]);
     if (first < 0 && last < 0) return {1, 0};
     if (first < 0) part[0] = std::max(part[0], first / (first - last));
     if (last < 0) part[1] = std::min(part[1], first / (first - last));

@@ -22,10 +22,6 @@ inline bool is_at_end(const dvec2& last, const Line& line) {
   return glm::distance(last, line[1]) <= kLast * glm::distance(line[0], line[1]);
 }
 
-inline double cross_product(const dvec2& a, const dvec2& b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 /// The triangles that are connected to the one of some number by common sides.
 std::vector<Triangle> connected_to(std::size_t number, std::span<const Triangle> triangles);
 
@@ -35,9 +31,8 @@ struct PlacedTriangle {
   std::array<dvec2, 3> places;
 };
 
-/// The corner of triangles from which `at`, a place on a chord, is seen within them, in
-/// space as straight across the chord as possible.
-/// `opposite`: that of the chord's own triangle.
+/// The corner of triangles from which `at`, a place on a chord, is seen within them: in space as
+/// straight across the chord as possible. `opposite`: the corner of the chord's own triangle.
 std::uint32_t corner_across(const Grid& grid, const Chord& chord, double share, const dvec2& at,
                             std::uint32_t opposite, std::span<const PlacedTriangle> triangles);
 

@@ -9,6 +9,7 @@
 #include "mesh/distance/sheet_view.h"
 #include "mesh/features/approach.h"
 #include "mesh/features/thin_parts.h"
+#include "mesh/model/clip.h"
 #include "mesh/model/sides.h"
 #include "mesh/tree/cell_polygon.h"
 
@@ -149,7 +150,7 @@ double StripDistance::distance_across_gap(const Across& across,
                                           std::span<const SurfacePoint> points) const {
   double most = 0;
   for (const SurfacePoint& point : points) {
-    if (is_seen(point.position)) most = std::max(most, from_edges(across, point.position));
+    if (is_seen(clip_, point.position)) most = std::max(most, from_edges(across, point.position));
   }
   const double width = glm::distance(points.front().position, points.back().position);
   return width > 0 ? std::min(most, 0.5 * width) : 0;  // 0 for NaN
@@ -172,7 +173,7 @@ void StripDistance::add_distances_on_strip(const Across& across, std::span<const
   };
   for (std::size_t k = 0; k < points.size(); ++k) {
     const dvec3& p = points[k].position;
-    if (!is_seen(p)) continue;
+    if (!is_seen(clip_, p)) continue;
     double distance =
         across.triangles.empty() ? from_ends(p) : distance_from(grid_, across.triangles, uv[k], p);
     const bool is_edge = (k == 0 || k + 1 == points.size()) && !is_at_line_end(uv[k]);

@@ -54,9 +54,6 @@ class StripDistance {
   void add_distances_on_strip(const Across& across, std::span<const dvec2> uv,
                               std::span<const SurfacePoint> points,
                               std::vector<LeafDistance>& found) const;
-  bool is_seen(const dvec3& position) const {
-    return is_finite(position) && (!clip_ || clip_->contains(position));
-  }
 
   const Surface& surface_;
   const Grid& grid_;

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "mesh/distance/sampled_error.h"
+#include "mesh/model/clip.h"
 #include "mesh/model/nearest_on_line.h"
 
 namespace saddle {
@@ -55,7 +56,7 @@ std::vector<double> WholeMeshError::distances(std::span<const Place> places) con
   parallel_chunks(uv.size(), kDistances, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const dvec3& p = points[k].position;
-      if (is_finite(p) && (!clip_ || clip_->contains(p))) result[k] = distance(places[k], p);
+      if (is_seen(clip_, p)) result[k] = distance(places[k], p);
     }
   });
   return result;
@@ -119,7 +120,7 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(std::span<const Mes
   std::vector<dvec2> uv;
   for (const MeshPlace& place : places) {
     const dvec3 p = position_of(place);
-    if (!is_finite(p) || (clip_ && !clip_->contains(p))) continue;
+    if (!is_seen(clip_, p)) continue;
     if (!(thickness_of(*place.triangle) > known)) continue;
     seen.push_back(place);
     uv.push_back(uv_of(place));

@@ -26,8 +26,8 @@ inline constexpr std::array kMiddlesOfTriangle = {dvec3(1.0 / 3), dvec3(0.5, 0.5
 
 class WholeMeshError {
  public:
-  /// `all`: the triangles of the mesh. Places outside of `clip` have no error. All arguments but
-  /// numbers must outlive this.
+  /// `all`: the triangles of the mesh. Places outside of `clip` have no error. The surface, the
+  /// grid and the triangles must outlive this.
   WholeMeshError(const Surface& surface, const Grid& grid, std::span<const Triangle> all,
                  const std::optional<Bounds>& clip, unsigned threads)
       : surface_(surface),
@@ -100,7 +100,7 @@ class WholeMeshError {
 
   const Surface& surface_;
   const Grid& grid_;
-  const std::optional<Bounds>& clip_;
+  std::optional<Bounds> clip_;
   unsigned threads_;
   TriangleTree tree_;
 };

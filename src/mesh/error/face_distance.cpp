@@ -28,13 +28,6 @@ std::array<dvec2, 2> uv_bounds(const Mesh& mesh, const Triangle& t) {
 
 }  // namespace
 
-double FaceDistance::distance_from_segment(const std::array<dvec3, 2>& ends, const dvec3& p) {
-  const dvec3 way = ends[1] - ends[0];
-  const double square = glm::dot(way, way);
-  const double share = square > 0 ? std::clamp(glm::dot(p - ends[0], way) / square, 0.0, 1.0) : 0.0;
-  return glm::distance(p, ends[0] + share * way);
-}
-
 void FaceDistance::for_faces(const auto& act) const {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double limit : {clip_.low[axis], clip_.high[axis]}) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/error/validated_mesh.h"
+#include "mesh/model/segment.h"
 #include "mesh/proof/continuity.h"
 
 namespace saddle {
@@ -66,10 +67,10 @@ class FaceDistance {
     double distance_of_cut = std::numeric_limits<double>::infinity();
 
     void move_to_cut(const std::array<dvec3, 2>& cut) {
-      distance = std::min(distance, distance_from_segment(cut, crossing->position));
+      distance = std::min(distance, distance_from_segment(cut[0], cut[1], crossing->position));
     }
     void move_to_line(const std::array<dvec3, 2>& line) {
-      distance_of_cut = std::min(distance_of_cut, distance_from_segment(line, on_cut));
+      distance_of_cut = std::min(distance_of_cut, distance_from_segment(line[0], line[1], on_cut));
     }
   };
   void for_faces(const auto& act) const;
@@ -79,7 +80,6 @@ class FaceDistance {
   std::size_t number_of(const Crossing& crossing, std::size_t leaf);
   void find(std::vector<Crossing>& crossings);
   std::vector<Crossing> middles() const;
-  static double distance_from_segment(const std::array<dvec3, 2>& ends, const dvec3& p);
   std::vector<FarPlace> far_from_own_cuts(const ValidatedMesh& mesh,
                                           const std::vector<Crossing>& across) const;
   void move_to_cuts(std::span<const Triangle> triangles, std::span<FarPlace> places) const;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "mesh/model/clip.h"
 #include "mesh/model/triangle_tree.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
@@ -69,7 +70,7 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
   for (std::size_t i = 0; i < result.size(); ++i) {
     for (const dvec2& uv : places[i]) {
       const dvec3& position = points[next++].position;
-      if (!is_finite(position) || (clip && !clip->contains(position))) continue;
+      if (!is_seen(clip, position)) continue;
       const double distance = whole.distance(position);
       if (distance > result[i].farthest.distance) result[i].farthest = {distance, uv};
     }

@@ -20,9 +20,8 @@ namespace {
 /// corners are over 60 degrees apart. An arc is no parabola then, and predictions fail.
 constexpr double kSharpDegrees = 20;
 constexpr double kSharpCosine = 0.5;
-/// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'
-/// normals.
-/// It is visible if it is thicker than half a tolerance.
+/// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'. It is
+/// visible if it is thicker than half a tolerance.
 constexpr double kBridgedCosineSquare = 0.75;
 constexpr double kVisibleBridge = 0.5;
 /// Assumption: a leaf validated below 0.5 tolerances needs no more points, and a leaf estimated

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/bisect_together.h"
+#include "mesh/model/clip.h"
 #include "surface/normal.h"
 #include "surface/surface_enclosure.h"
 
@@ -101,7 +102,7 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
   const auto is_done = [&](Line& line, const dvec2& middle, const SurfacePoint& point) {
     const bool is_last = middle == line[0] || middle == line[1];  // no doubles between
     const dvec3& p = point.position;
-    line[is_finite(p) && (!box || box->contains(p)) ? 0 : 1] = middle;
+    line[is_seen(box, p) ? 0 : 1] = middle;
     return is_last;
   };
   bisect_together(surface, ends, open, halvings, threads, middle_of, is_done);

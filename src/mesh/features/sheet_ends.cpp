@@ -2,6 +2,7 @@
 
 #include "mesh/features/approach.h"
 #include "mesh/features/bisect_discontinuities.h"
+#include "mesh/model/clip.h"
 
 namespace saddle {
 
@@ -17,7 +18,7 @@ std::vector<std::optional<SheetEnd>> sheet_ends(const Surface& surface, std::spa
   std::vector<Line> ways;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const dvec3& last = points[2 * k + 1].position;
-    if (is_finite(last) && (!box || box->contains(last))) continue;
+    if (is_seen(box, last)) continue;
     leaving.push_back(k);
     ways.push_back(lines[k]);
   }

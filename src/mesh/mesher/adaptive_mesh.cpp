@@ -146,7 +146,7 @@ class Finisher {
     const TriangleTree mesh(position, triangles.all);
     for (const std::uint32_t corner : lost) {
       const dvec3& p = position[corner];
-      if (!is_finite(p) || (clip && !clip->contains(p))) continue;
+      if (!is_seen(clip, p)) continue;
       const double distance = mesh.distance(p);
       if (distance > std::max(report.max_error, *report.tolerance))
         report.worst_place = grid_.mesh.uv[corner];
@@ -219,7 +219,7 @@ class Finisher {
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
       const dvec2 a = grid_.mesh.uv[polygon[k].corner] - first;
       const dvec2 b = grid_.mesh.uv[polygon[k + 1].corner] - first;
-      area += 0.5 * (a.x * b.y - a.y * b.x);
+      area += 0.5 * cross(a, b);
     }
     return area;
   }

@@ -438,18 +438,24 @@ std::vector<Leaf> AdaptiveMesher::reactivate_defined() {
   return defined;
 }
 
-/// Leaves with counterexamples or jumps in their unproved boxes. Where the work of proofs is done,
-/// the counterexamples only count as errors: more may be anywhere.
-ActiveLeaves AdaptiveMesher::activate_refuted() {
-  const bool is_spent = proof_.is_spent();
-  auto [boxes, counterexamples] = proof_.prove(mesh_);
-  if (is_spent) counterexamples.clear();
+/// Drops the counterexamples in leaves that are not halved. Returns the leaves of the others.
+std::set<std::size_t> AdaptiveMesher::drop_done(std::vector<Counterexample>& counterexamples) {
   const Oscillation unresolvable = oscillation();
   std::erase_if(counterexamples, [&](const Counterexample& counterexample) {
     return stop_if_done(mesh_.leaves[counterexample.cell], unresolvable);
   });
   std::set<std::size_t> refuted;
   for (const Counterexample& counterexample : counterexamples) refuted.insert(counterexample.cell);
+  return refuted;
+}
+
+/// Leaves with counterexamples or jumps in their unproved boxes. Where the work of proofs is done,
+/// the counterexamples only count as errors: more may be anywhere.
+ActiveLeaves AdaptiveMesher::activate_refuted() {
+  const bool is_spent = proof_.is_spent();
+  auto [boxes, counterexamples] = proof_.prove(mesh_);
+  if (is_spent) counterexamples.clear();
+  std::set<std::size_t> refuted = drop_done(counterexamples);
   const std::vector<std::size_t> jumping = find_jumping(boxes);
   refuted.insert(jumping.begin(), jumping.end());
   return activate(refuted, std::move(counterexamples));
@@ -473,15 +479,11 @@ std::vector<Counterexample> AdaptiveMesher::find_features() {
 /// Leaves with features that stick out of their triangles.
 ActiveLeaves AdaptiveMesher::activate_with_features() {
   std::vector<Counterexample> counterexamples = find_features();
-  const Oscillation unresolvable = oscillation();
-  std::erase_if(counterexamples, [&](const Counterexample& counterexample) {
-    Leaf& leaf = mesh_.leaves[counterexample.cell];
-    leaf.state.thaw();
-    leaf.stagnation = 0;
-    return stop_if_done(leaf, unresolvable);
-  });
-  std::set<std::size_t> refuted;
-  for (const Counterexample& counterexample : counterexamples) refuted.insert(counterexample.cell);
+  for (const Counterexample& counterexample : counterexamples) {
+    mesh_.leaves[counterexample.cell].state.thaw();
+    mesh_.leaves[counterexample.cell].stagnation = 0;
+  }
+  const std::set<std::size_t> refuted = drop_done(counterexamples);
   return activate(refuted, std::move(counterexamples));
 }
 

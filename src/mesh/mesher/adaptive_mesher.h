@@ -93,6 +93,7 @@ class AdaptiveMesher {
   std::vector<std::size_t> find_jumping(std::span<const UnprovedBox> unproved_boxes);
   ActiveLeaves activate(const std::set<std::size_t>& numbers,
                         std::vector<Counterexample> counterexamples);
+  std::set<std::size_t> drop_done(std::vector<Counterexample>& counterexamples);
   ActiveLeaves activate_refuted();
   std::vector<Counterexample> find_features();
   ActiveLeaves activate_with_features();

@@ -63,10 +63,6 @@ struct SheetChord {
   dvec2 at(double share) const { return glm::mix(ends[0], ends[1], share); }
 };
 
-double cross(const dvec2& a, const dvec2& b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 /// The angle from one direction to another, in radians, 0 where one has no length.
 double turn_between(const dvec2& a, const dvec2& b) {
   return std::atan2(cross(a, b), glm::dot(a, b));

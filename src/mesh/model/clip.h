@@ -2,6 +2,8 @@
 // Source: I. Sutherland, G. Hodgman, "Reentrant polygon clipping", 1974.
 #pragma once
 
+#include <optional>
+
 #include "mesh/model/mesh.h"
 
 namespace saddle {
@@ -20,6 +22,11 @@ bool is_beyond(const Bounds& box, const Positions& positions) {
     if (below || above) return true;
   }
   return false;
+}
+
+/// Whether a position is finite and within a clip box, if there is one.
+inline bool is_seen(const std::optional<Bounds>& clip, const dvec3& position) {
+  return is_finite(position) && (!clip || clip->contains(position));
 }
 
 /// Removes everything outside of the box, whose faces may be infinitely far. Triangles and lines

@@ -2,18 +2,9 @@
 
 #include <algorithm>
 
+#include "mesh/model/segment.h"
+
 namespace saddle {
-
-namespace {
-
-double distance_to_segment(const dvec3& p, const dvec3& a, const dvec3& b) {
-  const dvec3 along = b - a;
-  const double square = glm::dot(along, along);
-  const double share = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, a + share * along);
-}
-
-}  // namespace
 
 void NearestOnLine::add(double t, const dvec3& position) {
   if (!is_finite(position)) return;
@@ -39,7 +30,7 @@ std::optional<double> NearestOnLine::next(double shortest) const {
       longest = length;
       beside = t;
     }
-    const double distance = distance_to_segment(target_, a.position, b.position);
+    const double distance = distance_from_segment(a.position, b.position, target_);
     if (distance >= nearest) continue;
     nearest = distance;
     middle = t;

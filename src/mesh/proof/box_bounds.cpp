@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "surface/surface_enclosure.h"
+
 namespace saddle {
 namespace {
 
@@ -13,10 +15,6 @@ double magnitude(const Interval& a) {
 double length(std::span<const Interval> vector) {
   return std::hypot(magnitude(vector[0]), magnitude(vector[1]), magnitude(vector[2]));
 }
-double arc_of(const dvec3& bend, const dvec2& size) {
-  return (size.x * size.x * bend.x + 2 * size.x * size.y * bend.y + size.y * size.y * bend.z) / 8;
-}
-
 bool are_defined(std::span<const Interval> bounds) {
   return std::ranges::all_of(bounds, [](const Interval& a) { return a.defined == Defined::Yes; });
 }
@@ -33,8 +31,7 @@ BoxBounds::BoxBounds(std::span<const Interval> bounds) {
     }
   }
   if (is_undefined) return;
-  hull = {{bounds[0].low, bounds[1].low, bounds[2].low},
-          {bounds[0].high, bounds[1].high, bounds[2].high}};
+  hull = hull_of(bounds);
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const auto tangents = bounds.subspan(3, 6);
   const auto length_of = [](std::span<const Interval> vector) {
@@ -56,7 +53,7 @@ BoxBounds::BoxBounds(std::span<const Interval> bounds) {
 }
 
 double BoxBounds::arc(const dvec2& size) const {
-  return arc_of(bend, size);
+  return (size.x * size.x * bend.x + 2 * size.x * size.y * bend.y + size.y * size.y * bend.z) / 8;
 }
 
 double BoxBounds::reach(const dvec2& size, const std::array<std::uint32_t, 2>& cells) const {
@@ -73,11 +70,6 @@ double BoxBounds::reach(const dvec2& size, const std::array<std::uint32_t, 2>& c
 
 dvec2 BoxBounds::contributions(const dvec2& size) const {
   return glm::min(0.5 * size * slope, size * size * dvec2(bend.x, bend.z) / 8.0);
-}
-
-bool BoxBounds::is_outside(const Bounds& box) const {
-  return glm::any(glm::lessThan(hull.high, box.low)) ||
-         glm::any(glm::greaterThan(hull.low, box.high));
 }
 
 }  // namespace saddle

@@ -35,8 +35,6 @@ struct BoxBounds {
   double farthest(const dvec3& position) const {
     return glm::length(glm::max(glm::abs(hull.low - position), glm::abs(hull.high - position)));
   }
-  /// Whether no point of the surface is in a box in space.
-  bool is_outside(const Bounds& box) const;
 
   bool is_undefined = false;  ///< proved: the surface is defined nowhere
   /// Why it is not proved that the surface is defined and continuous.

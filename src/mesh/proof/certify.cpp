@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/model/clip.h"
 #include "mesh/proof/box_bounds.h"
 #include "surface/surface_enclosure.h"
 
@@ -134,7 +135,8 @@ class Certifier {
   }
 
   bool is_unseen(const BoxBounds& bounds) const {
-    return clip_ && !bounds.broken && bounds.is_outside(*clip_);
+    return clip_ && !bounds.broken &&
+           is_beyond(*clip_, std::array{bounds.hull.low, bounds.hull.high});
   }
 
   void add_gap(GapReason why, std::uint32_t patch, const ParameterBox& box) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/model/clip.h"
+
 namespace saddle {
 
 namespace {
@@ -34,10 +36,6 @@ double room_beyond(const Bounds& known, const ParameterBox& box, SurfaceEnclosur
   }
   const double room = glm::length(excess);
   return std::isnan(room) ? std::numeric_limits<double>::infinity() : room;
-}
-
-Bounds hull_of(std::span<const Interval> of) {
-  return {{of[0].low, of[1].low, of[2].low}, {of[0].high, of[1].high, of[2].high}};
 }
 
 }  // namespace
@@ -80,9 +78,7 @@ double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& b
   const std::span<const Interval> of = enclosure_.last();
   if (least_defined(of) == Defined::No) return 0;
   const Bounds hull = hull_of(of);
-  const bool is_clipped = clip_ && (glm::any(glm::lessThan(hull.high, clip_->low)) ||
-                                    glm::any(glm::greaterThan(hull.low, clip_->high)));
-  if (is_clipped) return 0;
+  if (clip_ && is_beyond(*clip_, std::array{hull.low, hull.high})) return 0;
   const double radius = 0.5 * hull.diagonal();
   if (!std::isfinite(radius)) return kUnknown;
   const double known = std::max(0.0, limit() / part.scale - radius);
@@ -111,7 +107,7 @@ std::vector<double> FeatureSearch::measure(std::span<const Sample> samples) cons
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Sample& sample = samples[k];
     const dvec3& p = points[k].position;
-    if (!is_finite(p) || (clip_ && !clip_->contains(p))) continue;
+    if (!is_seen(clip_, p)) continue;
     const double known = sample.known / sample.part->scale;
     result[k] = sample.part->scale * distance_(*sample.part, sample.uv, p, known);
   }
