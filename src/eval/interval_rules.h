@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "eval/interval_bounds.h"
 
 namespace saddle::rounding {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The bounds come from the C library, the evaluator's numbers from SLEEF or the C library, so both
 // errors count, and half an ULP for the subtraction. The library's are those measured for glibc on

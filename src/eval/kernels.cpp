@@ -61,8 +61,7 @@ const char* level_name(CpuLevel level) {
 
 const Kernels& kernels(CpuLevel level) {
   if (!has_fma()) return kernels_sse2_without_fma();
-  constexpr std::array kLevels = {kernels_sse2, kernels_avx2, kernels_avx512};
-  return kLevels[static_cast<std::size_t>(level)]();
+  return of_level(level, kernels_sse2, kernels_avx2, kernels_avx512)();
 }
 
 }  // namespace saddle

@@ -22,6 +22,12 @@ std::size_t supported_level_count();
 /// "sse2", "avx2", "avx512".
 const char* level_name(CpuLevel level);
 
+/// The copy of a loop for a level.
+template <class Loop>
+Loop of_level(CpuLevel level, Loop sse2, Loop avx2, Loop avx512) {
+  return level == CpuLevel::Sse2 ? sse2 : level == CpuLevel::Avx2 ? avx2 : avx512;
+}
+
 /// A source of numbers for a loop: `varies`: data[0], data[1] ...; otherwise data[0] every time.
 struct Operand {
   const double* data = nullptr;

@@ -6,24 +6,18 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/robust_box.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
 
-/// Samples that go so many times as far as nine tenths of them do are on their way to infinity.
-constexpr double kFarOut = 3;
-/// A side that goes to infinity is shown up to so many times the length of the surface's other
-/// sides, if half of the surface is inside. Beside the spikes of 1/(u v), its square would be too
-/// small to see.
+/// Samples that go so many times as far as nine tenths of them do are on their way to infinity. A
+/// side that goes there is shown up to so many times the length of the surface's other
+/// sides, if half of the surface is inside, and down to that part of the longest. Beside the spikes
+/// of 1/(u v), its square would be too small to see; beside thin poles nine tenths of the samples
+/// may lie in a plane, of which a thinner box would cut strips.
 constexpr double kTall = 4;
-/// The same side is shown for at least this part of the longest side that is shown whole. Beside
-/// thin poles nine tenths of the samples may lie in a plane, of which a thinner box would cut
-/// strips.
-constexpr double kLow = 0.25;
-/// A part of so many of the samples is worth a picture: more than one of the probe's 64 columns.
-constexpr double kReadable = 0.02;
-/// The part is narrower than the whole, and so again is what is in proportion to it.
-constexpr int kNarrowings = 8;
+/// A part nearly as narrow as the whole ends the search for one in proportion.
 constexpr double kAsNarrow = 0.9;
 /// A surface may go beyond its samples by this part of their extent without being clipped.
 constexpr double kBeyondProbe = 0.1;
@@ -73,7 +67,7 @@ Bounds proportionate_box(const Bounds& all, std::span<const dvec3> points, doubl
   const Bounds most = robust_box(points);
   const auto is_far_out = [&](int k) {
     const double size = all.size()[k];
-    return size > kFarOut * most.size()[k] || size > kTall * next_longest(all.size(), k);
+    return size > kTall * most.size()[k] || size > kTall * next_longest(all.size(), k);
   };
   double usual = 0;  // the largest side that needs no clipping
   for (int k = 0; k < 3; ++k) {
@@ -95,8 +89,8 @@ Bounds box_without_far_edges(const Bounds& all, std::span<const dvec3> points) {
   Bounds box = proportionate_box(all, points, 0);
   const dvec3 near = box.size();
   for (int k = 0; k < 3; ++k) {
-    if (box.low[k] - all.low[k] <= near[k]) box.low[k] = -kNoFace;
-    if (all.high[k] - box.high[k] <= near[k]) box.high[k] = kNoFace;
+    if (box.low[k] - all.low[k] <= near[k]) box.low[k] = -kInfinity;
+    if (all.high[k] - box.high[k] <= near[k]) box.high[k] = kInfinity;
   }
   return box;
 }
@@ -113,7 +107,7 @@ bool shows_some(const Bounds& box, const Bounds& whole) {
 }  // namespace
 
 Bounds clip_box(const Bounds& all, std::span<const dvec3> points) {
-  return proportionate_box(all, points, kLow);
+  return proportionate_box(all, points, 1 / kTall);
 }
 
 std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> points) {
@@ -134,14 +128,15 @@ std::optional<Bounds> readable_box(const Bounds& whole, std::span<const dvec3> p
   }
   std::vector<dvec3> sorted(points.begin(), points.end());
   std::ranges::sort(sorted, {}, [axis](const dvec3& p) { return p[axis]; });
-  const double least = kReadable * static_cast<double>(points.size());
   std::optional<Bounds> box;
   std::span<const dvec3> part = sorted;
-  for (int k = 0; k < kNarrowings; ++k) {
+  // The part is narrower than the whole, and so again is what is in proportion to it.
+  for (;;) {
     const double length = kTall * usual;
     part = fullest_window(part, axis, length);
-    if (static_cast<double>(part.size()) < least) break;
-    box = Bounds{dvec3(-kNoFace), dvec3(kNoFace)};
+    // A part is worth a picture if it has more samples than one of the columns of a probe.
+    if (part.size() <= points.size() / kDomainParts) break;
+    box = Bounds{dvec3(-kInfinity), dvec3(kInfinity)};
     const double first = part.front()[axis];
     if (part.data() != sorted.data()) box->low[axis] = first;
     if (first + length < all.high[axis]) box->high[axis] = first + length;

@@ -2,16 +2,13 @@
 // outgrows its picture.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 
 #include "base/bounds.h"
+#include "base/numbers.h"
 
 namespace saddle {
-
-/// Where a clip box is open: the coordinate of a face that it does not have, or minus that.
-inline constexpr double kNoFace = std::numeric_limits<double>::infinity();
 
 /// The box that a surface which goes to infinity is clipped to, if `points` (finite) are spread
 /// over it and `all` is around them: in each coordinate `all`, or what most of the points keep to,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/format.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 constexpr double kManyFlat = 0.1;
 
 /// A share of the domain of 0.999 and more is told as all of it; one below 0.001 not in percent.
-constexpr double kWholeDomain = 0.999;
 constexpr double kLeastPercent = 1e-3;
 
 /// Gaps with room for a visible feature warn if they cover at most 1 % of the domain, and one has
@@ -25,9 +25,6 @@ constexpr double kLeastPercent = 1e-3;
 /// bounds of a long formula leave room in several percent or nowhere.
 constexpr double kSmallShare = 0.01;
 constexpr double kLargeRoom = 30;
-
-/// Numbers below this share of their range are written as 0: errors of rounding.
-constexpr double kNothing = 1e-12;
 
 /// Four digits: enough to find the place, short enough to read.
 std::string number(double value) {
@@ -37,7 +34,7 @@ std::string number(double value) {
 /// A place in the domain. A bisection may end at 1e-20 where 0 is meant.
 std::string place(const dvec2& uv, const Domain& domain) {
   const auto coordinate = [](double value, double from, double to) {
-    return number(std::fabs(value) < kNothing * std::fabs(to - from) ? 0 : value);
+    return number(std::fabs(value) < kRoundingOfSums * std::fabs(to - from) ? 0 : value);
   };
   return "u = " + coordinate(uv.x, domain.u0, domain.u1) +
          ", v = " + coordinate(uv.y, domain.v0, domain.v1);
@@ -285,7 +282,7 @@ class MeshFindings {
   void take_proof_gap(std::span<const ProofGap> gaps) {
     ProofGap all = gaps.front();
     for (const ProofGap& gap : gaps.subspan(1)) all = united(all, gap);
-    const std::string share = all.share >= kWholeDomain ? "the domain" : share_text(all.share);
+    const std::string share = all.share >= 1 - kLeastPercent ? "the domain" : share_text(all.share);
     std::string text =
         share + " is not proved, as at " + place(all.worst, domain_) + ": " + words_for(all.why);
     const bool may_hide = all.visible > 0 && follows_from_bounds(all.why);

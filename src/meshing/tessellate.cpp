@@ -15,20 +15,16 @@
 #include "mesh/features/robust_box.h"
 #include "mesh/features/singular_in_space.h"
 #include "mesh/mesher/mesher.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
 #include "meshing/findings.h"
+#include "meshing/tolerance.h"
 #include "surface/defined_share.h"
 
 namespace saddle {
 namespace {
-
-/// Without --samples a cell is about this large in the picture to begin with: for most surfaces of
-/// the gallery that is within kPictureTolerance, and the grid is halved until it is.
-constexpr int kPixelsPerCell = 8;
-/// At most this many cells each way: two million triangles.
-constexpr int kMaxDefaultCells = 1000;
 
 /// Triangles at most; and where no tolerance is asked for, unless the picture has more pixels. Each
 /// takes 3 to 7 microseconds and 1 kB.
@@ -37,30 +33,24 @@ constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// A first mesh, which finds poles or the faces of the box that they need, leaves the next mesh at
 /// least this share of the triangles that are allowed.
 constexpr double kLeastShare = 0.25;
-/// Boxes that a surface with poles is clipped to before its poles show all the faces that it needs.
-constexpr int kMostBoxes = 3;
 /// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
 /// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
 /// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks.
-int default_cells(int larger_side, int lines) {
-  const int wanted =
-      std::min((larger_side + kPixelsPerCell - 1) / kPixelsPerCell, kMaxDefaultCells);
+int default_cells(int lines) {
+  const int wanted = static_cast<int>(kDomainParts);
   const int intervals = std::lcm(std::max(lines - 1, 1), 2);
   const int rounded = (wanted + intervals - 1) / intervals * intervals;
-  return rounded <= kMaxDefaultCells ? rounded : wanted;
+  return rounded <= kMostGridCells ? rounded : wanted;
 }
 
 /// The grid of --samples, or the coarsest of the defaults that keeps the tolerance.
 UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                                unsigned threads) {
-  const int larger_side = std::max(scene.picture.width, scene.picture.height);
   UniformRequest request;
   request.grid.lines_u = spec.grid_u;
   request.grid.lines_v = spec.grid_v;
-  request.grid.cells_u =
-      scene.mesh.samples ? scene.mesh.samples->u : default_cells(larger_side, spec.grid_u);
-  request.grid.cells_v =
-      scene.mesh.samples ? scene.mesh.samples->v : default_cells(larger_side, spec.grid_v);
+  request.grid.cells_u = scene.mesh.samples ? scene.mesh.samples->u : default_cells(spec.grid_u);
+  request.grid.cells_v = scene.mesh.samples ? scene.mesh.samples->v : default_cells(spec.grid_v);
   request.grid.threads = threads;
   request.clip = scene.clip.box;
   if (!scene.mesh.samples) request.share = tolerance_share(scene, purpose);
@@ -70,11 +60,10 @@ UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, cons
 /// The box, open at the faces that the surface does not go through on its way to its poles, or to
 /// a place nearby, as exp(1/u) does on one side of its own.
 Bounds open_where_it_stays(Bounds box, const Bounds& beside_poles) {
-  constexpr double kNearby = 0.25;  // of the box: even ln goes twice as far as one on its way
-  const dvec3 near = kNearby * box.size();
+  const dvec3 near = box.size();  // even ln goes farther on its way
   for (int k = 0; k < 3; ++k) {
-    if (!(beside_poles.low[k] < box.low[k] - near[k])) box.low[k] = -kNoFace;
-    if (!(beside_poles.high[k] > box.high[k] + near[k])) box.high[k] = kNoFace;
+    if (!(beside_poles.low[k] < box.low[k] - near[k])) box.low[k] = -kInfinity;
+    if (!(beside_poles.high[k] > box.high[k] + near[k])) box.high[k] = kInfinity;
   }
   return box;
 }
@@ -209,7 +198,8 @@ class ProportionateMesher {
     Bounds beside_poles = known.beside_poles;
     MeshRequest request = request_;
     std::optional<MeshResult> mesh;
-    for (int k = 0; k < kMostBoxes; ++k) {
+    // Poles may need more faces each time, of six in all.
+    for (;;) {
       request.clip = open_where_it_stays(box, beside_poles);
       mesh = next_mesh(request);
       if (!mesh) return std::nullopt;
@@ -246,20 +236,14 @@ MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purp
   return mesh ? std::move(*mesh) : mesh_uniformly(surface, fallback);
 }
 
-/// Without a tolerance, as of a uniform grid, edges of this share of the diagonal are short enough
-/// for colours: a pixel or less of a picture.
-constexpr double kLeastEdge = 1.0 / 2048;
-/// Curvatures are the same if they differ by less than this share of the curvature of a sphere
-/// around the surface.
-constexpr double kFlat = 1e-9;
-
-ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Surface& surface,
-                           MeshResult& mesh, unsigned threads) {
+ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                           const Surface& surface, MeshResult& mesh, unsigned threads) {
   const double diagonal = mesh.mesh.bounds.diagonal();
   ColorOptions options;
-  options.least_edge = mesh.report.tolerance.value_or(kLeastEdge * diagonal);
-  if (spec.color == "mean") options.rounding = kFlat / diagonal;
-  if (spec.color == "gauss") options.rounding = kFlat / (diagonal * diagonal);
+  options.least_edge = mesh.report.tolerance.value_or(tolerance_share(scene, purpose) * diagonal);
+  // Curvatures are compared with that of a sphere around the surface.
+  if (spec.color == "mean") options.rounding = kSame / diagonal;
+  if (spec.color == "gauss") options.rounding = kSame / (diagonal * diagonal);
   options.range = spec.color_range;
   options.clip = scene.clip.box ? scene.clip.box : mesh.report.clip;
   options.max_triangles = most_triangles(scene);
@@ -328,12 +312,17 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   report.orientable = is_orientable(mesh, report);
   report.singular_in_space = singular_in_space(surface, mesh, report);
   if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
+  if (report.certified && report.tolerance && report.max_error > *report.tolerance) {
+    const dvec2 worst = report.worst_place.value();
+    report.certified = false;  // the proof allows 4 tolerances
+    report.proof_gaps.push_back({GapReason::Off, worst, worst});
+  }
   if (!report.certified && report.proof_gaps.empty()) {
     const Domain& d = surface.domain;
     report.proof_gaps.push_back({GapReason::NotTried, {d.u0, d.v0}, {d.u1, d.v1}, 1});
   }
   if (!spec.color.empty()) {
-    result.color = color_as_asked(scene, spec, surface, result.mesh, threads);
+    result.color = color_as_asked(scene, spec, purpose, surface, result.mesh, threads);
   }
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   report.evaluations = surface.evaluations();

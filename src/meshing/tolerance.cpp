@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "base/numbers.h"
 #include "scene/model/camera.h"
 #include "scene/model/instances.h"
 
@@ -139,17 +140,16 @@ std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpo
 
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip) {
-  constexpr double kAny = std::numeric_limits<double>::infinity();
-  if (probe.bounds().empty()) return kAny;
+  if (probe.bounds().empty()) return kInfinity;
   const double diagonal = visible(probe, clip).diagonal();
-  double length = kAny;
-  double pixels = kAny;
+  double length = kInfinity;
+  double pixels = kInfinity;
   for (const auto& [value, is_in_pixels] : asked(scene, purpose)) {
     double& least = is_in_pixels ? pixels : length;
     least = std::min(least, is_in_pixels ? value : value * diagonal);
   }
-  if (pixels == kAny) return length;
-  double same_everywhere = kAny;
+  if (pixels == kInfinity) return length;
+  double same_everywhere = kInfinity;
   std::vector<PixelSize> sizes;  // that are not
   for (const auto& [camera, place] : views(scene, spec, purpose)) {
     if (largest_stretch(place) == 0) continue;  // drawn as nothing
@@ -160,7 +160,7 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
       same_everywhere = std::min(same_everywhere, size(dvec3(0), 0));
     }
   }
-  if (sizes.empty() && same_everywhere == kAny) same_everywhere = diagonal;
+  if (sizes.empty() && same_everywhere == kInfinity) same_everywhere = diagonal;
   if (sizes.empty()) return std::min(length, pixels * same_everywhere);
   return [=](const dvec3& p, double reach) {
     double pixel = same_everywhere;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/numbers.h"
 #include "study/climb.h"
 #include "surface/curvature_enclosure.h"
 #include "surface/normal.h"
@@ -59,9 +60,7 @@ constexpr std::array<dvec2, 12> kApproaches = {
 
 using Values = std::array<double, kQuantities>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr Values kNoValues = {kNone, kNone, kNone, kNone, kNone};
+constexpr Values kNoValues = {kNan, kNan, kNan, kNan, kNan};
 
 /// The median length of a tangent.
 double usual_length(const std::vector<SurfacePoint>& points, dvec3 SurfacePoint::*tangent) {
@@ -140,7 +139,7 @@ class ExtremesSearch {
       const double least = kKnownGauss * curvatures[k].mean * curvatures[k].mean;
       const bool is_known =
           conditioned == kWellConditioned || std::fabs(curvatures[k].gauss) > least;
-      result[k][kGauss] = is_known ? curvatures[k].gauss : kNone;
+      result[k][kGauss] = is_known ? curvatures[k].gauss : kNan;
     }
     return result;
   }

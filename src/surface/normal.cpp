@@ -7,16 +7,12 @@
 #include <numbers>
 #include <vector>
 
+#include "surface/limit_path.h"
+
 namespace saddle {
 
 namespace {
 
-/// The path to a corner: tau_0 and the number of points, each at half the tau of the one before.
-/// The last is 1e-8 of the way from the corner, where positions have about 8 digits left.
-constexpr double kFirstTau = 0.2;
-constexpr int kSteps = 12;
-/// Highest power of tau that is eliminated; more only amplify rounding.
-constexpr std::size_t kHighestPower = 6;
 /// An extrapolation that changes by no more than this has used up a double's digits.
 constexpr double kConverged = 1e-12;
 /// An extrapolation whose best entry still changes by more (radians) has found no limit. Normals
@@ -94,7 +90,7 @@ bool is_approached(std::span<const dvec3> normals, const dvec3& limit) {
 /// The limit of the normals along a path, or nothing.
 std::optional<dvec3> extrapolate(std::span<const SurfacePoint> path) {
   Extrapolation best;
-  std::array<dvec3, kSteps> normals;
+  std::array<dvec3, kLimitSteps> normals;
   std::array<dvec3, kHighestPower + 1> previous{};
   std::array<dvec3, kHighestPower + 1> row{};
   for (std::size_t i = 0; i < path.size() && best.square > square_of(kConverged); ++i) {
@@ -118,15 +114,13 @@ std::optional<dvec3> extrapolate(std::span<const SurfacePoint> path) {
   return glm::normalize(best.value);
 }
 
-/// The points on the way to each corner, kSteps for each.
+/// The points on the way to each corner, kLimitSteps for each.
 std::vector<dvec2> paths(std::span<const Approach> approaches) {
   std::vector<dvec2> uv;
-  uv.reserve(approaches.size() * kSteps);
+  uv.reserve(approaches.size() * kLimitSteps);
   for (const Approach& approach : approaches) {
-    double tau = kFirstTau;
-    for (std::size_t i = 0; i < kSteps; ++i, tau /= 2) {
-      uv.push_back(approach.corner + (approach.inside - approach.corner) * (tau * tau));
-    }
+    const auto path = limit_path(approach.corner, approach.inside);
+    uv.insert(uv.end(), path.begin(), path.end());
   }
   return uv;
 }
@@ -202,7 +196,7 @@ std::vector<NormalLimit> limit_normals(const Surface& surface, std::span<const A
         approaches.subspan(begin, std::min(kApproachBlock, approaches.size() - begin));
     const std::vector<SurfacePoint> points = evaluate(surface, paths(block), threads);
     for (std::size_t i = 0; i < block.size(); ++i) {
-      const auto normal = extrapolate(std::span(points).subspan(i * kSteps, kSteps));
+      const auto normal = extrapolate(std::span(points).subspan(i * kLimitSteps, kLimitSteps));
       NormalLimit& limit = limits.emplace_back(NormalLimit{normal});
       if (normal && surface.flip) limit.normal = -*normal;
     }

@@ -97,6 +97,11 @@ class Oracle:
                 centre = self.surface.st(np.array([[u, v]]))
                 where.add_near(self.places, centre, scale / 30, min(scale * 10, 0.5), 6000, self.small,
                                self.rng)
+                # Along rays: the side of a needle is much longer than it is wide.
+                angles = self.rng.random() + np.arange(8) * np.pi / 4
+                rays = np.linspace(0, 3 * scale, 3000)[:, None, None] * \
+                    np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+                self.places.add(inside(centre + rays.reshape(-1, 2)))
             else:
                 _, text, scale = hint
                 function = self.surface.function(text)

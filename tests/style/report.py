@@ -25,7 +25,7 @@ RUNS = [
     ["check", "z=sqrt(1-u^2-v^2)"],
     ["check", "cylinder", "--samples", "9x9"],
 ]
-REASON_TEXT = re.compile(r'^    \{"([a-z ]+)", "(.+)"\},$', re.M)
+REASON_TEXT = re.compile(r'GapText\{"([a-z ]+)",\s*"(.+)"\},$', re.M)
 KIND_NAMES = re.compile(r"kNames = \{(.*?)\};", re.S)
 
 

@@ -1,28 +1,14 @@
 #include "mesh/color/color_limit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "mesh/model/tolerances.h"
+#include "surface/limit_path.h"
+
 namespace saddle {
-namespace {
-
-constexpr double kFirstTau = 0.2;
-constexpr std::size_t kHighestPower = 6;
-/// An extrapolation whose best entry changes by more than this part of it has no limit.
-constexpr double kSettled = 1e-4;
-
-}  // namespace
-
-std::array<dvec2, kLimitSteps> limit_path(const dvec2& corner, const dvec2& inside) {
-  std::array<dvec2, kLimitSteps> path;
-  double tau = kFirstTau;
-  for (dvec2& place : path) {
-    place = corner + (inside - corner) * (tau * tau);
-    tau /= 2;
-  }
-  return path;
-}
 
 std::optional<double> extrapolated_limit(std::span<const double> path) {
   double best = 0;
@@ -44,7 +30,7 @@ std::optional<double> extrapolated_limit(std::span<const double> path) {
     }
     previous = row;
   }
-  if (!(best_change <= kSettled * std::abs(best))) return std::nullopt;
+  if (!(best_change <= kLimitsAgree * std::abs(best))) return std::nullopt;
   return best;
 }
 

@@ -6,25 +6,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "base/numbers.h"
 #include "mesh/color/color_limit.h"
 #include "mesh/color/drawn_colors.h"
 #include "mesh/model/pair_table.h"
+#include "surface/limit_path.h"
 
 namespace saddle {
 namespace {
-
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-
-/// Sides are first halved until none is longer than 1/24 of the ranges of u and v: samples on them
-/// are then close enough for most formulas.
-constexpr double kFirstSide = 1.0 / 24;
 
 /// Where a side is sampled: not evenly, so that waves as long as the mesh's cells are found. The
 /// second place is that of the new corner.
@@ -51,7 +46,7 @@ class ColorMesher {
       const bool is_whole = !drawn->is_clamped && drawn->range.low < drawn->range.high;
       if (is_whole) find_range();  // there are more corners now
     } else {
-      std::ranges::fill(mesh_.color, kUndefined);
+      std::ranges::fill(mesh_.color, kNan);
     }
     separate_undefined();
     return report_;
@@ -343,7 +338,7 @@ class ColorMesher {
     mesh_.normal.push_back(dvec3(mesh_.normal[corner]));
     mesh_.uv.push_back(dvec2(mesh_.uv[corner]));
     mesh_.point.push_back(std::uint32_t{mesh_.point[corner]});
-    mesh_.color.push_back(kUndefined);
+    mesh_.color.push_back(kNan);
     return next_corner;
   }
 

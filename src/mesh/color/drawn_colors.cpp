@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "mesh/model/mesh.h"
+#include "mesh/model/sample_places.h"
+#include "mesh/model/tolerances.h"
 #include "surface/surface.h"
 
 namespace saddle {
@@ -17,19 +19,9 @@ namespace {
 /// Part of the area outside of the range, at each end where the numbers go to infinity.
 constexpr double kLeftOut = 0.05;
 
-/// A search begins with steps of 1/32 of the ranges of u and v, and halves them 40 times, to the
-/// last digits of the parameters. Two steps of each length reach any place within four first steps,
-/// as far as a cell of the mesh.
-constexpr double kFirstStep = 1.0 / 32;
-constexpr int kClimbHalvings = 40;
-constexpr int kStepsOfALength = 2;
-/// A maximum is a pole if numbers fall on two opposite sides of it, at 1e-8 of the ranges, by 0.1
+/// A maximum is a pole if numbers fall on two opposite sides of it, at kSame of the ranges, by 0.1
 /// of its height above the lowest number. A logarithm falls by a third there.
-constexpr double kBesideTop = 1e-8;
 constexpr double kFalls = 0.1;
-
-/// Numbers are equal if their differences are at most this part of them: accumulated rounding.
-constexpr double kRoundedNumbers = 1e-9;
 
 /// If numbers go to infinity, few triangles hold most of the range. Each is then cut into this many
 /// parts a side.
@@ -102,27 +94,25 @@ class Climber {
     const double bottom = height_ - spread;
     const Domain& d = surface_.domain;
     const dvec2 ranges(std::abs(d.u1 - d.u0), std::abs(d.v1 - d.v0));
-    dvec2 step = kFirstStep * ranges;
-    for (int i = 0; i < kClimbHalvings && std::isfinite(height_); ++i, step *= 0.5) {
-      for (int k = 0; k < kStepsOfALength && go_up(step); ++k) {
-      }
+    // Two steps of each length reach any place within four first steps, as far as a cell of the
+    // mesh.
+    for (double share = kFirstSide; share > kRounding && std::isfinite(height_); share /= 2) {
+      if (go_up(share * ranges)) go_up(share * ranges);
     }
     if (!std::isfinite(height_)) return std::nullopt;
-    if (is_needle(kBesideTop * ranges, kFalls * (height_ - bottom))) return std::nullopt;
+    if (is_needle(kSame * ranges, kFalls * (height_ - bottom))) return std::nullopt;
     return sign_ * height_;
   }
 
  private:
   /// The eight places around, opposite ones four apart.
   std::array<dvec2, 8> around(const dvec2& step) const {
-    constexpr std::array<dvec2, 8> kWays = {
-        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
     const Domain& d = surface_.domain;
     const auto [low_u, high_u] = std::minmax(d.u0, d.u1);
     const auto [low_v, high_v] = std::minmax(d.v0, d.v1);
     std::array<dvec2, 8> places;
     for (std::size_t k = 0; k < places.size(); ++k) {
-      const dvec2 place = place_ + kWays[k] * step;
+      const dvec2 place = place_ + kEightWays[k] * step;
       places[k] = {std::clamp(place.x, low_u, high_u), std::clamp(place.y, low_v, high_v)};
     }
     return places;
@@ -185,7 +175,7 @@ bool are_one_number(const ColorRange& all, const ColorRange& most, double roundi
   const double size = std::max(std::abs(all.low), std::abs(all.high));
   const bool is_rounding = rounding > 0 && most.high - most.low <= rounding;
   return is_rounding || all.low == all.high ||
-         (std::isfinite(size) && all.high - all.low <= kRoundedNumbers * size);
+         (std::isfinite(size) && all.high - all.low <= kSame * size);
 }
 
 }  // namespace

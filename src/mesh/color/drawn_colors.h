@@ -8,6 +8,11 @@
 
 namespace saddle {
 
+/// Sides are first halved until none is longer than 1/24 of the ranges of u and v: samples on them
+/// are then close enough for most formulas. Searches for the ends of the colours' range begin with
+/// steps of this length.
+inline constexpr double kFirstSide = 1.0 / 24;
+
 struct Mesh;
 struct Surface;
 

@@ -8,6 +8,7 @@
 #include "mesh/distance/sheet_view.h"
 #include "mesh/features/approach.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -17,19 +18,10 @@ namespace saddle {
 
 namespace {
 
-/// Where a leaf without triangles is sampled, in sides of the leaf, and the directions from there
-/// to its border.
+/// Where a leaf without triangles is sampled, in sides of the leaf.
 constexpr std::array kLeafPlaces = {dvec2(0.5, 0.5), dvec2(0.3, 0.2), dvec2(0.8, 0.3),
                                     dvec2(0.7, 0.8), dvec2(0.2, 0.7)};
-constexpr std::array kLeafDirections = {dvec2(0, 1), dvec2(0, -1), dvec2(1, 0), dvec2(-1, 0)};
-/// The surface is looked at just before a chord, as far as bisections go: it may jump on it.
-constexpr double kBeforeChord = 1 - 1.0 / (1 << kWayHalvings);
-/// Places on the chord of a jump, in its length: a line that turns in the chord's middle is not
-/// missed. Ways through them are not straight across, and so the largest distance is predicted. A
-/// corner of a boundary is solved for; its arc is farthest in the middle.
-constexpr std::array kJumpPlaces = {0.25, 0.5, 0.75};
-constexpr std::array kBoundaryPlaces = {0.5};
-constexpr std::size_t kPlaceGroup = 1 + kLeafDirections.size();  // a place and those beside it
+constexpr std::size_t kPlaceGroup = 1 + kFourWays.size();  // a place and those beside it
 
 }  // namespace
 
@@ -53,7 +45,7 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   for (const dvec2& place : kLeafPlaces) {
     places_in_omitted_.push_back(low + size * place);
-    for (const dvec2& way : kLeafDirections)
+    for (const dvec2& way : kFourWays)
       places_in_omitted_.push_back(low + size * border_of_square(place, way));
   }
 }
@@ -90,8 +82,10 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
                                   std::span<const Triangle> triangles, bool is_jump) {
+  // Ways through the places on a jump are not straight across: the largest distance is predicted.
+  // A corner of a boundary is solved for; its arc is farthest in the middle.
   const std::span<const double> places =
-      is_jump ? std::span<const double>(kJumpPlaces) : std::span<const double>(kBoundaryPlaces);
+      is_jump ? std::span<const double>(kAlongLine) : std::span<const double>(kMiddleOfLine);
   std::vector<EdgeChord>& chords = is_jump ? jumps_ : chords_;
   const dvec2 low = tree_.vertices().parameters(leaf.low);
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
@@ -146,7 +140,7 @@ std::optional<dvec2> BoundaryDistance::outside_of(const Leaf& leaf, std::span<co
   const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   const auto is_between = [](const dvec2& at, const dvec2& a, const dvec2& b) {
-    return std::fabs(cross(b - a, at - a)) < kNoGap && glm::dot(at - a, at - b) <= kNoGap;
+    return std::fabs(cross(b - a, at - a)) < kSame && glm::dot(at - a, at - b) <= kSame;
   };
   bool is_shared = false;
   for_sides(leaf, tree_, [&](std::uint32_t a, std::uint32_t b) {
@@ -274,7 +268,7 @@ double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
 std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
   std::vector<Line> ways;
   for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
-  auto ends = sheet_ends(surface_, ways, delta_, kWayHalvings, clip_, threads_, evaluations_);
+  auto ends = sheet_ends(surface_, ways, delta_, kJumpHalvings, clip_, threads_, evaluations_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
   for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -283,7 +277,7 @@ std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
     outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
   }
   const auto more =
-      sheet_ends(surface_, outside, delta_, kWayHalvings, clip_, threads_, evaluations_);
+      sheet_ends(surface_, outside, delta_, kJumpHalvings, clip_, threads_, evaluations_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
   }
@@ -302,7 +296,8 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
     uv.push_back(ends[k] ? ends[k]->uv : chord.opposite);
     const bool is_beyond = glm::dot(uv[k] - chord.middle, chord.beyond - chord.opposite) >= 0;
     goes_on.push_back(ends[k] && is_beyond && ends[k]->kind != SheetEnd::Kind::Jump);
-    if (goes_on[k]) before.push_back(glm::mix(chord.opposite, chord.middle, kBeforeChord));
+    // The surface may jump on the chord.
+    if (goes_on[k]) before.push_back(glm::mix(chord.opposite, chord.middle, 1 - kLastStep));
   }
   const std::vector<SurfacePoint> at_ends = evaluate(surface_, uv, threads_);
   const std::vector<SurfacePoint> before_chords = evaluate(surface_, before, threads_);
@@ -311,7 +306,7 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
   std::vector<Height> heights;  // of the chord so far
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const EdgeChord& chord = jumps_[k];
-    if (k % kJumpPlaces.size() == 0) heights.clear();
+    if (k % kAlongLine.size() == 0) heights.clear();
     const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
     const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
     if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
@@ -322,8 +317,15 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
     const double distance = distance_from_edge(chord, std::span(&chord.own, 1), uv[k], at_ends[k]);
     add(distance);
     heights.push_back({foot(chord.ends[0], chord.ends[1], at_ends[k].position), distance});
-    if (heights.size() == kJumpPlaces.size())
+    if (heights.size() == kAlongLine.size()) {
       add(predicted_distance({heights[0], heights[1], heights[2]}));
+      // Where the sheet's edge leaps to the end of the chord, as at the end of the jump of
+      // atan2(v, u), distances grow up to there.
+      const auto at_end = [&](std::size_t k) {
+        return 2 * heights[k].distance - heights[1].distance;
+      };
+      add(std::max(at_end(0), at_end(2)));
+    }
   }
 }
 

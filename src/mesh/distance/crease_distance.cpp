@@ -19,9 +19,8 @@ namespace {
 constexpr int kCreaseHalvings = 12;
 constexpr double kArrived = 1.0 / 4096;
 /// Cosines of the normals at a line's ends. Across a cusp they are nearly opposite, below -0.7.
-/// They turn by more than 60 degrees towards an upright surface.
+/// They turn beyond kSteepCosine towards an upright surface.
 constexpr double kAcrossCusp = -0.7;
-constexpr double kUpright = 0.5;
 /// The surface is not upright if 12 halvings shorten a line's image to 1/512. The image of a root
 /// shortens to 1/64, that of a crease with finite slopes to little more than kArrived.
 constexpr double kPlainShare = 1.0 / 512;
@@ -69,7 +68,7 @@ std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Li
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::array normal = {glm::normalize(area_of(first[k])), glm::normalize(area_of(last[k]))};
     const double cosine = glm::dot(normal[0], normal[1]);
-    if (!(cosine < kUpright)) continue;
+    if (!(cosine < kSteepCosine)) continue;
     const std::array position = {first[k].position, last[k].position};
     searches.push_back({k, lines[k], position, normal, cosine < kAcrossCusp});
   }
@@ -170,7 +169,7 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
     search.left[beyond < 0 ? 0 : 1] = middle;
     return std::fabs(beyond) <= kArrived * glm::dot(along, along) || has_no_middle(search.left);
   };
-  bisect_together(surface, searches, open, kUntilDone, threads, next, is_done);
+  bisect_together(surface, searches, open, kHalvingsToLeast, threads, next, is_done);
   std::vector<dvec2> places;
   places.reserve(searches.size());
   for (const Search& search : searches) places.push_back(search.place);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "base/numbers.h"
 #include "mesh/distance/sampled_error.h"
 
 namespace saddle {
@@ -65,9 +65,8 @@ struct Plane {
 /// far from it as its end on b is from the plane of a.
 double BoxMeasure::fold_between(const Triangle& a, const Triangle& b,
                                 const std::array<std::size_t, 4>& corners) const {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const auto apex = apexes_of(grid_, a, b);
-  if (!apex) return kUnknown;
+  if (!apex) return kInfinity;
   const auto& position = grid_.mesh.position;
   const dvec3 from = position[a[((*apex)[0] + 1) % 3]];
   const dvec3 to = position[a[((*apex)[0] + 2) % 3]];
@@ -78,7 +77,7 @@ double BoxMeasure::fold_between(const Triangle& a, const Triangle& b,
     return glm::dot(glm::cross(q - p, r - q), plane.normal);
   };
   const bool is_convex = turn(over_a, from, over_b) > 0 && turn(over_b, to, over_a) > 0;
-  if (!is_convex) return kUnknown;  // true for NaN
+  if (!is_convex) return kInfinity;  // true for NaN
   double fold = 0;
   for (const std::size_t k : corners) {
     if (nearest_[k].triangle == b) fold = std::max(fold, plane.distance(nearest_[k].point));
@@ -112,12 +111,12 @@ std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> box
 }
 
 /// A triangle that is near enough, first the one of the point before; else the nearest.
-NearestTriangle BoxMeasure::nearest(const BoundedBox& box, const dvec3& position) {
-  const double enough = patches_[box.patch].allowed;
+NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, double enough) {
   NearestTriangle nearest;
   if (!nearest_.empty()) nearest = nearest_point(grid_, nearest_.back().triangle, position);
-  for (const Triangle& t : triangles_.of(box.patch)) {
+  for (const Triangle& t : triangles_.of(patch)) {
     if (nearest.distance <= enough) return nearest;
+    if (!nearest_.empty() && t == nearest_.back().triangle) continue;
     const NearestTriangle own = nearest_point(grid_, t, position);
     if (own.distance < nearest.distance) nearest = own;
   }
@@ -134,18 +133,20 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
   nearest_.clear();
   const double most = kProofFactor * allowed - box.reach;
   if (box.centre) {
-    nearest_.push_back(nearest(box, *box.centre));
-    return nearest_.front().distance <= most ? ProofOutcome::Proved : ProofOutcome::Open;
+    return nearest(box.patch, *box.centre, most).distance <= most ? ProofOutcome::Proved
+                                                                  : ProofOutcome::Open;
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     const dvec3& p = points[k].position;
-    nearest_.push_back(nearest(box, p));
+    nearest_.push_back(nearest(box.patch, p, allowed));
     const double distance = nearest_.back().distance;
     if (!(distance > worst) || (clip_ && !clip_->contains(p))) continue;
     worst = distance;
     farthest = k;
   }
   if (worst > allowed) {
+    // On a jump the surface may have a value of its own, as sign(u) has at 0: no mesh shows it.
+    if (patches_[box.patch].jump_line) return ProofOutcome::Refuted;
     const dvec2 size = box.box.size() / glm::max(dvec2(box.cells[0], box.cells[1]), dvec2(1));
     found_.push_back({{uv[farthest], points[farthest].position, size, box.bend, box.patch}, worst});
     return ProofOutcome::Refuted;
@@ -181,12 +182,14 @@ bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners,
   }
   if (!(worst <= most)) return false;
   if (other == nullptr) return true;
-  if (are_two &&
-      worst + std::min(fold_between(a, *other, corners), fold_between(*other, a, corners)) <= most)
+  if (are_two && (worst + fold_between(a, *other, corners) <= most ||
+                  worst + fold_between(*other, a, corners) <= most))
     return true;
   return std::ranges::any_of(corners, [&](std::size_t one) {
+    const Triangle& t = nearest_[one].triangle;
     return std::ranges::all_of(corners, [&](std::size_t k) {
-      return distance_from_triangle(grid_, nearest_[one].triangle, points[k].position) <= most;
+      return nearest_[k].triangle == t ||
+             distance_from_triangle(grid_, t, points[k].position) <= most;
     });
   });
 }

@@ -38,7 +38,7 @@ class BoxMeasure {
   const std::vector<Found>& found() const { return found_; }
 
  private:
-  NearestTriangle nearest(const BoundedBox& box, const dvec3& position);
+  NearestTriangle nearest(std::size_t patch, const dvec3& position, double enough);
   ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
                        std::span<const SurfacePoint> points);
   double fold_between(const Triangle& a, const Triangle& b,

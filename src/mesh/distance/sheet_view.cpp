@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "mesh/model/sides.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
 
 namespace {
 
-/// In chords: heights are compared that are 1/8 apart at least, half as far as kJumpPlaces.
+/// In chords: heights are compared that are 1/8 apart at least, half as far as kAlongLine.
 constexpr double kApart = 0.125;
 
 /// The part of a line, from 0 to 1, within a triangle.
@@ -27,9 +28,10 @@ std::array<double, 2> part_in(const std::array<dvec2, 3>& triangle, const Line& 
   return part;
 }
 
-/// Whether triangles cover a line from a place within one of them.
+/// Whether triangles cover a line from a place within one of them. A gap of kSame sides of the leaf
+/// between two triangles is rounding.
 bool cover(std::span<const PlacedTriangle> triangles, const Line& line) {
-  const double gap = kNoGap / glm::distance(line[0], line[1]);
+  const double gap = kSame / glm::distance(line[0], line[1]);
   double covered = 0;
   for (bool has_grown = true; has_grown && covered < 1 - gap;) {
     has_grown = false;

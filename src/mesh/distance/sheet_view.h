@@ -10,16 +10,16 @@
 
 namespace saddle {
 
-/// In sides of a leaf: a gap this short between two triangles along a line is rounding.
-inline constexpr double kNoGap = 1e-9;
-
-/// Halvings of the way across a leaf to its boundary: 1e-6 of it is enough for a distance.
-inline constexpr int kWayHalvings = 20;
+/// Halvings of the way across a leaf to its boundary: to 1e-12 of it. A fourth root rises to 1e-3
+/// there.
+inline constexpr int kWayHalvings = 40;
+inline constexpr double kLastStep = 1.0 / (std::uint64_t{1} << kWayHalvings);
+/// Halvings of the way to a jump: 1e-6 of it is enough for a distance.
+inline constexpr int kJumpHalvings = 20;
 
 /// Whether bisections of a line that is defined at its first end have led to its second.
 inline bool is_at_end(const dvec2& last, const Line& line) {
-  constexpr double kLast = 2.0 / (1 << kWayHalvings);
-  return glm::distance(last, line[1]) <= kLast * glm::distance(line[0], line[1]);
+  return glm::distance(last, line[1]) <= 2 * kLastStep * glm::distance(line[0], line[1]);
 }
 
 /// The triangles that are connected to the one of some number by common sides.

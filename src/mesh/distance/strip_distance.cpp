@@ -10,6 +10,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/features/thin_parts.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
 #include "mesh/tree/cell_polygon.h"
 
@@ -23,8 +24,6 @@ namespace {
 constexpr std::array kAcrossStrip = {0.05, 0.25, 0.5, 0.75, 0.95};
 constexpr std::array kBesideEnd = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 3.0 / 4};
 constexpr double kNotCrossed = 4;
-/// Places on a line across a strip or gap: both of its edges, and three between them.
-constexpr std::array kOnLineAcross = {0.0, 0.25, 0.5, 0.75, 1.0};
 
 }  // namespace
 
@@ -119,14 +118,14 @@ std::vector<LeafDistance> StripDistance::measure() {
   const std::vector<dvec2> edges = last_defined(surface_, ways, kWayHalvings, threads_, clip_);
   std::vector<dvec2> uv;
   for (std::size_t k = 0; k < edges.size(); k += 2) {
-    for (const double share : kOnLineAcross) uv.push_back(glm::mix(edges[k], edges[k + 1], share));
+    for (const double share : kAllAlongLine) uv.push_back(glm::mix(edges[k], edges[k + 1], share));
   }
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   evaluations_ += edges.size() * kWayHalvings + points.size();
   std::size_t next = 0;
   for (std::size_t k = 0; k < across_.size(); ++k) {
     if (!inside[k]) continue;
-    const std::size_t count = kOnLineAcross.size();
+    const std::size_t count = kAllAlongLine.size();
     const auto on_line = std::span(points).subspan(next, count);
     if (across_[k].is_gap) {
       found.push_back({across_[k].leaf, distance_across_gap(across_[k], on_line)});

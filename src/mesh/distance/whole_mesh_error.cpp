@@ -4,17 +4,19 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "base/parallel.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/nearest_on_line.h"
+#include "mesh/model/sample_places.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
 namespace {
 
-constexpr std::array kWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
 /// Rounds of a compass search. The first step is a quarter of the box; a round without success
 /// halves it: 40 rounds reach the top of a ridge of 1e-6 of a cell.
 constexpr int kRounds = 40;
@@ -23,12 +25,11 @@ constexpr double kFirstStep = 0.25;
 constexpr int kHalvings = 48;
 /// Parts of a line shorter than 0.25 tolerances are not halved.
 constexpr double kShortPart = 0.25;
-/// Lines of parameters through a place of the mesh.
+/// Lines through a place of the mesh: two of parameters, then three to the corners.
 constexpr std::size_t kLines = 5;
 /// Rounds of the search for a nearer place, after the lines.
 constexpr int kDescents = 24;
-/// Places of the mesh that are searched together, and at most: 250 evaluations each.
-constexpr std::size_t kTogether = 64;
+/// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
 /// The search climbs from the 8 farthest places of the mesh, in 4 rounds, if they are within 0.5 of
 /// the largest distance: a place of a side's middle may have half of the side's error.
@@ -37,8 +38,6 @@ constexpr int kClimbsOnMesh = 4;
 constexpr double kClimbedShare = 0.5;
 /// Rounds of the climb in each of many triangles.
 constexpr int kClimbsOfTriangles = 2;
-/// Distances that one thread measures at a time.
-constexpr std::size_t kDistances = 64;
 
 }  // namespace
 
@@ -53,7 +52,7 @@ std::vector<double> WholeMeshError::distances(std::span<const Place> places) con
   std::ranges::transform(places, uv.begin(), &Place::uv);
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
   std::vector<double> result(uv.size());
-  parallel_chunks(uv.size(), kDistances, threads_, [&](std::size_t begin, std::size_t end) {
+  parallel_chunks(uv.size(), kSearchedTogether, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const dvec3& p = points[k].position;
       if (is_seen(clip_, p)) result[k] = distance(places[k], p);
@@ -68,7 +67,7 @@ void WholeMeshError::climb(std::span<Climb> climbs) const {
     std::vector<Place> places;
     for (std::size_t k = 0; k < climbs.size(); ++k) {
       const ParameterBox& box = climbs[k].within;
-      for (const dvec2& way : kWays) {
+      for (const dvec2& way : kFourWays) {
         const dvec2 uv = climbs[k].best.uv + steps[k] * way * (box.high - box.low);
         places.push_back({glm::clamp(uv, glm::min(box.low, box.high), glm::max(box.low, box.high)),
                           climbs[k].triangles, climbs[k].best.distance});
@@ -77,7 +76,7 @@ void WholeMeshError::climb(std::span<Climb> climbs) const {
     const std::vector<double> found = distances(places);
     for (std::size_t k = 0; k < climbs.size(); ++k) {
       const double before = climbs[k].best.distance;
-      for (std::size_t i = k * kWays.size(); i < (k + 1) * kWays.size(); ++i) {
+      for (std::size_t i = k * kFourWays.size(); i < (k + 1) * kFourWays.size(); ++i) {
         if (found[i] > climbs[k].best.distance) climbs[k].best = {found[i], places[i].uv};
       }
       if (!(climbs[k].best.distance > before)) steps[k] /= 2;
@@ -142,7 +141,8 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(std::span<const Mes
 /// Searches the surface along five lines through each place: both lines of parameters, as far to
 /// both sides as its triangle reaches along one of them, and the lines to the corners. Both lines
 /// of parameters start from samples within the triangle's own extent, too: a triangle along a
-/// ridge is much longer than the ridge is wide.
+/// ridge is much longer than the ridge is wide. The lines to the corners are sampled only where
+/// those samples are too far off.
 std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expected> places,
                                                             double least, double tolerance) const {
   constexpr std::array<double, 9> kStarts = {-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1};
@@ -171,10 +171,8 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
       }
       lines.emplace_back(p, uv, way);
     }
-    for (const std::uint32_t corner : *expected.place.triangle) {
-      for (const double t : kStarts) tries.emplace_back(lines.size(), t);
+    for (const std::uint32_t corner : *expected.place.triangle)
       lines.emplace_back(p, uv, grid_.mesh.uv[corner] - uv);
-    }
     result.push_back({expected.place, {expected.near, uv}, kFirstStep * reach});
   }
   for (int halving = 0; halving <= kHalvings && !tries.empty(); ++halving) {
@@ -188,7 +186,11 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
       const auto of_place = std::span(lines).subspan(first, kLines);
       const auto is_near = [&](const NearestOnLine& line) { return line.distance() <= least; };
       if (std::ranges::any_of(of_place, is_near)) continue;
-      for (std::size_t k = first; k < first + kLines; ++k) {
+      const std::size_t begun = first + (halving == 0 ? 2 : kLines);
+      for (std::size_t k = begun; k < first + kLines; ++k) {
+        for (const double t : kStarts) tries.emplace_back(k, t);
+      }
+      for (std::size_t k = first; k < begun; ++k) {
         if (const auto t = lines[k].next(kShortPart * tolerance)) tries.emplace_back(k, *t);
       }
     }
@@ -205,14 +207,14 @@ void WholeMeshError::descend(std::span<Nearest> nearest) const {
   for (int round = 0; round < kDescents; ++round) {
     std::vector<dvec2> uv;
     for (const Nearest& n : nearest) {
-      for (const dvec2& way : kWays) uv.push_back(within_domain(n.error.uv + n.reach * way));
+      for (const dvec2& way : kFourWays) uv.push_back(within_domain(n.error.uv + n.reach * way));
     }
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
     for (std::size_t k = 0; k < nearest.size(); ++k) {
       PlacedError& error = nearest[k].error;
       const dvec3 p = position_of(nearest[k].place);
       const double before = error.distance;
-      for (std::size_t i = k * kWays.size(); i < (k + 1) * kWays.size(); ++i) {
+      for (std::size_t i = k * kFourWays.size(); i < (k + 1) * kFourWays.size(); ++i) {
         const double distance = glm::distance(p, points[i].position);
         if (distance < error.distance) error = {distance, uv[i]};
       }
@@ -238,9 +240,9 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::all_above(std::span<const M
   const std::vector<Expected> expected = expect(places, least);
   std::vector<Nearest> result;
   for (std::size_t next = 0; next < expected.size() && expected[next].distance > least;
-       next += kTogether) {
+       next += kSearchedTogether) {
     const auto some =
-        std::span(expected).subspan(next, std::min(kTogether, expected.size() - next));
+        std::span(expected).subspan(next, std::min(kSearchedTogether, expected.size() - next));
     const std::vector<Nearest> found = search_above(some, least, least);
     result.insert(result.end(), found.begin(), found.end());
   }
@@ -299,14 +301,37 @@ void WholeMeshError::climb_on_mesh(std::span<Nearest> places, double tolerance) 
   }
 }
 
-PlacedError WholeMeshError::from_mesh(std::span<const MeshPlace> places, double known,
+/// The places of triangles that are expected to be farthest, 192 at most. Triangles are taken a
+/// part at a time: there may be millions.
+std::vector<WholeMeshError::Expected> WholeMeshError::expect_farthest(
+    std::span<const Triangle* const> triangles, double known) const {
+  std::vector<Expected> farthest;
+  for (auto rest = triangles; !rest.empty();) {
+    const auto some = rest.first(std::min(rest.size(), kInBatch));
+    rest = rest.subspan(some.size());
+    std::vector<MeshPlace> places;
+    for (const Triangle* const t : some) {
+      for (const dvec3& weights : kMiddlesOfTriangle) places.push_back({t, weights});
+    }
+    const std::vector<Expected> more = expect(places, known);
+    std::vector<Expected> both;
+    std::ranges::merge(farthest, more, std::back_inserter(both), std::ranges::greater(),
+                       &Expected::distance, &Expected::distance);
+    if (both.size() > kMostSearched) both.resize(kMostSearched);
+    farthest = std::move(both);
+  }
+  return farthest;
+}
+
+PlacedError WholeMeshError::from_mesh(std::span<const Triangle* const> triangles, double known,
                                       double tolerance) const {
-  const std::vector<Expected> expected = expect(places, std::max(known, tolerance));
-  const std::size_t most = std::min(expected.size(), kMostSearched);
+  const std::vector<Expected> expected = expect_farthest(triangles, std::max(known, tolerance));
   std::vector<Nearest> farthest;
   double least = kClimbedShare * std::max(known, tolerance);
-  for (std::size_t next = 0; next < most && expected[next].distance > least; next += kTogether) {
-    const auto some = std::span(expected).subspan(next, std::min(kTogether, most - next));
+  for (std::size_t next = 0; next < expected.size() && expected[next].distance > least;
+       next += kSearchedTogether) {
+    const auto some =
+        std::span(expected).subspan(next, std::min(kSearchedTogether, expected.size() - next));
     const std::vector<Nearest> found = search_above(some, least, tolerance);
     farthest.insert(farthest.end(), found.begin(), found.end());
     std::ranges::stable_sort(farthest, std::ranges::greater(),

@@ -56,9 +56,11 @@ class WholeMeshError {
   };
   void climb(std::span<Climb> climbs) const;
 
-  /// The largest distance of some places of the mesh from the surface nearby, or `known` if none is
-  /// larger. At most 192 places are searched, in the order of their expected distances.
-  PlacedError from_mesh(std::span<const MeshPlace> places, double known, double tolerance) const;
+  /// The largest distance of some triangles from the surface nearby, or `known` if none is larger:
+  /// from their middles and those of their sides. At most 192 places are searched, in the order of
+  /// their expected distances.
+  PlacedError from_mesh(std::span<const Triangle* const> triangles, double known,
+                        double tolerance) const;
 
   /// A triangle, and the distance of a place of it from the surface.
   struct FarTriangle {
@@ -78,6 +80,8 @@ class WholeMeshError {
     double near;  ///< its distance from the nearest known point of the surface
   };
   std::vector<Expected> expect(std::span<const MeshPlace> places, double known) const;
+  std::vector<Expected> expect_farthest(std::span<const Triangle* const> triangles,
+                                        double known) const;
   double thickness_of(const Triangle& t) const;
   dvec2 within_domain(const dvec2& uv) const;
   dvec2 uv_of(const MeshPlace& place) const;

@@ -3,26 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <span>
 
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_loops.h"
 #include "mesh/grid/vertex_columns.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 namespace {
 
-/// Where a cell's error is largest: at its centre and the middles of its sides; in the quarters, if
-/// an arc has a turning point in its middle.
-constexpr std::array kMiddles = {0.5};
-constexpr std::array kQuarters = {0.25, 0.75};
 constexpr std::size_t kRowChunk = 8;
 
 /// Places along one parameter, their cells, and their parts of these: 0 to 1.
@@ -119,7 +117,7 @@ class RowStrips {
  private:
   /// Loads a row of vertices, unless it is there as the upper row of the cells before.
   void load(std::size_t row) {
-    std::size_t& loaded = rows_[row % 2];
+    std::optional<std::size_t>& loaded = rows_[row % 2];
     if (loaded == row) return;
     loaded = row;
     const std::size_t first = grid_.vertex(stretch_.cell, row);
@@ -128,12 +126,10 @@ class RowStrips {
     }
   }
 
-  static constexpr std::size_t kNone = ~std::size_t{0};
-
   const Grid& grid_;
   const PlaceStretch& stretch_;
   std::size_t row_ = 0;
-  std::array<std::size_t, 2> rows_ = {kNone, kNone};
+  std::array<std::optional<std::size_t>, 2> rows_;
   std::unique_ptr<std::array<Strip, 2>> strips_ =
       std::make_unique_for_overwrite<std::array<Strip, 2>>();
 };
@@ -232,17 +228,16 @@ class CellChecker {
 
   /// Checks one place by sampled_error().
   Largest check_place(const AxisPlaces& places, std::size_t i, std::size_t j) const {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
     const NormalColumns& columns = places.columns;
     const std::size_t k = places.number(i, j);
     const double area = columns[kAreaColumn][k];
     const double scale = columns[kSquareUColumn][k] * columns[kSquareVColumn][k];
-    if (!(area * area > kDegenerateCross * kDegenerateCross * scale)) return {kNone, kNone};
+    if (!(area * area > kDegenerateCross * kDegenerateCross * scale)) return {kInfinity, kInfinity};
     const double sign = surface_.flip ? -1 : 1;
     const dvec3 normal = sign * dvec3(columns[kNormalColumn][k], columns[kNormalColumn + 1][k],
                                       columns[kNormalColumn + 2][k]);
     const dvec3 p = position(places, i, j);
-    if (!is_finite(p) || !is_finite(normal)) return {kNone, kNone};
+    if (!is_finite(p) || !is_finite(normal)) return {kInfinity, kInfinity};
     const auto triangles = grid_.triangles(grid_.cell(places.u.cell[i], places.v.cell[j]));
     const SampledError d = sampled_error(grid_, triangles, {places.u.at[i], places.v.at[j]},
                                          p / grid_.local_scale, normal);
@@ -264,10 +259,12 @@ MeasuredError check_cells(const Surface& surface, const Grid& grid, const SeenLi
   const auto inside_cell = [](std::size_t, std::size_t) { return SideEnds{0, 0}; };
   const auto unseen = [](std::size_t, std::size_t) { return false; };
   const std::size_t cells = grid.cells_u + grid.cells_v;
-  const Axis middles_u = inside(grid.u, kMiddles, 0);
-  const Axis middles_v = inside(grid.v, kMiddles, cells);
-  const Axis quarters_u = inside(grid.u, kQuarters, 2 * cells);
-  const Axis quarters_v = inside(grid.v, kQuarters, 4 * cells);
+  // A cell's error is largest at its centre and the middles of its sides; in the quarters, if an
+  // arc has a turning point in its middle.
+  const Axis middles_u = inside(grid.u, kMiddleOfLine, 0);
+  const Axis middles_v = inside(grid.v, kMiddleOfLine, cells);
+  const Axis quarters_u = inside(grid.u, kBesideMiddle, 2 * cells);
+  const Axis quarters_v = inside(grid.v, kBesideMiddle, 4 * cells);
   CellChecker checker(surface, grid, threads);
   Largest largest = checker.check(quarters_u, quarters_v, inside_cell, unseen);
   largest.add(checker.check(middles_u, middles_v, inside_cell, unseen));

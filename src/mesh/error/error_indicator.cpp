@@ -1,13 +1,13 @@
 #include "mesh/error/error_indicator.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
 
 #include <glm/common.hpp>
 
+#include "base/numbers.h"
 #include "mesh/distance/chord_error.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/grid/triangulate.h"
@@ -35,8 +35,7 @@ class Ball {
     reach_ = std::max(reach_, glm::distance(*centre_, p));
   }
   double allowed_by(const Tolerance& tolerance) const {
-    constexpr double kEverywhere = std::numeric_limits<double>::infinity();
-    return centre_ ? tolerance(*centre_, reach_) : tolerance(dvec3(0), kEverywhere);
+    return centre_ ? tolerance(*centre_, reach_) : tolerance(dvec3(0), kInfinity);
   }
 
  private:
@@ -171,7 +170,7 @@ CellError ErrorIndicator::estimate(const Leaf& leaf) const {
   const bool is_opposed = has_opposed(leaf.samples);
   // A tip between opposed normals may stick out of a sliver.
   const bool is_sliver = is_wide && !is_opposed && !(thickness(mesh_, corner) > seen_turn);
-  const bool is_visible = diameter(corner) > kVisible * eps;
+  const bool is_visible = diameter(corner) > seen_turn;
   const std::size_t first_corner = first_of_diagonal(corner);  // of the diagonal
   CellError error;
   ErrorRatios turn;  // squares of tangents

@@ -14,20 +14,15 @@ void check_row_avx2(const Strip&, const Strip&, const RowPlaces&, std::size_t, R
 void check_row_avx512(const Strip&, const Strip&, const RowPlaces&, std::size_t, RowErrors&);
 
 EstimateLeaves estimate_loop(CpuLevel level) {
-  constexpr std::array kLevels = {estimate_leaves_sse2, estimate_leaves_avx2,
-                                  estimate_leaves_avx512};
-  return kLevels[static_cast<std::size_t>(level)];
+  return of_level(level, estimate_leaves_sse2, estimate_leaves_avx2, estimate_leaves_avx512);
 }
 
 ValidateLeaves validate_loop(CpuLevel level) {
-  constexpr std::array kLevels = {validate_leaves_sse2, validate_leaves_avx2,
-                                  validate_leaves_avx512};
-  return kLevels[static_cast<std::size_t>(level)];
+  return of_level(level, validate_leaves_sse2, validate_leaves_avx2, validate_leaves_avx512);
 }
 
 CheckRow check_loop(CpuLevel level) {
-  constexpr std::array kLevels = {check_row_sse2, check_row_avx2, check_row_avx512};
-  return kLevels[static_cast<std::size_t>(level)];
+  return of_level(level, check_row_sse2, check_row_avx2, check_row_avx512);
 }
 
 }  // namespace saddle

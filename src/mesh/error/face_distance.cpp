@@ -166,13 +166,15 @@ std::vector<FaceDistance::FarPlace> FaceDistance::far_from_own_cuts(
       for (const Cut& cut : of_leaf) {
         if (cut.face == crossing.face) place.move_to_cut(cut.ends);
       }
-      if (place.distance > mesh.allowed[place.leaf]) far.push_back(place);
+      move_to_lines(first, last, across, std::span(&place, 1));
+      if (place.error() > mesh.allowed[place.leaf]) far.push_back(place);
     };
-    for (; first < last; ++first) {
-      const Cut& cut = cuts_[first];
-      for (std::size_t k = 0; k < 2; ++k) add(sides_[cut.sides[k]], cut.ends[k]);
-      add(across[first], 0.5 * (cut.ends[0] + cut.ends[1]));
+    for (std::size_t k = first; k < last; ++k) {
+      const Cut& cut = cuts_[k];
+      for (std::size_t end = 0; end < 2; ++end) add(sides_[cut.sides[end]], cut.ends[end]);
+      add(across[k], 0.5 * (cut.ends[0] + cut.ends[1]));
     }
+    first = last;
   }
   return far;
 }
@@ -191,18 +193,26 @@ void FaceDistance::move_to_cuts(std::span<const Triangle> triangles,
   });
 }
 
-/// Moves places to parts of the surface's lines that are nearer.
-void FaceDistance::move_to_lines(const std::vector<Crossing>& across,
+/// Moves places to parts of the surface's lines that are nearer, at a range of cuts.
+void FaceDistance::move_to_lines(std::size_t first, std::size_t last,
+                                 const std::vector<Crossing>& across,
                                  std::span<FarPlace> places) const {
-  for (std::size_t k = 0; k < cuts_.size(); ++k) {
+  for (std::size_t k = first; k < last; ++k) {
     const dvec3& middle = across[k].position;
     if (!is_finite(middle)) continue;
-    for (const std::size_t side : cuts_[k].sides) {
-      const dvec3& end = sides_[side].position;
-      if (!is_finite(end)) continue;
-      for (FarPlace& place : places) {
-        if (place.crossing->face == cuts_[k].face) place.move_to_line({end, middle});
-      }
+    std::array<dvec3, 3> line = {middle, middle, middle};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const dvec3& end = sides_[cuts_[k].sides[side]].position;
+      if (is_finite(end)) line[2 * side] = end;
+    }
+    const dvec3 low = glm::min(line[0], glm::min(line[1], line[2]));
+    const dvec3 high = glm::max(line[0], glm::max(line[1], line[2]));
+    for (FarPlace& place : places) {
+      if (place.crossing->face != cuts_[k].face) continue;
+      const dvec3 beyond = glm::max(low - place.on_cut, place.on_cut - high);
+      if (std::max({beyond.x, beyond.y, beyond.z}) >= place.distance_of_cut) continue;
+      place.move_to_line({line[0], line[1]});
+      place.move_to_line({line[1], line[2]});
     }
   }
 }
@@ -218,13 +228,17 @@ void FaceDistance::measure(ValidatedMesh& mesh, std::span<const std::size_t> whi
   if (far.empty()) return;
   std::vector<bool> is_newer(mesh.leaves.size(), false);
   for (const std::size_t leaf : which) is_newer[leaf] = true;
-  move_to_cuts(triangles.all, far);
-  for (std::size_t k = 0; k < mesh.triangles.ranges.size(); ++k) {
-    if (!is_newer[k]) move_to_cuts(mesh.triangles.of(k), far);
+  const auto is_far_from_cut = [&](const FarPlace& place) {
+    return place.distance > mesh.allowed[place.leaf];
+  };
+  const auto rest = std::stable_partition(far.begin(), far.end(), is_far_from_cut);
+  const std::span<FarPlace> from_cuts(far.begin(), rest);
+  move_to_cuts(triangles.all, from_cuts);
+  for (std::size_t k = 0; k < mesh.triangles.ranges.size() && !from_cuts.empty(); ++k) {
+    if (!is_newer[k]) move_to_cuts(mesh.triangles.of(k), from_cuts);
   }
-  move_to_lines(across, far);
-  for (const FarPlace& place : far)
-    mesh.add(place.leaf, std::max(place.distance, place.distance_of_cut), place.crossing->uv);
+  move_to_lines(0, cuts_.size(), across, far);
+  for (const FarPlace& place : far) mesh.add(place.leaf, place.error(), place.crossing->uv);
 }
 
 }  // namespace saddle

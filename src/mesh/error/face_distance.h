@@ -66,6 +66,7 @@ class FaceDistance {
     double distance = std::numeric_limits<double>::infinity();
     double distance_of_cut = std::numeric_limits<double>::infinity();
 
+    double error() const { return std::max(distance, distance_of_cut); }
     void move_to_cut(const std::array<dvec3, 2>& cut) {
       distance = std::min(distance, distance_from_segment(cut[0], cut[1], crossing->position));
     }
@@ -83,7 +84,8 @@ class FaceDistance {
   std::vector<FarPlace> far_from_own_cuts(const ValidatedMesh& mesh,
                                           const std::vector<Crossing>& across) const;
   void move_to_cuts(std::span<const Triangle> triangles, std::span<FarPlace> places) const;
-  void move_to_lines(const std::vector<Crossing>& across, std::span<FarPlace> places) const;
+  void move_to_lines(std::size_t first, std::size_t last, const std::vector<Crossing>& across,
+                     std::span<FarPlace> places) const;
 
   const Surface& surface_;
   const Grid& grid_;

@@ -13,12 +13,10 @@
 
 namespace saddle {
 
-/// Jumps and folds are not looked for in a leaf with a diameter of at most 2 tolerances.
-inline constexpr double kVisible = 2;
-
-/// Turns of normals along chords of at most 2 tolerances, a pixel of a picture, do not count, nor
-/// across leaves as thin. Where sheets meet at a point, normals turn however often a leaf is
-/// halved; at the shoulder of a front they turn within less than a pixel.
+/// Jumps and folds are not looked for in a leaf with a diameter of at most 2 tolerances, a pixel of
+/// a picture. Turns of normals along such chords do not count, nor across leaves as thin. Where
+/// sheets meet at a point, normals turn however often a leaf is halved; at the shoulder of a front
+/// they turn within less than a pixel.
 inline constexpr double kSeenTurn = 2;
 
 /// The angle between normals without their signs. Across a cusp the normal jumps to its opposite

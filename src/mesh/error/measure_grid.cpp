@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -20,10 +21,6 @@ constexpr std::size_t kMostMeasuredCells = 2048;
 /// Places in a cell where an error is largest: its middle and the middles of two edges (the other
 /// two belong to the neighbours).
 constexpr std::array<dvec2, 3> kWorstPlaces = {dvec2(0.5, 0.5), dvec2(0.5, 0), dvec2(0, 0.5)};
-/// Random offset from the middle, in cells. At least 1 - (2 * 0.1)^2 = 96 % are measured of an
-/// error that is a parabola over the cell.
-constexpr double kMiddleJitter = 0.1;
-constexpr std::size_t kCellChunk = 256;
 
 class GridMeasurement {
  public:
@@ -39,7 +36,7 @@ class GridMeasurement {
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
 
     std::vector<SampledError> errors(points.size());
-    parallel_chunks(points.size(), kCellChunk, threads_, [&](std::size_t begin, std::size_t end) {
+    parallel_chunks(points.size(), kInBatch, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const std::size_t cell = cells[k / kWorstPlaces.size()];
         errors[k] = sampled_error(grid_, grid_.triangles(cell), uv[k], points[k], surface_.flip);
@@ -116,7 +113,7 @@ class GridMeasurement {
     for (std::size_t k = 0; k < kWorstPlaces.size(); ++k) {
       const std::uint64_t key = 2 * (cell * kWorstPlaces.size() + k);
       const dvec2 random(random_unit(key), random_unit(key + 1));
-      const dvec2 off = glm::sign(kWorstPlaces[k]) * (2.0 * random - 1.0) * kMiddleJitter;
+      const dvec2 off = glm::sign(kWorstPlaces[k]) * (2.0 * random - 1.0) * kSampleJitter;
       const dvec2 part = kWorstPlaces[k] + off;
       uv.push_back(low * (1.0 - part) + high * part);
     }

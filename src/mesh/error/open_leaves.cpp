@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/distance/sampled_error.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {
@@ -14,9 +15,8 @@ namespace {
 
 /// Leaves that are searched, in all rounds together, and then 8 in each round.
 constexpr std::size_t kMostOpened = 512;
-/// The search starts with 8 leaves and goes on with 64 at a time.
+/// The search starts with 8 leaves and goes on with kSearchedTogether at a time.
 constexpr std::size_t kFirstSearched = 8;
-constexpr std::size_t kSearchedTogether = 64;
 /// Features for which the mesh would need 16 times as many leaves are told, not mended, unless they
 /// are in 4 leaves at most, as a needle is.
 constexpr double kMostGrowth = 16;

@@ -7,7 +7,9 @@
 #include <glm/common.hpp>
 
 #include "mesh/distance/crease_distance.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/feature_count.h"
@@ -17,40 +19,32 @@ namespace saddle {
 namespace {
 
 /// A bend is sharp if interpolated normals are off by over 20 degrees, or if normals at opposite
-/// corners are over 60 degrees apart. An arc is no parabola then, and predictions fail.
+/// corners are as far apart as kSteepCosine. An arc is no parabola then, and predictions fail.
 constexpr double kSharpDegrees = 20;
-constexpr double kSharpCosine = 0.5;
-/// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'. It is
-/// visible if it is thicker than half a tolerance.
+/// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'.
 constexpr double kBridgedCosineSquare = 0.75;
-constexpr double kVisibleBridge = 0.5;
-/// Assumption: a leaf validated below 0.5 tolerances needs no more points, and a leaf estimated
-/// below 0.75 tolerances none on its sides.
+/// Assumption: a leaf validated below 0.5 tolerances, or whose bridges are thinner, needs no more
+/// points.
 constexpr double kDoubtful = 0.5;
+/// Assumption: a leaf estimated below 0.75 tolerances needs no points on its sides, and a triangle
+/// no search if its places are nearer to the surface.
 constexpr double kDoubtfulSides = 0.75;
 /// From this error estimate on, a diagonal may be above the tolerance.
 constexpr double kNearlyOff = 0.9;
 /// Places on a leaf's middle lines, as parts of its sides. Random points are at 0.15 to 0.35.
 constexpr std::array kOnLines = {0.1, 0.9};
-/// Places each way in a leaf that turns sharply between its corners.
-constexpr std::array kWithin = {0.0, 0.25, 0.5, 0.75, 1.0};
 /// A compass search starts at the farthest place, if its distance is at least 0.85 tolerances:
 /// steps as parts of the leaf's sides, each tried in four directions. For sides whose middles are
 /// nearer to the surface at their parameters, the nearest point is not searched.
 constexpr double kSearched = 0.85;
 constexpr std::array kStepShares = {0.2, 0.1, 0.05};
-
-/// A triangle's farthest place is looked for where one is farther than 0.75 tolerances from the
-/// surface.
-constexpr double kClimbedPart = 0.75;
-/// A side leaves the surface at a corner if it is 30 degrees off its tangent plane. It is farthest
+/// A side that leaves the surface at a corner, as near to its normal as kSteepCosine, is farthest
 /// from a wall beside the corner: 1.25 tolerances away, where the corner is not near.
-constexpr double kLeavingSine = 0.5;
 constexpr double kBelowCorner = 1.25;
 
 bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
   const auto turns = [&](std::size_t a, std::size_t b) {
-    return glm::dot(mesh.normal[corner[a]], mesh.normal[corner[b]]) < kSharpCosine;
+    return glm::dot(mesh.normal[corner[a]], mesh.normal[corner[b]]) < kSteepCosine;
   };
   return turns(0, 2) || turns(1, 3);
 }
@@ -122,7 +116,7 @@ std::optional<SharpBends::Targets> SharpBends::targets_of(
     const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
   const auto is_bridge = [&](const Triangle& t) {
-    return bridges_bend(grid_.mesh, t, kVisibleBridge * mesh.allowed[number]);
+    return bridges_bend(grid_.mesh, t, kDoubtful * mesh.allowed[number]);
   };
   if (std::ranges::any_of(triangles, is_bridge) &&
       (leaf.state.is_whole() || count_features(leaf, tree_).only_creases))
@@ -145,8 +139,8 @@ void SharpBends::append_places(std::size_t number, std::vector<Place>& places) c
     places.push_back({number, glm::mix(leaf.low, leaf.high, part)});
   };
   if (leaf.targets.everywhere) {
-    for (const double u : kWithin) {
-      for (const double v : kWithin) append({u, v});
+    for (const double u : kAllAlongLine) {
+      for (const double v : kAllAlongLine) append({u, v});
     }
     return;
   }
@@ -219,7 +213,6 @@ void SharpBends::sample(ValidatedMesh& mesh) {
 
 /// Compass search from the farthest place of each leaf.
 void SharpBends::search(ValidatedMesh& mesh) {
-  constexpr std::array kWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
   std::vector<dvec2> uv;
   for (const double step : kStepShares) {
     std::erase_if(leaves_, [&](const SharpLeaf& leaf) {
@@ -227,7 +220,7 @@ void SharpBends::search(ValidatedMesh& mesh) {
     });
     uv.clear();
     for (const SharpLeaf& leaf : leaves_) {
-      for (const dvec2& way : kWays) {
+      for (const dvec2& way : kFourWays) {
         const dvec2 there = leaf.farthest + step * way * (leaf.high - leaf.low);
         uv.push_back(
             glm::clamp(there, glm::min(leaf.low, leaf.high), glm::max(leaf.low, leaf.high)));
@@ -236,7 +229,7 @@ void SharpBends::search(ValidatedMesh& mesh) {
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
     evaluations_ += points.size();
     for (std::size_t k = 0; k < points.size(); ++k) {
-      validate_at(uv[k], points[k].position, leaves_[k / kWays.size()], mesh);
+      validate_at(uv[k], points[k].position, leaves_[k / kFourWays.size()], mesh);
     }
   }
 }
@@ -252,7 +245,7 @@ void SharpBends::append_below_corners(const Triangle& t, double allowed,
       const dvec3 side = mesh.position[t[static_cast<std::size_t>(other)]] - mesh.position[corner];
       const double length = glm::length(side);
       const double share = kBelowCorner * allowed / length;
-      const bool leaves = std::fabs(glm::dot(side, mesh.normal[corner])) > kLeavingSine * length;
+      const bool leaves = std::fabs(glm::dot(side, mesh.normal[corner])) > kSteepCosine * length;
       if (!leaves || !(share < 0.5)) continue;
       dvec3 weights(0);
       weights[k] = 1 - share;
@@ -277,7 +270,8 @@ void SharpBends::measure_triangles(ValidatedMesh& mesh) {
   }
   if (places.empty()) return;
   const WholeMeshError whole(surface_, grid_, {}, {}, threads_);
-  for (const auto& [triangle, distance] : whole.farther_than(kClimbedPart * least, least, places)) {
+  for (const auto& [triangle, distance] :
+       whole.farther_than(kDoubtfulSides * least, least, places)) {
     const auto is_before = [](const Triangle* t, const SharpLeaf& leaf) {
       return t < leaf.triangles.data();
     };

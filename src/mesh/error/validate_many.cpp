@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
+#include "base/numbers.h"
 #include "eval/batch.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_loops.h"
@@ -113,8 +113,7 @@ class Block {
 /// The place in triangle 2 3 0 with these weights. A place outside is NaN: then the loop finds no
 /// height of the triangle above the surface.
 dvec2 place_of(const dvec3& weights) {
-  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-  if (!(std::min({weights.x, weights.y, weights.z}) >= 0)) return dvec2(kNowhere);
+  if (!(std::min({weights.x, weights.y, weights.z}) >= 0)) return dvec2(kNan);
   return {weights.x, 1 - weights.z};
 }
 

@@ -28,10 +28,11 @@ struct ValidatedMesh {
   LeafTriangles triangles;
   std::vector<std::uint32_t> made;  ///< revisions of the triangles: RevisionClock::next()
 
-  /// A leaf with its triangles.
+  /// A leaf with its triangles. Without any there is nothing to revise.
   LeafKey key_of(std::size_t leaf) const {
     const auto& [low, high] = std::pair(leaves[leaf].low, leaves[leaf].high);
-    return {low.u, low.v, high.u, high.v, made[leaf]};
+    const bool is_empty = triangles.ranges[leaf].count == 0;
+    return {low.u, low.v, high.u, high.v, is_empty ? ~std::uint32_t{0} : made[leaf]};
   }
   /// The distance of a leaf divided by its tolerance.
   double error_ratio(std::size_t leaf) const {

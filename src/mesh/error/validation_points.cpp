@@ -7,7 +7,9 @@
 
 #include "base/random.h"
 #include "mesh/distance/crease_distance.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
 
@@ -15,21 +17,12 @@ namespace saddle {
 
 namespace {
 
-/// One point in each quarter of a leaf, up to this part of the leaf's sides from the quarter's
-/// middle. The error of an arc with a turning point is largest there, and 0 in the arc's middle.
-constexpr double kQuarterJitter = 0.1;
-
 /// Points on a chord. An arc with a turning point is not highest above its middle. In leaves
 /// without edge features one point is enough, since mesh/error/distance_maximizer climbs from it.
 constexpr std::array kChordSamples = {0.36, 0.5, 0.64};
-constexpr std::span<const double> kInMiddle = std::span(kChordSamples).subspan(1, 1);
 
 /// How far from its chord a crease is looked for, as a part of the chord.
 constexpr double kBesideCrease = 0.3;
-
-/// Points on the sides of triangles at a boundary. An arc with a vertical tangent at its end, like
-/// a square root's, is highest above the first quarter of its chord.
-constexpr std::array kBesideBoundary = {0.25, 0.75};
 
 /// Whether a place, in sides of a leaf from its low corner, is inside of the leaf.
 bool is_inside(const dvec2& part) {
@@ -52,6 +45,8 @@ bool is_other_side(const Grid& grid, std::span<const Triangle> triangles, std::u
 
 }  // namespace
 
+/// One point in each quarter of a leaf, beside the quarter's middle. The error of an arc with a
+/// turning point is largest there, and 0 in the arc's middle.
 PlacesInLeaf validation_places(const Leaf& leaf) {
   std::uint64_t seed = 0;
   for (const std::uint32_t part : {leaf.low.u, leaf.low.v, leaf.size_u(), leaf.size_v()}) {
@@ -59,7 +54,7 @@ PlacesInLeaf validation_places(const Leaf& leaf) {
     seed ^= seed >> 32U;
   }
   const auto jitter = [&](std::uint64_t key) {
-    return kQuarterJitter * (2 * random_unit(seed + key) - 1);
+    return kSampleJitter * (2 * random_unit(seed + key) - 1);
   };
   return {dvec2(0.25 + jitter(0), 0.25 + jitter(1)), dvec2(0.75 + jitter(2), 0.25 + jitter(3)),
           dvec2(0.25 + jitter(4), 0.75 + jitter(5)), dvec2(0.75 + jitter(6), 0.75 + jitter(7))};
@@ -82,8 +77,9 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
   if (has_chords) append_chords(number, leaf, triangles, samples);
 }
 
-/// Points on the sides of triangles, a quarter from their corners. The surface ends at the edge of
-/// the domain: there its edge is compared with the side alone.
+/// Points on the sides of triangles, a quarter from their corners: an arc with a vertical tangent
+/// at its end, like a square root's, is highest above the first quarter of its chord. The surface
+/// ends at the edge of the domain: there its edge is compared with the side alone.
 void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> triangles,
                                std::vector<ValidationPoint>& samples) const {
   const auto& uv = grid_.mesh.uv;
@@ -96,7 +92,7 @@ void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> tri
       const dvec2& a = uv[side[0]];
       const dvec2& b = uv[side[1]];
       const bool is_edge = is_at_end(a.x, b.x, grid_.u) || is_at_end(a.y, b.y, grid_.v);
-      for (const double share : kBesideBoundary) {
+      for (const double share : kBesideMiddle) {
         samples.push_back({number, glm::mix(a, b, share), &t, true});
         if (is_edge) samples.back().crease = side;
       }
@@ -131,15 +127,15 @@ void PointPlacer::append_chords(std::size_t number, const Leaf& leaf,
       sample.crease = Chord{a, b};
       sample.across = kBesideCrease * size * dvec2(-along.y, along.x);
     }
-    for (const double share : on_crease ? kChordSamples : kInMiddle) {
+    const auto shares =
+        on_crease ? std::span<const double>(kChordSamples) : std::span<const double>(kMiddleOfLine);
+    for (const double share : shares) {
       sample.uv = glm::mix(at[a], at[b], share);
       samples.push_back(sample);
     }
   };
   for (const Triangle& t : triangles) {
-    if (triangles.size() > 2) {
-      samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
-    }
+    samples.push_back({number, (at[t[0]] + at[t[1]] + at[t[2]]) / 3.0, &t});
     for (std::size_t k = 0; k < 3; ++k) append_chord(t, k);
   }
 }

@@ -14,18 +14,13 @@
 #include "mesh/error/sharp_bends.h"
 #include "mesh/error/validate_many.h"
 #include "mesh/model/sides.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
 
 namespace saddle {
 
 namespace {
-
-/// Leaves of several triangles that are validated together, at about ten points of 170 bytes each:
-/// they stay in the second-level cache.
-constexpr std::size_t kAtATime = 400;
-/// Points of most of them.
-constexpr std::size_t kSamples = 8;
 
 bool share_corner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(
@@ -43,14 +38,15 @@ std::size_t count_connected(std::span<const Triangle> triangles) {
   return count;
 }
 
-/// Calls f(a, b) for each side of two triangles, with the lower corner first.
+/// Calls f(a, b, is_diagonal) for each side of triangles once: a diagonal is a side of two.
 template <class F>
-void for_diagonals(std::span<const Triangle> triangles, F f) {
+void for_triangle_sides(std::span<const Triangle> triangles, F f) {
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k];
       const std::uint32_t b = t[(k + 1) % 3];
-      if (a < b && has_side(triangles, b, a)) f(a, b);
+      const bool is_diagonal = has_side(triangles, b, a);
+      if (a < b || !is_diagonal) f(a, b, is_diagonal);
     }
   }
 }
@@ -71,7 +67,9 @@ PlaceOnTriangle on_triangle(const Grid& grid, std::span<const Triangle> triangle
   PlaceOnTriangle place{uv, {}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     place.corners[(k + 2) % 4] = own[order[k]];
-    place.weights[static_cast<int>(k)] = weights[static_cast<int>(order[k])];
+    const double weight = weights[static_cast<int>(order[k])];
+    // A place on a side of its triangle is in it.
+    place.weights[static_cast<int>(k)] = known != nullptr ? std::max(weight, 0.0) : weight;
   }
   place.corners[1] =
       apex_beyond(triangles, place.corners[2], place.corners[0]).value_or(place.corners[3]);
@@ -173,14 +171,12 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
   std::vector<ValidationPoint> rest;
   std::vector<ValidationPoint> samples;
   std::vector<PlaceOnTriangle> places;
-  samples.reserve(kSamples * others.size());
-  places.reserve(kSamples * others.size());
   for (const std::size_t k : others) {
     const Leaf& leaf = mesh.leaves[which[k]];
     const std::span<const Triangle> of_leaf = triangles.of(k);
     mesh.sampled_errors[which[k]] = {};
     placer_.append(k, leaf, of_leaf, samples);
-    const bool is_special = clip_ || leaf.state.is_on_boundary() || of_leaf.empty();
+    const bool is_special = crosses_box(of_leaf) || leaf.state.is_on_boundary() || of_leaf.empty();
     if (is_special || leaf.state.is_cut_by_feature()) {
       const auto first = samples.begin() + static_cast<std::ptrdiff_t>(places.size());
       const auto one_by_one = std::stable_partition(
@@ -197,9 +193,10 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const ValidationPoint& sample = samples[s];
     const std::size_t leaf = which[sample.number];
-    // Another sub-polygon of the leaf may be nearer.
-    const bool is_known = found[s] && (!mesh.leaves[leaf].state.is_cut_by_feature() ||
-                                       is_good(found[s]->worst, mesh.allowed[leaf]));
+    // Another sub-polygon of the leaf may be nearer, or the error may be outside of the clip box.
+    const bool may_not_count = clip_ || mesh.leaves[leaf].state.is_cut_by_feature();
+    const bool is_known =
+        found[s] && (!may_not_count || is_good(found[s]->worst, mesh.allowed[leaf]));
     if (!is_known) {
       rest.push_back(sample);
       continue;
@@ -207,10 +204,8 @@ std::vector<ValidationPoint> Validator::validate_several(ValidatedMesh& mesh,
     SampledError& worst = mesh.sampled_errors[leaf];
     mesh.add(leaf, found[s]->worst.distance, sample.uv);
     if (!sample.beside_cut) worst.degrees = std::max(worst.degrees, found[s]->worst.degrees);
-    if (!mesh.leaves[leaf].state.is_cut_by_feature() &&
-        may_be_missed(mesh, leaf, found[s]->predicted)) {
+    if (may_be_missed(mesh, leaf, found[s]->predicted))
       maxima.add(leaf, triangles.of(sample.number), sample.uv);
-    }
   }
   return rest;
 }
@@ -267,7 +262,8 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
     if (crosses_box(triangles.of(k))) continue;
     const dvec2 size =
         tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
-    for_diagonals(triangles.of(k), [&](std::uint32_t a, std::uint32_t b) {
+    for_triangle_sides(triangles.of(k), [&](std::uint32_t a, std::uint32_t b, bool is_diagonal) {
+      if (!is_diagonal) return;
       chords.push_back({{of.position[a], of.position[b]},
                         {of.uv[a], of.uv[b]},
                         glm::abs(size),
@@ -282,40 +278,52 @@ void Validator::validate_beside_creases(ValidatedMesh& mesh, std::span<const std
   }
 }
 
-/// Adds the distances of the diagonals of leaves that cross the clip box from the surface, at the
-/// middles of what is inside. The surface at the same parameters may be far outside.
+/// Adds the distances of the triangles' sides from the surface, in leaves that cross the clip box,
+/// at the middles of what is inside. The surface at the same parameters may be far outside.
 void Validator::validate_across_faces(ValidatedMesh& mesh, std::span<const std::size_t> which,
                                       const LeafTriangles& triangles) {
   if (!clip_) return;
   std::vector<MiddleOfChord> chords;
-  std::vector<std::size_t> leaves;  // of each
+  std::vector<std::size_t> leaves;    // of each
+  std::vector<std::size_t> crossing;  // numbers in `which` of leaves that cross the box
   const auto& position = grid_.mesh.position;
   const auto& uv = grid_.mesh.uv;
   for (std::size_t k = 0; k < which.size(); ++k) {
     const Leaf& leaf = mesh.leaves[which[k]];
-    if (!leaf.state.may_be_halved() || !crosses_box(triangles.of(k))) continue;
+    if (!leaf.state.may_be_halved()) continue;
+    const bool crosses = crosses_box(triangles.of(k));
+    if (crosses) crossing.push_back(k);
+    if (!crosses && !has_cut(FeatureKind::Face, leaf, tree_)) continue;
     const dvec2 size =
         tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low);
-    for_diagonals(triangles.of(k), [&](std::uint32_t a, std::uint32_t b) {
+    for_triangle_sides(triangles.of(k), [&](std::uint32_t a, std::uint32_t b, bool) {
       const auto [begin, end] = part_within(*clip_, position[a], position[b]);
-      if (!(begin < end)) return;
-      const auto at = [](const auto& of, std::uint32_t first, std::uint32_t second, double share) {
-        return glm::mix(of[first], of[second], share);
+      // The ends of a short part are near the surface.
+      const double length = glm::distance(position[a], position[b]) * (end - begin);
+      if (!(length > mesh.allowed[which[k]])) return;
+      const auto add = [&](double first, double last) {
+        const auto at = [&](const auto& of, double share) { return glm::mix(of[a], of[b], share); };
+        chords.push_back({{at(position, first), at(position, last)},
+                          {at(uv, first), at(uv, last)},
+                          glm::abs(size),
+                          mesh.allowed[which[k]],
+                          mesh.sampled_errors[which[k]].distance});
+        leaves.push_back(which[k]);
       };
-      chords.push_back({{at(position, a, b, begin), at(position, a, b, end)},
-                        {at(uv, a, b, begin), at(uv, a, b, end)},
-                        glm::abs(size),
-                        mesh.allowed[which[k]],
-                        mesh.sampled_errors[which[k]].distance});
-      leaves.push_back(which[k]);
+      add(begin, end);
+      // On its way to a face a side is farthest from the surface near the face.
+      const bool ends_at_a = tree_.vertices().is_on_feature(a);
+      if (ends_at_a == tree_.vertices().is_on_feature(b)) return;
+      const double middle = 0.5 * (begin + end);
+      if (ends_at_a) add(begin, middle);
+      if (!ends_at_a) add(middle, end);
     });
   }
   const std::vector<double> distances = distances_from_surface(surface_, chords, threads_);
   for (std::size_t k = 0; k < chords.size(); ++k) mesh.add(leaves[k], distances[k]);
   FaceDistance faces(surface_, grid_, *clip_, threads_);
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    if (mesh.is_near(which[k]) && mesh.leaves[which[k]].state.may_be_halved())
-      faces.add(which[k], triangles.of(k));
+  for (const std::size_t k : crossing) {
+    if (mesh.is_near(which[k])) faces.add(which[k], triangles.of(k));
   }
   faces.measure(mesh, which, triangles);
   evaluations_ += faces.evaluations();
@@ -351,8 +359,8 @@ void Validator::measure(ValidatedMesh& mesh, std::span<const std::size_t> which,
   DistanceMaximizer maxima(surface_, grid_, clip_, threads_);
   const std::vector<std::size_t> others = validate_plain(mesh, which, triangles, maxima);
   std::vector<ValidationPoint> rest;
-  for (std::size_t begin = 0; begin < others.size(); begin += kAtATime) {
-    const auto some = std::span(others).subspan(begin, std::min(kAtATime, others.size() - begin));
+  for (std::size_t begin = 0; begin < others.size(); begin += kInBatch) {
+    const auto some = std::span(others).subspan(begin, std::min(kInBatch, others.size() - begin));
     const std::vector<ValidationPoint> more =
         validate_several(mesh, which, some, triangles, maxima);
     rest.insert(rest.end(), more.begin(), more.end());

@@ -9,6 +9,7 @@
 
 #include "mesh/features/bisect_together.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 #include "surface/surface_enclosure.h"
 
@@ -16,12 +17,6 @@ namespace saddle {
 
 namespace {
 
-/// The places that diverge() evaluates, in parts of the line.
-constexpr std::array<double, kLooksOnTheWay> kApproach = {0x1p-12, 0x1p-16, 0x1p-20,
-                                                          0x1p-24, 0x1p-28, 0x1p-32};
-/// A surface that moves by less than 0.8 of its last move converges. A root of order 12 moves by
-/// 0.79 of it, ln by all of it.
-constexpr double kArrives = 0.8;
 /// Steps left, each 16 times as near, until doubles run out beside 0.
 constexpr double kStepsLeft = 256;
 /// A formula may lose its digits beside a pole, as 1/(1+cos(u)) does at pi. The surface has a pole,
@@ -86,7 +81,7 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
     bool goes_on = kStepsLeft * glm::length(way(kApproach.size() - 2)) > delta / size;
     for (std::size_t i = 0; i + 2 < kApproach.size(); ++i) {
       const double before = glm::length(way(i));
-      goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kArrives * before * before;
+      goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kShrinks * before * before;
     }
     goes_on = goes_on || leaps(std::span(points).subspan(begin, kApproach.size()), delta);
     if (goes_on && !enclosure) enclosure.emplace(surface, Bounded::Position);

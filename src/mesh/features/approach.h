@@ -1,6 +1,7 @@
 // One-sided limits: whether a surface diverges on the way to a place, and where its boundary is.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,8 +12,8 @@
 
 namespace saddle {
 
-/// Places on each line that diverge() evaluates.
-inline constexpr std::size_t kLooksOnTheWay = 6;
+/// The places that diverge() evaluates, in parts of the line.
+inline constexpr std::array kApproach = {0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1p-28, 0x1p-32};
 
 /// Whether the surface goes to infinity on the way from the second end of each line to the first.
 /// It is evaluated at places 16 times as near each. If it converges, it moves by less each time,

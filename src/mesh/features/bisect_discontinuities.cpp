@@ -10,7 +10,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/numbers.h"
 #include "mesh/features/bisect_together.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -19,11 +21,8 @@ namespace {
 
 /// A gap that ends more than 50 times as large as it began is a pole.
 constexpr double kPoleGrowth = 50;
-/// A gap that has shrunk to this part of its first size is a steep slope, not a jump.
-constexpr double kVanishing = 1e-9;
-/// A gap between neighbouring doubles that is less than 0.8 of the gap between places 2^21 units of
-/// rounding apart is not a jump: abs(u)^0.05 and 1/ln(u) come to 0 ever more slowly.
-constexpr double kShrinks = 0.8;
+/// A gap between neighbouring doubles is no jump if it shrinks from the gap between places 2^21
+/// units of rounding apart: abs(u)^0.05 and 1/ln(u) come to 0 ever more slowly.
 constexpr std::size_t kFarOutward = 7;
 /// Positions at the ends of a line are alike if they differ by less than this part of their
 /// distances from a position between them.
@@ -35,8 +34,6 @@ constexpr double kShare = 0.498;
 constexpr double kLeastStep = 2;
 /// A place without a value may be a cusp itself. It is then tried on both sides of that.
 constexpr int kMostMisses = 2;
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Places beyond the ends of a jump, in units of rounding. A rounded condition may be 0 for
 /// millions of doubles: 5*sin(u) is 5 as far as sqrt(2^-53) from where it should be.
@@ -57,7 +54,7 @@ struct Search {
   bool done = false;
   LocatedDiscontinuity found = {};
   /// BisectedVector::height at the ends; NaN where it is not known.
-  std::array<double, 2> heights = {kUnknown, kUnknown};
+  std::array<double, 2> heights = {kNan, kNan};
   double length = 1;           ///< of the rest, in lengths of the first line
   double share = kShare;       ///< part of the line at which it is evaluated
   double width = 1;            ///< length of the line, in lengths when heights were first known
@@ -87,7 +84,8 @@ void finish(Search& search, Discontinuity kind) {
 /// The kind of a gap that no halving has closed.
 Discontinuity at_last_digits(const Search& search, double delta) {
   const double gap = gap_between(search.at_ends[0], search.at_ends[1]);
-  if (gap < std::max(delta, kVanishing * search.first_gap)) return Discontinuity::None;
+  // A gap that has shrunk to kSame of its first size is a steep slope, not a jump.
+  if (gap < std::max(delta, kSame * search.first_gap)) return Discontinuity::None;
   return gap > kPoleGrowth * search.first_gap ? Discontinuity::Pole : Discontinuity::Jump;
 }
 
@@ -305,7 +303,7 @@ std::vector<LocatedDiscontinuity> bisect_discontinuities(const Surface& surface,
   const auto is_done = [&](Search& search, const dvec2& uv, const SurfacePoint& point) {
     const dvec2 way = gaps[static_cast<std::size_t>(&search - searches.data())].line[1] -
                       gaps[static_cast<std::size_t>(&search - searches.data())].line[0];
-    Look look{uv, bisected.value(point), kUnknown, std::nullopt};
+    Look look{uv, bisected.value(point), kNan, std::nullopt};
     if (bisected.height) look.height = bisected.height(search.at_ends, point);
     if (bisected.are_positions) look.slope = way.x * point.r_u + way.y * point.r_v;
     advance(search, look, bisected);
@@ -339,8 +337,7 @@ std::vector<LocatedDiscontinuity> bisect_positions(const Surface& surface,
       .are_positions = true,
       .plain = 0,
       .halvings = halvings,
-      .first_gap =
-          prefer == Prefer::First ? kSmooth * delta : std::numeric_limits<double>::infinity()};
+      .first_gap = prefer == Prefer::First ? kSmooth * delta : kInfinity};
   return bisect_discontinuities(surface, gaps, positions, threads, work);
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -22,9 +21,6 @@ inline bool has_no_middle(const Line& line) {
   const dvec2 middle = middle_of(line);
   return middle == line[0] || middle == line[1];
 }
-
-/// Rounds: each search ends by itself.
-inline constexpr int kUntilDone = std::numeric_limits<int>::max();
 
 /// Numbers of all of `count` searches.
 inline std::vector<std::size_t> all_open(std::size_t count) {

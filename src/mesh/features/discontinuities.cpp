@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
 #include <glm/common.hpp>
 
+#include "base/numbers.h"
 #include "mesh/features/approach.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
@@ -108,7 +108,7 @@ void verify(const Surface& surface, std::span<const Line> lines, double delta, u
     const dvec2 middle = near_middle(ends);
     const auto length = [](const Line& line) { return glm::distance(line[0], line[1]); };
     const bool is_gap =
-        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSameOnLine * length(lines[k]);
+        (middle == ends[0] || middle == ends[1]) && length(ends) <= kSame * length(lines[k]);
     found[k].kind = is_gap ? Discontinuity::Jump : Discontinuity::None;
   }
 }
@@ -131,7 +131,7 @@ std::vector<LocatedDiscontinuity> look_at(const Surface& surface, std::span<cons
       follow_positions(surface, parts, whole, delta, threads, work);
   const std::vector<bool> far = diverge(surface, ways, delta, threads);
   const std::vector<bool> beside = diverge_beside(surface, parts, found, delta, threads);
-  work += kLooksOnTheWay * ways.size();
+  work += kApproach.size() * ways.size();
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool is_pole = far[2 * i] || far[2 * i + 1] || beside[i];
     if (found[i].kind == Discontinuity::None) found[i].ends = parts[i];
@@ -165,7 +165,7 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
   const double apart = glm::distance(known.ends[0], more.ends[0]);
   if (known.kind == Discontinuity::None) {
     known = more;
-  } else if (apart > kSameOnLine * glm::distance(line[0], line[1])) {
+  } else if (apart > kSame * glm::distance(line[0], line[1])) {
     known.between = middle_between(known.ends, more.ends, line);
   } else if (more.kind == Discontinuity::Pole) {
     known.kind = Discontinuity::Pole;
@@ -247,8 +247,7 @@ std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span
   gaps.reserve(open.size());
   for (const std::size_t k : open) gaps.push_back({lines[k], lines[k], normals[k]});
   const auto normal = [](const SurfacePoint& point) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    return normal_direction(point).value_or(dvec3(kUnknown));
+    return normal_direction(point).value_or(dvec3(kNan));
   };
   const auto height = [](const std::array<dvec3, 2>& at_ends, const SurfacePoint& point) {
     return glm::dot(glm::cross(point.r_u, point.r_v), at_ends[0] - at_ends[1]);

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include "mesh/features/point_singularities.h"
+#include "mesh/model/tolerances.h"
+#include "mesh/proof/box_groups.h"
 #include "mesh/proof/certify.h"
 #include "surface/box_subdivision.h"
 #include "surface/normal.h"
@@ -15,32 +20,46 @@ namespace {
 
 /// Halvings of the domain each way: to neighbours in double precision.
 constexpr int kDomainHalvings = 60;
-/// Open boxes of a level. Four meet at a point on their corners; along a line there are more.
-constexpr std::size_t kMostBoxes = 64;
 /// The search has a third of the budget of proofs.
 constexpr std::size_t kProofsPerBox = 3;
-/// In ranges: a coordinate this near to 0 may be 0.
-constexpr double kNearZero = 0x1p-50;
 
-/// The smallest boxes in which tangents are not proved to be continuous; none if they are many.
+/// Leaves out the largest groups of boxes that touch: they lie along curves. Four boxes meet at a
+/// point on their corners; along a curve their number doubles every two levels.
+void keep_points(std::vector<ParameterBox>& boxes) {
+  const std::vector<std::uint32_t> groups = groups_of(boxes);
+  std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sizes;  // of the group of each box
+  for (const std::uint32_t group : groups)
+    sizes.emplace_back(std::ranges::count(groups, group), group);
+  std::vector<std::pair<std::ptrdiff_t, std::uint32_t>> sorted = sizes;
+  std::ranges::sort(sorted);
+  std::vector<ParameterBox> kept;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    if (sizes[k] < sorted[kMostFollowed]) kept.push_back(boxes[k]);
+  }
+  boxes = std::move(kept);
+}
+
+/// The smallest boxes in which tangents are not proved to be continuous, but for those on curves.
 std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
   SurfaceEnclosure enclosure(surface, Bounded::Tangents);
-  const SubdivisionLimits limits = {
-      .boxes = ProofBudget(surface.bounds).boxes_of_search() / kProofsPerBox,
-      .halvings = 2 * kDomainHalvings,
-      .most_open = kMostBoxes,
-  };
-  const auto search = subdivide(box_of(surface.domain), limits, [&](const ParameterBox& box) {
-    return are_continuous(enclosure.enclose(box)) ? ProofOutcome::Proved : ProofOutcome::Open;
-  });
-  if (search.depth() < limits.halvings) return {};
+  std::size_t budget = ProofBudget(surface.bounds).boxes_of_search() / kProofsPerBox;
+  BoxSubdivision<ParameterBox> search(std::vector{box_of(surface.domain)});
+  while (!search.open().empty() && search.depth() < 2 * kDomainHalvings) {
+    if (budget < search.open().size()) return {};
+    budget -= search.open().size();
+    search.test([&](const ParameterBox& box) {
+      return are_continuous(enclosure.enclose(box)) ? ProofOutcome::Proved : ProofOutcome::Open;
+    });
+    if (search.open().size() > kMostFollowed) keep_points(search.open());
+    search.halve_in_turn(AtLastDigit::Keep);
+  }
   return search.open();
 }
 
 /// Candidates for a coordinate of the point in a box.
 std::vector<double> coordinates(double low, double high, double range) {
   std::vector<double> all = {low, high};
-  if (std::min(std::fabs(low), std::fabs(high)) <= kNearZero * range) all.push_back(0);
+  if (std::min(std::fabs(low), std::fabs(high)) <= kRounding * range) all.push_back(0);
   return all;
 }
 

@@ -14,8 +14,8 @@ struct NonsmoothPoints {
   std::vector<dvec2> without_limit;  ///< PointSingularity::Kind::Essential
 };
 
-/// The points to which boxes shrink in which bounds do not prove tangents to be continuous, if
-/// these boxes are few. For a surface of second order. `diagonal`: of a box around the surface.
+/// The points to which boxes shrink in which bounds do not prove tangents to be continuous, but
+/// for those on curves. For a surface of second order. `diagonal`: of a box around the surface.
 NonsmoothPoints find_nonsmooth_points(const Surface& surface, double diagonal, unsigned threads);
 
 }  // namespace saddle

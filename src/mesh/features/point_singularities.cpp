@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/features/approach.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/box_subdivision.h"
 #include "surface/surface_enclosure.h"
@@ -22,17 +23,14 @@ namespace {
 /// formulas are often undefined or 0.
 constexpr std::size_t kWays = 16;
 constexpr double kAslantTurn = 0.07;  // of a turn between two ways
-/// The length of the ways, in ranges of the parameters, and the parts of them at which the surface
-/// is evaluated: 1e-6 and 1e-12 ranges away.
+/// The length of the ways, in ranges of the parameters. The surface is evaluated at the first and
+/// the last part of kApproach: 1e-6 and 1e-12 ranges away.
 constexpr double kReach = 0x1p-8;
-constexpr std::array kLooksOnWay = {0x1p-12, 0x1p-32};
 /// Chords of a curve with a common box.
 constexpr std::size_t kChordsPerBox = 16;
 
 /// Ways around an essential point: a circle of limits is 2e-5 of its radius from their chords.
 constexpr std::size_t kManyWays = 512;
-/// Places that differ by half as much as farther away are on their way to agree.
-constexpr double kApproaches = 0.5;
 
 /// Directions beside the axes and diagonals, at slopes of 4^-1 to 4^-26 to them: between such
 /// slopes run curves as v = u^2, along which a limit may be another one than on all straight ways.
@@ -40,8 +38,6 @@ constexpr int kSlopes = 26;
 /// In ranges of the parameters: the distances at which these directions are compared. A parabola
 /// is 2^-32 beside the axis at 2^-16, which doubles resolve.
 constexpr std::array kLooksAside = {0x1p-9, 0x1p-16};
-/// Differences between such directions that grow by more than 2 towards the point are rounding.
-constexpr double kGrows = 2;
 
 /// The ways to one place that lie in the domain.
 struct Ways {
@@ -49,7 +45,7 @@ struct Ways {
   std::vector<bool> is_aslant;     ///< of each line
   bool is_open_aslant = true;      ///< the surface is defined on all aslant ways
   bool is_open = true;             ///< the surface is defined on all ways
-  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each of kLooksOnWay
+  std::array<Bounds, 2> at_looks;  ///< of the finite positions at each look
 };
 
 Ways ways_to(const dvec2& place, const Domain& d) {
@@ -74,7 +70,7 @@ Ways ways_to(const dvec2& place, const Domain& d) {
 void look(const Surface& surface, std::span<Ways> all, unsigned threads) {
   std::vector<dvec2> uv;
   for (const Ways& ways : all) {
-    for (const double share : kLooksOnWay) {
+    for (const double share : {kApproach.front(), kApproach.back()}) {
       for (const Line& line : ways.lines) uv.push_back(line[0] + share * (line[1] - line[0]));
     }
   }
@@ -101,8 +97,8 @@ PointSingularity::Kind kind_of_point(const Surface& surface, const Ways& ways, d
   if (std::ranges::count(far, true) > 0) return PointSingularity::Kind::Pole;
   const double before = ways.at_looks[0].diagonal();
   const double near = ways.at_looks[1].diagonal();
-  return near > agree && near > kApproaches * before ? PointSingularity::Kind::Essential
-                                                     : PointSingularity::Kind::Removable;
+  return near > agree && near > before / kStays ? PointSingularity::Kind::Essential
+                                                : PointSingularity::Kind::Removable;
 }
 
 /// Many directions all around a point, in their order.
@@ -118,11 +114,8 @@ std::vector<dvec2> many_directions() {
 
 /// Directions beside the axes and diagonals, in their order around a point.
 std::vector<dvec2> directions_aside() {
-  constexpr std::array<dvec2, 8> kMiddles = {dvec2(1, 0),  dvec2(1, 1),  dvec2(0, 1),
-                                             dvec2(-1, 1), dvec2(-1, 0), dvec2(-1, -1),
-                                             dvec2(0, -1), dvec2(1, -1)};
   std::vector<dvec2> result;
-  for (const dvec2& middle : kMiddles) {
+  for (const dvec2& middle : kEightWays) {
     const dvec2 aside(-middle.y, middle.x);
     for (int k = 1; k <= kSlopes; ++k) result.push_back(middle - std::ldexp(1.0, -2 * k) * aside);
     for (int k = kSlopes; k >= 1; --k) result.push_back(middle + std::ldexp(1.0, -2 * k) * aside);
@@ -166,7 +159,7 @@ std::vector<dvec3> limits_aside(const Surface& surface, const dvec2& place, doub
   if (far.empty() || near.empty()) return {};
   const double before = bounds_of(far).diagonal();
   const double size = bounds_of(near).diagonal();
-  const bool stays = size > agree && size > kApproaches * before && size < kGrows * before;
+  const bool stays = size > agree && size > before / kStays && size < kStays * before;
   return stays ? near : std::vector<dvec3>();
 }
 
@@ -178,7 +171,7 @@ void add_limits_around(const Surface& surface, const Ways& ways, double diagonal
   const bool is_inside = ways.lines.size() == kWays;
   std::vector<dvec3> around;
   if (singularity.kind == PointSingularity::Kind::Essential && is_inside) {
-    around = look_around(surface, place, many_directions(), kReach * kLooksOnWay.back(), threads);
+    around = look_around(surface, place, many_directions(), kReach * kApproach.back(), threads);
   } else if (singularity.kind == PointSingularity::Kind::Removable) {
     around = limits_aside(surface, place, kLimitsAgree * diagonal, threads);
     if (around.empty()) return;
@@ -194,11 +187,6 @@ constexpr int kBoxHalvings = 40;
 constexpr std::size_t kMostBoxParts = 16;
 /// The remaining parts are one point if they span no more than this part of the box.
 constexpr double kOnePoint = 0x1p-30;
-/// Among more parts, those in which the surface varies by at least half of the most are followed:
-/// around an essential point it varies by the same in parts of any size. At most 64 boxes are
-/// searched in this way.
-constexpr double kVaries = 0.5;
-constexpr int kMostFollowed = 64;
 
 class Narrowing {
  public:
@@ -235,12 +223,13 @@ class Narrowing {
   }
 
  private:
-  /// Keeps the parts in which the surface varies the most; none if limits agree in all, or if it
+  /// Keeps the parts in which the surface varies the most, within kStays: around an essential point
+  /// it varies by the same in parts of any size. None if limits agree in all, or if it
   /// goes to infinity.
   void keep_varied(std::vector<ParameterBox>& parts) const {
     const std::vector<double> sizes = variations(parts);
     const double most = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
-    const double least = std::max(kLimitsAgree * *diagonal_, kVaries * most);
+    const double least = std::max(kLimitsAgree * *diagonal_, most / kStays);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       if (most <= *diagonal_ && sizes[k] > least) order.push_back(k);
@@ -276,7 +265,7 @@ class Narrowing {
   const Surface& surface_;
   SurfaceEnclosure enclosure_;
   std::optional<double> diagonal_;  ///< empty: essential points are not searched
-  int followed_ = 0;
+  std::size_t followed_ = 0;
 };
 
 }  // namespace

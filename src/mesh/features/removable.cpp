@@ -15,10 +15,6 @@ namespace saddle {
 
 namespace {
 
-/// Distance of the nearest looks, in ranges of the parameters. A smooth surface moves by 1e-6 of
-/// its size, and the mean of opposite looks is off by the square of that.
-constexpr double kNear = 1e-6;
-
 /// Nearest looks: two along u, and two along v.
 constexpr std::size_t kNearest = 4;
 
@@ -83,7 +79,9 @@ dvec3 rounding_by_parameters(const SurfacePoint& point, const dvec2& uv, const D
 std::vector<Beside> look_beside(const Surface& surface, std::span<const dvec2> places,
                                 double diagonal, unsigned threads, std::size_t& count) {
   const Domain& d = surface.domain;
-  const dvec2 step = kNear * dvec2(d.u1 - d.u0, d.v1 - d.v0);
+  // The nearest looks. A smooth surface moves by kNearly of its size, and the mean of opposite
+  // looks is off by the square of that.
+  const dvec2 step = kNearly * dvec2(d.u1 - d.u0, d.v1 - d.v0);
   // Twice as far, too: positions around a pole are alike at one distance. And aslant: an essential
   // point may have one limit along both axes.
   const std::array<dvec2, 10> ways = {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -29,10 +30,9 @@ constexpr double kApart = 1.0 / 16;
 /// Windows that are tried: they begin or end at every 256th part of the points, and so move by less
 /// than a tail.
 constexpr std::size_t kTries = 256;
-/// Lines each way, through the middles of even stretches of a domain, and their largest shift in
-/// stretches, so that waves are not in step with them. A tail of one line is six points.
+/// Lines each way, through the middles of even stretches of a domain. A tail of one line is six
+/// points.
 constexpr std::size_t kLines = 128;
-constexpr double kLineJitter = 0.4;
 
 /// An interval on a line.
 struct Stretch {

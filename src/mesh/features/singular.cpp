@@ -20,9 +20,6 @@ constexpr std::size_t kFewZeros = 4;
 constexpr std::size_t kOnLine = 32;
 /// A zero is isolated if descents from kBesideZero away come back to within 0.1 of that.
 constexpr double kBack = 0.1;
-/// Descents are tried for up to 64 zeros that derivatives do not tell to be isolated; more are on
-/// curves.
-constexpr std::size_t kMostUnclear = 64;
 /// In ranges: the distance between places that are named on a curve of zeros.
 constexpr double kAlongCurves = 1.0 / 16;
 
@@ -54,7 +51,7 @@ std::vector<double> shared_coordinates(const UnitPlaces& places, int axis) {
   std::ranges::sort(sorted);
   std::vector<double> shared;
   for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    while (end < sorted.size() && sorted[end] - sorted[begin] <= kSameZero) ++end;
+    while (end < sorted.size() && sorted[end] - sorted[begin] <= kNearly) ++end;
     if (end - begin >= kFewZeros) shared.push_back(sorted[begin + (end - begin) / 2]);
   }
   return shared;
@@ -63,7 +60,7 @@ std::vector<double> shared_coordinates(const UnitPlaces& places, int axis) {
 /// The places of which several share their coordinate `axis`, or may after they are moved to even
 /// coordinates.
 UnitPlaces places_in_line(UnitPlaces places, int axis) {
-  constexpr double kApartInLine = 3 * kSameZero;  // each is moved by less than kSameZero
+  constexpr double kApartInLine = 3 * kNearly;  // each is moved by less than kNearly
   std::ranges::sort(places, {}, [axis](const dvec2& place) { return place[axis]; });
   UnitPlaces result;
   for (std::size_t begin = 0, end = 1; begin < places.size(); begin = end++) {
@@ -101,7 +98,7 @@ UnitPlaces take_isolated(const ZeroFinder& finder, UnitPlaces& places) {
     (stand_alone[k] ? isolated : unclear).push_back(places[k]);
   }
   places = std::move(unclear);
-  if (places.size() > kMostUnclear) return isolated;
+  if (places.size() > kMostFollowed) return isolated;
   UnitPlaces starts;
   for (const dvec2& place : places) {
     for (const dvec2& way : ZeroFinder::ways()) starts.push_back(place + kBesideZero * way);
@@ -139,10 +136,10 @@ SingularSet find_singular(const Surface& surface, const Dips& dips, std::span<co
   places.insert(places.end(), across_v.begin(), across_v.end());
   const auto is_on_line = [&](const dvec2& place) {
     const auto is_near_u = [&](double u) {
-      return std::fabs(finder.part({u, 0}).x - place.x) <= kSameZero;
+      return std::fabs(finder.part({u, 0}).x - place.x) <= kNearly;
     };
     const auto is_near_v = [&](double v) {
-      return std::fabs(finder.part({0, v}).y - place.y) <= kSameZero;
+      return std::fabs(finder.part({0, v}).y - place.y) <= kNearly;
     };
     return std::ranges::any_of(result.lines_u, is_near_u) ||
            std::ranges::any_of(result.lines_v, is_near_v);
@@ -173,7 +170,7 @@ void name_singular(const SingularSet& singular, const Domain& domain, MeshReport
     });
   };
   for (const dvec2& uv : singular.points) {
-    const auto known = find(uv, kSameZero);
+    const auto known = find(uv, kNearly);
     const bool is_new = known == listed.end();
     SingularPoint point = is_new ? SingularPoint{uv} : *known;
     point.is_alone = true;

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/model/tolerances.h"
+
 namespace saddle {
 
 namespace {
@@ -12,9 +14,6 @@ namespace {
 /// Limits are means of what is around them within some 1e-6 of the ranges: so many diagonals of the
 /// surface they may be off.
 constexpr double kKnown = 1e-5;
-
-/// Points this close, in diagonals, are one: the mesh's own limits agree to rounding.
-constexpr double kSamePoint = 1e-9;
 
 /// Places at which a singular line is sampled.
 constexpr std::size_t kLinePlaces = 9;
@@ -55,7 +54,7 @@ class SingularGroups {
 
  private:
   SingularInSpace& point_at(const dvec2& uv, const dvec3& position) {
-    const double near = kSamePoint * mesh_.bounds.diagonal();
+    const double near = kSame * mesh_.bounds.diagonal();
     const auto found = std::ranges::find_if(points_, [&](const SingularInSpace& point) {
       return glm::distance(point.position, position) <= near;
     });
@@ -71,7 +70,7 @@ class SingularGroups {
       uv.push_back(glm::mix(first, last, part));
     }
     const std::vector<dvec3> positions = singular_positions(surface_, mesh_, uv);
-    const double near = kSamePoint * mesh_.bounds.diagonal();
+    const double near = kSame * mesh_.bounds.diagonal();
     const bool is_point = std::ranges::all_of(positions, [&](const dvec3& position) {
       return glm::distance(position, positions.front()) <= near;
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/features/bisect_discontinuities.h"
+#include "mesh/proof/continuity.h"
 #include "surface/surface_enclosure.h"
 
 namespace saddle {
@@ -11,8 +12,6 @@ namespace {
 
 /// Halvings of a line: a part of 2^-24 of it is found.
 constexpr int kLineHalvings = 24;
-/// Open parts of a line beyond which bounds are too wide.
-constexpr std::size_t kMostOpenParts = 8;
 
 /// Open parts of a line.
 struct OpenLine {
@@ -38,7 +37,7 @@ class ThinPartSearch {
         std::erase_if(open.parts, [&](const Line& part) { return is_alike(part, are_defined); });
       }
       std::erase_if(open_, [](const OpenLine& open) {
-        return open.parts.empty() || open.parts.size() > kMostOpenParts;
+        return open.parts.empty() || open.parts.size() > kMostLineParts;
       });
       halve();
     }

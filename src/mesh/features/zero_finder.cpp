@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -28,13 +29,9 @@ constexpr double kArrivedAtZero = 1e-15;
 /// Determinant over squared trace of a matrix, above which it has rank two: along a curve of zeros
 /// a step goes down the slope alone.
 constexpr double kRankOne = 1e-10;
-/// |r_u x r_v| is 0 if it is at most 1e-6 of its largest value 1e-4 ranges away. Double zeros,
+/// |r_u x r_v| is 0 if it is at most kNearly of its largest value 1e-4 ranges away. Double zeros,
 /// which are known to 1e-8, have 1e-8 of it.
 constexpr double kAroundZero = 1e-4;
-constexpr double kZero = 1e-6;
-/// |a x b|^2 over (|a|^2 + |b|^2)^2 of the two derivatives of r_u x r_v, above which these are
-/// independent.
-constexpr double kRankTwo = 1e-6;
 /// Squares of derivatives below this part of those kBesideZero away are rounding.
 constexpr double kRoundedDerivative = 1e-8;
 
@@ -117,7 +114,7 @@ std::vector<bool> ZeroFinder::are_zeros(const UnitPlaces& places) const {
       const double size = beside[k * kWaysAround + w];
       if (std::isfinite(size)) largest = std::max(largest, size);
     }
-    are.push_back(largest > 0 && sizes[k] <= kZero * largest);
+    are.push_back(largest > 0 && sizes[k] <= kNearly * largest);
   }
   return are;
 }
@@ -127,7 +124,7 @@ UnitPlaces ZeroFinder::zeros(const UnitPlaces& places) const {
   for (dvec2& place : even) {
     for (int axis = 0; axis < 2; ++axis) {
       for (const double at : even_[axis]) {
-        if (std::fabs(at - place[axis]) <= kSameZero) place[axis] = at;
+        if (std::fabs(at - place[axis]) <= kNearly) place[axis] = at;
       }
     }
   }
@@ -159,8 +156,9 @@ std::vector<bool> ZeroFinder::stand_alone(const UnitPlaces& places) const {
   for (std::size_t k = 0; k < places.size(); ++k) {
     const dvec3 normal = glm::cross(here[k].by_u, here[k].by_v);
     const double square = here[k].square();
+    // Above kNearly, the two derivatives of r_u x r_v are independent.
     do_stand.push_back(square > kRoundedDerivative * there[k].square() &&
-                       glm::dot(normal, normal) > kRankTwo * square * square);
+                       glm::dot(normal, normal) > kNearly * square * square);
   }
   return do_stand;
 }

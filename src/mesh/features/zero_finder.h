@@ -16,9 +16,6 @@
 
 namespace saddle {
 
-/// In ranges of the parameters: zeros that are nearer to each other are one. Double zeros are known
-/// to 1e-8.
-inline constexpr double kSameZero = 1e-6;
 /// In ranges: the distance at which a zero is compared with its surroundings.
 inline constexpr double kBesideZero = 1e-3;
 /// Number of ways around a place.

@@ -15,9 +15,9 @@ static inline double sagitta(LoopVector p_a, LoopVector n_a, LoopVector p_b, Loo
   return 0.125 * fabs(dot(minus(n_b, n_a), minus(p_b, p_a)));
 }
 
-/// Whether a is smaller than b by more than kTie.
+/// Whether a is smaller than b by more than kNearly.
 static inline bool is_smaller(double a, double b) {
-  return a < b * (1 - kTie);
+  return a < b * (1 - kNearly);
 }
 
 /// The measures by which a diagonal is chosen.

@@ -8,8 +8,7 @@ void cut_cells_avx2(const Strip&, const Strip&, std::size_t, double, Cuts&);
 void cut_cells_avx512(const Strip&, const Strip&, std::size_t, double, Cuts&);
 
 CutCells cell_loop(CpuLevel level) {
-  constexpr std::array kLevels = {cut_cells_sse2, cut_cells_avx2, cut_cells_avx512};
-  return kLevels[static_cast<std::size_t>(level)];
+  return of_level(level, cut_cells_sse2, cut_cells_avx2, cut_cells_avx512);
 }
 
 }  // namespace saddle

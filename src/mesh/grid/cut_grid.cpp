@@ -13,13 +13,11 @@
 #include "mesh/grid/lines.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/model/tidy.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
 namespace {
-
-/// A surface over 1e13 times as long as wide has no triangles in double precision.
-constexpr double kTooLong = 1e13;
 
 /// A range of at most 1000 doubles is too short for a mesh: rounding is a large part of each cell.
 constexpr double kFewDoubles = 1000;
@@ -66,9 +64,8 @@ void close_gaps(Grid& grid) {
 /// The box around the vertices and some centres of cells: all vertices of a sphere of one cell are
 /// on a line.
 dvec3 extent(const Surface& surface, const Grid& grid, unsigned threads) {
-  constexpr std::size_t kCentres = 1024;
   std::vector<dvec2> centres;
-  const std::size_t stride = grid.cell_count() / kCentres + 1;
+  const std::size_t stride = grid.cell_count() / kTried + 1;
   for (std::size_t cell = 0; cell < grid.cell_count(); cell += stride) {
     centres.push_back(grid.cell_centre(cell));
   }
@@ -88,7 +85,8 @@ void require_triangles(const Surface& surface, const Grid& grid, unsigned thread
   const dvec3 size = extent(surface, grid, threads);
   const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
   const double width = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
-  if (width > 0 && size[axis] > kTooLong * width) throw_too_long(axis, size[axis] / width);
+  // It has no triangles in double precision.
+  if (width > 0 && width < kRoundingOfSums * size[axis]) throw_too_long(axis, size[axis] / width);
   if (count > 0) return;
   const Domain& d = surface.domain;
   require_doubles("u", d.u0, d.u1);

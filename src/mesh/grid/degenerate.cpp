@@ -5,17 +5,12 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
-
-/// Vertices, then centres of cells, that are tried if all vertices are singular, as on a sphere of
-/// one cell.
-constexpr std::size_t kMostTried = 1024;
-/// Points within this part of the diagonal of a line are on it.
-constexpr double kCollinear = 1e-9;
 
 bool has_finite_tangents(const SurfacePoint& point) {
   return std::isfinite(safe_length(point.r_u)) && std::isfinite(safe_length(point.r_v));
@@ -36,7 +31,7 @@ bool any_vertex_is_regular(const Grid& grid) {
 /// Some of the vertices, all of them used and singular, with their tangents.
 std::vector<SurfacePoint> probe(const Surface& surface, const Grid& grid, unsigned threads) {
   std::vector<dvec2> uv;
-  const std::size_t stride = grid.singular.size() / kMostTried + 1;
+  const std::size_t stride = grid.singular.size() / kTried + 1;
   for (std::size_t k = 0; k < grid.singular.size(); k += stride) {
     uv.push_back(grid.uv(grid.singular[k]));
   }
@@ -57,7 +52,7 @@ bool all_degenerate(std::span<const SurfacePoint> points, const dvec3& scale) {
 
 bool any_centre_is_regular(const Surface& surface, const Grid& grid, unsigned threads) {
   std::vector<dvec2> centres;
-  const std::size_t stride = grid.cell_count() / kMostTried + 1;
+  const std::size_t stride = grid.cell_count() / kTried + 1;
   for (std::size_t cell = 0; cell < grid.cell_count(); cell += stride) {
     if (!grid.is_kept(cell)) continue;
     centres.push_back(grid.cell_centre(cell));
@@ -79,7 +74,7 @@ bool is_straight(const Grid& grid) {
   const dvec3 along = glm::normalize(end - points[0]);
   return std::all_of(points.begin(), points.end(), [&](const dvec3& p) {
     const double off = glm::length(glm::cross(along, p - points[0]));
-    return off <= std::max(kCollinear * grid.diagonal, glm::length(rounding_of(p)));
+    return off <= std::max(kSame * grid.diagonal, glm::length(rounding_of(p)));
   });
 }
 

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "mesh/grid/corners.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
@@ -17,12 +18,6 @@ namespace {
 
 /// Places from a corner to the middle of its triangle, as parts of the way.
 constexpr std::array kShares = {0.0625, 0.25, 0.5, 1.0};
-/// Cosine of 60 degrees. A normal nearer to the triangle's is beyond the bend; others are within
-/// it.
-constexpr double kFacing = 0.5;
-
-/// Cosine of about 45 degrees, within which normals are alike.
-constexpr double kLike = 0.7;
 
 /// A corner of a triangle that its normal opposes.
 struct Opposed {
@@ -41,7 +36,8 @@ dvec3 area_of(const Mesh& mesh, const Triangle& t) {
 /// sliver, whose own normal means nothing.
 bool have_like_normals(const Mesh& mesh, const Triangle& t) {
   const dvec3& first = mesh.normal[t[0]];
-  return glm::dot(first, mesh.normal[t[1]]) > kLike && glm::dot(first, mesh.normal[t[2]]) > kLike;
+  return glm::dot(first, mesh.normal[t[1]]) > kSteepCosine &&
+         glm::dot(first, mesh.normal[t[2]]) > kSteepCosine;
 }
 
 std::vector<Opposed> opposed_corners(const std::function<bool(std::uint32_t)>& is_singular,
@@ -68,7 +64,7 @@ std::optional<dvec3> first_facing(std::span<const std::optional<dvec3>> normals,
   for (const std::optional<dvec3>& normal : normals) {
     if (!normal) continue;
     const double facing = glm::dot(*normal, front);
-    if (facing > kFacing) return normal;
+    if (facing > kSteepCosine) return normal;
     if (facing > (best ? glm::dot(*best, front) : 0)) best = normal;
   }
   return best;
@@ -111,7 +107,7 @@ void face_own_triangles(const Surface& surface, unsigned threads,
         first_facing(std::span(within).subspan(k * kShares.size(), kShares.size()), front);
     if (!normal) continue;
     std::uint32_t other = first_new;
-    while (other < mesh.position.size() && !(glm::dot(mesh.normal[other], front) > kFacing)) {
+    while (other < mesh.position.size() && !(glm::dot(mesh.normal[other], front) > kSteepCosine)) {
       ++other;
     }
     t[slot] = other < mesh.position.size() ? other : add_corner(mesh, corner, *normal);

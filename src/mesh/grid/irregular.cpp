@@ -5,17 +5,12 @@
 
 #include "base/parallel.h"
 #include "mesh/features/singular.h"
+#include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
-
-/// Rows that are evaluated again together: 64 x 256 points with their tangents take 1.2 MB.
-constexpr std::size_t kMaxRows = 64;
-
-/// |r_u x r_v| of at most this part of its largest terms around a vertex is 0 within rounding.
-constexpr double kRoundedCross = 1e-12;
 
 /// Vertices that are not regular.
 struct Irregular {
@@ -152,7 +147,7 @@ Irregular inspect(const Surface& surface, const Window& window, Grid& grid) {
       const SurfacePoint& point = around.point(i, j);
       const auto known = known_normal(point, surface.flip);
       const double size = safe_length(glm::cross(point.r_u, point.r_v));
-      if (known && size > kRoundedCross * around.terms(i, j)) {
+      if (known && size > kRoundingOfSums * around.terms(i, j)) {
         found.doubtful.push_back(vertex);
         found.normals.push_back(*known);
       } else {
@@ -186,7 +181,7 @@ std::vector<Window> windows(const Summaries& summaries, const Grid& grid, std::s
   for (std::size_t row = 0; row < grid.v.size(); ++row) {
     if (summaries.is_regular(across, row)) continue;
     const bool extends =
-        !result.empty() && result.back().end_row == row && result.back().rows() < kMaxRows;
+        !result.empty() && result.back().end_row == row && result.back().rows() < kTileCells;
     if (!extends) result.push_back({column, end_column, row, row});
     result.back().end_row = row + 1;
   }

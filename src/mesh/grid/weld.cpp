@@ -14,16 +14,16 @@ namespace saddle {
 
 namespace {
 
-/// Vertices within kSamePosition are one point only if they are also closer than this part of the
+/// Vertices within kSame are one point only if they are also closer than this part of the
 /// grid's steps beside them.
 /// Otherwise the extent of a spike, as of tan near its pole (1e16), would weld all of a surface.
 constexpr double kJoinStep = 1e-3;
 
-/// Whether all of a box (in local units) is one point: by kSamePosition, or within rounding. Each
+/// Whether all of a box (in local units) is one point: by kSame, or within rounding. Each
 /// coordinate has its own extent: heights of 1e9 do not weld vertices that are apart in x.
 bool is_one_point(const Grid& grid, const Bounds& box) {
   const dvec3 least = rounding_of(glm::max(glm::abs(box.low), glm::abs(box.high)));
-  const dvec3 tolerance = kSamePosition * grid.local_scale * grid.mesh.bounds.size();
+  const dvec3 tolerance = kSame * grid.local_scale * grid.mesh.bounds.size();
   return glm::all(glm::lessThanEqual(box.size(), glm::max(least, tolerance)));
 }
 
@@ -222,7 +222,7 @@ bool is_one_place(const Grid& grid, const dvec3& p, const dvec3& q, const dvec3&
     const double gap = std::fabs(p[k] - q[k]);
     const double least = std::max(moved[k], kRounding * std::max(std::fabs(p[k]), std::fabs(q[k])));
     const double size = grid.mesh.bounds.high[k] - grid.mesh.bounds.low[k];
-    if (gap > std::max(least, kSamePosition * grid.local_scale * size)) return false;
+    if (gap > std::max(least, kSame * grid.local_scale * size)) return false;
   }
   return true;
 }

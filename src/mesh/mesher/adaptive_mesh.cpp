@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <span>
 
@@ -25,11 +25,6 @@ namespace saddle {
 
 namespace {
 
-/// An uncovered share of the domain up to 1e-12 is rounding error of areas.
-constexpr double kAllCovered = 1e-12;
-/// Normals are opposite, as across a cusp, if their cosine is below -0.9999: limits lose digits.
-constexpr double kOpposite = -0.9999;
-
 /// A list of different places.
 class PlaceList {
  public:
@@ -39,7 +34,7 @@ class PlaceList {
 
   /// Adds a place. False if it is in the list.
   bool add(const dvec2& uv) {
-    const dvec2 place = glm::round(uv / range_ / kSameParameters);
+    const dvec2 place = glm::round(uv / range_ / kSame);
     if (!seen_.insert({place.x, place.y}).second) return false;
     ++count_;
     if (listed_.size() < kMaxListed) listed_.push_back(uv);
@@ -74,6 +69,15 @@ class Finisher {
                       });
     for (const SurfacePoint& point : evaluate(surface, ends, threads)) {
       if (is_finite(point.position)) report.beside_poles.add(point.position);
+    }
+    // Through an open face the surface may go much farther: beside 0 lie many more doubles.
+    for (const auto& [a, b] : tree_.edges().sides_with_features()) {
+      const auto cut = tree_.edges().feature(a, b);
+      if (!cut || cut->kind != FeatureKind::Face) continue;
+      for (const std::uint32_t vertex : {cut->beside_first, cut->beside_second}) {
+        const dvec3& p = grid_.mesh.position[vertex];
+        if (is_finite(p)) report.beside_poles.add(p);
+      }
     }
   }
 
@@ -112,8 +116,9 @@ class Finisher {
   /// Lists as singular points the places where cusps cut the sides of leaves.
   void list_cusps(MeshReport& report) const {
     const auto& n = grid_.mesh.normal;
+    const double opposite = -std::cos(kCreaseDegrees * std::numbers::pi / 180);
     for_features(FeatureKind::Crease, [&](const Side&, const EdgeFeature& cut) {
-      if (glm::dot(n[cut.beside_first], n[cut.beside_second]) < kOpposite)
+      if (glm::dot(n[cut.beside_first], n[cut.beside_second]) < opposite)
         add_singular_point(grid_.mesh.uv[cut.beside_first], report);
     });
   }
@@ -132,7 +137,7 @@ class Finisher {
         covered.add(std::fabs(area_of(sub_polygon)));
     }
     const double share = 1 - covered.value() / std::fabs((d.u1 - d.u0) * (d.v1 - d.v0));
-    return share > kAllCovered ? share : 0;
+    return share > kRoundingOfSums ? share : 0;
   }
 
   /// The largest distance of parts that are left out, because their triangles have no area, from
@@ -195,7 +200,7 @@ class Finisher {
   /// not belong to the line.
   bool is_same_place(std::uint32_t a, std::uint32_t b) const {
     const dvec2 apart = glm::abs(grid_.mesh.uv[a] - grid_.mesh.uv[b]);
-    return glm::all(glm::lessThanEqual(apart, kSameParameters * glm::abs(grid_.range)));
+    return glm::all(glm::lessThanEqual(apart, kSame * glm::abs(grid_.range)));
   }
 
   /// Calls f(side, feature) for each side of a leaf with a feature of this kind.

@@ -103,7 +103,7 @@ void AdaptiveMesher::run(std::vector<Counterexample> counterexamples) {
   for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
     if (direction_.is_cut_unclearly(k)) leave_out_if_small(k);
   }
-  const bool is_finished = !reached_limit_ || is_unrefined();
+  const bool is_finished = !reached_limit_ || !is_refined();
   if (is_finished) singularities_ = leave_out_singularities(surface_, limits_, tree_, mesh_);
   cut_walls(limits_, is_finished, tree_, mesh_);
 }
@@ -117,7 +117,7 @@ ActiveLeaves AdaptiveMesher::next_active() {
   if (active.leaves.empty()) active.leaves = halve_missed();
   if (active.leaves.empty() && certifies()) active = activate_refuted();
   if (active.leaves.empty() && certifies()) active = activate_with_features();
-  if (active.leaves.empty() && is_unrefined()) active = activate_jumping();
+  if (active.leaves.empty() && !may_grow()) active = activate_jumping();
   return active;
 }
 
@@ -158,7 +158,7 @@ void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report
     report.max_error = std::max(report.max_error, farthest.distance);
   }
   report.cells = mesh_.leaves.size();
-  const bool stopped = reached_limit_ && !is_unrefined();
+  const bool stopped = reached_limit_ && is_refined();
   report.reached_limit = report.reached_limit || stopped;
   report.budget_spent = stopped && tree_.budget().is_spent(limits_.triangles);
   report.coarse_normals = coarse_normals_;
@@ -245,12 +245,13 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
     if (!leaf.state.may_be_halved()) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (unresolvable->contains(leaf, tree_)) continue;
-    if ((request_.clip && crosses_box(leaf)) || has_thin_strip(leaf, tree_)) continue;
+    if (request_.clip && crosses_box(leaf)) continue;
     const FeatureCount features = count_features(leaf, tree_);
-    const bool is_solvable = !features.has_more && !has_cut(FeatureKind::Pole, leaf, tree_) &&
-                             !has_cut(FeatureKind::Face, leaf, tree_) &&
-                             !has_cut(FeatureKind::Essential, leaf, tree_) &&
-                             !(leaf.state.is_cut_by_feature() && features.only_creases);
+    const bool is_strip = features.features > 2 && has_thin_strip(leaf, tree_);
+    const bool is_solvable =
+        !features.has_more && !is_strip && !has_cut(FeatureKind::Pole, leaf, tree_) &&
+        !has_cut(FeatureKind::Face, leaf, tree_) && !has_cut(FeatureKind::Essential, leaf, tree_) &&
+        !(leaf.state.is_cut_by_feature() && features.only_creases);
     if (is_solvable) which.push_back(k);
   }
   for (std::span<const std::size_t> rest = which; !rest.empty();) {

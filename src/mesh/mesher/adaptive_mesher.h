@@ -67,8 +67,9 @@ class AdaptiveMesher {
   void complete(const LeafTriangles& triangles, MeshReport& report);
 
  private:
-  bool is_unrefined() const { return !limits_.triangles.is_refined; }
-  bool certifies() const { return request_.certify && !is_unrefined(); }
+  bool is_refined() const { return limits_.triangles.is_refined; }
+  bool may_grow() const { return is_refined() && !reached_limit_; }
+  bool certifies() const { return request_.certify && may_grow(); }
   bool may_stop() const { return request_.stop != MeshRequest::Stop::Never; }
   Seams weld_if_two_dimensional(const Probe& probe);
   TraceOptions trace_options() const;

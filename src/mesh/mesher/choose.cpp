@@ -11,17 +11,9 @@
 namespace saddle {
 namespace {
 
-/// A grid is made if its forecast error is at most 1.005 tolerances: forecasts are right to 0.01.
-constexpr double kPredicted = 1.005;
 /// Closer lines are placed for a tolerance smaller by a factor of 1.2 at least. The number of cells
 /// between drawn lines is whole, so a smaller step often changes nothing.
 constexpr double kToleranceStep = 1.2;
-/// Closer lines do not help a grid that is off by more than 3 tolerances: the error is at one
-/// place.
-constexpr double kWorthCloserLines = 3;
-/// Discarded grids may cost 0.5 times as much as the cell tree.
-constexpr double kMostDiscarded = 0.5;
-constexpr double kTrianglesOfCell = 2;
 
 using Why = MeshChoice::Why;
 
@@ -44,13 +36,13 @@ class Chooser {
     for (double safer = 1;;) {
       if (!is_cheaper(cells_of(lines))) return std::nullopt;
       ++choice_.grids;
-      if (worst <= kPredicted) {
+      if (worst <= 1) {
         GridTrial trial = try_grid(surface_, request_, plan_, lines);
         if (trial.mesh) return std::move(trial.mesh);
         work_.add(trial.work);
         choice_.why = trial.excess > 0 ? Why::GridMisses : Why::NotSmooth;
         choice_.excess = worst = trial.excess;
-        if (!(worst > 0 && worst <= kWorthCloserLines)) return std::nullopt;
+        if (!(worst > 0)) return std::nullopt;
       }
       safer *= std::max(worst, kToleranceStep);
       // Errors grow with the areas of cells. The check also ends the loop where lines do not come
@@ -69,7 +61,7 @@ class Chooser {
 
  private:
   double cost_of(const MeshWork& work, double cells) const {
-    return cost(work, operations_) + drawing_cost(kTrianglesOfCell * cells, request_.draws);
+    return cost(work, operations_) + drawing_cost(2 * cells, request_.draws);
   }
 
   bool may_be_grid() {
@@ -96,13 +88,8 @@ class Chooser {
   bool is_cheaper(const dvec2& sides) {
     const double cells = sides.x * sides.y;
     // False for NaN.
-    const bool is_allowed = kTrianglesOfCell * cells <= static_cast<double>(request_.max_triangles);
+    const bool is_allowed = 2 * cells <= static_cast<double>(request_.max_triangles);
     const MeshWork work = is_allowed ? work_of_grid(cells) : MeshWork();
-    const double discarded = cost(work_, operations_);
-    if (discarded > 0 &&
-        discarded + cost(work, operations_) > kMostDiscarded * choice_.halving_cost) {
-      return false;  // the reason stays: the grid missed
-    }
     if (is_allowed) {
       choice_.cells_u = static_cast<std::size_t>(sides.x);
       choice_.cells_v = static_cast<std::size_t>(sides.y);

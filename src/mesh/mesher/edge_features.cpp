@@ -8,6 +8,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/features/discontinuities.h"
 #include "mesh/mesher/pole_features.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 #include "surface/surface_enclosure.h"
@@ -15,10 +16,6 @@
 namespace saddle {
 
 namespace {
-
-/// Bisections of a side that the boundary crosses: 52 for the digits of a double, 10 for a side up
-/// to 2^10 times as long as its distance from 0.
-constexpr int kBoundaryBisections = 62;
 
 /// Searches a batch of sides.
 class FeatureTracer {
@@ -65,7 +62,7 @@ class FeatureTracer {
       if (!tree_.geometry().is_defined(side[0])) std::swap(ends.back()[0], ends.back()[1]);
     }
     const std::vector<dvec2> uv =
-        last_defined(tree_.surface(), ends, kBoundaryBisections, options_.threads);
+        last_defined(tree_.surface(), ends, kAllHalvings, options_.threads);
     std::vector<Between> places;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       places.push_back({sides[k][0], sides[k][1], uv[k]});
@@ -262,7 +259,7 @@ template <class Search>
 void search_within_budget(std::span<const Side> sides, const TraceOptions& options,
                           const CellTree& tree, Search search) {
   while (!sides.empty() && !tree.budget().is_spent(options.triangles)) {
-    const std::size_t count = std::min(sides.size(), kSidesAtATime);
+    const std::size_t count = std::min(sides.size(), kInBatch);
     search(sides.first(count));
     sides = sides.subspan(count);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_polygon.h"
 
@@ -22,8 +23,6 @@ constexpr std::size_t kLeastTries = 4;
 /// A corner moves by at most 0.24 of a leaf's sides: below 1/4 the triangles of a leaf do not turn
 /// over in (u, v).
 constexpr double kMostShift = 0.24;
-/// Vertices that are moved together, to save memory.
-constexpr std::size_t kVertexBlock = 4096;
 
 /// How far a vertex may move, and in which direction.
 struct Reach {
@@ -101,9 +100,9 @@ void reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
   if (movable.empty()) return;
   const std::size_t tries = std::clamp(kAllTries / movable.size(), kLeastTries, kMostTries);
   std::vector<dvec2> places;
-  for (std::size_t first = 0; first < movable.size(); first += kVertexBlock) {
+  for (std::size_t first = 0; first < movable.size(); first += kInBatch) {
     const auto block =
-        std::span(movable).subspan(first, std::min(kVertexBlock, movable.size() - first));
+        std::span(movable).subspan(first, std::min(kInBatch, movable.size() - first));
     places.clear();
     for (const auto& [vertex, reach] : block) {
       for (std::size_t k = 0; k < tries; ++k) {

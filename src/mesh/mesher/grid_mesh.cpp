@@ -16,20 +16,12 @@
 #include "mesh/mesher/report_errors.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tidy.h"
+#include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {
 
 namespace {
-
-/// Halving helps if the error falls to at most 0.5. It falls to 0.25 on a smooth surface, and to
-/// more at a kink or at the boundary of a hole.
-constexpr double kWorthHalving = 0.5;
-/// Halving ends after 2 consecutive halvings that did not help. After one, the grid may have been
-/// too coarse to sample its own error.
-constexpr int kMostStagnation = 2;
-/// At most 1,000 cells each way: two million triangles.
-constexpr int kMostUniformCells = 1000;
 
 /// Indices of the mesh lines nearest to `lines` evenly spaced lines, each once.
 std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
@@ -42,14 +34,12 @@ std::vector<std::size_t> nearest_mesh_lines(int lines, std::size_t cells) {
   return indices;
 }
 
-/// Blocks of cells each way.
-constexpr std::size_t kBlocks = 64;
 /// Larger grids are not searched: that would take longer than to make them.
 constexpr std::size_t kMostTriangles = 131'072;
 
 /// Ends of `count` stretches of about as many cells each.
 std::vector<std::size_t> stretches(std::size_t cells) {
-  const std::size_t count = std::min(cells, kBlocks);
+  const std::size_t count = std::min(cells, kDomainParts);
   std::vector<std::size_t> ends;
   for (std::size_t k = 0; k <= count; ++k) ends.push_back(k * cells / count);
   return ends;
@@ -150,16 +140,12 @@ MeshResult mesh_uniformly(const Surface& surface, const UniformRequest& request)
   const std::size_t before = surface.evaluations();
   GridOptions grid = request.grid;
   MeshResult result = mesh_on_grid(surface, grid);
-  int stagnation = 0;  // consecutive halvings that did not help
-  while (request.share && stagnation < kMostStagnation &&
+  while (request.share &&
          result.report.max_error > *request.share * result.mesh.bounds.diagonal() &&
-         2 * std::max(grid.cells_u, grid.cells_v) <= kMostUniformCells) {
+         2 * std::max(grid.cells_u, grid.cells_v) <= kMostGridCells) {
     grid.cells_u *= 2;
     grid.cells_v *= 2;
-    MeshResult finer = mesh_on_grid(surface, grid);
-    const bool helped = finer.report.max_error <= kWorthHalving * result.report.max_error;
-    result = std::move(finer);
-    stagnation = helped ? 0 : stagnation + 1;
+    result = mesh_on_grid(surface, grid);
   }
   if (request.clip) {
     clip_mesh(*request.clip, result.mesh);

@@ -28,7 +28,7 @@ struct GridOptions {
 MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options);
 
 /// The cells of mesh_uniformly() are halved until the error is at most `share` of the diagonal, or
-/// halving does not help. Without a share they are not halved.
+/// there would be more than kMostGridCells. Without a share they are not halved.
 struct UniformRequest {
   GridOptions grid;
   std::optional<double> share;

@@ -10,11 +10,9 @@ namespace saddle {
 
 namespace {
 
-/// The sides of a leaf are searched after every 3 consecutive halvings that did not reduce the
-/// distance, and every 2 that did not reduce the error of normals. A single halving in the wrong
-/// direction does not help either.
-constexpr std::uint8_t kSearchPeriod = 3;
-constexpr std::uint8_t kNormalSearchPeriod = 2;
+/// The sides of a leaf are searched after every 2 consecutive halvings that did not reduce its
+/// error. A single halving in the wrong direction does not help either.
+constexpr std::uint8_t kSearchPeriod = 2;
 /// Halvings that follow a boundary, at most: 24 reach a corner of two boundaries with vertical
 /// tangents. Boundaries that meet at a pole or a clip face end at kMostCutHalvings.
 constexpr int kMostBoundaryHalvings = 24;
@@ -41,11 +39,11 @@ int wanted_halvings(const FeatureCount& features) {
 }
 
 bool is_search_due(const Leaf& leaf) {
-  const auto is_due = [](std::uint8_t stagnation, std::uint8_t period) {
-    return stagnation > 0 && stagnation % period == 0;
+  const auto is_due = [](std::uint8_t stagnation) {
+    return stagnation > 0 && stagnation % kSearchPeriod == 0;
   };
-  return leaf.state.is_cut_by_feature() || is_due(leaf.stagnation, kSearchPeriod) ||
-         is_due(leaf.normal_stagnation, kNormalSearchPeriod);
+  return leaf.state.is_cut_by_feature() || is_due(leaf.stagnation) ||
+         is_due(leaf.normal_stagnation);
 }
 
 }  // namespace saddle

@@ -17,11 +17,9 @@ struct FeatureCount;
 /// A halving helps if the error ratio falls to at most 0.8 of the parent's: a smooth arc falls to
 /// 0.25, a kink to 0.5, a vertical tangent to 0.71.
 inline constexpr double kHelps = 0.8;
-/// An error above tolerance no longer halves a leaf once more consecutive halvings did not help: 14
-/// for distances, 12 for normals. Normals turn at any size around a point where sheets meet; 12
-/// halvings make it invisible.
-inline constexpr std::uint8_t kMaxStagnation = 14;
-inline constexpr std::uint8_t kMaxNormalStagnation = 12;
+/// An error above tolerance no longer halves a leaf once more than 12 consecutive halvings did not
+/// help. Normals turn at any size around a point where sheets meet; 12 halvings make it invisible.
+inline constexpr std::uint8_t kMaxStagnation = 12;
 
 /// Halvings of a root cell that the boundary crosses, at first: 4.
 inline constexpr int kBoundaryHalvings = 4;
@@ -29,8 +27,6 @@ inline constexpr int kBoundaryHalvings = 4;
 inline constexpr int kMostCutHalvings = 14;
 /// Halvings of a root cell in all: 16 each way.
 inline constexpr int kMostHalvings = 2 * std::countr_zero(kCellUnit);
-/// Halvings along a pole, at most: 28, twice those that lead to it.
-inline constexpr int kMostHalvingsBesidePole = 2 * kMostCutHalvings;
 
 /// Halvings of the root cell of a leaf.
 inline int halvings_of_root(const Leaf& leaf) {

@@ -55,8 +55,7 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
   patches.reserve(leaves.size());
   for (const std::size_t k : leaves) {
     patches.push_back(patch_of(mesh.leaves[k], mesh.allowed[k], grid_, tree_));
-    const LeafTriangles::Range& range = mesh.triangles.ranges[k];
-    if (range.count < range.expected) patches.back().is_measured = true;
+    if (!mesh.triangles.ranges[k].is_complete()) patches.back().is_measured = true;
   }
   budget_.allow_for(tree_.effort().total());
   BoxMeasure measure(surface_, grid_, patches,

@@ -19,17 +19,15 @@ namespace {
 
 /// Meshing aims at 0.98 of the tolerance: samples miss part of the largest distance.
 constexpr double kAim = 0.98;
-/// Cells of the root grid each way in a small component between the probe's samples.
-constexpr std::size_t kComponentCells = 16;
 /// A root grid has at most 0.28 lines each way over the tolerance as a share of the diagonal: its
 /// narrowest cells are about as wide as the narrow leaves of an Oscillation.
 constexpr double kMostRootLines = 0.28;
+
 /// Too many lines become fewer in steps: the tolerance that they are placed for grows by 1.25; by
-/// 4, which halves their number, while they are more than twice too many; by 1e40 in all. A surface
-/// like sin(1e15*u) would take 1e15 lines.
+/// 4, which halves their number, while they are more than twice too many. A surface like
+/// sin(1e15*u) would take 1e15 lines.
 constexpr double kCoarser = 1.25;
 constexpr double kMuchCoarser = 4;
-constexpr double kCoarsest = 1e40;
 
 FixedLines drawn_lines(const Domain& domain, const MeshRequest& request) {
   const auto lines = [](double first, double last, int count) {
@@ -70,24 +68,24 @@ void place_root_lines(const MeshRequest& request, MeshPlan& plan) {
   const auto lines = [&] {
     return static_cast<double>(std::max(plan.lines.u.size(), plan.lines.v.size()));
   };
-  double factor = 1;
-  while (lines() > most && factor < kCoarsest) {
-    factor *= lines() > 2 * most ? kMuchCoarser : kCoarser;
-    place(factor);
-  }
   const auto is_too_fine = [&] {
     return 2 * cells(plan.lines) > request.max_triangles && cells(plan.lines) > cells(plan.fixed);
   };
-  for (factor *= 2; is_too_fine(); factor *= 2) {
-    plan.is_limited = true;
+  double factor = 1;
+  while (lines() > most && std::isfinite(factor)) {
+    factor *= lines() > 2 * most ? kMuchCoarser : kCoarser;
     place(factor);
+  }
+  while (is_too_fine() && std::isfinite(factor)) {
+    plan.is_limited = true;
+    place(factor *= 2);
   }
   if (const auto& component = plan.probe.component()) {
     const auto [low, high] = component->where;
     plan.lines.u =
-        merged_lines(std::move(plan.lines.u), even_lines(low.x, high.x, kComponentCells));
+        merged_lines(std::move(plan.lines.u), even_lines(low.x, high.x, kMostAddedLines));
     plan.lines.v =
-        merged_lines(std::move(plan.lines.v), even_lines(low.y, high.y, kComponentCells));
+        merged_lines(std::move(plan.lines.v), even_lines(low.y, high.y, kMostAddedLines));
   }
 }
 
@@ -119,7 +117,7 @@ bool is_usable(const Bounds& bounds, const Tolerance& tolerance) {
 
 double rounding_of_positions(const Bounds& bounds) {
   const dvec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
-  return kRoundingOfPositions * std::max({farthest.x, farthest.y, farthest.z});
+  return kRounding * std::max({farthest.x, farthest.y, farthest.z});
 }
 
 }  // namespace

@@ -18,12 +18,9 @@ constexpr double kNarrow = 4;
 /// A leaf predicted to be unresolvable is narrow enough at 1.5 times the width of a narrow one:
 /// the narrowest cells of a root grid need no halving.
 constexpr double kPredictedWidth = 1.5;
-/// The width of a sliver, in ranges: about half a pixel.
-constexpr double kSliver = 1.0 / 2048;
 /// A leaf is unresolvable if it would have to be more than 16 times narrower than a narrow one, 1/4
 /// of a tolerance, to be within tolerance. Errors fall with the square of the width.
-constexpr double kMostNarrowing = 16;
-constexpr double kUnresolvable = kMostNarrowing * kMostNarrowing;
+constexpr double kUnresolvable = 16 * 16;
 /// Predictions need 4 times the error: they take the largest of a few samples for a whole
 /// neighbourhood, a part of which may be resolvable.
 constexpr double kPredictedUnresolvable = 4 * kUnresolvable;
@@ -31,9 +28,7 @@ constexpr double kPredictedUnresolvable = 4 * kUnresolvable;
 /// wide, or if laid end to end they cross it 16 times. Along a line with a vertical tangent, as of
 /// sqrt and ln, about ten leaves side by side fail at any size, twice as many along a slanting
 /// line.
-constexpr double kOscillatingShare = 0.4;
 constexpr double kBlockWidths = 16;
-constexpr double kMostFeatures = 16;
 /// Across its narrow direction a leaf counts for at most 1/4 of a block. Where root lines are
 /// dense, blocks are as narrow as leaves, and a row of leaves along a pole would fill them.
 constexpr double kMostOfOne = 0.25;
@@ -97,7 +92,7 @@ bool Oscillation::contains(const Leaf& leaf, const CellTree& tree) const {
   const dvec2 size = size_of(leaf, tree);
   // One narrow direction is enough: a leaf whose samples happen to be alike would be halved in the
   // other one as well.
-  return (area > kOscillatingShare || length > kMostFeatures) && std::min(size.x, size.y) <= 1;
+  return (area > kOscillatingShare || length > kBlockWidths) && std::min(size.x, size.y) <= 1;
 }
 
 std::optional<bool> Oscillation::splits_predicted_u(const Leaf& leaf, const CellTree& tree) const {
@@ -108,11 +103,6 @@ std::optional<bool> Oscillation::splits_predicted_u(const Leaf& leaf, const Cell
   const bool is_wide_v = is_predicted.y && size.y > kPredictedWidth;
   if (!is_wide_u && !is_wide_v) return std::nullopt;
   return is_wide_u && (!is_wide_v || size.x >= size.y);
-}
-
-bool Oscillation::is_sliver(const Leaf& leaf, const CellTree& tree) const {
-  const dvec2 size = narrow_ * size_of(leaf, tree);
-  return std::min(size.x, size.y) <= kSliver;
 }
 
 dvec2 Oscillation::size_of(const Leaf& leaf, const CellTree& tree) const {

@@ -36,8 +36,6 @@ class Oscillation {
   /// Whether to halve a leaf across u, if it is not narrow yet and predicted to be unresolvable
   /// once it is; else empty. The samples of a leaf with many waves do not tell the direction.
   std::optional<bool> splits_predicted_u(const Leaf& leaf, const CellTree& tree) const;
-  /// Whether a leaf is too narrow in one direction to be halved in it.
-  bool is_sliver(const Leaf& leaf, const CellTree& tree) const;
 
  private:
   /// The unresolvable leaves in a block of the domain.

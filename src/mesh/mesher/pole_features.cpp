@@ -90,6 +90,15 @@ std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& 
   return places;
 }
 
+/// The face of a box beyond which a place is farthest, or which is nearest: its axis, or 3 more for
+/// an upper face.
+std::uint8_t exit_of(const Bounds& box, const dvec3& place) {
+  const dvec3 below = box.low - place;
+  const dvec3 above = place - box.high;
+  const std::array beyond = {below.x, below.y, below.z, above.x, above.y, above.z};
+  return static_cast<std::uint8_t>(std::ranges::max_element(beyond) - beyond.begin());
+}
+
 void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellTree& tree) {
   if (sides.empty()) return;
   std::vector<Between> places;
@@ -112,9 +121,13 @@ void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellT
   }
   std::uint32_t next = tree.geometry().add_between(places, options.threads);
   tree.geometry().take_known_normals();
+  const auto exit = [&](std::uint32_t vertex) {
+    return to_faces ? exit_of(*options.clip, tree.mesh().position[vertex]) : std::uint8_t{0};
+  };
   for (const auto& [a, b] : sides) {
     const FeatureKind kind = to_faces ? FeatureKind::Face : FeatureKind::Pole;
-    tree.edges().set_feature(a, b, EdgeFeature{kind, a, next, next + 1});
+    tree.edges().set_feature(a, b,
+                             EdgeFeature{kind, a, next, next + 1, {exit(next), exit(next + 1)}});
     next += 2;
   }
 }
@@ -122,8 +135,8 @@ void cut_at_once(std::span<const Side> sides, const TraceOptions& options, CellT
 }  // namespace
 
 void cut_poles(std::span<const Side> sides, const TraceOptions& options, CellTree& tree) {
-  for (std::size_t begin = 0; begin < sides.size(); begin += kSidesAtATime) {
-    const std::size_t count = std::min(sides.size() - begin, kSidesAtATime);
+  for (std::size_t begin = 0; begin < sides.size(); begin += kInBatch) {
+    const std::size_t count = std::min(sides.size() - begin, kInBatch);
     cut_at_once(sides.subspan(begin, count), options, tree);
   }
 }

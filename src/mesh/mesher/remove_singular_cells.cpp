@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include <glm/common.hpp>
@@ -9,6 +10,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/mesher/edge_features.h"
 #include "mesh/mesher/follow_features.h"
+#include "mesh/mesher/halving_limits.h"
 #include "mesh/mesher/pole_features.h"
 #include "mesh/model/clip.h"
 #include "mesh/model/tolerances.h"
@@ -22,15 +24,8 @@ namespace {
 
 /// At most 4,096 leaves are searched for point singularities; most take one proof.
 constexpr std::size_t kMostSingularities = 4096;
-/// The area of a leaf, in units, after 14 halvings of its root cell.
-constexpr std::uint64_t kDeepLeaf = std::uint64_t{kCellUnit} * kCellUnit >> 14U;
-/// Limits up to 1e-6 diagonals apart are the same.
-constexpr double kSameLimit = 1e-6;
 /// Up to 32 limits at a point are those of up to 16 lines of jumps through it.
 constexpr std::size_t kLimitsOfLines = 32;
-/// A corner is near if each coordinate is within 0.7 tolerances: the corners of a square are 1.41
-/// times as far away as its sides.
-constexpr double kNearPoint = 0.7;
 
 /// A box around a place, twice as large as `box`, within the domain.
 ParameterBox box_around(const dvec2& place, const ParameterBox& box, const Domain& d) {
@@ -73,7 +68,7 @@ PointsInLeaves find_points(const Surface& surface, const CellTree& tree, const V
 
 /// Whether the ways to a point have more limits than lines of jumps through it explain.
 bool has_many_limits(const PointSingularity& singularity, double diagonal) {
-  return singularity.around.count_chords(kSameLimit * diagonal) > kLimitsOfLines;
+  return singularity.around.count_chords(kNearly * diagonal) > kLimitsOfLines;
 }
 
 /// Whether the chords between corners are within tolerance of the limits at an essential point. The
@@ -103,7 +98,7 @@ std::vector<std::size_t> leaves_to_search(const CellLimits& limits, const CellTr
   std::vector<std::size_t> searched;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
     const Leaf& leaf = mesh.leaves[k];
-    const bool is_deep = std::uint64_t{leaf.size_u()} * leaf.size_v() <= kDeepLeaf;
+    const bool is_deep = halvings_of_root(leaf) >= kMostCutHalvings;
     if (!leaf.state.is_on_boundary() && (exceeds_tolerance(mesh, k) || is_deep) &&
         !is_clipped(leaf, limits.clip, tree))
       searched.push_back(k);
@@ -115,6 +110,12 @@ std::vector<std::size_t> leaves_to_search(const CellLimits& limits, const CellTr
   std::ranges::stable_sort(searched, {}, area);
   if (searched.size() > kMostSingularities) searched.resize(kMostSingularities);
   return searched;
+}
+
+/// The corners of a square are sqrt(2) times as far away as its sides: a corner is near if each
+/// coordinate is within this.
+double near_each_way(double allowed) {
+  return allowed / std::numbers::sqrt2;
 }
 
 /// Poles and essential points, indexed by the positions of the surface around them.
@@ -165,7 +166,7 @@ class SingularitiesInSpace {
 /// chords are farther away is left out.
 void accept_around(const PointSingularity& singularity, const std::array<dvec3, 4>& corners,
                    std::size_t number, ValidatedMesh& mesh) {
-  const double near = kNearPoint * mesh.allowed[number];
+  const double near = near_each_way(mesh.allowed[number]);
   const Bounds around{singularity.near.low - near, singularity.near.high + near};
   const auto is_near = [&](const dvec3& p) { return !is_finite(p) || around.contains(p); };
   if (!std::ranges::all_of(corners, is_near)) return;
@@ -194,7 +195,7 @@ void accept_around(std::vector<const PointSingularity*> singularities, const Cel
     const auto* const known = std::ranges::find_if(corners, is_finite);
     if (known == corners.end()) continue;
     in_space.for_near(
-        *known, kNearPoint * mesh.allowed[k],
+        *known, near_each_way(mesh.allowed[k]),
         [&](const PointSingularity& singularity) { accept_around(singularity, corners, k, mesh); });
   }
 }
@@ -304,7 +305,7 @@ std::vector<PlacedSingularity> leave_out_singularities(const Surface& surface,
     mesh.leaves[leaves[i]].state.leave_out();
     const auto is_same = [&, place = places[i]](const PlacedSingularity& other) {
       const dvec2 off = glm::abs(other.uv - place) / range;
-      return std::max(off.x, off.y) < kSameParameters;
+      return std::max(off.x, off.y) < kSame;
     };
     if (std::ranges::none_of(result, is_same)) result.push_back({places[i], singularities[i]});
   }

@@ -12,6 +12,7 @@
 #include "mesh/error/open_leaves.h"
 #include "mesh/error/validation_points.h"
 #include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/proof/feature_search.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/feature_count.h"
@@ -26,8 +27,6 @@ constexpr std::size_t kLeastSearched = 1024;
 
 /// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
 constexpr std::ptrdiff_t kWaves = 16;
-/// Leaves that are measured together.
-constexpr std::size_t kTogether = 256;
 /// The search climbs from the worst 16 leaves, with 160 evaluations each.
 constexpr std::size_t kClimbed = 16;
 /// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes.
@@ -74,12 +73,10 @@ class ErrorSearch {
     starts_.clear();
   }
 
-  /// Adds triangles that climb_on_mesh() measures: from the middles of their sides and their own.
+  /// Adds triangles that climb_on_mesh() measures.
   void measure_triangles(const SearchedPart& part) {
     if (part.scale != 1) return;
-    for (const Triangle& t : part.triangles) {
-      for (const dvec3& weights : kMiddlesOfTriangle) on_mesh_.push_back({&t, weights});
-    }
+    for (const Triangle& t : part.triangles) on_mesh_.push_back(&t);
   }
   void climb_on_mesh() { take(whole_.from_mesh(on_mesh_, worst_.distance, tolerance_), 1); }
 
@@ -98,7 +95,7 @@ class ErrorSearch {
   const WholeMeshError& whole_;
   PlacedError worst_;
   std::vector<Start> starts_;
-  std::vector<MeshPlace> on_mesh_;
+  std::vector<const Triangle*> on_mesh_;
 };
 
 }  // namespace
@@ -123,9 +120,8 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   features.dive(parts);
   ErrorSearch search(tolerance, whole(), features.search(kMostBoxes));
   for (std::size_t next = 0;
-       next < suspects.size() && suspects[next].error > search.worst().distance;
-       next += kTogether) {
-    search.measure(suspects.subspan(next, std::min(kTogether, suspects.size() - next)));
+       next < suspects.size() && suspects[next].error > search.worst().distance; next += kInBatch) {
+    search.measure(suspects.subspan(next, std::min(kInBatch, suspects.size() - next)));
   }
   search.climb();
   if (from == SearchFrom::Both) {

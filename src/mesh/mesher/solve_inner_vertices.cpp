@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/features/sheet_ends.h"
+#include "mesh/model/sample_places.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 
@@ -32,16 +34,12 @@ constexpr double kShareOfCorner = 0.6;
 constexpr double kLeastCorner = 10 * std::numbers::pi / 180;
 /// An edge nearer to its chord than 1e-5 of the leaf is straight.
 constexpr double kStraight = 1e-5;
-/// Edges nearer to each other than 1e-6 of the leaf meet.
-constexpr double kMeet = 1e-6;
 /// A ray to a corner of the feature goes on by 1e-4 of itself, to show that the sheet ends there.
 constexpr double kOvershoot = 1e-4;
-/// Bisections of a ray: to the last digits. A first round takes 20: 1e-6 of the leaf.
-constexpr int kRayBisections = kAllHalvings;
+/// Bisections of a ray in the first round, to 1e-6 of the leaf. Later ones go to the last digits.
 constexpr int kFirstBisections = 20;
-/// Chords that are near enough are looked at on 3 rays, to 12 bisections. Two neighbouring places
-/// hold 0.85 of the turn at a corner, and 0.67 of that of an arc.
-constexpr std::array kGlances = {0.25, 0.5, 0.75};
+/// Chords that are near enough are looked at on the rays of kAlongLine, to 12 bisections. Two
+/// neighbouring places hold 0.85 of the turn at a corner, and 0.67 of that of an arc.
 constexpr int kGlanceBisections = 12;
 constexpr double kGlanceAtCorner = 0.85;
 
@@ -75,7 +73,7 @@ double distance_from_chord_of(const SheetChord& chord, const dvec2& place) {
 
 /// Whether a place is clearly on the side of a chord where its sheet is.
 bool is_on_sheet_side(const SheetChord& chord, const dvec2& place) {
-  return cross(chord.ends[1] - chord.ends[0], place - chord.ends[0]) > kMeet;
+  return cross(chord.ends[1] - chord.ends[0], place - chord.ends[0]) > kNearly;
 }
 
 /// Where lines through a and b, and through c and d, meet.
@@ -157,7 +155,7 @@ class Solver {
           height = above;
           chord.from = place(i);
         }
-        chord.is_open = height > kMeet;
+        chord.is_open = height > kNearly;
         chord.is_near = mesh_.is_near(number);
         chords_.push_back(chord);
       }
@@ -168,7 +166,8 @@ class Solver {
   struct EdgePlace {
     dvec2 place;
     dvec2 uv;
-    bool is_edge;  ///< the sheet does not go on beyond
+    bool is_edge;      ///< the sheet does not go on beyond
+    bool is_boundary;  ///< the surface is undefined beyond
   };
   /// Finds the last places of sheets on rays that lead to no pole.
   std::vector<std::optional<EdgePlace>> edges_on(std::span<const std::size_t> leaves,
@@ -184,9 +183,11 @@ class Solver {
     std::vector<std::optional<EdgePlace>> edges(rays.size());
     for (std::size_t k = 0; k < rays.size(); ++k) {
       // A value of its own ends where it is.
-      const bool is_edge =
-          rays[k][0] == rays[k][1] || (ends[k] && ends[k]->kind != SheetEnd::Kind::Open);
-      if (ends[k]) edges[k] = {from_parameters(leaves[k], ends[k]->uv), ends[k]->uv, is_edge};
+      if (!ends[k]) continue;
+      const SheetEnd::Kind kind = ends[k]->kind;
+      const bool is_edge = rays[k][0] == rays[k][1] || kind != SheetEnd::Kind::Open;
+      edges[k] = {from_parameters(leaves[k], ends[k]->uv), ends[k]->uv, is_edge,
+                  kind == SheetEnd::Kind::Boundary};
     }
     return edges;
   }
@@ -223,12 +224,12 @@ class Solver {
   /// Closes the chords that are near enough and have no corner.
   void glance() {
     const auto shares_of = [](const SheetChord& chord) {
-      return chord.is_near ? std::span<const double>(kGlances) : std::span<const double>();
+      return chord.is_near ? std::span<const double>(kAlongLine) : std::span<const double>();
     };
     look(shares_of, kGlanceBisections, [](SheetChord& chord, std::span<const dvec2> places) {
-      const std::array<dvec2, kGlances.size() + 2> nodes = {chord.ends[0], places[0], places[1],
-                                                            places[2], chord.ends[1]};
-      std::array<double, kGlances.size()> turns = {};
+      const std::array<dvec2, kAlongLine.size() + 2> nodes = {chord.ends[0], places[0], places[1],
+                                                              places[2], chord.ends[1]};
+      std::array<double, kAlongLine.size()> turns = {};
       for (std::size_t k = 0; k < turns.size(); ++k)
         turns[k] = turn_between(nodes[k + 1] - nodes[k], nodes[k + 2] - nodes[k + 1]);
       const double sum = std::fabs(turns[0]) + std::fabs(turns[1]) + std::fabs(turns[2]);
@@ -241,7 +242,7 @@ class Solver {
     const auto shares_of = [](const SheetChord& chord) {
       return std::span<const double>(chord.shares).subspan(1, kRays);
     };
-    look(shares_of, round == 0 ? kFirstBisections : kRayBisections,
+    look(shares_of, round == 0 ? kFirstBisections : kAllHalvings,
          [](SheetChord& chord, std::span<const dvec2> places) {
            std::ranges::copy(places, chord.nodes.begin() + 1);
          });
@@ -323,7 +324,7 @@ class Solver {
 
   /// A place a little farther on the ray to a corner of the feature, in the leaf.
   static dvec2 beyond(const dvec2& from, const dvec2& corner) {
-    if (glm::distance(from, corner) <= kMeet) return from;
+    if (glm::distance(from, corner) <= kNearly) return from;
     const dvec2 place = corner + kOvershoot * (corner - from);
     const bool is_inside = std::min(place.x, place.y) >= 0 && std::max(place.x, place.y) <= 1;
     return is_inside ? place : border_of_square(from, corner - from);
@@ -332,7 +333,7 @@ class Solver {
   /// A place on the ray to a corner of the feature, clearly before the corner.
   static dvec2 before(const dvec2& from, const dvec2& corner) {
     const double length = glm::distance(from, corner);
-    return length > 2 * kMeet ? glm::mix(from, corner, 1 - 2 * kMeet / length) : from;
+    return length > 2 * kNearly ? glm::mix(from, corner, 1 - 2 * kNearly / length) : from;
   }
 
   /// The parameters of a sheet's vertex at a corner of the feature, if the sheet reaches it.
@@ -341,12 +342,13 @@ class Solver {
   std::optional<dvec2> on_sheet(const SheetChord& chord, const dvec2& corner, const EdgePlace& last,
                                 const EdgePlace& inner) {
     const bool starts_there = before(chord.from, corner) == chord.from;
-    if (last.is_edge && glm::distance(last.place, corner) > kMeet) return std::nullopt;
+    if (last.is_edge && glm::distance(last.place, corner) > kNearly) return std::nullopt;
     if (starts_there) return last.uv;
     if (inner.is_edge) return std::nullopt;
     // A sheet that touches the corner with its border goes on beyond.
     if (!last.is_edge)
       return is_on_sheet_side(chord, corner) ? std::optional(inner.uv) : std::nullopt;
+    if (last.is_boundary) return last.uv;
     // Where several jumps meet, rounding may put the last place beyond one of them.
     tree_.effort().add_places(2);
     const auto points = evaluate(tree_.surface(), std::array{last.uv, inner.uv}, 1);
@@ -374,10 +376,10 @@ class Solver {
       }
       begin = end;
     }
-    const auto edges = edges_on(leaves, rays, kRayBisections);
+    const auto edges = edges_on(leaves, rays, kAllHalvings);
     for (std::size_t k = 0; k < chords.size(); ++k)
       rays[k][1] = before(chords[k]->from, corners[k]);
-    const auto inner = edges_on(leaves, rays, kRayBisections);
+    const auto inner = edges_on(leaves, rays, kAllHalvings);
     std::vector<InnerPlace> places;
     std::vector<const SheetChord*> placed;
     for (std::size_t k = 0; k < chords.size(); ++k) {

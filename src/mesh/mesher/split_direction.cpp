@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/mesher/oscillation.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 #include "mesh/tree/feature_count.h"
@@ -14,15 +15,19 @@ namespace {
 
 /// An error estimate below 0.5 tolerances says nothing about the direction of a sampled error.
 constexpr double kSignificant = 0.5;
-/// The share of a leaf by which its sub-polygons may overlap or leave a gap in (u, v): 1e-9, for
-/// the rounding of inner vertices' places.
-constexpr double kRoundingOfArea = 1e-9;
+
+/// The width of a sliver, in root cells.
+constexpr double kSliver = 1.0 / 32;
+
+bool is_sliver(const Leaf& leaf) {
+  return std::min(leaf.size_u(), leaf.size_v()) <= kSliver * kCellUnit;
+}
 
 bool covers_leaf(const Leaf& leaf, const CellTree& tree) {
   double area = 0;
   for (const Polygon& polygon : sub_polygons(leaf, tree)) area += 0.5 * doubled_area_of(polygon);
   const double whole = leaf.size_u() * leaf.size_v();
-  return std::fabs(area - whole) <= kRoundingOfArea * whole;
+  return std::fabs(area - whole) <= kSame * whole;
 }
 
 }  // namespace
@@ -36,12 +41,14 @@ bool SplitDirection::is_across_u(std::size_t number, const Oscillation& predicte
   }
   if (leaf.state.is_on_boundary()) return indicator_.splits_boundary_u(leaf);
   if (is_cut_unclearly(number)) return count_features(leaf, tree_).is_parted_along_u(leaf);
-  if (is_far && mesh_.sampled_errors[number].on_crease) return is_cut_along_u(leaf, tree_);
+  // Where halving across a crease has made a sliver, the error is in one of its sub-polygons.
+  const bool is_done = is_sliver(leaf) && count_features(leaf, tree_).only_creases;
+  if (is_far && mesh_.sampled_errors[number].on_crease && !is_done)
+    return is_cut_along_u(leaf, tree_);
   const CellError error = indicator_.estimate(leaf);
   const ErrorRatios ratios = is_far ? error.distance : error.turn;
   const bool is_significant = std::max(ratios.along_u, ratios.along_v) > kSignificant;
-  const bool is_narrow = Oscillation(grid_, limits_.share).is_sliver(leaf, tree_);
-  if (is_significant && !is_narrow) return ratios.along_u >= ratios.along_v;
+  if (is_significant) return ratios.along_u >= ratios.along_v;
   // The normals at a singular side are not known yet, but turn most there.
   if (!is_far && has_singular_side(leaf.samples, 0) != has_singular_side(leaf.samples, 1)) {
     return has_singular_side(leaf.samples, 1);

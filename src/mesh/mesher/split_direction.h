@@ -16,7 +16,7 @@ class SplitDirection {
  public:
   SplitDirection(const CellLimits& limits, const Grid& grid, const CellTree& tree,
                  const ValidatedMesh& mesh)
-      : limits_(limits), grid_(grid), tree_(tree), mesh_(mesh), indicator_(limits, grid, tree) {}
+      : tree_(tree), mesh_(mesh), indicator_(limits, grid, tree) {}
 
   /// Whether to halve a leaf across u. `predicted`: where the surface oscillates.
   bool is_across_u(std::size_t leaf, const Oscillation& predicted) const;
@@ -29,8 +29,6 @@ class SplitDirection {
  private:
   bool has_singular_side(const SampleVertices& samples, std::size_t along) const;
 
-  const CellLimits& limits_;
-  const Grid& grid_;
   const CellTree& tree_;
   const ValidatedMesh& mesh_;
   ErrorIndicator indicator_;

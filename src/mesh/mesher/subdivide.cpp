@@ -1,9 +1,9 @@
 #include "mesh/mesher/subdivide.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "base/numbers.h"
 #include "mesh/distance/sampled_error.h"
 #include "mesh/error/error_indicator.h"
 #include "mesh/error/estimate_many.h"
@@ -21,9 +21,6 @@
 namespace saddle {
 
 namespace {
-
-/// In tolerances: a leaf with features whose image is shorter is not halved toward landmarks.
-constexpr double kResolved = 0.5;
 
 /// An active leaf without an error estimate.
 struct Candidate {
@@ -313,14 +310,13 @@ class Subdivider {
     const double distance = error.distance.worst() * leaf.safety;
     const bool turn_counts = !tree_.budget().has_many(limit_for_normals(goal_.triangles));
     const double turn = turn_counts ? error.turn.worst() * leaf.normal_safety : 0;
-    // Toward a pole errors grow as leaves shrink, so halvings are limited: to 14 where the leaf may
-    // jump, to 28 beside the pole.
-    const int most = error.may_jump ? kMostCutHalvings : kMostHalvingsBesidePole;
+    // Toward a pole errors grow as leaves shrink, so halvings are limited: further where the leaf
+    // may jump than beside the pole.
+    const int most = error.may_jump ? kMostCutHalvings : kMostHalvings;
     const bool is_cut_off =
         leaf.state.leads_to_pole() && (halvings(leaf) >= most || indicator_.is_outside(leaf));
     const bool is_far = distance > 1 && leaf.stagnation <= kMaxStagnation && !is_cut_off;
-    const bool is_turned =
-        turn > 1 && leaf.normal_stagnation <= kMaxNormalStagnation && !is_cut_off;
+    const bool is_turned = turn > 1 && leaf.normal_stagnation <= kMaxStagnation && !is_cut_off;
     const ErrorRatios ratios = !is_turned ? error.distance
                                : !is_far  ? error.turn
                                           : worse(error.distance, error.turn);
@@ -380,7 +376,7 @@ class Subdivider {
   }
 
   /// Whether a leaf with features misses a landmark by more than the tolerance, and is not smaller
-  /// than half a tolerance there.
+  /// than the tolerance there.
   bool misses_landmark(const Candidate& candidate) {
     const auto& leaf = candidate.leaf;
     const dvec2 size =
@@ -390,11 +386,11 @@ class Subdivider {
       const Counterexample& place = counterexamples_[number];
       if (!place.speed || !is_finite(place.position)) continue;
       const double allowed = limits_.tolerance(place.position);
-      if (!(glm::dot(*place.speed, size) > kResolved * allowed)) continue;
+      if (!(glm::dot(*place.speed, size) > allowed)) continue;
       if (!triangles) {
         search_sides(std::span(&leaf, 1));
-        constexpr std::array<std::size_t, 1> kOne = {0};
-        triangles = triangulate_leaves(std::span(&leaf, 1), kOne, SingularCorners(), grid_, tree_);
+        triangles = triangulate_leaves(std::span(&leaf, 1), std::array{std::size_t{0}},
+                                       SingularCorners(), grid_, tree_);
       }
       if (triangles->all.empty() ||
           distance_from(grid_, triangles->all, place.uv, place.position) > allowed) {
@@ -436,8 +432,7 @@ Subdivision subdivide(const ActiveLeaves& active, Oscillation known_oscillation,
   std::vector<Candidate> candidates;
   candidates.reserve(leaves.size());
   for (const Leaf& leaf : leaves) {
-    constexpr double kUnknown = std::numeric_limits<double>::infinity();
-    candidates.push_back({leaf, {}, kUnknown, kUnknown});
+    candidates.push_back({leaf, {}, kInfinity, kInfinity});
     candidates.back().leaf.followed_at = 0;
   }
   for (std::uint32_t k = 0; k < counterexamples.size(); ++k) {

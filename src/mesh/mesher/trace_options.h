@@ -10,10 +10,6 @@
 
 namespace saddle {
 
-/// Sides that are searched together, between two checks of the budget: some milliseconds if each
-/// side takes hundreds of evaluations.
-inline constexpr std::size_t kSidesAtATime = 512;
-
 struct TraceOptions {
   Tolerance tolerance;
   /// Whether sides that lead to poles are cut without a clip box, too. A leaf is removed with its

@@ -7,14 +7,11 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
 namespace {
-
-/// In largest coordinates of the box: a vertex this near to a face is on it. The part that would be
-/// cut off beside it has no area but for rounding.
-constexpr double kOnFace = 1e-13;
 
 double largest_coordinate(const Bounds& box) {
   double largest = 0;
@@ -143,7 +140,7 @@ class Face {
 }  // namespace
 
 void clip_mesh(const Bounds& box, Mesh& mesh) {
-  const double rounding = kOnFace * largest_coordinate(box);
+  const double rounding = kRoundingOfSums * largest_coordinate(box);
   for (int axis = 0; axis < 3; ++axis) {
     Face(axis, -1, box.low[axis], rounding, mesh).clip();
     Face(axis, 1, box.high[axis], rounding, mesh).clip();

@@ -9,26 +9,20 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/model/tolerances.h"
 #include "mesh/model/topology.h"
 
 namespace saddle {
 namespace {
 
-/// The area vectors of a closed mesh add up to 0, but for rounding: this share of their lengths.
-constexpr double kOpen = 1e-6;
-
 /// Fewest stretches of a tube: with 3, the neighbours ahead and behind differ.
 constexpr std::size_t kFewest = 3;
-
-/// Tetrahedra thinner than this share of their size are flat: they are thinner than a float's step,
-/// and rounding decides their orientation.
-constexpr double kFlatTetrahedron = 1e-12;
 
 /// 1 if the tetrahedron of these vectors is oriented outward, -1 if inward or if a vector is not
 /// finite, 0 if it is flat.
 int orientation(const dvec3& a, const dvec3& b, const dvec3& c) {
   const double volume = glm::dot(a, glm::cross(b, c));
-  const double flat = kFlatTetrahedron * glm::length(a) * glm::length(b) * glm::length(c);
+  const double flat = kRoundingOfSums * glm::length(a) * glm::length(b) * glm::length(c);
   if (std::abs(volume) <= flat) return 0;
   return volume > 0 ? 1 : -1;
 }
@@ -44,7 +38,7 @@ bool may_be_closed(const Mesh& mesh) {
     sum += twice;
     area += glm::length(twice);
   }
-  return glm::length(sum) <= kOpen * area;
+  return glm::length(sum) <= kNearly * area;
 }
 
 /// The parts of a mesh that shrink to a place each.

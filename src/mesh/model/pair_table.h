@@ -25,7 +25,8 @@ class PairTable {
 
   /// Inserts `value` unless the pair has a value. Returns the pair's value, and whether it is new.
   std::pair<std::uint32_t, bool> insert(Pair pair, std::uint32_t value = 0) {
-    if (kFull * (size_ + 1) > slots_.size()) grow();
+    // At most half of the slots are taken, so that searches are short.
+    if (2 * (size_ + 1) > slots_.size()) grow();
     Slot& slot = slots_[place_of(pair)];
     const bool is_new = slot.pair == kNone;
     if (is_new) {
@@ -52,7 +53,6 @@ class PairTable {
   /// No pair: a number with itself.
   static constexpr Pair kNone = ~Pair{0};
   /// At most one slot in 2 is taken, so that searches are short.
-  static constexpr std::size_t kFull = 2;
   static constexpr std::size_t kFirstSlots = 64;  // a power of 2, as all sizes are
 
   struct Slot {

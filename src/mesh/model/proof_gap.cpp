@@ -17,27 +17,27 @@ struct GapText {
 };
 
 /// In the order of GapReason.
-constexpr std::array<GapText, 14> kTexts = {{
-    {"rim", "the surface ends there"},
-    {"jump", "it jumps"},
-    {"pole", "it goes to infinity"},
-    {"no limit", "each way leads to another place"},
-    {"singular point", "a point has no normal of its own"},
-    {"crease", "it has a crease"},
-    {"may be undefined", "bounds of the formula do not exclude that it is undefined somewhere"},
-    {"may jump", "bounds of the formula do not exclude a jump"},
-    {"endless derivatives", "second derivatives are endless or do not exist"},
-    {"wide bounds", "second derivatives are too large, or their bounds too wide"},
-    {"limit of work", "a proof would take more work than it is worth"},
-    {"left out", "triangles have no area in double precision and are left out"},
-    {"limit of triangles", "--max-triangles stopped refinement"},
-    {"not tried", "nothing was proved of this mesh"},
-}};
+constexpr std::array kTexts = {
+    GapText{"rim", "the surface ends there"},
+    GapText{"jump", "it jumps"},
+    GapText{"pole", "it goes to infinity"},
+    GapText{"no limit", "each way leads to another place"},
+    GapText{"singular point", "a point has no normal of its own"},
+    GapText{"crease", "it has a crease"},
+    GapText{"may be undefined",
+            "bounds of the formula do not exclude that it is undefined somewhere"},
+    GapText{"may jump", "bounds of the formula do not exclude a jump"},
+    GapText{"endless derivatives", "second derivatives are endless or do not exist"},
+    GapText{"wide bounds", "second derivatives are too large, or their bounds too wide"},
+    GapText{"limit of work", "a proof would take more work than it is worth"},
+    GapText{"left out", "triangles have no area in double precision and are left out"},
+    GapText{"limit of triangles", "--max-triangles stopped refinement"},
+    GapText{"off", "the mesh is off by more than its tolerance there"},
+    GapText{"not tried", "nothing was proved of this mesh"},
+};
 
-/// Cells each way of a grid over the domain. Boxes in the same or in neighbouring cells are united.
-constexpr std::size_t kCells = 64;
-
-/// Finds the connected components of the boxes of one reason.
+/// Finds the connected components of the boxes of one reason, on a grid over the domain: boxes in
+/// the same or in neighbouring cells are united.
 class Merger {
  public:
   explicit Merger(const Domain& domain) : domain_(domain) {}
@@ -51,7 +51,7 @@ class Merger {
         part.high = glm::max(place.low, place.high);
         // The share of a box that lies in several cells counts once.
         if (i != first[0] || j != first[1]) part.share = part.visible = 0;
-        auto& box = boxes_[j * kCells + i];
+        auto& box = boxes_[j * kDomainParts + i];
         box = box ? united(*box, part) : part;
       }
     }
@@ -70,7 +70,7 @@ class Merger {
     const dvec2 part = (uv - dvec2(domain_.u0, domain_.v0)) /
                        dvec2(domain_.u1 - domain_.u0, domain_.v1 - domain_.v0);
     const auto index = [](double x) {
-      return static_cast<std::size_t>(std::clamp(x * kCells, 0.0, kCells - 1.0));
+      return static_cast<std::size_t>(std::clamp(x * kDomainParts, 0.0, kDomainParts - 1.0));
     };
     return {index(part.x), index(part.y)};
   }
@@ -92,11 +92,11 @@ class Merger {
       if (!boxes_[cell]) continue;
       whole = united(whole, *boxes_[cell]);
       boxes_[cell].reset();
-      const std::size_t i = cell % kCells;
-      const std::size_t j = cell / kCells;
-      for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kCells - 1); ++b) {
-        for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kCells - 1); ++a) {
-          if (boxes_[b * kCells + a]) open.push_back(b * kCells + a);
+      const std::size_t i = cell % kDomainParts;
+      const std::size_t j = cell / kDomainParts;
+      for (std::size_t b = j == 0 ? 0 : j - 1; b <= std::min(j + 1, kDomainParts - 1); ++b) {
+        for (std::size_t a = i == 0 ? 0 : i - 1; a <= std::min(i + 1, kDomainParts - 1); ++a) {
+          if (boxes_[b * kDomainParts + a]) open.push_back(b * kDomainParts + a);
         }
       }
     }
@@ -104,7 +104,7 @@ class Merger {
   }
 
   const Domain& domain_;
-  std::array<std::optional<ProofGap>, kCells* kCells> boxes_ = {};
+  std::array<std::optional<ProofGap>, kDomainParts* kDomainParts> boxes_ = {};
 };
 
 }  // namespace

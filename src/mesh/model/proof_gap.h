@@ -26,6 +26,7 @@ enum class GapReason : std::uint8_t {
   Work,       ///< the budget of boxes ended
   Flat,       ///< triangles without area were left out
   Triangles,  ///< the limit of triangles came first
+  Off,        ///< a search found the mesh off by more than its tolerance
   NotTried,   ///< no proof was asked for, or samples kept failing
 };
 

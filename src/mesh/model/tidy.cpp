@@ -3,15 +3,15 @@
 #include <memory>
 #include <span>
 
+#include "base/numbers.h"
+
 namespace saddle {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
-
 /// Moves lines to used corners of the same points. Points without one leave the line.
 void move_lines(Mesh& mesh, std::span<const bool> used) {
-  std::vector<std::uint32_t> of_point(mesh.point.size(), kNone);
+  std::vector<std::uint32_t> of_point(mesh.point.size(), kNoIndex);
   for (std::uint32_t corner = 0; corner < mesh.point.size(); ++corner) {
     if (used[corner]) of_point[mesh.point[corner]] = corner;
   }
@@ -19,7 +19,7 @@ void move_lines(Mesh& mesh, std::span<const bool> used) {
     for (std::uint32_t& corner : line) {
       if (!used[corner]) corner = of_point[mesh.point[corner]];
     }
-    std::erase(line, kNone);
+    std::erase(line, kNoIndex);
   }
 }
 
@@ -53,11 +53,11 @@ void drop_unused(Mesh& mesh, std::span<const bool> used) {
 void number_points(Mesh& mesh) {
   std::uint32_t names = 0;
   for (const std::uint32_t point : mesh.point) names = std::max(names, point + 1);
-  std::vector<std::uint32_t> numbers(names, kNone);
+  std::vector<std::uint32_t> numbers(names, kNoIndex);
   mesh.point_count = 0;
   for (std::uint32_t& point : mesh.point) {
     std::uint32_t& number = numbers[point];
-    if (number == kNone) number = mesh.point_count++;
+    if (number == kNoIndex) number = mesh.point_count++;
     point = number;
   }
 }

@@ -9,35 +9,38 @@ namespace saddle {
 // Rounding.
 
 /// 4 epsilon, relative to a coordinate: the rounding of a few operations. A smaller difference is
-/// none. Each coordinate has its own, so that a spike in one does not swallow the others.
+/// none, and no mesh is nearer to its surface: both are rounded. Each coordinate has its own, so
+/// that a spike in one does not swallow the others.
 inline constexpr double kRounding = 0x1p-50;
-/// 2 epsilon, relative to the largest coordinate: a position and a sample of the surface are each
-/// rounded by up to 1/2 epsilon, and so are sums in formulas. No mesh is nearer than that.
-inline constexpr double kRoundingOfPositions = 0x1p-51;
 /// Relative: |r_u x r_v|^2 below this part of |r_u|^2 |r_v|^2 is 0. It is the square of
 /// kDegenerateCross of surface/normal.h.
 inline constexpr double kDegenerateCrossSquare = 1e-14;
-/// Relative: sagittas, or squares of lengths, that differ by less are equal. Both diagonals of a
-/// cell have the same on surfaces of revolution, and rounding must not choose between them.
-inline constexpr double kTie = 1e-6;
+/// Relative: the rounding of a sum over a mesh, or of a product of sums.
+inline constexpr double kRoundingOfSums = 1e-12;
 
-// The same place.
+// The same place or number.
 
-/// In ranges of the parameters: points, poles and jumps that are nearer to each other are one.
-inline constexpr double kSameParameters = 1e-9;
-/// In lengths of a line of parameters: places on it that are nearer to each other, or to its end,
-/// are one. A formula that has a value of its own at a jump makes two steps; a stretch of a side
-/// this short is a sliver made of rounding.
-inline constexpr double kSameOnLine = 1e-9;
-/// In extents of the surface: points that are nearer to each other may be one. This is some digits
-/// more than sin(2 pi) and its like lose, and far below a float's digits or a pixel.
-inline constexpr double kSamePosition = 1e-9;
+/// Numbers, parameters and points are the same if they differ by no more than this part of their
+/// ranges: some digits more than sin(2 pi) and its like lose, and far below a float's digits or a
+/// pixel. On a line of parameters, a range is its length: a formula that has a value of its own at
+/// a jump makes two steps; a stretch of a side this short is a sliver made of rounding.
+inline constexpr double kSame = 1e-9;
+/// The same for what is derived from them with fewer digits: lengths, areas, limits. Both diagonals
+/// of a cell have the same sagitta on surfaces of revolution, and rounding must not choose. Double
+/// zeros are known to 1e-8.
+inline constexpr double kNearly = 1e-6;
 /// In diagonals of the surface: rounding of the parameters joins no points that are farther apart.
 /// sin(2 pi)^0.1 is 0.03.
 inline constexpr double kMostRounding = 0.05;
 /// In diagonals of the surface: limits along several ways to a point that differ by less agree. A
 /// smooth surface moves by 1e-6 of its size on those ways.
 inline constexpr double kLimitsAgree = 1e-4;
+/// A move or gap that is less than this part of the one before goes to 0: a root of order 12 moves
+/// by 0.79 of its last move on a way 16 times as short, ln by all of it.
+inline constexpr double kShrinks = 0.8;
+/// A factor: differences that keep within it towards a point stay as they are. If they shrink by
+/// more they are on their way to agree; if they grow by more they are a pole or rounding.
+inline constexpr double kStays = 2;
 
 // Directions and slopes.
 
@@ -47,8 +50,8 @@ inline constexpr double kCreaseDegrees = 1;
 /// In chords: a sample farther from its chord does not lie on a small arc, and its distance along
 /// the normal is no estimate of the error.
 inline constexpr double kSmallArc = 0.3;
-/// Cosine of 60 degrees: an arc whose normal turns farther from the chord's is no polynomial of
-/// fourth order.
+/// Cosine of 60 degrees: normals farther apart are not alike, and an arc whose normal turns farther
+/// from the chord's is no polynomial of fourth order.
 inline constexpr double kSteepCosine = 0.5;
 /// In chords: a sample farther from the chord's middle does not show an arc's height.
 inline constexpr double kAsideOfMiddle = 0.2;
@@ -67,14 +70,33 @@ inline constexpr double kMostAbove = 0.1;
 /// In sides of a cell: the largest random offset of a sample from the place where the error of a
 /// parabola is largest. It then shows 1 - (2 * 0.1)^2 = 96 % of that error at least.
 inline constexpr double kSampleJitter = 0.1;
+/// In even stretches of the domain: the largest shift of a line from the middle of its stretch. A
+/// surface that oscillates in step with an even grid is not in step with this one.
+inline constexpr double kLineJitter = 0.4;
 
 // Counts.
+
+/// Parts of the domain each way in which features are told apart: the columns and rows of a probe's
+/// samples, the blocks of a search, the boxes that a report unites.
+inline constexpr std::size_t kDomainParts = 64;
+/// Sides, leaves or vertices that are worked on together, between two checks of a budget: some
+/// milliseconds if each takes hundreds of evaluations.
+inline constexpr std::size_t kInBatch = 512;
+/// Boxes, leaves or places of a search that are worked on together. In between, what it has found
+/// decides what is left to search.
+inline constexpr std::size_t kSearchedTogether = 64;
+
+/// Boxes or places of a kind that are followed one by one: more are along curves.
+inline constexpr std::size_t kMostFollowed = 64;
 
 /// Halvings of a line until there are no doubles between its ends. Next to 0 doubles go on: there
 /// 1e-30 of the line is left.
 inline constexpr int kAllHalvings = 100;
 /// Halvings of a line towards a pole at 0, beside which doubles go down to 2^-1074.
 inline constexpr int kHalvingsToLeast = 1100;
+/// Cells each way of a grid that is chosen for a surface, two million triangles, and of a root grid
+/// between two fixed lines.
+inline constexpr int kMostGridCells = 1000;
 /// Cells and lines each way that a cell tree can number.
 inline constexpr std::size_t kMostCellsEachWay = 60'000;
 /// Places of a kind that a report names; it counts the others.

@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "surface/surface_enclosure.h"
 
 namespace saddle {
 namespace {
+
+/// A box is measured in up to 16 parts if its bounds are narrow enough for that.
+constexpr std::uint32_t kMostMeasured = 16;
+/// Grids of points that measure a box: 0 cells along an axis stand for the middle of its range. The
+/// middle alone needs bounds of first derivatives, or of positions; cells those of second ones.
+constexpr std::array<std::array<std::uint32_t, 2>, 4> kFewestCells = {
+    {{0, 0}, {0, 1}, {1, 0}, {1, 1}}};
 
 double magnitude(const Interval& a) {
   return std::max(std::fabs(a.low), std::fabs(a.high));
@@ -32,10 +39,9 @@ BoxBounds::BoxBounds(std::span<const Interval> bounds) {
   }
   if (is_undefined) return;
   hull = hull_of(bounds);
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const auto tangents = bounds.subspan(3, 6);
   const auto length_of = [](std::span<const Interval> vector) {
-    return are_defined(vector) ? length(vector) : kUnknown;
+    return are_defined(vector) ? length(vector) : kInfinity;
   };
   if (!broken) slope = {length_of(tangents.first(3)), length_of(tangents.last(3))};
   const auto are_continuous = [](std::span<const Interval> vector) {
@@ -66,6 +72,21 @@ double BoxBounds::reach(const dvec2& size, const std::array<std::uint32_t, 2>& c
   if (cells[0] > 0) return by_bend(0, bend.x) + by_slope.y;
   if (cells[1] > 0) return by_bend(1, bend.z) + by_slope.x;
   return by_slope.x + by_slope.y;
+}
+
+std::optional<std::array<std::uint32_t, 2>> BoxBounds::cells_within(const dvec2& size,
+                                                                    double allowed) const {
+  for (std::array<std::uint32_t, 2> cells : kFewestCells) {
+    while (true) {
+      if (reach(size, cells) <= allowed) return cells;
+      const dvec2 each = glm::max(dvec2(cells[0], cells[1]), dvec2(1));
+      if (cells == kFewestCells.front() || each.x * each.y >= kMostMeasured) break;
+      const dvec2 step = size / each;
+      const bool is_along_u = bend.x * step.x * step.x >= bend.z * step.y * step.y;
+      cells[cells[1] == 0 || (cells[0] > 0 && is_along_u) ? 0 : 1] *= 2;
+    }
+  }
+  return std::nullopt;
 }
 
 dvec2 BoxBounds::contributions(const dvec2& size) const {

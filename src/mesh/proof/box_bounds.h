@@ -27,6 +27,9 @@ struct BoxBounds {
   /// of it: of the corners of equal rectangles, `cells` along u and v. 0 cells along an axis: the
   /// points lie in the middle of its range.
   double reach(const dvec2& size, const std::array<std::uint32_t, 2>& cells) const;
+  /// The fewest cells of a box whose corners are within `allowed` of the surface; nothing if too
+  /// many.
+  std::optional<std::array<std::uint32_t, 2>> cells_within(const dvec2& size, double allowed) const;
   /// How much of the reach a range along u and v adds.
   dvec2 contributions(const dvec2& size) const;
   /// The longest distance between points of the surface.

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "base/numbers.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/proof/box_bounds.h"
 #include "surface/surface_enclosure.h"
 
@@ -13,26 +14,19 @@ namespace saddle {
 
 namespace {
 
-/// A level is short with at most a quarter as many boxes as there are patches.
+/// A level is short with at most a quarter as many boxes as there are patches. While a proof has no
+/// gap, levels of up to kMaxBrokenDepth halvings count as short: they may complete it.
 constexpr std::size_t kShort = 4;
 /// Halvings of a patch where the surface may be undefined or jump, both ways taken together: 12
 /// give 1/64 of each side. A level of at most kFewBoxes boxes goes on to 24, 1/4096.
 constexpr int kMaxBrokenDepth = 12;
 constexpr int kMaxBrokenDepthOfFew = 24;
 constexpr std::size_t kFewBoxes = 100;
-/// Halvings of a patch, both ways: neighbours in double precision.
-constexpr int kMaxPatchDepth = 100;
 /// A level of root cells helps if one in 8 is proved. After one level that does not help, another
 /// is not tested; after two in a row, two, and so on.
 constexpr std::size_t kHopeless = 8;
-/// A box is measured in up to 16 parts if its bounds are narrow enough for that.
-constexpr std::uint32_t kMostMeasured = 16;
-/// Grids of points that measure a box: 0 cells along an axis stand for the middle of its range. The
-/// middle alone needs bounds of first derivatives, or of positions; cells those of second ones.
-constexpr std::array<std::array<std::uint32_t, 2>, 4> kFewestCells = {
-    {{0, 0}, {0, 1}, {1, 0}, {1, 1}}};
-/// A box is measured if the surface is within 2 tolerances of the points.
-constexpr double kReach = 2;
+/// A box is measured if the surface is within 2.5 tolerances of the points.
+constexpr double kReach = 2.5;
 /// Without such bounds, the surface is in a sphere around its box in space. The sphere is measured
 /// if its radius is at most 3 tolerances, which leaves one for the distance of its centre.
 constexpr double kReachOfCentre = 3;
@@ -70,8 +64,10 @@ class Certifier {
       if (!is_refuted(patch)) result_.proof_gaps.push_back(gap);
     }
     for (std::uint32_t k = 0; k < refuted_.size(); ++k) {
+      const Patch& patch = patches_[k];
       if (is_refuted(k))
-        result_.proof_gaps.push_back({GapReason::Wide, patches_[k].box.low, patches_[k].box.high});
+        result_.proof_gaps.push_back(
+            {patch.cut_by.value_or(GapReason::Wide), patch.box.low, patch.box.high});
     }
     return std::move(result_);
   }
@@ -89,7 +85,7 @@ class Certifier {
   /// The largest size and the strictest tolerance of some patches.
   struct Demand {
     dvec2 size{0};
-    double eps = std::numeric_limits<double>::infinity();
+    double eps = kInfinity;
 
     void add(const Demand& other) {
       size = glm::max(size, other.size);
@@ -112,7 +108,7 @@ class Certifier {
       for (const std::uint32_t k : patches_of_.of(cell)) {
         const Patch& patch = patches_[k];
         if (patch.cut_by) {
-          add_gap(*patch.cut_by, k, patch.box);
+          if (!patch.jump_line || !append_sides_of_jump(k)) add_gap(*patch.cut_by, k, patch.box);
         } else if (patch.is_measured) {
           parts_.push_back({k, patch.box});
         } else {
@@ -120,6 +116,28 @@ class Certifier {
         }
       }
     }
+  }
+
+  /// Makes the two sides of a jump parts_: from the double on at which bounds prove the surface to
+  /// be continuous on both. Beside 0 doubles are closer than what tells jumps from slopes.
+  bool append_sides_of_jump(std::uint32_t k) {
+    const auto& [axis, below, above] = *patches_[k].jump_line;
+    const auto& [low, high] = patches_[k].box;
+    const ParameterBox whole = {glm::min(low, high), glm::max(low, high)};
+    for (const double cut :
+         {above, std::nextafter(below, kInfinity), 0.0, std::nextafter(0.0, kInfinity)}) {
+      if (!(below < cut && cut <= above)) continue;
+      std::array<ParameterBox, 2> sides = {whole, whole};
+      sides[0].high[axis] = std::nextafter(cut, -kInfinity);
+      sides[1].low[axis] = cut;
+      std::array<ParameterBox, 2> beside = sides;  // the jump
+      beside[0].low[axis] = below;
+      beside[1].high[axis] = above;
+      if (bounds_over(beside[0]).broken || bounds_over(beside[1]).broken) continue;
+      for (const ParameterBox& side : sides) parts_.push_back({k, side});
+      return true;
+    }
+    return false;
   }
 
   BoxBounds bounds_over(const ParameterBox& box) {
@@ -182,7 +200,8 @@ class Certifier {
   /// about the same number of halvings, but for those that ended before.
   void prove_parts() {
     for (depth_ = 0; !parts_.empty(); ++depth_) {
-      is_short_ = depth_ == 0 || kShort * parts_.size() <= patches_.size();
+      is_short_ = depth_ == 0 || kShort * parts_.size() <= patches_.size() ||
+                  (depth_ <= kMaxBrokenDepth && gaps_.empty());
       next_.clear();
       bounded_.clear();
       measured_parts_.clear();
@@ -216,7 +235,7 @@ class Certifier {
       const std::size_t number = k * untested_.size() / ranked;
       const Part& part = untested_[number];
       const BoxBounds bounds = bounds_over(part.box);
-      if (bounds.broken) continue;
+      if (bounds.broken || patches_[part.patch].cut_by) continue;
       const double arc = bounds.arc(part.box.size());
       worst.emplace_back(std::isnan(arc) ? 0 : -arc / patches_[part.patch].allowed, number);
     }
@@ -266,13 +285,13 @@ class Certifier {
     const Patch& patch = patches_[part.patch];
     const dvec2 size = part.box.size();
     const double arc = bounds.arc(size);
-    if (depth_ == 0 && !patch.is_measured && is_proved(arc, patch.allowed)) return;
+    if (depth_ == 0 && !patch.is_measured && !patch.cut_by && is_proved(arc, patch.allowed)) return;
     if (is_unseen(bounds)) return;
     part.why = bounds.is_smooth    ? GapReason::Wide
                : bounds.may_crease ? GapReason::Crease
                                    : GapReason::Nonsmooth;
     if (measure_later(part, bounds)) return;
-    if (depth_ >= kMaxPatchDepth) return leave_unproved(part, {bend, false});
+    if (depth_ >= kAllHalvings) return leave_unproved(part, {bend, false});
     const int times = arc > kHalvedTwice * patch.allowed && std::isfinite(arc) ? 2 : 1;
     halve(part, bounds.contributions(size), times);
   }
@@ -282,7 +301,7 @@ class Certifier {
     const double allowed = kReach * patches_[part.patch].allowed;
     const dvec2 size = part.box.size();
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
-    if (const auto cells = cells_within(bounds, size, allowed)) {
+    if (const auto cells = bounds.cells_within(size, allowed)) {
       budget_.take_points(std::size_t{(*cells)[0] + 1} * ((*cells)[1] + 1));
       bounded_.push_back({part.patch, part.box, *cells, bounds.reach(size, *cells), bend});
     } else if (const double radius = 0.5 * bounds.extent();
@@ -295,24 +314,6 @@ class Certifier {
     measured_parts_.push_back(part);
     measured_parts_.back().known = bounds;
     return true;
-  }
-
-  /// The fewest cells of a box whose corners are near enough to the surface, if kMostMeasured are
-  /// enough.
-  static std::optional<std::array<std::uint32_t, 2>> cells_within(const BoxBounds& bounds,
-                                                                  const dvec2& size,
-                                                                  double allowed) {
-    for (std::array<std::uint32_t, 2> cells : kFewestCells) {
-      while (true) {
-        if (bounds.reach(size, cells) <= allowed) return cells;
-        const dvec2 each = glm::max(dvec2(cells[0], cells[1]), dvec2(1));
-        if (cells == kFewestCells.front() || each.x * each.y >= kMostMeasured) break;
-        const dvec2 step = size / each;
-        const bool is_along_u = bounds.bend.x * step.x * step.x >= bounds.bend.z * step.y * step.y;
-        cells[cells[1] == 0 || (cells[0] > 0 && is_along_u) ? 0 : 1] *= 2;
-      }
-    }
-    return std::nullopt;
   }
 
   /// Halves a part along the axis that contributes more.
@@ -347,6 +348,8 @@ class Certifier {
     bool is_undefined;
   };
   void leave_unproved(const Part& part, const Known& known) {
+    const auto& cut_by = patches_[part.patch].cut_by;
+    if (cut_by) return add_gap(*cut_by, part.patch, part.box);
     const bool may_jump = part.why == GapReason::Discontinuous;
     result_.unproved_boxes.push_back(
         {part.patch, part.box.middle(), part.box.size(), known.bend, known.is_undefined, may_jump});

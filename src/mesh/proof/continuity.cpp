@@ -15,9 +15,9 @@ namespace saddle {
 
 namespace {
 
-/// After 6 halvings of a line, more than 8 open parts end the search: 8 of them stand for all.
+/// After 6 halvings of a line, more than kMostLineParts open parts end the search: as many of them
+/// stand for all.
 constexpr int kLeastHalvings = 6;
-constexpr std::size_t kMostLineParts = 8;
 /// The share of a part that its end beside a known discontinuity gets when it is cut: that end is
 /// never proved, and the rest is halved on where bounds are too wide.
 constexpr double kBesideDiscontinuity = 1.0 / 1024;
@@ -108,11 +108,11 @@ class Prover {
     add_some(joined(std::move(shortest), line), result);
   }
 
-  /// Joins parts that touch. Jumps as near to each other as kSameOnLine are one: bounds are too
+  /// Joins parts that touch. Jumps as near to each other as kSame are one: bounds are too
   /// wide for a proof on both sides of it.
   static std::vector<LinePart> joined(std::vector<LinePart> parts, const LinePart& whole) {
     const auto [first, last] = whole.part;
-    const double longest = kSameOnLine * glm::distance(first, last);
+    const double longest = kSame * glm::distance(first, last);
     std::ranges::sort(parts, {},
                       [&](const LinePart& part) { return glm::distance(first, part.part[0]); });
     std::vector<LinePart> result;

@@ -14,6 +14,9 @@
 
 namespace saddle {
 
+/// Open parts of a line beyond which bounds are too wide.
+inline constexpr std::size_t kMostLineParts = 8;
+
 /// A straight line of parameters.
 using Line = std::array<dvec2, 2>;
 

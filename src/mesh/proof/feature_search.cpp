@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 
+#include "base/numbers.h"
 #include "mesh/model/clip.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
@@ -19,8 +20,6 @@ constexpr int kDeepest = 56;
 constexpr double kMatters = 1.03;
 /// The sample of a box, in shares of its sides: at dyadic places formulas have values of their own.
 const dvec2 kSample(0.5129, 0.4733);
-/// Boxes that are halved together.
-constexpr std::size_t kHalvedTogether = 64;
 
 dvec2 sample_of(const ParameterBox& box) {
   return glm::mix(box.low, box.high, kSample);
@@ -35,7 +34,7 @@ double room_beyond(const Bounds& known, const ParameterBox& box, SurfaceEnclosur
     excess[k] = std::max({known.low[k] - bound.low, bound.high - known.high[k], 0.0});
   }
   const double room = glm::length(excess);
-  return std::isnan(room) ? std::numeric_limits<double>::infinity() : room;
+  return std::isnan(room) ? kInfinity : room;
 }
 
 }  // namespace
@@ -72,7 +71,6 @@ double FeatureSearch::limit() const {
 
 /// The surface over a box is within half of the diagonal of its bounds from their middle.
 double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& box) {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const double room = part.scale * room_beyond(part.around, box, enclosure_);
   if (part.sticks_out && room <= least_) return 0;
   const std::span<const Interval> of = enclosure_.last();
@@ -80,7 +78,7 @@ double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& b
   const Bounds hull = hull_of(of);
   if (clip_ && is_beyond(*clip_, std::array{hull.low, hull.high})) return 0;
   const double radius = 0.5 * hull.diagonal();
-  if (!std::isfinite(radius)) return kUnknown;
+  if (!std::isfinite(radius)) return kInfinity;
   const double known = std::max(0.0, limit() / part.scale - radius);
   return part.scale * (distance_(part, box.middle(), hull.centre(), known) + radius);
 }
@@ -148,7 +146,7 @@ PlacedError FeatureSearch::search(std::size_t boxes) {
   for (std::size_t tested = 0; tested < boxes && !open_.empty();) {
     std::vector<Sample> samples;
     std::vector<Node> next;
-    while (samples.size() < kHalvedTogether && !open_.empty()) {
+    while (samples.size() < kSearchedTogether && !open_.empty()) {
       std::ranges::pop_heap(open_, std::ranges::less(), &Node::bound);
       const Node node = open_.back();
       open_.pop_back();

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -14,6 +13,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/model/tolerances.h"
+#include "mesh/proof/box_groups.h"
 #include "mesh/proof/certify.h"
 #include "surface/box_subdivision.h"
 #include "surface/surface_enclosure.h"
@@ -27,12 +28,9 @@ constexpr int kMostHalvings = 40;
 /// Halvings after which a box whose samples show both sides of a feature is done: 1/128 of each
 /// range. Cells are not much smaller.
 constexpr int kSettledHalvings = 14;
-/// Open boxes of a level. Along a curve their number doubles every two levels.
+/// Open boxes of a level: along a curve their number doubles every two levels. Also undefined boxes
+/// that are kept, the largest first. Once there were more, kMostFollowed boxes stand for all.
 constexpr std::size_t kMostOpenBoxes = 256;
-/// Boxes that stand for all once there were more.
-constexpr std::size_t kFollowed = 64;
-/// Undefined boxes that are kept, the largest first.
-constexpr std::size_t kMostHoles = 256;
 /// Halvings of a box around an undefined sample, each way, until it is proved to be undefined.
 constexpr int kHalvingsAroundHole = 8;
 /// The search has half the budget of proofs: it bounds positions alone.
@@ -40,14 +38,11 @@ constexpr std::size_t kProofsPerLandmarkBox = 2;
 /// In differences of the other samples: the middle of a box that is farther from their mean shows
 /// a jump or a bend.
 constexpr double kStep = 0.2;
-/// A step that is as high, up to a factor of 0.5, after 10 bisections of a line across it is no
-/// slope or cusp of the size of its box.
+/// A step that stays as high, within kStays, during 10 bisections of a line across it is no slope
+/// or cusp of the size of its box. One that grows is a pole: points beside it are no landmarks.
 constexpr int kBisections = 10;
-constexpr double kStaysStep = 0.5;
-/// A step that grows by a factor of 2 meanwhile is a pole. Points beside it are no landmarks.
-constexpr double kGrowsToPole = 2;
 /// A group of boxes that is 16 times longer than wide lies along a line of constant u or v.
-constexpr std::uint64_t kLong = 16;
+constexpr double kLong = 16;
 
 /// In sizes of the box around landmarks: the margin of a component on each side.
 constexpr double kComponentMargin = 0.5;
@@ -60,39 +55,11 @@ constexpr std::array<std::array<double, 2>, 5> kSamplesOfBox = {
     {{0.0417, 0.0731}, {0.9371, 0.0589}, {0.9523, 0.9277}, {0.0653, 0.9461}, {0.5129, 0.4871}}};
 constexpr std::size_t kMiddle = 4;
 
-constexpr std::uint32_t kNoGroup = std::numeric_limits<std::uint32_t>::max();
-
-/// An open part of the domain: cell (i, j) of the grid that its level makes of the domain.
+/// An open part of the domain.
 struct OpenBox {
   ParameterBox box;
-  std::uint64_t i = 0, j = 0;
-  bool is_bounded = false;         ///< points beside a pole are no landmarks
-  std::uint32_t group = kNoGroup;  ///< of boxes that touched when boxes were first left out
-};
-
-/// Groups of boxes of one level that touch.
-class BoxGroups {
- public:
-  explicit BoxGroups(std::span<const OpenBox> boxes) : parent_(boxes.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint32_t> number;
-    for (std::uint32_t k = 0; k < boxes.size(); ++k) number[{boxes[k].i, boxes[k].j}] = k;
-    constexpr std::array<std::array<std::uint64_t, 2>, 4> kBefore = {
-        {{0, 1}, {1, 0}, {1, 1}, {1, ~std::uint64_t{0}}}};
-    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
-      for (const auto& [i, j] : kBefore) {
-        const auto found = number.find({boxes[k].i - i, boxes[k].j - j});
-        if (found != number.end()) parent_[root(k)] = root(found->second);
-      }
-    }
-  }
-  std::uint32_t root(std::uint32_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
+  bool is_bounded = false;  ///< points beside a pole are no landmarks
+  std::uint32_t group = 0;  ///< of boxes that touched when boxes were first left out
 };
 
 class LandmarkSearch {
@@ -107,14 +74,12 @@ class LandmarkSearch {
   Landmarks run() {
     while (!search_.open().empty()) {
       search_.test([this](OpenBox& open) { return test(open); });
-      const bool is_full = search_.open().size() > (thinned_ ? kFollowed : kMostOpenBoxes);
+      const bool is_full = search_.open().size() > (thinned_ ? kMostFollowed : kMostOpenBoxes);
       const bool is_last = budget_ == 0 || search_.depth() == kMostHalvings;
       if (is_full || is_last || search_.depth() >= kSettledHalvings) settle(is_last);
       if (is_last) break;
-      if (search_.open().size() > (thinned_ ? kFollowed : kMostOpenBoxes)) thin_out();
-      const int axis = search_.depth() % 2;
-      search_.halve_each(
-          [axis](const OpenBox& open, std::vector<OpenBox>& next) { halve(open, axis, next); });
+      if (search_.open().size() > (thinned_ ? kMostFollowed : kMostOpenBoxes)) thin_out();
+      search_.halve_in_turn();
     }
     return std::move(result_);
   }
@@ -135,7 +100,7 @@ class LandmarkSearch {
   }
 
   void add_hole(const ParameterBox& box) {
-    if (holes_ == kMostHoles) return;
+    if (holes_ == kMostOpenBoxes) return;
     ++holes_;
     result_.places.push_back(
         {box.middle(), dvec3(std::numeric_limits<double>::quiet_NaN()), box.size(), dvec2(0)});
@@ -153,15 +118,14 @@ class LandmarkSearch {
     }
   }
 
-  static void halve(const OpenBox& open, int axis, std::vector<OpenBox>& next) {
-    const auto halves = halves_of(open.box, axis);
-    for (std::size_t k = 0; k < 2; ++k) {
-      OpenBox half = open;
-      half.box = halves[k];
-      std::uint64_t& place = axis == 0 ? half.i : half.j;
-      place = 2 * place + k;
-      next.push_back(half);
-    }
+  /// Whether the surface is continuous inside of a box of the first level that settles: a jump
+  /// along its edge stays there, and halvings show no more of it.
+  bool is_continuous_inside(const ParameterBox& box) {
+    if (search_.depth() != kSettledHalvings || budget_ == 0) return false;
+    --budget_;
+    const ParameterBox inside = {glm::mix(box.low, box.high, kSame),
+                                 glm::mix(box.high, box.low, kSame)};
+    return are_continuous(enclosure_.enclose(inside));
   }
 
   /// Ends the search in boxes whose samples show both sides of a feature, and in all boxes if this
@@ -196,10 +160,11 @@ class LandmarkSearch {
     std::size_t k = 0;
     search_.test([&](const OpenBox& box) {
       const Sides& of = sides[k];
+      const bool is_done = of.is_shown() || is_last || is_continuous_inside(box.box);
       if (of.is_pole) {
         result_.highest_step = std::numeric_limits<double>::infinity();
       } else {
-        if (of.defined && (of.is_shown() || is_last)) {
+        if (of.defined && is_done) {
           add(k, *of.defined);
           const auto& [low, high] = box.box;
           result_.around = {glm::min(result_.around.low, glm::min(low, high)),
@@ -217,7 +182,7 @@ class LandmarkSearch {
         }
       }
       ++k;
-      return of.is_shown() || is_last ? ProofOutcome::Refuted : ProofOutcome::Open;
+      return is_done ? ProofOutcome::Refuted : ProofOutcome::Open;
     });
   }
 
@@ -289,33 +254,38 @@ class LandmarkSearch {
       Sides& of = sides[step.box];
       const double width = glm::distance(points[*of.defined].position, points[*of.other].position);
       const double left = glm::distance(step.ends[0], step.ends[1]);
-      of.is_pole = !(left <= kGrowsToPole * width);  // true for NaN
-      if (left <= kStaysStep * width) of.other.reset();
+      of.is_pole = !(left <= kStays * width);  // true for NaN
+      if (left <= width / kStays) of.other.reset();
     }
   }
 
+  /// The groups of the open boxes.
+  std::vector<std::uint32_t> groups() const {
+    std::vector<std::uint32_t> groups;
+    std::vector<ParameterBox> boxes;
+    for (const OpenBox& open : search_.open()) {
+      groups.push_back(open.group);
+      boxes.push_back(open.box);
+    }
+    return thinned_ ? groups : groups_of(boxes);
+  }
+
   /// Landmark::across of the open boxes, by the shapes of their groups.
-  std::vector<dvec2> lines_across() {
+  std::vector<dvec2> lines_across() const {
     const std::vector<OpenBox>& open = search_.open();
-    BoxGroups groups(open);
-    struct Extent {
-      std::uint64_t low_i = ~std::uint64_t{0}, high_i = 0, low_j = ~std::uint64_t{0}, high_j = 0;
-    };
-    std::map<std::uint32_t, Extent> extents;
-    const auto group_of = [&](std::uint32_t k) {
-      return open[k].group != kNoGroup ? open[k].group : groups.root(k);
-    };
-    for (std::uint32_t k = 0; k < open.size(); ++k) {
-      Extent& extent = extents[group_of(k)];
-      extent = {std::min(extent.low_i, open[k].i), std::max(extent.high_i, open[k].i),
-                std::min(extent.low_j, open[k].j), std::max(extent.high_j, open[k].j)};
+    const std::vector<std::uint32_t> group = groups();
+    std::map<std::uint32_t, ParameterBox> extents;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      const auto& [low, high] = open[k].box;
+      ParameterBox& extent = extents.try_emplace(group[k], open[k].box).first->second;
+      extent = {glm::min(extent.low, glm::min(low, high)),
+                glm::max(extent.high, glm::max(low, high))};
     }
     std::vector<dvec2> across;
-    for (std::uint32_t k = 0; k < open.size(); ++k) {
-      const Extent& extent = extents[group_of(k)];
-      const std::uint64_t wide = extent.high_i - extent.low_i + 1;
-      const std::uint64_t high = extent.high_j - extent.low_j + 1;
-      across.push_back({high >= kLong * wide ? 1.0 : 0.0, wide >= kLong * high ? 1.0 : 0.0});
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      const dvec2 boxes = glm::round(extents[group[k]].size() / open[k].box.size());
+      across.push_back(
+          {boxes.y >= kLong * boxes.x ? 1.0 : 0.0, boxes.x >= kLong * boxes.y ? 1.0 : 0.0});
     }
     return across;
   }
@@ -325,8 +295,8 @@ class LandmarkSearch {
   void thin_out() {
     std::vector<OpenBox>& open = search_.open();
     if (!thinned_) {
-      BoxGroups groups(open);
-      for (std::uint32_t k = 0; k < open.size(); ++k) open[k].group = groups.root(k);
+      const std::vector<std::uint32_t> group = groups();
+      for (std::size_t k = 0; k < open.size(); ++k) open[k].group = group[k];
       thinned_ = true;
     }
     std::ranges::stable_sort(open, {}, &OpenBox::group);
@@ -337,8 +307,8 @@ class LandmarkSearch {
     firsts.push_back(open.size());
     const std::size_t groups = firsts.size() - 1;
     // An even share of the groups is followed where they are too many.
-    const std::size_t step = (groups + kFollowed - 1) / kFollowed;
-    const std::size_t most = std::max<std::size_t>(1, kFollowed * step / groups);
+    const std::size_t step = (groups + kMostFollowed - 1) / kMostFollowed;
+    const std::size_t most = std::max<std::size_t>(1, kMostFollowed * step / groups);
     std::vector<OpenBox> kept;
     for (std::size_t g = 0; g < groups; g += step) {
       const std::size_t size = firsts[g + 1] - firsts[g];

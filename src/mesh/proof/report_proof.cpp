@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/bounds.h"
+#include "base/numbers.h"
 #include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"
 #include "surface/surface_enclosure.h"
@@ -14,9 +14,6 @@
 namespace saddle {
 
 namespace {
-
-/// A share of the domain up to 1e-9 below 1 is the rounding of a sum of areas.
-constexpr double kAllOfDomain = 1e-9;
 
 /// A feature of more than 3 tolerances is visible. Bounds of a smooth surface exceed its samples by
 /// less over most boxes.
@@ -35,14 +32,14 @@ std::array<dvec2, kPlaces> places_in(const ProofGap& gap) {
 
 /// By how much bounds exceed a box around samples; infinite without bounds or samples.
 double excess_over(const Bounds& samples, std::span<const Interval> bounds) {
-  if (samples.empty()) return std::numeric_limits<double>::infinity();
+  if (samples.empty()) return kInfinity;
   dvec3 excess(0);
   for (int k = 0; k < 3; ++k) {
     const Interval& bound = bounds[static_cast<std::size_t>(k)];
     excess[k] = std::max({samples.low[k] - bound.low, bound.high - samples.high[k], 0.0});
   }
   const double room = glm::length(excess);
-  return std::isnan(room) ? std::numeric_limits<double>::infinity() : room;
+  return std::isnan(room) ? kInfinity : room;
 }
 
 /// The extent of a box along the parameter of which it is the smaller share.
@@ -96,13 +93,12 @@ ProvedCells proved_cells(std::span<const Patch> patches, const Domain& domain) {
 void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,
                   Certification& proof, MeshReport& report) {
   std::vector<ProofGap>& gaps = proof.proof_gaps;
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  measure_gaps(surface, cells.largest, report.tolerance.value_or(kNone), threads, gaps);
+  measure_gaps(surface, cells.largest, report.tolerance.value_or(kInfinity), threads, gaps);
   double open = 0;
   for (const ProofGap& gap : gaps) open += gap.share;
   report.certified = gaps.empty();
   report.proved_fraction = std::clamp(cells.covered - open, 0.0, 1.0);
-  if (report.proved_fraction > 1 - kAllOfDomain && gaps.empty()) report.proved_fraction = 1;
+  if (report.proved_fraction > 1 - kSame && gaps.empty()) report.proved_fraction = 1;
   report.proof_gaps = merged(gaps, surface.domain);
   if (report.certified && !report.is_clipped && report.tolerance &&
       proof.bound <= *report.tolerance) {

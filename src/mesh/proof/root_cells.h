@@ -13,6 +13,12 @@
 
 namespace saddle {
 
+/// Values of u (axis 0) or v (axis 1), mostly neighbouring doubles, between which a surface jumps.
+struct JumpLine {
+  int axis;
+  double below, above;
+};
+
 /// A box of parameters and what its triangles must keep.
 struct Patch {
   ParameterBox box;
@@ -21,6 +27,8 @@ struct Patch {
   std::optional<GapReason> cut_by;  ///< feature in the box: no proof is tried
   /// The triangles do not cover the box with corners in it: distances are measured everywhere.
   bool is_measured = false;
+  std::optional<JumpLine> jump_line =
+      {};  ///< all that cuts it: both sides have proofs of their own
 };
 
 /// Lines of the root grid, whose cells are numbered with u inner.

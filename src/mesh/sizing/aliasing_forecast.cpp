@@ -10,13 +10,6 @@ namespace saddle {
 
 namespace {
 
-/// The share of neighbouring samples at which cells must be unresolvable: second derivatives of
-/// waves are small between their crests.
-constexpr double kUnresolvableShare = 0.4;
-/// The share of neighbouring samples at which the surface must be defined: beside a boundary second
-/// derivatives may be infinite without any waves.
-constexpr double kLeastKnown = 0.3;
-
 /// The index of the value that is nearest to a parameter, of values in either order.
 std::size_t nearest(std::span<const double> values, double parameter) {
   const double way = values.front() > values.back() ? -1 : 1;
@@ -55,20 +48,17 @@ glm::bvec2 AliasingForecast::around(const LinearizationErrors& linearization_err
                                     double unresolvable) const {
   dvec2 count(0);
   double known = 0;
-  double all = 0;
   for (std::size_t j = row - std::min<std::size_t>(row, 1); j <= std::min(row + 1, v_.size() - 1);
        ++j) {
     for (std::size_t i = column - std::min<std::size_t>(column, 1);
          i <= std::min(column + 1, u_.size() - 1); ++i) {
-      ++all;
       const dvec2& linearization_error = linearization_errors.values[j * u_.size() + i];
       if (glm::any(glm::isnan(linearization_error))) continue;
       ++known;
       count += dvec2(glm::greaterThan(linearization_error, dvec2(unresolvable)));
     }
   }
-  if (known < kLeastKnown * all) return glm::bvec2(false);
-  return glm::greaterThan(count, dvec2(kUnresolvableShare * known));
+  return glm::greaterThan(count, dvec2(kOscillatingShare * known));
 }
 
 glm::bvec2 AliasingForecast::at(const dvec2& uv) const {

@@ -11,8 +11,12 @@
 
 namespace saddle {
 
-/// Where cells are predicted to be unresolvable in u, and in v: at 40 % of the nearest nine samples
-/// of a probe.
+/// A surface oscillates where cells are unresolvable over more than this share of an area: second
+/// derivatives of waves are small between their crests, and along a line a tenth of the cells fail.
+inline constexpr double kOscillatingShare = 0.4;
+
+/// Where cells are predicted to be unresolvable in u, and in v: at kOscillatingShare of the nearest
+/// nine samples of a probe.
 class AliasingForecast {
  public:
   /// Predicts none.

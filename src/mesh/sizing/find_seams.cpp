@@ -27,7 +27,7 @@ class ComparedPlaces {
   /// Whether two places are one point, within rounding of the parameters.
   bool meet(std::size_t a, std::size_t b) const {
     const dvec3 gap = glm::abs(points_[a].position - points_[b].position);
-    if (glm::length(gap) <= kSamePosition * diagonal_) return true;  // false for NaN
+    if (glm::length(gap) <= kSame * diagonal_) return true;  // false for NaN
     return glm::length(gap) <= kMostRounding * diagonal_ &&
            glm::all(glm::lessThanEqual(gap, rounding(a) + rounding(b)));
   }
@@ -35,7 +35,7 @@ class ComparedPlaces {
 
  private:
   dvec3 rounding(std::size_t k) const {
-    return kSamePosition * diagonal_ + rounding_by_parameters(points_[k], uv_[k], domain_);
+    return kSame * diagonal_ + rounding_by_parameters(points_[k], uv_[k], domain_);
   }
 
   const Domain& domain_;

@@ -7,18 +7,18 @@
 #include <functional>
 #include <span>
 
+#include "mesh/model/tolerances.h"
+
 namespace saddle {
 namespace {
 
-/// Density falls by at most this factor from one sample to the next, and to no less than this share
-/// of the largest: a straight stretch between curved ones is not skipped in one step.
+/// Density falls by at most this factor from one sample to the next, and to no less than a
+/// kDomainParts-th of the largest: a straight stretch between curved ones is not skipped in one
+/// step.
 constexpr double kFallOff = 0.7;
-constexpr double kFloor = 0.02;
 /// No stretch is denser than this many times its neighbours. At 2, surfaces that end at upright
 /// tangents take up to half as many triangles as without a limit; at 3 more, others the same.
 constexpr double kRise = 2;
-/// Ratios of cell sides that are tried, as powers of 2 around the domain's own.
-constexpr int kRatios = 6;
 /// Every fourth sample of a column or row, next to those of its neighbours on a slant, is enough to
 /// compare ratios.
 constexpr std::size_t kEveryForRatio = 4;
@@ -27,8 +27,6 @@ constexpr int kPasses = 3;
 /// In tolerances: where a sample shows a larger error, the lines are too far apart for one cell
 /// alone, and the cell's own samples might not show it.
 constexpr double kFarTooLarge = 4;
-/// Lines through singular points that a grid takes each way, so that these are vertices.
-constexpr std::size_t kMostLines = 16;
 /// A loop has at least 4 cells: a polygon has no second derivatives to ask for them, and one or two
 /// cells around it are flat.
 constexpr double kCellsOfLoop = 4;
@@ -46,7 +44,7 @@ void limit_rise(std::vector<double>& density) {
 }
 
 void limit_fall_off(std::vector<double>& density) {
-  const double least = kFloor * *std::ranges::max_element(density);
+  const double least = *std::ranges::max_element(density) / static_cast<double>(kDomainParts);
   for (double& d : density) d = std::max(d, least);
   for (std::size_t i = 1; i < density.size(); ++i) {
     density[i] = std::max(density[i], kFallOff * density[i - 1]);
@@ -59,7 +57,7 @@ void limit_fall_off(std::vector<double>& density) {
 /// Where edges meet, each takes the larger density of both; where an edge is folded, each half.
 void share_density(const Seam& seam, const std::array<bool, 2>& folded,
                    std::vector<double>& density) {
-  static_assert(Probe::kLines % 2 == 0);
+  static_assert(kDomainParts % 2 == 0);
   if (seam.reversed || folded[0] || folded[1]) {
     for (std::size_t i = 0; i < density.size(); ++i) {
       density[i] = std::max(density[i], density[density.size() - 1 - i]);
@@ -93,7 +91,7 @@ std::vector<SecondForm> forms_in_tolerances(const Probe& probe, const Tolerance&
 /// tolerance.
 SizingField sizing_of_edges(const Probe& probe, const Tolerance& tolerance) {
   const auto largest = [&](std::span<const Probe::EdgeSample> edges) {
-    std::vector<double> sizing(Probe::kLines, 0.0);
+    std::vector<double> sizing(kDomainParts, 0.0);
     for (const Probe::EdgeSample& edge : edges) {
       double& d = sizing[edge.line];
       d = std::max(d, density_for(edge.across / (2 * tolerance(edge.position))));
@@ -135,7 +133,7 @@ double best_ratio(const Probe& probe, const FixedLines& fixed, const SizingField
   for (const int step : {4, 2, 1}) {
     for (const int way : {-step, step}) {
       const int before = best;
-      while (std::abs(best + way) <= kRatios) {
+      for (;;) {
         const double next = cells(best + way);
         if (!(next < least)) break;
         least = next;
@@ -196,7 +194,7 @@ FixedLines fixed_lines(const Probe& probe, const FixedLines& drawn, const Singul
                        const Seam& seam, const std::array<bool, 2>& folded) {
     const std::vector<double> shared = shared_lines(seam, lines);
     std::vector<double> all = with_lines(shared, more, seam, folded);
-    return all.size() <= shared.size() + kMostLines ? all : shared;
+    return all.size() <= shared.size() + kMostAddedLines ? all : shared;
   };
   return {with(drawn.u, through(0, singular.lines_u), seams.v, seams.folded_v),
           with(drawn.v, through(1, singular.lines_v), seams.u, seams.folded_u)};
@@ -209,7 +207,7 @@ SizingField sizing_field(const Probe& probe, const FixedLines& fixed, const Tole
   for (const Probe::Sample& s : probe.samples()) regular.push_back(s.regular ? 1 : 0);
   const SizingField edges = sizing_of_edges(probe, tolerance);
   const auto every = [&](std::size_t step) {
-    return SampledForms(forms, regular, Probe::kLines, Probe::kLines, step);
+    return SampledForms(forms, regular, kDomainParts, kDomainParts, step);
   };
   const double ratio = best_ratio(probe, fixed, edges, every(kEveryForRatio));
   SampledForms all = every(1);
@@ -240,7 +238,7 @@ std::vector<Counterexample> find_counterexamples(const Probe& probe, const Fixed
                                                  const Tolerance& tolerance) {
   const std::vector<SecondForm> forms = forms_in_tolerances(probe, tolerance);
   const Domain& d = probe.domain();
-  const dvec2 size = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)) / static_cast<double>(Probe::kLines);
+  const dvec2 size = glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0)) / static_cast<double>(kDomainParts);
   std::vector<Counterexample> result;
   for_sampled_cells(probe, lines, forms, [&](std::size_t s, const SampledCell& cell) {
     if (!(cell.error > kFarTooLarge)) return;

@@ -15,6 +15,10 @@
 
 namespace saddle {
 
+/// Lines that a grid takes each way besides those of its sizing: through singular points, which
+/// become vertices, and over a small component between the probe's samples.
+inline constexpr std::size_t kMostAddedLines = 16;
+
 /// The lines that a tensor grid must have: the drawn ones, those through singular points if these
 /// are few, and those that they meet across a seam.
 FixedLines fixed_lines(const Probe& probe, const FixedLines& drawn, const SingularSet& singular);

@@ -4,22 +4,16 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/model/tolerances.h"
 #include "surface/parameter_box.h"
 
 namespace saddle {
 namespace {
 
-/// In cells: the rounding of a sum of densities, which must not add a cell to a whole number.
-constexpr double kRoundingOfSums = 1e-9;
-/// Most cells of a root grid between two fixed lines.
-constexpr double kMaxPerInterval = 1000;
-/// In ranges: lines nearer to each other are one.
-constexpr double kSameLine = 1e-6;
-
-/// Cells between two fixed lines.
+/// Cells between two fixed lines. Rounding of the sums adds none to a whole number.
 double cells_between(const Cumulative& cumulative, double a, double b) {
-  const double cells = std::ceil(cumulative.at(b) - cumulative.at(a) - kRoundingOfSums);
-  return std::clamp(std::isfinite(cells) ? cells : 1.0, 1.0, kMaxPerInterval);
+  const double cells = std::ceil(cumulative.at(b) - cumulative.at(a) - kSame);
+  return std::clamp(std::isfinite(cells) ? cells : 1.0, 1.0, static_cast<double>(kMostGridCells));
 }
 
 }  // namespace
@@ -111,7 +105,7 @@ std::vector<double> with_lines(std::vector<double> fixed, const std::vector<doub
   const double range = fixed.back() - first;
   const auto add = [&](double line) {
     const auto is_same = [&](double other) {
-      return std::fabs(other - line) <= kSameLine * std::fabs(range);
+      return std::fabs(other - line) <= kNearly * std::fabs(range);
     };
     if (std::ranges::none_of(fixed, is_same)) fixed.push_back(line);
   };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <glm/common.hpp>
 
@@ -15,15 +16,9 @@
 namespace saddle {
 namespace {
 
-/// Largest shift of a column or row from the middle of its stretch, in stretches: a surface that
-/// oscillates in step with an even grid is not in step with this one.
-constexpr double kProbeJitter = 0.4;
-/// In a dip |r_u x r_v| is less than 0.7 of the largest up to 2 samples away. Beside a zero between
-/// samples it is less than half of that.
+/// In a dip |r_u x r_v| is less than 0.7 of a neighbour's. Beside a zero between samples it is less
+/// than half of that.
 constexpr double kDip = 0.7;
-constexpr std::size_t kDipReach = 2;
-/// |r_u x r_v| along an edge is 0 if it is less than this part of the largest beside the edge.
-constexpr double kNoArea = 1e-6;
 
 /// In diagonals: samples on edges of the domain are hardly farther outside of the others, which are
 /// 1/64 of a range apart.
@@ -35,9 +30,9 @@ constexpr double kJustInside = 0x1p-49;
 /// The middles of even stretches of [first, last], each shifted.
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < Probe::kLines; ++i) {
-    const double shift = kProbeJitter * (2 * random_unit(key + i) - 1);
-    const double part = (static_cast<double>(i) + 0.5 + shift) / Probe::kLines;
+  for (std::size_t i = 0; i < kDomainParts; ++i) {
+    const double shift = kLineJitter * (2 * random_unit(key + i) - 1);
+    const double part = (static_cast<double>(i) + 0.5 + shift) / kDomainParts;
     values.push_back(first * (1 - part) + last * part);
   }
   return values;
@@ -82,7 +77,7 @@ std::array<double, 2> largest_areas(const GridColumns& tangents, std::size_t col
 
 Probe::Probe(const Surface& surface, unsigned threads)
     : u_(jittered(surface.domain.u0, surface.domain.u1, 0)),
-      v_(jittered(surface.domain.v0, surface.domain.v1, kLines)),
+      v_(jittered(surface.domain.v0, surface.domain.v1, kDomainParts)),
       domain_(surface.domain),
       landmarks_(find_landmarks(surface, threads)) {
   sample_inside(surface, threads);
@@ -205,7 +200,7 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
     const std::array<double, 2> largest = largest_areas(first, u.size(), v.size());
     for (std::size_t end = 0; end < 2; ++end) {
       (along_u ? singular_ends_v_ : singular_ends_u_)[end] =
-          largest[end] <= kNoArea * area_beside(along_u, end);
+          largest[end] <= kNearly * area_beside(along_u, end);
     }
   };
   sample(u_, std::array{domain_.v0, domain_.v1}, true);
@@ -215,8 +210,8 @@ void Probe::sample_edges(const Surface& surface, unsigned threads) {
 
 double Probe::area_beside(bool along_u, std::size_t end) const {
   double largest = 0;
-  for (std::size_t k = 0; k < kLines; ++k) {
-    const double inside = area(along_u, k, end == 0 ? 0 : kLines - 1);
+  for (std::size_t k = 0; k < kDomainParts; ++k) {
+    const double inside = area(along_u, k, end == 0 ? 0 : kDomainParts - 1);
     if (std::isfinite(inside)) largest = std::max(largest, inside);
   }
   return largest;
@@ -260,19 +255,17 @@ LinearizationErrors Probe::linearization_errors(const dvec2& size,
 
 bool Probe::is_dip(bool along_v, std::size_t line, std::size_t k) const {
   const std::array<bool, 2>& singular_ends = along_v ? singular_ends_v_ : singular_ends_u_;
-  if ((k < kDipReach && singular_ends[0]) || (k + kDipReach >= kLines && singular_ends[1])) {
-    return false;
-  }
+  const bool is_first = k == 0;
+  const bool is_last = k + 1 == kDomainParts;
+  if ((is_first && singular_ends[0]) || (is_last && singular_ends[1])) return false;
   const double own = area(along_v, line, k);
-  if (k > 0 && area(along_v, line, k - 1) < own) return false;  // as most are
-  if (k + 1 < kLines && area(along_v, line, k + 1) < own) return false;
-  double largest = 0;
-  for (std::size_t at = k - std::min(k, kDipReach); at <= std::min(k + kDipReach, kLines - 1);
-       ++at) {
-    const double other = area(along_v, line, at);
-    if (std::isfinite(other)) largest = std::max(largest, other);
-  }
-  return own < kDip * largest;
+  const double before = is_first ? own : area(along_v, line, k - 1);
+  const double after = is_last ? own : area(along_v, line, k + 1);
+  if (before < own || after < own) return false;  // as most are
+  const auto is_far_below = [own](double other) {
+    return std::isfinite(other) && own < kDip * other;
+  };
+  return is_far_below(before) || is_far_below(after);
 }
 
 Dips Probe::dips() const {
@@ -297,11 +290,11 @@ double Probe::stretch() const {
 }
 
 double Probe::least_triangles(const Tolerance& tolerance) const {
-  constexpr double kConvex = 0.3849;  // 2 / (3 sqrt 3)
-  constexpr double kSaddle = 0.2236;  // 1 / (2 sqrt 5)
+  const double convex = 2 / (3 * std::numbers::sqrt3);
+  const double saddle = 1 / (2 * std::sqrt(5));
   double sum = 0;
   for (const Sample& s : samples_) {
-    if (s.regular) sum += (s.saddle ? kSaddle : kConvex) * s.sqrt_k / tolerance(s.position);
+    if (s.regular) sum += (s.saddle ? saddle : convex) * s.sqrt_k / tolerance(s.position);
   }
   return sum * stretch();
 }

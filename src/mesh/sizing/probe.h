@@ -28,9 +28,6 @@ struct LinearizationErrors {
 
 class Probe {
  public:
-  /// Columns, and rows. A feature narrower than a cell between them is found by refinement.
-  static constexpr std::size_t kLines = 64;
-
   struct Sample {
     dvec3 position;
     double L, M, N;  ///< second derivatives along the unit normal
@@ -57,7 +54,7 @@ class Probe {
   std::span<const double> u() const { return u_; }              ///< of the columns
   std::span<const double> v() const { return v_; }              ///< of the rows
   std::span<const Sample> samples() const { return samples_; }  ///< v outer
-  dvec2 uv(std::size_t sample) const { return {u_[sample % kLines], v_[sample / kLines]}; }
+  dvec2 uv(std::size_t sample) const { return {u_[sample % u_.size()], v_[sample / u_.size()]}; }
   /// The area of parameters for each sample.
   double stretch() const;
   std::span<const EdgeSample> edges_along_u() const { return edges_along_u_; }  ///< of constant v

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/feature_count.h"
 
 namespace saddle {
@@ -303,10 +304,8 @@ std::optional<std::array<std::uint32_t, 4>> plain_corners(const Leaf& leaf, cons
 }
 
 bool is_chord(const dvec2& middle, const Side& edge, const CellTree& tree) {
-  /// Places of features are off their sides by rounding.
-  constexpr double kOnBorder = 1e-9;
   const bool is_inside =
-      std::min(middle.x, middle.y) > kOnBorder && std::max(middle.x, middle.y) < 1 - kOnBorder;
+      std::min(middle.x, middle.y) > kSame && std::max(middle.x, middle.y) < 1 - kSame;
   return is_inside ||
          (tree.vertices().is_on_feature(edge[0]) && tree.vertices().is_on_feature(edge[1]));
 }

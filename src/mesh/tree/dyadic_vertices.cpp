@@ -73,7 +73,7 @@ DyadicVertices::Lines DyadicVertices::add_sub_grid(std::size_t kind) {
 
 std::uint32_t DyadicVertices::add_between(const dvec2& place) {
   places_between_.push_back(place);
-  return add({static_cast<std::uint32_t>(places_between_.size() - 1), kBetween});
+  return add({static_cast<std::uint32_t>(places_between_.size() - 1), kNoIndex});
 }
 
 void DyadicVertices::share_place(std::uint32_t from, std::uint32_t to) {
@@ -89,7 +89,7 @@ DyadicPoint DyadicVertices::place(std::uint32_t vertex) const {
 
 dvec2 DyadicVertices::place_between(std::uint32_t vertex) const {
   const DyadicPoint p = place(vertex);
-  return p.v == kBetween ? places_between_[p.u] : dvec2(p.u, p.v);
+  return p.v == kNoIndex ? places_between_[p.u] : dvec2(p.u, p.v);
 }
 
 void DyadicVertices::use(std::uint32_t vertex) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/numbers.h"
 #include "base/vec.h"
 #include "mesh/tree/leaf.h"
 #include "mesh/tree/place_map.h"
@@ -62,7 +63,7 @@ class DyadicVertices {
   void share_place(std::uint32_t from, std::uint32_t to);
 
   /// Whether a vertex lies on a feature, between neighbours or inside of a leaf.
-  bool is_on_feature(std::uint32_t vertex) const { return place(vertex).v == kBetween; }
+  bool is_on_feature(std::uint32_t vertex) const { return place(vertex).v == kNoIndex; }
   /// The place of a vertex that is not between neighbours.
   DyadicPoint place(std::uint32_t vertex) const;
   /// The place of any vertex, in units that need not be whole.
@@ -143,16 +144,15 @@ class DyadicVertices {
     std::uint32_t pitch;
   };
   static constexpr std::uint32_t kHalfUnit = kCellUnit / 2;
-  /// Stands for v of a vertex between neighbours; u is its index in places_between_.
-  static constexpr std::uint32_t kBetween = ~std::uint32_t{0};
 
   const Grid& grid_;
   RevisionClock& revisions_;
   std::array<SubGrid, kSubGrids> sub_grids_ = {};  // root, middles along u, along v, of cells
   std::uint32_t grid_mask_ = kCellUnit - 1;        // bits of a place that is not on a grid
   PlaceMap numbers_;
-  std::vector<DyadicPoint> places_;    // of vertices past the root grid's
-  std::vector<dvec2> places_between_;  // of vertices between neighbours
+  std::vector<DyadicPoint> places_;  // of vertices past the root grid's
+  // Vertices between neighbours have kNoIndex in place of v, and their index here in place of u.
+  std::vector<dvec2> places_between_;
   std::vector<std::uint8_t> used_;
   std::vector<std::uint8_t> beside_middle_;  // ends of a side whose middle went into use
   std::vector<std::uint8_t> beside_feature_;

@@ -35,7 +35,7 @@ void EdgeTable::set_feature(std::uint32_t a, std::uint32_t b, std::optional<Edge
 
 void EdgeTable::set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends) {
   EdgeRecord& edge = record(a, b);
-  if (edge.pole != EdgeRecord::kNoPole) return;
+  if (edge.pole != kNoIndex) return;
   edge.pole = static_cast<std::uint32_t>(poles_.size());
   poles_.push_back(ends);
   effort_.add_discontinuities(1);

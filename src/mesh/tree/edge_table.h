@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/numbers.h"
 #include "mesh/model/pair_table.h"
 #include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_marks.h"
@@ -47,10 +48,13 @@ struct EdgeFeature {
   FeatureKind kind;
   std::uint32_t first;  ///< the neighbour with the smaller number
   std::uint32_t beside_first, beside_second;
+  /// The numbers of the faces through which the surface leaves the clip box there, beside a pole.
+  std::array<std::uint8_t, 2> exits = {};
 
   std::uint32_t beside(std::uint32_t neighbour) const {
     return neighbour == first ? beside_first : beside_second;
   }
+  int exit_beside(std::uint32_t neighbour) const { return exits[neighbour == first ? 0 : 1]; }
   /// Vertices of the mesh that the feature adds between the ends of its side.
   std::size_t count_new_vertices() const {
     if (leaves_out(kind)) return 0;
@@ -65,11 +69,9 @@ struct EdgeFeature {
 
 /// The facts known of a side; a side without a record has none.
 struct EdgeRecord {
-  static constexpr std::uint32_t kNoPole = ~std::uint32_t{0};
-
   Side side;
   std::optional<EdgeFeature> feature;
-  std::uint32_t pole = kNoPole;                ///< number of the pole that the side leads to
+  std::uint32_t pole = kNoIndex;               ///< number of the pole that the side leads to
   bool is_searched = false;                    ///< `feature` says what the search found
   bool is_continuous = false;                  ///< positions are; normals need not be
   std::optional<dvec2> between_features = {};  ///< parameters; there are more than `feature`
@@ -121,7 +123,7 @@ class EdgeTable {
   /// Whether the surface is known to go to infinity across a side.
   bool leads_to_pole(std::uint32_t a, std::uint32_t b) const {
     const EdgeRecord* const record = find(a, b);
-    return record != nullptr && record->pole != EdgeRecord::kNoPole;
+    return record != nullptr && record->pole != kNoIndex;
   }
   /// Keeps the first ends that are filed for a side.
   void set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends);

@@ -81,6 +81,9 @@ std::size_t count_cut_vertices(const Leaf& leaf, const CellTree& tree) {
 FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
   FeatureCount count;
   std::vector<std::uint32_t> singular;
+  std::optional<int> first_exit;  // where the surface leaves the clip box before the first cut
+  std::optional<int> entry;       // and beyond the last one
+  std::size_t faces = 0;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     add_singular_vertex(a, tree, singular);
     const std::optional<EdgeFeature> feature = tree.edges().feature(a, b);
@@ -94,6 +97,13 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     const std::size_t features = has_more ? 2 : 1;
     count.has_more = count.has_more || has_more;
     count.features += features;
+    if (feature->kind == FeatureKind::Face) {
+      const int from = feature->exit_beside(a);
+      count.changes_face = count.changes_face || (entry && *entry != from);
+      if (!first_exit) first_exit = from;
+      entry = feature->exit_beside(b);
+      ++faces;
+    }
     (on_side_of_u ? count.on_sides_of_u : count.on_sides_of_v) += features;
     if (is_at_corner(*feature, leaf, tree)) {
       ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
@@ -103,6 +113,7 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
       count.only_jumps = count.only_jumps && feature->kind == FeatureKind::Jump;
     }
   });
+  count.changes_face = count.changes_face || entry != first_exit || faces % 2 == 1;
   count.singular_points = singular.size();
   if (count.features > 2) count.at_vertices = count_cut_vertices(leaf, tree);
   return count;

@@ -28,6 +28,9 @@ struct FeatureCount {
   std::size_t at_ends_of_u = 0, at_ends_of_v = 0;
   std::size_t at_vertices = 0;  ///< pairs of features at one vertex, on both of its sides
   std::size_t singular_points = 0;
+  /// Whether the surface leaves the clip box through another face at the other end of a pole's
+  /// line, as where v/u changes its sign, or the line ends in the leaf.
+  bool changes_face = false;
   bool only_creases = true;    ///< among the features
   bool only_jumps = true;      ///< and creases
   bool has_more = false;       ///< a side has more than one
@@ -53,7 +56,7 @@ struct FeatureCount {
   /// Whether one line goes through the leaf, so that sub_polygons() yields two. A vertex on a jump
   /// may have a value of its own, as sign(0) is 0: the line then cuts both sides that meet there.
   bool is_through() const {
-    if (has_more) return false;
+    if (has_more || changes_face) return false;
     return features == 2 || features - at_vertices == 2 ||
            (only_creases && features < 2 && features + singular_points == 2);
   }

@@ -4,15 +4,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "mesh/model/tolerances.h"
+
 namespace saddle {
 
 namespace {
 
-/// Features nearer to each other than this, in units of the cell tree, are one.
-constexpr double kOneFeature = 1e-6;
-
 bool is_same(const PolygonCorner& a, const PolygonCorner& b) {
-  return a.corner == b.corner || glm::distance(a.place, b.place) < kOneFeature;
+  return a.corner == b.corner || glm::distance(a.place, b.place) < kSame;
 }
 
 }  // namespace

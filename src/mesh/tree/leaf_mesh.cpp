@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/numbers.h"
 #include "mesh/grid/cell_loops.h"
 #include "mesh/grid/triangulate.h"
 #include "mesh/grid/vertex_columns.h"
@@ -18,18 +19,16 @@ namespace saddle {
 
 namespace {
 
-constexpr std::uint32_t kNoCell = 0xffffffff;
-
-/// The root cell that a plain leaf is, if the grid has triangulated it. Otherwise kNoCell.
+/// The root cell that a plain leaf is, if the grid has triangulated it. Otherwise kNoIndex.
 std::uint32_t cell_cut_before(const Leaf& leaf, const std::array<std::uint32_t, 4>& corners,
                               const Grid& grid, const CellTree& tree) {
-  if (leaf.size_u() != kCellUnit || leaf.size_v() != kCellUnit) return kNoCell;
+  if (leaf.size_u() != kCellUnit || leaf.size_v() != kCellUnit) return kNoIndex;
   const std::size_t cell = grid.cell(leaf.low.u / kCellUnit, leaf.low.v / kCellUnit);
   const bool is_cut =
       grid.cells[cell] == GridCell::Two && std::ranges::all_of(corners, [&](std::uint32_t corner) {
         return tree.geometry().is_regular(corner);
       });
-  return is_cut ? static_cast<std::uint32_t>(cell) : kNoCell;
+  return is_cut ? static_cast<std::uint32_t>(cell) : kNoIndex;
 }
 
 /// Triangulates plain leaves by the loop of grid cells, a block at a time.
@@ -38,9 +37,10 @@ class PlainCutter {
   explicit PlainCutter(const Grid& grid) : grid_(grid) {}
 
   void add(const std::array<std::uint32_t, 4>& corners) {
-    cells_.push_back(kNoCell);
+    cells_.push_back(kNoIndex);
     corners_.push_back(corners);
-    if (corners_.size() % kBlock == 0) cut();
+    // A leaf takes two vertices of each strip; the cells between leaves are not used.
+    if (corners_.size() % (kTileCells / 2) == 0) cut();
   }
   /// Adds a leaf that is a root cell with triangles.
   void add_cut(std::uint32_t cell) { cells_.push_back(cell); }
@@ -51,7 +51,7 @@ class PlainCutter {
   /// Appends the triangles of the next leaf. Returns their count if all had an area.
   std::size_t take(Array<Triangle>& triangles) {
     const std::uint32_t cell = cells_[taken_++];
-    if (cell != kNoCell) {
+    if (cell != kNoIndex) {
       for (const Triangle& triangle : grid_.triangles(cell)) triangles.push_back(triangle);
       return 2;
     }
@@ -76,8 +76,6 @@ class PlainCutter {
 
  private:
   enum class Way : std::uint8_t { First, Second, Unknown };
-  /// A leaf takes two vertices of each strip; the cells between leaves are not used.
-  static constexpr std::size_t kBlock = kTileCells / 2;
   using Strips = std::array<Strip, 2>;
 
   void put(std::uint32_t corner, std::size_t i, Strip& strip) const {
@@ -108,7 +106,7 @@ class PlainCutter {
   }
 
   const Grid& grid_;
-  std::vector<std::uint32_t> cells_;  // of all leaves; kNoCell stands for the next of corners_
+  std::vector<std::uint32_t> cells_;  // of all leaves; kNoIndex stands for the next of corners_
   std::vector<std::array<std::uint32_t, 4>> corners_;
   std::vector<Way> cuts_;
   std::size_t taken_ = 0;
@@ -137,7 +135,7 @@ LeafTriangles triangulate_leaves(std::span<const Leaf> leaves, std::span<const s
   PlainCutter cutter(grid);
   const auto add_plain = [&](std::size_t leaf, std::array<std::uint32_t, 4> corners) {
     const std::uint32_t cell = cell_cut_before(leaves[leaf], corners, grid, tree);
-    if (cell != kNoCell) return cutter.add_cut(cell);
+    if (cell != kNoIndex) return cutter.add_cut(cell);
     for (std::uint32_t& vertex : corners) choose_corner(leaf, 0, vertex);
     cutter.add(corners);
   };

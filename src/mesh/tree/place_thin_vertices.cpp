@@ -10,15 +10,13 @@
 
 #include "mesh/features/approach.h"
 #include "mesh/features/thin_parts.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
 #include "mesh/tree/cell_tree.h"
 
 namespace saddle {
 
 namespace {
-
-/// Bisections of the ways from a side's ends to a gap: 1e-6 of the side.
-constexpr int kGapBisections = 20;
 
 /// A side between neighbours, and its vertices.
 struct PlacedSide {
@@ -118,9 +116,9 @@ class ThinVertexPlacer {
       gaps.push_back(k);
       for (const dvec2& end : lines[k].line) ways.push_back({end, *found[k]});
     }
-    const auto edges = last_defined(tree_.surface(), ways, kGapBisections, threads_);
+    const auto edges = last_defined(tree_.surface(), ways, kAllHalvings, threads_);
     const std::vector<SurfacePoint> points = evaluate(tree_.surface(), edges, threads_);
-    work += kGapBisections * edges.size();
+    work += kAllHalvings * edges.size();
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       const dvec3& first = points[2 * i].position;
       const dvec3& second = points[2 * i + 1].position;

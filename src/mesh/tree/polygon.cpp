@@ -9,13 +9,11 @@
 
 #include "mesh/grid/grid.h"
 #include "mesh/grid/triangulate.h"
+#include "mesh/model/tolerances.h"
 
 namespace saddle {
 
 namespace {
-
-/// A corner nearer to a chord than this share of its length lies on it.
-constexpr double kOnChord = 1e-12;
 
 /// Two points of the surface, in order.
 using PointPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -53,7 +51,7 @@ bool passes_over_corner(const Grid& grid, std::span<const PolygonCorner> polygon
     const double along = glm::dot(way, chord);
     const dvec3 off = glm::cross(way, chord);
     if (along > 0 && along < square &&
-        glm::dot(off, off) <= kOnChord * kOnChord * square * square) {
+        glm::dot(off, off) <= kRoundingOfSums * kRoundingOfSums * square * square) {
       return true;
     }
   }

@@ -235,7 +235,7 @@ std::uint32_t VertexGeometry::add_between(std::span<const Between> places, unsig
     const dvec2 whole = grid_.mesh.uv[between.b] - from;
     const dvec2 part = between.uv - from;
     double share = whole.x != 0 ? part.x / whole.x : part.y / whole.y;
-    if (share < kSameOnLine || share > 1 - kSameOnLine) share = std::round(share);
+    if (share < kSame || share > 1 - kSame) share = std::round(share);
     inner.push_back(
         {glm::mix(vertices_.place_between(between.a), vertices_.place_between(between.b), share),
          between.uv});

@@ -88,7 +88,6 @@ std::vector<GalleryFacts> quadrics_and_revolutions() {
        .boundary_loops = 2,
        .components = 2,
        .closed_u = "join",
-       .proof = Proof::Fails,
        .singular = {v_is(0)},
        .jumps = {v_is(0)},
        .equation =

@@ -63,6 +63,18 @@ TEST(BoundedWork, ForeseesWavesThatNoMeshCouldFollow) {
   }
 }
 
+TEST(BoundedWork, SearchesAMeshThatTheLimitStoppedOnce) {
+  MeshRequest options = within_share(1e-9, 3);
+  options.max_triangles = 40'000;
+  const Surface sphere = surface_from_text("cos(u)*cos(v)", "sin(u)*cos(v)", "sin(v)",
+                                           {0, 2 * kPi, -kPi / 2, kPi / 2}, {}, Order::Second);
+  const MeshResult result = try_mesh(sphere, options).value();
+  EXPECT_TRUE(result.report.reached_limit);
+  EXPECT_EQ(result.report.undefined_fraction, 0);
+  // Six for each triangle, four for its search, and a few for proofs.
+  EXPECT_LT(result.report.evaluations, 14 * result.mesh.triangles.size());
+}
+
 TEST(BoundedWork, DoesNotFollowTheRimsOfWavesThatNoMeshCouldFollow) {
   MeshRequest options = within_share(1e-2, 3);
   options.max_triangles = 40'000;

@@ -78,6 +78,22 @@ TEST(Proofs, HoldWhereDerivativesAreLargeAlongTheSurface) {
     EXPECT_TRUE(report_on_gallery(name, 1e-3).certified) << name;
 }
 
+/// Both sides are flat or waves without a place of their own on the line.
+TEST(Proofs, HoldOnBothSidesOfJumpsAlongLinesOfParameters) {
+  for (const char* const z : {"(v<0.1234?-1:1)*cos(u*v)", "u<0?u:2-u*u", "u<=0?v:3", "u>0.3?1+v:0"})
+    EXPECT_TRUE(report_on(height_field(z, {-2, 2, -2, 2})).certified) << z;
+}
+
+/// The line u = 0 is farther from all triangles than 1000 tolerances. No halving mends that.
+TEST(Proofs, DoNotHoldForALineOfItsOwnOnAJump) {
+  for (const char* const z : {"sign(u)", "u<0?1:(u>0?2:7)"}) {
+    const MeshReport report = report_on(height_field(z, {-2, 2, -2, 2}));
+    EXPECT_FALSE(report.certified) << z;
+    EXPECT_LT(report.cells, 1000U) << z;
+    EXPECT_LT(report.work.boxes, 1000U) << z;
+  }
+}
+
 TEST(Proofs, HoldAlongLinesOfEndlessDerivatives) {
   const MeshReport fold =
       report_on(surface_over("u", "v", "abs(u-0.1)^1.5+abs(v-0.3)^1.5", {-1, 1, -1, 1}));

@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
@@ -27,6 +32,27 @@ TEST(NonsmoothPoints, AreTheApexesOfCones) {
             std::vector{dvec2(0)});
   EXPECT_EQ(find_nonsmooth_points(height_field("hypot(u,v)*hypot(u-0.5,v)"), 1, 1).conical.size(),
             2U);
+}
+
+TEST(NonsmoothPoints, AreTipsWithinAndBesideCreases) {
+  for (const auto& [z, u, v] :
+       {std::tuple("max(0,1-hypot(u-0.3,v-0.1)/3e-5)", 0.3, 0.1),
+        std::tuple("min(1,hypot(u-0.45446,v-0.642386)/0.000277)", 0.45446, 0.642386),
+        std::tuple("hypot(u-0.3,v-0.1)+abs(u+v)", 0.3, 0.1)}) {
+    EXPECT_EQ(find_nonsmooth_points(height_field(z), 1, 1).conical, std::vector{dvec2(u, v)}) << z;
+  }
+}
+
+/// The sheets of atan2(v, u) reach to heights of -pi and pi at the end of its jump.
+TEST(NonsmoothPoints, AreReachedByTheSheetsOfAJumpThatEndsThere) {
+  const double tolerance = 3.5e-3;
+  const MeshResult mesh = try_mesh(height_field("atan2(v,u)/3"), within_length(tolerance)).value();
+  for (const double height : {-std::numbers::pi / 3, std::numbers::pi / 3}) {
+    double nearest = 1;
+    for (const dvec3& p : mesh.mesh.position)
+      nearest = std::min(nearest, glm::distance(p, dvec3(0, 0, height)));
+    EXPECT_LE(nearest, tolerance) << height;
+  }
 }
 
 TEST(NonsmoothPoints, AreNoneOnLinesAndInHoles) {

@@ -12,6 +12,7 @@
 #include "mesh/features/approach.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
 #include "surface_from_text.h"
@@ -207,6 +208,43 @@ TEST(Poles, HaveNoTrianglesAcrossThemWhereTheSurfaceIsZero) {
   EXPECT_LT(distance_from_lines(of_ratio, kTolerance, ratio), kMost);
   const Mesh of_sums = try_mesh(height_field("(u+v)/(u-v)", domain), request).value().mesh;
   EXPECT_LT(distance_from_lines(of_sums, kTolerance, sums), kMost);
+}
+
+TEST(Poles, HaveNoTrianglesAcrossThemWhereTheyChangeTheirSign) {
+  // z = (u+0.9887v)/(u-v): the line u (1-z) + v (0.9887+z) = 0.
+  constexpr double kTolerance = 0.0085;
+  constexpr double kMost = 1.05 * kTolerance;
+  MeshRequest request = within_length(kTolerance);
+  request.clip = Bounds{dvec3(-2, -2, -3.95), dvec3(2, 2, 4.05)};
+  const auto sums = [](const dvec3& p, double z) {
+    return (p.x * (1 - z) + p.y * (0.9887 + z)) / std::hypot(1 - z, 0.9887 + z);
+  };
+  const Mesh of_sums = try_mesh(height_field("(u+0.9887*v)/(u-v)"), request).value().mesh;
+  EXPECT_LT(distance_from_lines(of_sums, kTolerance, sums), kMost);
+}
+
+TEST(Poles, LeaveNothingOutWhereTheSurfaceCrossesZero) {
+  // z = v/(4u): the line v = 4 z u. z = v/sin(4u): the curve v = z sin(4u).
+  constexpr double kTolerance = 0.0037;
+  constexpr double kFace = 1.25;
+  MeshRequest request = within_length(kTolerance);
+  request.clip = Bounds{dvec3(-2, -2, -kFace), dvec3(2, 2, kFace)};
+  const Mesh of_line = try_mesh(height_field("v/(4*u)"), request).value().mesh;
+  const Mesh of_sine = try_mesh(height_field("v/sin(4*u)"), request).value().mesh;
+  const TriangleTree line(of_line);
+  const TriangleTree sine(of_sine);
+  double from_line = 0;
+  double from_sine = 0;
+  for (int level = -49; level <= 49; ++level) {
+    const double z = kFace * level / 49.5;
+    for (int step = -100; step <= 100; ++step) {
+      const double u = 1e-4 * (step + 0.5);
+      from_line = std::max(from_line, line.distance({u, 4 * z * u, z}));
+      from_sine = std::max(from_sine, sine.distance({u, z * std::sin(4 * u), z}));
+    }
+  }
+  EXPECT_LE(from_line, kTolerance);
+  EXPECT_LE(from_sine, kTolerance);
 }
 
 TEST(Poles, AreToldFromJumpsWhereRoundingEndsTheWayToThem) {

@@ -104,7 +104,7 @@ TEST(ThinParts, ErrorsOfStripsAreToldFromTheNearestTriangles) {
   const Surface surface =
       surface_from_text("u", "v", tent.z().c_str(), {-1, 1, -1, 1}, {}, Order::Second);
   MeshRequest request = within_length(2e-4);
-  request.max_triangles = 250'000;
+  request.max_triangles = 200'000;
   const MeshResult result = try_mesh(surface, request).value();
   const double told = result.report.max_error / *result.report.tolerance;
   const double found = worst_distance_of(tent, result);

@@ -31,5 +31,14 @@ TEST(ClipBox, ShowsThinPolesAndCutsNothingElse) {
   }
 }
 
+TEST(ClipBox, HoldsLogarithmsBesideZero) {
+  // At (0, 0) doubles come as near to the pole as 5e-324, elsewhere as near as 1e-19.
+  Scene scene;
+  assign(scene, "z=0.002*ln(abs(u-v))");
+  scene = resolve(scene);
+  const Tessellation result = tessellate(scene, scene.surfaces.at(0), {.mesh = true}, 1);
+  EXPECT_GT(result.mesh.bounds.low.z, -0.5) << "a quarter of the sides of its square";
+}
+
 }  // namespace
 }  // namespace saddle

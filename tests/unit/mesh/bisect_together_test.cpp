@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/features/approach.h"
+#include "mesh/model/tolerances.h"
 #include "surface_from_text.h"
 
 namespace saddle {
@@ -34,7 +35,7 @@ TEST(BisectTogether, NarrowsEachLineToNeighboursAroundItsOwnPlace) {
   std::vector<Cut> cuts;
   for (const double z : {0.001, 0.125, 0.7}) cuts.push_back({{dvec2(0, 0.2), dvec2(1, 0.2)}, z});
   std::vector<std::size_t> open = all_open(cuts.size());
-  bisect_together(surface, cuts, open, kUntilDone, 1, next, narrow);
+  bisect_together(surface, cuts, open, kHalvingsToLeast, 1, next, narrow);
   EXPECT_TRUE(open.empty());
   for (const Cut& cut : cuts) {
     EXPECT_EQ(std::nextafter(cut.line[0].x, 1), cut.line[1].x);

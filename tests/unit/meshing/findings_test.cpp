@@ -46,7 +46,7 @@ TEST(Warnings, SayHowMuchIsUndefinedAndWhere) {
 
 TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
   MeshResult cut = mesh_between({-1, 0}, {1, 2});
-  cut.report.clip = Bounds{{-kNoFace, -2, 3}, {4, 5, kNoFace}};
+  cut.report.clip = Bounds{{-kInfinity, -2, 3}, {4, 5, kInfinity}};
   cut.report.poles = {{0, 1}};
   cut.report.pole_count = 1;
   EXPECT_EQ(mesh_warnings("s", cut, kDomain).back(),
@@ -56,7 +56,7 @@ TEST(Warnings, NameTheFacesOfTheBoxThatCut) {
   EXPECT_EQ(mesh_warnings("s", cut, kDomain),
             Warnings{"s: x, y and z are out of proportion: clipped to x up to 4, y = -2:5, z from "
                      "3 up; --clip off shows all of it"});
-  cut.report.clip = Bounds{dvec3(-kNoFace), dvec3(kNoFace)};
+  cut.report.clip = Bounds{dvec3(-kInfinity), dvec3(kInfinity)};
   EXPECT_TRUE(mesh_warnings("s", cut, kDomain).empty());
 }
 

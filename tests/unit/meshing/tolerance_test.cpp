@@ -85,7 +85,7 @@ TEST(ReadableBox, LeavesOutAnEdgeThatGoesFarBeyondAllPoints) {
   EXPECT_GT(box->high.z, 2);
   EXPECT_LT(box->high.z, 50);
   box->high.z = 0;
-  EXPECT_EQ(*box, (Bounds{dvec3(-kNoFace), dvec3(kNoFace, kNoFace, 0)}));
+  EXPECT_EQ(*box, (Bounds{dvec3(-kInfinity), dvec3(kInfinity, kInfinity, 0)}));
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// Places on a line and directions around a place at which several units of the mesher look.
+#pragma once
+
+#include <array>
+
+#include "base/vec.h"
+
+namespace saddle {
+
+/// The middle of a line, where an arc is farthest from its chord.
+inline constexpr std::array kMiddleOfLine = {0.5};
+/// Beside the middle: an arc with a turning point there, or a vertical tangent at an end, is
+/// farthest from its chord about here.
+inline constexpr std::array kBesideMiddle = {0.25, 0.75};
+/// The middle and both places beside it: an edge that turns in the middle is not missed.
+inline constexpr std::array kAlongLine = {0.25, 0.5, 0.75};
+/// These and both ends.
+inline constexpr std::array kAllAlongLine = {0.0, 0.25, 0.5, 0.75, 1.0};
+
+/// The steps of a compass search.
+inline constexpr std::array kFourWays = {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1)};
+/// Axes and diagonals in their order around a place: opposite ones are four apart.
+inline constexpr std::array kEightWays = {dvec2(1, 0),  dvec2(1, 1),   dvec2(0, 1),  dvec2(-1, 1),
+                                          dvec2(-1, 0), dvec2(-1, -1), dvec2(0, -1), dvec2(1, -1)};
+
+}  // namespace saddle
