@@ -312,14 +312,15 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   report.orientable = is_orientable(mesh, report);
   report.singular_in_space = singular_in_space(surface, mesh, report);
   if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
-  if (report.certified && report.tolerance && report.max_error > *report.tolerance) {
-    const dvec2 worst = report.worst_place.value();
-    report.certified = false;  // the proof allows 4 tolerances
-    report.proof_gaps.push_back({GapReason::Off, worst, worst});
+  const bool is_off = report.tolerance && report.max_error > *report.tolerance;
+  if (report.certified && is_off && report.worst_place) {
+    report.proof_gaps.push_back({GapReason::Off, *report.worst_place, *report.worst_place});
   }
+  report.certified = report.certified && !is_off;  // the proof allows 4 tolerances
   if (!report.certified && report.proof_gaps.empty()) {
     const Domain& d = surface.domain;
-    report.proof_gaps.push_back({GapReason::NotTried, {d.u0, d.v0}, {d.u1, d.v1}, 1});
+    const GapReason why = is_off ? GapReason::Off : GapReason::NotTried;
+    report.proof_gaps.push_back({why, {d.u0, d.v0}, {d.u1, d.v1}, 1});
   }
   if (!spec.color.empty()) {
     result.color = color_as_asked(scene, spec, purpose, surface, result.mesh, threads);

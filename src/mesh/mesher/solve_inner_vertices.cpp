@@ -182,9 +182,9 @@ class Solver {
     tree_.effort().add_places(work);
     std::vector<std::optional<EdgePlace>> edges(rays.size());
     for (std::size_t k = 0; k < rays.size(); ++k) {
-      // A value of its own ends where it is.
       if (!ends[k]) continue;
       const SheetEnd::Kind kind = ends[k]->kind;
+      // A value of its own ends where it is.
       const bool is_edge = rays[k][0] == rays[k][1] || kind != SheetEnd::Kind::Open;
       edges[k] = {from_parameters(leaves[k], ends[k]->uv), ends[k]->uv, is_edge,
                   kind == SheetEnd::Kind::Boundary};

@@ -52,7 +52,6 @@ class PairTable {
  private:
   /// No pair: a number with itself.
   static constexpr Pair kNone = ~Pair{0};
-  /// At most one slot in 2 is taken, so that searches are short.
   static constexpr std::size_t kFirstSlots = 64;  // a power of 2, as all sizes are
 
   struct Slot {
