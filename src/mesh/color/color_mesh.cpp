@@ -16,6 +16,7 @@
 #include "mesh/color/color_limit.h"
 #include "mesh/color/drawn_colors.h"
 #include "mesh/model/pair_table.h"
+#include "mesh/model/tolerances.h"
 #include "surface/limit_path.h"
 
 namespace saddle {
@@ -24,9 +25,6 @@ namespace {
 /// Where a side is sampled: not evenly, so that waves as long as the mesh's cells are found. The
 /// second place is that of the new corner.
 constexpr std::array kOnSide = {0.27, 0.5, 0.77};
-
-/// Generations at most: from the first sides to a thousandth of a pixel.
-constexpr int kGenerations = 24;
 
 class ColorMesher {
  public:
@@ -56,7 +54,7 @@ class ColorMesher {
   void subdivide() {
     range_ = mesh_.color_range;
     is_new_.assign(mesh_.triangles.size(), true);
-    for (int i = 0; i < kGenerations && !report_.reached_limit; ++i) {
+    for (int i = 0; i < kHalvingsToNearly && !report_.reached_limit; ++i) {
       if (!split_bent_sides()) break;
     }
   }

@@ -178,7 +178,7 @@ double BoundaryDistance::foot(std::uint32_t from, std::uint32_t to, const dvec3&
 
 /// Where the surface, or its part in the clip box, ends on ways across chords.
 std::vector<dvec2> BoundaryDistance::ends_of(std::span<const Line> ways) const {
-  std::vector<dvec2> ends = last_defined(surface_, ways, kWayHalvings, threads_, clip_);
+  std::vector<dvec2> ends = last_defined(surface_, ways, kHalvingsToEdge, threads_, clip_);
   std::vector<Line> to_faces;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (chords_[k].is_at_face) to_faces.push_back({ends[k], ways[k][1]});
@@ -203,7 +203,7 @@ void BoundaryDistance::follow_outside(std::span<const Line> ways, std::vector<dv
     open.push_back(k);
     outside.push_back({chord.beyond, *chord.outside});
   }
-  const std::vector<dvec2> last = last_defined(surface_, outside, kWayHalvings, threads_, clip_);
+  const std::vector<dvec2> last = last_defined(surface_, outside, kHalvingsToEdge, threads_, clip_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (!is_at_end(last[i], outside[i])) ends[open[i]] = last[i];
   }
@@ -240,7 +240,7 @@ void BoundaryDistance::measure_chords(std::vector<LeafDistance>& found) {
   const std::vector<SurfacePoint> at_middle = evaluate(surface_, middles, threads_);
   const std::vector<dvec2> boundary = ends_of(ways_to_boundary(at_middle));
   const std::vector<SurfacePoint> at_boundary = evaluate(surface_, boundary, threads_);
-  evaluations_ += chords_.size() * (2 + kWayHalvings);
+  evaluations_ += chords_.size() * (2 + kHalvingsToEdge);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const EdgeChord& chord = chords_[k];
     found.push_back(
@@ -268,7 +268,7 @@ double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
 std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
   std::vector<Line> ways;
   for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
-  auto ends = sheet_ends(surface_, ways, delta_, kJumpHalvings, clip_, threads_, evaluations_);
+  auto ends = sheet_ends(surface_, ways, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
   for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -277,7 +277,7 @@ std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
     outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
   }
   const auto more =
-      sheet_ends(surface_, outside, delta_, kJumpHalvings, clip_, threads_, evaluations_);
+      sheet_ends(surface_, outside, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
   }

@@ -13,21 +13,15 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of a line towards its crossing with a crease. 1/4096 of the line is enough for a
-/// distance of second order. An upright surface moves far while its parameters hardly change:
-/// bisection goes on until its image is shorter than 1/4096 of the first, too, or for kAllHalvings.
-constexpr int kCreaseHalvings = 12;
-constexpr double kArrived = 1.0 / 4096;
-/// Cosines of the normals at a line's ends. Across a cusp they are nearly opposite, below -0.7.
-/// They turn beyond kSteepCosine towards an upright surface.
-constexpr double kAcrossCusp = -0.7;
+/// The part of a line that is left after kHalvingsOfSecondOrder. An upright surface moves far while
+/// its parameters hardly change: bisection goes on until its image is shorter than that part of the
+/// first, too, or for kAllHalvings.
+constexpr double kArrived = 1.0 / (1 << kHalvingsOfSecondOrder);
 /// The surface is not upright if 12 halvings shorten a line's image to 1/512. The image of a root
 /// shortens to 1/64, that of a crease with finite slopes to little more than kArrived.
 constexpr double kPlainShare = 1.0 / 512;
-/// Steps to the nearest point, and the first damping: the part of the normal equations' diagonal
-/// that is added to it. A step that comes no nearer multiplies it by 10, another one by 0.1.
+/// Steps to the nearest point.
 constexpr int kNearestSteps = 12;
-constexpr double kDamping = 1e-4;
 
 dvec3 area_of(const SurfacePoint& p) {
   return glm::cross(p.r_u, p.r_v);
@@ -52,10 +46,10 @@ struct CreaseSearch {
 
   /// Whether there is no cusp, and the surface is not upright.
   bool is_plain() const {
-    return !is_cusp && halvings == kCreaseHalvings && way <= kPlainShare * first_way;
+    return !is_cusp && halvings == kHalvingsOfSecondOrder && way <= kPlainShare * first_way;
   }
   bool is_done() const {
-    const bool has_arrived = halvings >= kCreaseHalvings && !(way > kArrived * first_way);
+    const bool has_arrived = halvings >= kHalvingsOfSecondOrder && !(way > kArrived * first_way);
     return has_arrived || has_no_middle(left);
   }
 };
@@ -68,9 +62,10 @@ std::vector<CreaseSearch> searches_on(const Surface& surface, std::span<const Li
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::array normal = {glm::normalize(area_of(first[k])), glm::normalize(area_of(last[k]))};
     const double cosine = glm::dot(normal[0], normal[1]);
+    // Across a cusp normals are nearly opposite; towards an upright surface they turn less.
     if (!(cosine < kSteepCosine)) continue;
     const std::array position = {first[k].position, last[k].position};
-    searches.push_back({k, lines[k], position, normal, cosine < kAcrossCusp});
+    searches.push_back({k, lines[k], position, normal, cosine < -kSteepCosine});
   }
   return searches;
 }
@@ -94,7 +89,9 @@ struct Descent {
   dvec2 uv;
   SurfacePoint at;
   double distance;
-  double damping = kDamping;
+  /// The part of the normal equations' diagonal that is added to it. A step that comes no nearer
+  /// multiplies it by 10, another one by 0.1.
+  double damping = kNearly;
 };
 
 dvec2 step(const Descent& d, const dvec3& from) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/model/sample_places.h"
 #include "mesh/model/sides.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/tree/cell_polygon.h"
@@ -10,9 +11,6 @@
 namespace saddle {
 
 namespace {
-
-/// In chords: heights are compared that are 1/8 apart at least, half as far as kAlongLine.
-constexpr double kApart = 0.125;
 
 /// The part of a line, from 0 to 1, within a triangle.
 std::array<double, 2> part_in(const std::array<dvec2, 3>& triangle, const Line& line) {
@@ -97,7 +95,9 @@ std::uint32_t corner_across(const Grid& grid, const Chord& chord, double share, 
 double predicted_distance(std::array<Height, 3> heights) {
   std::ranges::sort(heights, {}, &Height::share);
   const auto& [a, b, c] = heights;
-  const bool are_apart = b.share - a.share > kApart && c.share - b.share > kApart;
+  // Half as far as the places of kAlongLine.
+  const double apart = 0.5 * kAlongLine.front();
+  const bool are_apart = b.share - a.share > apart && c.share - b.share > apart;
   if (!(a.share > 0 && c.share < 1 && are_apart)) return 0;
   const double at_first = a.distance + (a.distance - b.distance) * a.share / (b.share - a.share);
   const double at_last =

@@ -7,16 +7,13 @@
 #include <vector>
 
 #include "mesh/grid/grid.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
 
 namespace saddle {
 
-/// Halvings of the way across a leaf to its boundary: to 1e-12 of it. A fourth root rises to 1e-3
-/// there.
-inline constexpr int kWayHalvings = 40;
-inline constexpr double kLastStep = 1.0 / (std::uint64_t{1} << kWayHalvings);
-/// Halvings of the way to a jump: 1e-6 of it is enough for a distance.
-inline constexpr int kJumpHalvings = 20;
+/// The part of a way across a leaf that is left after kHalvingsToEdge.
+inline constexpr double kLastStep = 1.0 / (std::uint64_t{1} << kHalvingsToEdge);
 
 /// Whether bisections of a line that is defined at its first end have led to its second.
 inline bool is_at_end(const dvec2& last, const Line& line) {

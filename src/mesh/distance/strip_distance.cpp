@@ -115,13 +115,13 @@ std::vector<LeafDistance> StripDistance::measure() {
       if (!across_[k].is_gap) std::swap(ways.back()[0], ways.back()[1]);
     }
   }
-  const std::vector<dvec2> edges = last_defined(surface_, ways, kWayHalvings, threads_, clip_);
+  const std::vector<dvec2> edges = last_defined(surface_, ways, kHalvingsToEdge, threads_, clip_);
   std::vector<dvec2> uv;
   for (std::size_t k = 0; k < edges.size(); k += 2) {
     for (const double share : kAllAlongLine) uv.push_back(glm::mix(edges[k], edges[k + 1], share));
   }
   const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
-  evaluations_ += edges.size() * kWayHalvings + points.size();
+  evaluations_ += edges.size() * kHalvingsToEdge + points.size();
   std::size_t next = 0;
   for (std::size_t k = 0; k < across_.size(); ++k) {
     if (!inside[k]) continue;

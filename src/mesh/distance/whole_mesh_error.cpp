@@ -17,18 +17,12 @@ namespace saddle {
 
 namespace {
 
-/// Rounds of a compass search. The first step is a quarter of the box; a round without success
-/// halves it: 40 rounds reach the top of a ridge of 1e-6 of a cell.
-constexpr int kRounds = 40;
+/// The first step of a compass search, in sizes of the box; a round without success halves it.
 constexpr double kFirstStep = 0.25;
-/// A line of the surface is halved 48 times at most: down to the doubles of a wall.
-constexpr int kHalvings = 48;
 /// Parts of a line shorter than 0.25 tolerances are not halved.
 constexpr double kShortPart = 0.25;
 /// Lines through a place of the mesh: two of parameters, then three to the corners.
 constexpr std::size_t kLines = 5;
-/// Rounds of the search for a nearer place, after the lines.
-constexpr int kDescents = 24;
 /// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
 /// The search climbs from the 8 farthest places of the mesh, in 4 rounds, if they are within 0.5 of
@@ -63,7 +57,7 @@ std::vector<double> WholeMeshError::distances(std::span<const Place> places) con
 
 void WholeMeshError::climb(std::span<Climb> climbs) const {
   std::vector<double> steps(climbs.size(), kFirstStep);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kHalvingsToEdge; ++round) {
     std::vector<Place> places;
     for (std::size_t k = 0; k < climbs.size(); ++k) {
       const ParameterBox& box = climbs[k].within;
@@ -175,7 +169,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
       lines.emplace_back(p, uv, grid_.mesh.uv[corner] - uv);
     result.push_back({expected.place, {expected.near, uv}, kFirstStep * reach});
   }
-  for (int halving = 0; halving <= kHalvings && !tries.empty(); ++halving) {
+  for (int halving = 0; halving <= kHalvingsToEdge && !tries.empty(); ++halving) {
     std::vector<dvec2> uv;
     for (const auto& [k, t] : tries) uv.push_back(within_domain(lines[k].uv(t)));
     const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
@@ -204,7 +198,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
 
 /// A compass search for places of the surface that are nearer.
 void WholeMeshError::descend(std::span<Nearest> nearest) const {
-  for (int round = 0; round < kDescents; ++round) {
+  for (int round = 0; round < kHalvingsToNearly; ++round) {
     std::vector<dvec2> uv;
     for (const Nearest& n : nearest) {
       for (const dvec2& way : kFourWays) uv.push_back(within_domain(n.error.uv + n.reach * way));

@@ -17,8 +17,6 @@ namespace saddle {
 
 namespace {
 
-/// Steps left, each 16 times as near, until doubles run out beside 0.
-constexpr double kStepsLeft = 256;
 /// A formula may lose its digits beside a pole, as 1/(1+cos(u)) does at pi. The surface has a pole,
 /// too, if each of the first 3 moves is 8 times the one before.
 constexpr double kLeaps = 8;
@@ -78,7 +76,9 @@ std::vector<bool> diverge(const Surface& surface, std::span<const Line> lines, d
       const std::size_t first = begin + i;
       return points[first + 1].position / size - points[first].position / size;
     };
-    bool goes_on = kStepsLeft * glm::length(way(kApproach.size() - 2)) > delta / size;
+    // Each step is 16 times as near, until doubles run out beside 0.
+    const double steps_left = kHalvingsToLeast / 4.0;
+    bool goes_on = steps_left * glm::length(way(kApproach.size() - 2)) > delta / size;
     for (std::size_t i = 0; i + 2 < kApproach.size(); ++i) {
       const double before = glm::length(way(i));
       goes_on = goes_on && glm::dot(way(i), way(i + 1)) >= kShrinks * before * before;

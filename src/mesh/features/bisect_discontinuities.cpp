@@ -19,8 +19,6 @@ namespace saddle {
 
 namespace {
 
-/// A gap that ends more than 50 times as large as it began is a pole.
-constexpr double kPoleGrowth = 50;
 /// A gap between neighbouring doubles is no jump if it shrinks from the gap between places 2^21
 /// units of rounding apart: abs(u)^0.05 and 1/ln(u) come to 0 ever more slowly.
 constexpr std::size_t kFarOutward = 7;
@@ -30,8 +28,6 @@ constexpr double kAlike = 1.0 / 4096;
 /// The part of a line at which it is halved.
 constexpr double kShare = 0.498;
 
-/// In doubles: a place nearer to an end may be that end.
-constexpr double kLeastStep = 2;
 /// A place without a value may be a cusp itself. It is then tried on both sides of that.
 constexpr int kMostMisses = 2;
 
@@ -41,9 +37,8 @@ constexpr std::array kOutward = {1.0,    0x1p3,  0x1p6,  0x1p9,  0x1p12, 0x1p15,
                                  0x1p18, 0x1p21, 0x1p24, 0x1p27, 0x1p30};
 /// Values of their own make positions move at up to 4 of these places; sin(1/u) moves at most.
 constexpr std::size_t kMostMoves = 4;
-/// These units, in lengths of the line, at most and at least: the places stay within 2^-14 of it.
+/// These units, in lengths of the line, at most: the places stay within 2^-14 of it.
 constexpr double kMostUnit = 0x1p-44;
-constexpr double kLeastUnit = 0x1p-70;
 
 /// A line that is being bisected.
 struct Search {
@@ -86,7 +81,7 @@ Discontinuity at_last_digits(const Search& search, double delta) {
   const double gap = gap_between(search.at_ends[0], search.at_ends[1]);
   // A gap that has shrunk to kSame of its first size is a steep slope, not a jump.
   if (gap < std::max(delta, kSame * search.first_gap)) return Discontinuity::None;
-  return gap > kPoleGrowth * search.first_gap ? Discontinuity::Pole : Discontinuity::Jump;
+  return Discontinuity::Jump;
 }
 
 /// The part of a line at which it is evaluated next: the zero of the chord of the heights at its
@@ -101,8 +96,8 @@ double next_share(const Search& search) {
   const auto& [a, b] = search.ends;
   const dvec2 way = glm::abs(b - a);
   const dvec2 place = glm::max(glm::abs(a), glm::abs(b));
-  const double digits = kLeastStep * std::numeric_limits<double>::epsilon();
-  const double least = digits * std::max(place.x, place.y) / std::max(way.x, way.y);
+  // A place nearer to an end may be that end.
+  const double least = kRounding * std::max(place.x, place.y) / std::max(way.x, way.y);
   if (!(least < kShare)) return kShare;
   if (search.is_missed) {
     const double beside = search.share + (search.misses % 2 == 0 ? least : -least);
@@ -190,7 +185,7 @@ dvec2 unit_of_rounding(const Search& search, const Line& line) {
   const dvec2 whole = line[1] - line[0];
   const dvec2 at = glm::max(glm::abs(search.ends[0]), glm::abs(search.ends[1]));
   const double digits = std::numeric_limits<double>::epsilon() * std::max(at.x, at.y);
-  const double share = std::clamp(digits / glm::length(whole), kLeastUnit, kMostUnit);
+  const double share = std::min(digits / glm::length(whole), kMostUnit);
   return glm::length(width) > share * glm::length(whole) ? width : share * whole;
 }
 

@@ -23,8 +23,6 @@ constexpr int kProofHalvings = 3;
 
 /// Halvings that end most searches for creases; the others go on with heights.
 constexpr int kPlainHalvings = 8;
-/// The same where there are only cusps: the first halving ends most searches.
-constexpr int kPlainHalvingsOfCusps = 1;
 
 /// Where normals can only jump to their opposites, unit normals nearer to each other have no cusp
 /// between them, unless the surface turns back by 166 degrees.
@@ -174,23 +172,6 @@ void add(const LocatedDiscontinuity& more, const Line& line, LocatedDiscontinuit
   }
 }
 
-/// Removes and returns the first 2 unproved parts of each line, unless the line is known to have
-/// several discontinuities. `open`: in the order of lines.
-std::vector<LinePart> take_some(std::span<const LocatedDiscontinuity> found,
-                                std::vector<LinePart>& open) {
-  constexpr std::size_t kAtATime = 2;
-  std::erase_if(open, [&](const LinePart& part) { return found[part.line].between.has_value(); });
-  std::vector<LinePart> taken;
-  std::vector<LinePart> rest;
-  std::size_t count = 0;  // of the line
-  for (std::size_t k = 0; k < open.size(); ++k) {
-    if (k == 0 || open[k].line != open[k - 1].line) count = 0;
-    (count++ < kAtATime ? taken : rest).push_back(open[k]);
-  }
-  open = std::move(rest);
-  return taken;
-}
-
 /// Discontinuities of lines that are not proved to be continuous.
 std::vector<LocatedDiscontinuity> find_discontinuities_in(const Surface& surface,
                                                           std::span<const Line> lines, double delta,
@@ -206,15 +187,12 @@ std::vector<LocatedDiscontinuity> find_discontinuities_in(const Surface& surface
   std::ranges::stable_sort(open, [&](const LinePart& a, const LinePart& b) {
     return a.line != b.line ? a.line < b.line : from_known(a) < from_known(b);
   });
-  while (true) {
-    const std::vector<LinePart> some = take_some(found, open);
-    if (some.empty()) return found;
-    const std::vector<LocatedDiscontinuity> more =
-        look_at(surface, lines, some, delta, threads, work);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      add(more[i], lines[some[i].line], found[some[i].line]);
-    }
+  const std::vector<LocatedDiscontinuity> more =
+      look_at(surface, lines, open, delta, threads, work);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    add(more[i], lines[open[i].line], found[open[i].line]);
   }
+  return found;
 }
 
 }  // namespace
@@ -257,7 +235,7 @@ std::vector<LocatedDiscontinuity> find_creases(const Surface& surface, std::span
                                   .delta = only_cusps ? kNearOpposites : chord,
                                   .beyond = chord,
                                   .are_positions = false,
-                                  .plain = only_cusps ? kPlainHalvingsOfCusps : kPlainHalvings};
+                                  .plain = kPlainHalvings};
   const std::vector<LocatedDiscontinuity> found =
       bisect_discontinuities(surface, gaps, turning, threads, work);
   std::vector<LocatedDiscontinuity> result(lines.size());

@@ -18,11 +18,6 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of the domain each way: to neighbours in double precision.
-constexpr int kDomainHalvings = 60;
-/// The search has a third of the budget of proofs.
-constexpr std::size_t kProofsPerBox = 3;
-
 /// Leaves out the largest groups of boxes that touch: they lie along curves. Four boxes meet at a
 /// point on their corners; along a curve their number doubles every two levels.
 void keep_points(std::vector<ParameterBox>& boxes) {
@@ -42,9 +37,9 @@ void keep_points(std::vector<ParameterBox>& boxes) {
 /// The smallest boxes in which tangents are not proved to be continuous, but for those on curves.
 std::vector<ParameterBox> nonsmooth_boxes(const Surface& surface) {
   SurfaceEnclosure enclosure(surface, Bounded::Tangents);
-  std::size_t budget = ProofBudget(surface.bounds).boxes_of_search() / kProofsPerBox;
+  std::size_t budget = ProofBudget(surface.bounds).boxes_of_search();
   BoxSubdivision<ParameterBox> search(std::vector{box_of(surface.domain)});
-  while (!search.open().empty() && search.depth() < 2 * kDomainHalvings) {
+  while (!search.open().empty() && search.depth() < 2 * kAllHalvings) {
     if (budget < search.open().size()) return {};
     budget -= search.open().size();
     search.test([&](const ParameterBox& box) {

@@ -181,12 +181,8 @@ void add_limits_around(const Surface& surface, const Ways& ways, double diagonal
   if (is_inside) singularity.around = ClosedCurve(std::move(around));
 }
 
-/// Halvings of a box each way, and its parts that are followed. Four meet at a point on their
-/// corners.
-constexpr int kBoxHalvings = 40;
+/// Parts of a box that are followed. Four meet at a point on their corners.
 constexpr std::size_t kMostBoxParts = 16;
-/// The remaining parts are one point if they span no more than this part of the box.
-constexpr double kOnePoint = 0x1p-30;
 
 class Narrowing {
  public:
@@ -197,7 +193,7 @@ class Narrowing {
     BoxSubdivision<ParameterBox> search({whole});
     std::vector<ParameterBox>& parts = search.open();
     bool is_followed = false;
-    while (search.depth() < 2 * kBoxHalvings) {
+    while (search.depth() < 2 * kHalvingsToEdge) {
       search.test([this](const ParameterBox& part) {
         return are_continuous(enclosure_.enclose(part)) ? ProofOutcome::Proved : ProofOutcome::Open;
       });
@@ -212,7 +208,7 @@ class Narrowing {
     }
     Bounds left;
     for (const ParameterBox& part : parts) left.add(dvec3(part.middle(), 0));
-    const dvec2 most = kOnePoint * whole.size();
+    const dvec2 most = kSame * whole.size();
     if (left.size().x > most.x || left.size().y > most.y) return std::nullopt;
     // A coordinate that is 0 within the search's precision is 0.
     dvec2 place(left.centre());

@@ -8,15 +8,13 @@
 #include <numeric>
 
 #include "base/bounds.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "surface/normal.h"
 
 namespace saddle {
 
 namespace {
-
-/// Nearest looks: two along u, and two along v.
-constexpr std::size_t kNearest = 4;
 
 /// 64 epsilon: a parameter is rounded where its line is placed, and again where a formula
 /// multiplies it, as in sin(10*pi*u).
@@ -30,10 +28,10 @@ struct NearbyLook {
 
 /// The mean of the pairs of opposite looks that are both known. A line of 0/0 along one axis leaves
 /// the pair along the other.
-std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook, kNearest> looks) {
+std::optional<dvec3> middle_of_pairs(std::span<const NearbyLook> looks) {
   dvec3 sum(0);
   double count = 0;
-  for (std::size_t k = 0; k < kNearest; k += 2) {
+  for (std::size_t k = 0; k < looks.size(); k += 2) {
     if (!looks[k].known || !looks[k + 1].known) continue;
     sum += *looks[k].known + *looks[k + 1].known;
     count += 2;
@@ -53,7 +51,7 @@ Beside judge(std::span<const NearbyLook> looks, double diagonal) {
     if (look.known) bounds.add(*look.known);
   }
   if (!bounds.empty() && bounds.diagonal() <= kLimitsAgree * diagonal) {
-    beside.limit = middle_of_pairs(looks.first<kNearest>());
+    beside.limit = middle_of_pairs(looks.first(kFourWays.size()));
   }
   return beside;
 }

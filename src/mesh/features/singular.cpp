@@ -15,9 +15,9 @@ namespace saddle {
 
 namespace {
 
-/// 4 zeros on a line of constant u or v, and 32 places on it that are zeros, make a line of zeros.
+/// 4 zeros on a line of constant u or v, and a place in each of kDomainParts that is a zero, make a
+/// line of zeros.
 constexpr std::size_t kFewZeros = 4;
-constexpr std::size_t kOnLine = 32;
 /// A zero is isolated if descents from kBesideZero away come back to within 0.1 of that.
 constexpr double kBack = 0.1;
 /// In ranges: the distance between places that are named on a curve of zeros.
@@ -78,9 +78,9 @@ std::vector<double> find_lines(const ZeroFinder& finder, int axis, const UnitPla
   const UnitPlaces places = finder.zeros(places_in_line(ends, axis));
   for (const double line : shared_coordinates(places, axis)) {
     UnitPlaces on_line;
-    for (std::size_t k = 0; k < kOnLine; ++k) {
+    for (std::size_t k = 0; k < kDomainParts; ++k) {
       dvec2 place(line);
-      place[1 - axis] = (static_cast<double>(k) + random_unit(k)) / kOnLine;
+      place[1 - axis] = (static_cast<double>(k) + random_unit(k)) / kDomainParts;
       on_line.push_back(place);
     }
     const std::vector<bool> are = finder.are_zeros(on_line);

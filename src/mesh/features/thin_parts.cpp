@@ -3,15 +3,13 @@
 #include <algorithm>
 
 #include "mesh/features/bisect_discontinuities.h"
+#include "mesh/model/tolerances.h"
 #include "mesh/proof/continuity.h"
 #include "surface/surface_enclosure.h"
 
 namespace saddle {
 
 namespace {
-
-/// Halvings of a line: a part of 2^-24 of it is found.
-constexpr int kLineHalvings = 24;
 
 /// Open parts of a line.
 struct OpenLine {
@@ -31,7 +29,7 @@ class ThinPartSearch {
   }
 
   std::vector<std::optional<dvec2>> run() {
-    for (int halving = 0; halving < kLineHalvings && !open_.empty(); ++halving) {
+    for (int halving = 0; halving < kHalvingsToNearly && !open_.empty(); ++halving) {
       for (OpenLine& open : open_) {
         const bool are_defined = lines_[open.number].are_defined;
         std::erase_if(open.parts, [&](const Line& part) { return is_alike(part, are_defined); });

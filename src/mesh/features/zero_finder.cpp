@@ -15,25 +15,15 @@ namespace saddle {
 
 namespace {
 
-/// Steps of a descent. From a sample beside a simple or a double zero five are enough; at other
-/// zeros each step leaves a third or a half of the way.
-constexpr int kDescentSteps = 48;
 /// After the first 3 steps, a step that leaves more than half of |r_u x r_v| ends the descent:
 /// there is no zero.
 constexpr int kFirstDescents = 3;
 constexpr double kLeaves = 0.5;
 /// In ranges: the longest step, four of a probe's stretches.
 constexpr double kLongest = 1.0 / 16;
-/// In ranges: a step this short has used up a double's digits.
-constexpr double kArrivedAtZero = 1e-15;
-/// Determinant over squared trace of a matrix, above which it has rank two: along a curve of zeros
-/// a step goes down the slope alone.
-constexpr double kRankOne = 1e-10;
 /// |r_u x r_v| is 0 if it is at most kNearly of its largest value 1e-4 ranges away. Double zeros,
 /// which are known to 1e-8, have 1e-8 of it.
 constexpr double kAroundZero = 1e-4;
-/// Squares of derivatives below this part of those kBesideZero away are rounding.
-constexpr double kRoundedDerivative = 1e-8;
 
 }  // namespace
 
@@ -60,7 +50,9 @@ UnitPlaces ZeroFinder::descend(UnitPlaces places, Along along) const {
     places[k] = clamped(places[k]);
     going[k] = k;
   }
-  for (int step = 0; step < kDescentSteps && !going.empty(); ++step) {
+  // From a sample beside a simple or a double zero five steps are enough; at other zeros each
+  // leaves a third or a half of the way.
+  for (int step = 0; step < kAllHalvings && !going.empty(); ++step) {
     UnitPlaces from;
     for (const std::size_t k : going) from.push_back(places[k]);
     const UnitPlaces ways = ways_down(from, along);
@@ -77,7 +69,7 @@ UnitPlaces ZeroFinder::descend(UnitPlaces places, Along along) const {
       double& size = left[going[i]];
       const bool comes_down = step < kFirstDescents || sizes[best] < kLeaves * size;
       size = sizes[best];
-      if (comes_down && size > 0 && glm::distance(trials[best], from[i]) > kArrivedAtZero) {
+      if (comes_down && size > 0 && glm::distance(trials[best], from[i]) > kRounding) {
         still.push_back(going[i]);
       }
     }
@@ -156,8 +148,9 @@ std::vector<bool> ZeroFinder::stand_alone(const UnitPlaces& places) const {
   for (std::size_t k = 0; k < places.size(); ++k) {
     const dvec3 normal = glm::cross(here[k].by_u, here[k].by_v);
     const double square = here[k].square();
-    // Above kNearly, the two derivatives of r_u x r_v are independent.
-    do_stand.push_back(square > kRoundedDerivative * there[k].square() &&
+    // Below kSame, squares of derivatives are rounding; above kNearly, the two derivatives of
+    // r_u x r_v are independent.
+    do_stand.push_back(square > kSame * there[k].square() &&
                        glm::dot(normal, normal) > kNearly * square * square);
   }
   return do_stand;
@@ -221,7 +214,8 @@ dvec2 ZeroFinder::way_down(const Area& area) {
   if (!(trace > 0)) return dvec2(0);
   const double determinant = uu * vv - uv * uv;
   dvec2 way = -slope / trace;
-  if (determinant > kRankOne * trace * trace) {
+  // Of rank one, along a curve of zeros, a step goes down the slope alone.
+  if (determinant > kSame * trace * trace) {
     way = -dvec2(vv * slope.x - uv * slope.y, uu * slope.y - uv * slope.x) / determinant;
   }
   const double length = glm::length(way);

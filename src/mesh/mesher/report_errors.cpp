@@ -21,18 +21,13 @@ namespace saddle {
 
 namespace {
 
-/// The largest leaves are searched for what samples miss: 1/16 of all, but 1024 at least.
+/// The largest leaves are searched for what samples miss: 1/16 of all, but kInBatch at least.
 constexpr std::size_t kSearchedPart = 16;
-constexpr std::size_t kLeastSearched = 1024;
 
 /// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
 constexpr std::ptrdiff_t kWaves = 16;
-/// The search climbs from the worst 16 leaves, with 160 evaluations each.
-constexpr std::size_t kClimbed = 16;
 /// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes.
 constexpr std::size_t kFollowed = 256;
-/// Features that do not stick out are looked for in 32 leaves of a mesh that is off anyway.
-constexpr std::size_t kFollowedWithin = 32;
 constexpr std::size_t kMostBoxes = 8192;
 
 /// The search, from the largest known error down.
@@ -66,7 +61,7 @@ class ErrorSearch {
   void climb() {
     std::ranges::stable_sort(starts_, std::ranges::greater(), &Start::error);
     std::vector<WholeMeshError::Climb> climbs;
-    for (const Start& start : std::span(starts_).first(std::min(kClimbed, starts_.size())))
+    for (const Start& start : std::span(starts_).first(std::min(kMostFollowed, starts_.size())))
       climbs.push_back(start.climb);
     whole_.climb(climbs);
     for (std::size_t k = 0; k < climbs.size(); ++k) take(climbs[k].best, starts_[k].scale);
@@ -110,7 +105,8 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   };
   FeatureSearch features(surface, distance, tolerance, clip, threads);
   std::vector<SearchedPart> parts(others.begin(), others.end());
-  features.keep_widest(kFollowed, suspects.empty() ? 0 : kFollowedWithin, parts);
+  // Features that do not stick out are looked for in a mesh that is off anyway.
+  features.keep_widest(kFollowed, suspects.empty() ? 0 : kMostFollowed, parts);
   if (suspects.empty() && parts.empty()) return {};
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
   if (from == SearchFrom::Both) {
@@ -302,8 +298,7 @@ class ErrorReporter {
     std::ranges::stable_sort(result, std::ranges::greater(), [this](std::size_t k) {
       return static_cast<double>(mesh_.leaves[k].size_u()) * mesh_.leaves[k].size_v();
     });
-    result.resize(
-        std::min(result.size(), std::max(kLeastSearched, mesh_.leaves.size() / kSearchedPart)));
+    result.resize(std::min(result.size(), std::max(kInBatch, mesh_.leaves.size() / kSearchedPart)));
     return result;
   }
 

@@ -36,11 +36,8 @@ constexpr double kLeastCorner = 10 * std::numbers::pi / 180;
 constexpr double kStraight = 1e-5;
 /// A ray to a corner of the feature goes on by 1e-4 of itself, to show that the sheet ends there.
 constexpr double kOvershoot = 1e-4;
-/// Bisections of a ray in the first round, to 1e-6 of the leaf. Later ones go to the last digits.
-constexpr int kFirstBisections = 20;
-/// Chords that are near enough are looked at on the rays of kAlongLine, to 12 bisections. Two
-/// neighbouring places hold 0.85 of the turn at a corner, and 0.67 of that of an arc.
-constexpr int kGlanceBisections = 12;
+/// Chords that are near enough are looked at on the rays of kAlongLine alone. Two neighbouring
+/// places hold 0.85 of the turn at a corner, and 0.67 of that of an arc.
 constexpr double kGlanceAtCorner = 0.85;
 
 /// The chord of a sheet's edge, in the unit square of its leaf.
@@ -226,7 +223,7 @@ class Solver {
     const auto shares_of = [](const SheetChord& chord) {
       return chord.is_near ? std::span<const double>(kAlongLine) : std::span<const double>();
     };
-    look(shares_of, kGlanceBisections, [](SheetChord& chord, std::span<const dvec2> places) {
+    look(shares_of, kHalvingsOfSecondOrder, [](SheetChord& chord, std::span<const dvec2> places) {
       const std::array<dvec2, kAlongLine.size() + 2> nodes = {chord.ends[0], places[0], places[1],
                                                               places[2], chord.ends[1]};
       std::array<double, kAlongLine.size()> turns = {};
@@ -242,7 +239,7 @@ class Solver {
     const auto shares_of = [](const SheetChord& chord) {
       return std::span<const double>(chord.shares).subspan(1, kRays);
     };
-    look(shares_of, round == 0 ? kFirstBisections : kAllHalvings,
+    look(shares_of, round == 0 ? kHalvingsToNearly : kAllHalvings,
          [](SheetChord& chord, std::span<const dvec2> places) {
            std::ranges::copy(places, chord.nodes.begin() + 1);
          });

@@ -89,6 +89,12 @@ inline constexpr std::size_t kSearchedTogether = 64;
 /// Boxes or places of a kind that are followed one by one: more are along curves.
 inline constexpr std::size_t kMostFollowed = 64;
 
+/// Halvings of a line to 1/4096 of it: enough for a distance of second order.
+inline constexpr int kHalvingsOfSecondOrder = 12;
+/// Halvings of a line to 1e-6 of it, as near as kNearly.
+inline constexpr int kHalvingsToNearly = 20;
+/// Halvings of a line to 1e-12 of it: a fourth root rises to 1e-3 there.
+inline constexpr int kHalvingsToEdge = 2 * kHalvingsToNearly;
 /// Halvings of a line until there are no doubles between its ends. Next to 0 doubles go on: there
 /// 1e-30 of the line is left.
 inline constexpr int kAllHalvings = 100;

@@ -25,19 +25,13 @@ constexpr std::size_t kFewBoxes = 100;
 /// A level of root cells helps if one in 8 is proved. After one level that does not help, another
 /// is not tested; after two in a row, two, and so on.
 constexpr std::size_t kHopeless = 8;
-/// A box is measured if the surface is within 2.5 tolerances of the points.
-constexpr double kReach = 2.5;
-/// Without such bounds, the surface is in a sphere around its box in space. The sphere is measured
-/// if its radius is at most 3 tolerances, which leaves one for the distance of its centre.
-constexpr double kReachOfCentre = 3;
-/// A box is halved twice at once if its bound is more than 256 times too large.
-constexpr double kHalvedTwice = 256;
+/// In tolerances: a box is measured if the surface is no farther from its points, or without such
+/// bounds if the sphere around its box in space is no larger. That leaves one for their distances.
+constexpr double kReach = kProofFactor - 1;
 
-/// Where the work ends, up to 500 patches are ranked by their bounds, and the worst places of 8 of
-/// them are looked for, by 30 halvings of each. Each of the two takes up to 5,000 places.
-constexpr std::size_t kRanked = 500;
+/// Where the work ends, up to kInBatch patches are ranked by their bounds, and the worst places of
+/// 8 of them are looked for, by halvings of each. Each of the two takes up to 5,000 places.
 constexpr std::size_t kDescents = 8;
-constexpr int kDescentDepth = 30;
 constexpr std::size_t kPlacesOfDescents = 5'000;
 
 class Certifier {
@@ -215,7 +209,7 @@ class Certifier {
         if (measured[k] == ProofOutcome::Proved)
           result_.bound = std::max(result_.bound, kProofFactor * patches_[part.patch].allowed);
         if (measured[k] == ProofOutcome::Open) {
-          halve(part, part.known->slope * part.box.size(), 1);
+          halve(part, part.known->slope * part.box.size());
         }
       }
       std::erase_if(next_, [this](const Part& part) { return is_refuted(part.patch); });
@@ -228,8 +222,8 @@ class Certifier {
   /// each, and goes on with the half whose bounds are farther from its corner.
   void descend() {
     const std::size_t boxes = kPlacesOfDescents / budget_.of_box();
-    const std::size_t descents = std::min(kDescents, boxes / (2 * kDescentDepth) + 1);
-    const std::size_t ranked = std::min({kRanked, boxes, untested_.size()});
+    const std::size_t descents = std::min(kDescents, boxes / (2 * kHalvingsToNearly) + 1);
+    const std::size_t ranked = std::min({kInBatch, boxes, untested_.size()});
     std::vector<std::pair<double, std::size_t>> worst;
     for (std::size_t k = 0; k < ranked; ++k) {
       const std::size_t number = k * untested_.size() / ranked;
@@ -244,7 +238,7 @@ class Certifier {
       Part part = untested_[worst[k].second];
       const Bounds corner = bounds_over({part.box.low, part.box.low}).hull;
       BoxBounds bounds = bounds_over(part.box);
-      for (int depth = 0; depth < kDescentDepth && !bounds.is_undefined; ++depth) {
+      for (int depth = 0; depth < kHalvingsToNearly && !bounds.is_undefined; ++depth) {
         const dvec2 way = bounds.slope * part.box.size();
         const bool is_known = std::isfinite(way.x + way.y) && way.x != way.y;
         const auto halves = halves_of(part.box, is_known ? (way.x > way.y ? 0 : 1) : depth % 2);
@@ -280,7 +274,7 @@ class Certifier {
       if (measure_later(part, bounds)) return;
       ++broken_;
       if (depth_ >= most_halvings) return leave_unproved(part, {bend, false});
-      return halve_along(part, depth_ % 2, 1);
+      return halve_along(part, depth_ % 2);
     }
     const Patch& patch = patches_[part.patch];
     const dvec2 size = part.box.size();
@@ -292,8 +286,7 @@ class Certifier {
                                    : GapReason::Nonsmooth;
     if (measure_later(part, bounds)) return;
     if (depth_ >= kAllHalvings) return leave_unproved(part, {bend, false});
-    const int times = arc > kHalvedTwice * patch.allowed && std::isfinite(arc) ? 2 : 1;
-    halve(part, bounds.contributions(size), times);
+    halve(part, bounds.contributions(size));
   }
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
@@ -305,7 +298,7 @@ class Certifier {
       budget_.take_points(std::size_t{(*cells)[0] + 1} * ((*cells)[1] + 1));
       bounded_.push_back({part.patch, part.box, *cells, bounds.reach(size, *cells), bend});
     } else if (const double radius = 0.5 * bounds.extent();
-               radius <= kReachOfCentre * patches_[part.patch].allowed) {
+               radius <= kReach * patches_[part.patch].allowed) {
       budget_.take_points(1);
       bounded_.push_back({part.patch, part.box, {0, 0}, radius, bend, bounds.hull.centre()});
     } else {
@@ -317,21 +310,16 @@ class Certifier {
   }
 
   /// Halves a part along the axis that contributes more.
-  void halve(const Part& part, const dvec2& contributions, int times) {
+  void halve(const Part& part, const dvec2& contributions) {
     const auto& [u, v] = std::pair(contributions.x, contributions.y);
     const int axis = u > v ? 0 : u < v ? 1 : depth_ % 2;  // the last for NaN
-    halve_along(part, axis, times);
+    halve_along(part, axis);
   }
 
-  void halve_along(const Part& part, int axis, int times) {
+  void halve_along(const Part& part, int axis) {
     for (const ParameterBox& half : halves_of(part.box, axis)) {
-      Part next = part;
-      next.box = half;
-      if (times > 1) {
-        halve_along(next, axis, times - 1);
-      } else {
-        next_.push_back(next);
-      }
+      next_.push_back(part);
+      next_.back().box = half;
     }
   }
 

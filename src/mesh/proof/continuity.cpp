@@ -208,13 +208,11 @@ std::vector<LinePart> unproved(const Surface& surface, std::vector<LinePart> lin
 
 UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> lines,
                                  std::size_t& boxes) {
-  /// A search on 4 lines, on 128 where its first step decides, takes less time than proofs.
+  /// A search on 4 lines takes less time than proofs.
   constexpr std::size_t kFew = 4;
-  constexpr std::size_t kFewIfOnlyCusps = 128;
-  /// Failed proofs that are allowed: 64, and 2 for each proved line. A search on a line takes as
-  /// long as 2 proofs.
+  /// Failed proofs that are allowed: 64, and one for each proved line, on which a search would have
+  /// taken as long.
   constexpr std::size_t kStagnant = 64;
-  constexpr std::size_t kStagnantPerLine = 2;
   UnprovedNormals result;
   if (lines.empty()) return result;
   std::vector<LinePart> all;
@@ -226,8 +224,8 @@ UnprovedNormals unproved_normals(const Surface& surface, std::span<const Line> l
   std::size_t stagnation = 0;
   std::size_t proved = 0;
   const auto few = [&] {
-    const bool is_stagnant = stagnation > kStagnant + kStagnantPerLine * proved;
-    return is_stagnant ? all.size() : result.only_cusps ? kFewIfOnlyCusps : kFew;
+    const bool is_stagnant = stagnation > kStagnant + proved;
+    return is_stagnant ? all.size() : kFew;
   };
   const auto is_proved = [&](const ParameterBox& box, std::size_t count) {
     ++boxes;

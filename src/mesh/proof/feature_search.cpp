@@ -13,9 +13,8 @@ namespace saddle {
 
 namespace {
 
-/// 56 halvings, in turn along u and v, are 28 each way, to 4e-9 of a part: differences of closer
-/// parameters are rounding in places.
-constexpr int kDeepest = 56;
+/// Halvings of a part, in turn along u and v.
+constexpr int kDeepest = 2 * kHalvingsToNearly;
 /// A box whose bound is less than 1.03 times the largest known distance is not searched.
 constexpr double kMatters = 1.03;
 /// The sample of a box, in shares of its sides: at dyadic places formulas have values of their own.

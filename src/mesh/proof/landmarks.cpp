@@ -23,8 +23,6 @@ namespace saddle {
 
 namespace {
 
-/// Halvings of the domain, both ways taken together: 2^-20 of each range.
-constexpr int kMostHalvings = 40;
 /// Halvings after which a box whose samples show both sides of a feature is done: 1/128 of each
 /// range. Cells are not much smaller.
 constexpr int kSettledHalvings = 14;
@@ -33,21 +31,14 @@ constexpr int kSettledHalvings = 14;
 constexpr std::size_t kMostOpenBoxes = 256;
 /// Halvings of a box around an undefined sample, each way, until it is proved to be undefined.
 constexpr int kHalvingsAroundHole = 8;
-/// The search has half the budget of proofs: it bounds positions alone.
-constexpr std::size_t kProofsPerLandmarkBox = 2;
 /// In differences of the other samples: the middle of a box that is farther from their mean shows
 /// a jump or a bend.
 constexpr double kStep = 0.2;
-/// A step that stays as high, within kStays, during 10 bisections of a line across it is no slope
-/// or cusp of the size of its box. One that grows is a pole: points beside it are no landmarks.
-constexpr int kBisections = 10;
 /// A group of boxes that is 16 times longer than wide lies along a line of constant u or v.
 constexpr double kLong = 16;
 
 /// In sizes of the box around landmarks: the margin of a component on each side.
 constexpr double kComponentMargin = 0.5;
-/// Cells each way of the grid on whose vertices a component is sampled.
-constexpr std::size_t kComponentSamples = 32;
 
 /// Samples of a box, in shares of its sides: four beside the corners, and the middle. They avoid
 /// dyadic places, at which formulas have values of their own, as sign(u) at 0.
@@ -67,7 +58,7 @@ class LandmarkSearch {
   LandmarkSearch(const Surface& surface, unsigned threads)
       : surface_(surface),
         threads_(threads),
-        budget_(ProofBudget(surface.bounds).boxes_of_search() / kProofsPerLandmarkBox),
+        budget_(ProofBudget(surface.bounds).boxes_of_search()),
         enclosure_(surface, Bounded::Position),
         search_({{box_of(surface.domain)}}) {}
 
@@ -75,7 +66,7 @@ class LandmarkSearch {
     while (!search_.open().empty()) {
       search_.test([this](OpenBox& open) { return test(open); });
       const bool is_full = search_.open().size() > (thinned_ ? kMostFollowed : kMostOpenBoxes);
-      const bool is_last = budget_ == 0 || search_.depth() == kMostHalvings;
+      const bool is_last = budget_ == 0 || search_.depth() == 2 * kHalvingsToNearly;
       if (is_full || is_last || search_.depth() >= kSettledHalvings) settle(is_last);
       if (is_last) break;
       if (search_.open().size() > (thinned_ ? kMostFollowed : kMostOpenBoxes)) thin_out();
@@ -226,7 +217,9 @@ class LandmarkSearch {
     std::array<dvec2, 2> line;
     std::array<dvec3, 2> ends;
   };
-  /// Bisects the lines between the sides of steps, and drops the steps that shrink with them.
+  /// Bisects the lines between the sides of steps, and drops the steps that shrink with them. One
+  /// that stays as high, within kStays, is no slope or cusp of the size of its box. One that grows
+  /// is a pole: points beside it are no landmarks.
   void drop_slopes(std::span<const dvec2> uv, std::span<const SurfacePoint> points,
                    std::span<Sides> sides) const {
     std::vector<Step> steps;
@@ -237,7 +230,7 @@ class LandmarkSearch {
       steps.push_back({k, {uv[a], uv[b]}, {points[a].position, points[b].position}});
     }
     if (steps.empty()) return;
-    for (int k = 0; k < kBisections; ++k) {
+    for (int k = 0; k < kHalvingsToNearly; ++k) {
       std::vector<dvec2> middles;
       for (const Step& step : steps) middles.push_back(0.5 * (step.line[0] + step.line[1]));
       const std::vector<SurfacePoint> found = evaluate(surface_, middles, threads_);
@@ -351,8 +344,8 @@ std::optional<SmallComponent> component_of(const Landmarks& landmarks, const Sur
   SmallComponent component{{glm::max(least, low - margin), glm::min(most, high + margin)}, {}};
   low = component.where.low;
   high = component.where.high;
-  for (const double v : even_lines(low.y, high.y, kComponentSamples)) {
-    for (const double u : even_lines(low.x, high.x, kComponentSamples)) known.emplace_back(u, v);
+  for (const double v : even_lines(low.y, high.y, kDomainParts)) {
+    for (const double u : even_lines(low.x, high.x, kDomainParts)) known.emplace_back(u, v);
   }
   for (const SurfacePoint& point : evaluate(surface, known, threads)) {
     if (is_finite(point.position)) component.positions.push_back(point.position);

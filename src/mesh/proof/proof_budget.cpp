@@ -7,9 +7,9 @@
 namespace saddle {
 namespace {
 
-/// Boxes for a search of few boxes: 8,000, and fewer for long formulas, 2.5 million instructions.
-constexpr std::size_t kMaxBoxes = 8'000;
-constexpr std::size_t kMaxSteps = 2'500'000;
+/// Boxes for a search of few boxes: 4,000, and fewer for long formulas, 1.25 million instructions.
+constexpr std::size_t kMaxBoxes = 4'000;
+constexpr std::size_t kMaxSteps = 1'250'000;
 /// Places that a box takes: 6, and one for each 12 instructions; and a measured point.
 constexpr std::size_t kPlacesPerBox = 6;
 constexpr std::size_t kStepsPerPlace = 12;

@@ -10,8 +10,10 @@ namespace saddle {
 
 namespace {
 
+/// Whether two corners are one feature: places are in units of the cell tree, of which doubles keep
+/// no more digits.
 bool is_same(const PolygonCorner& a, const PolygonCorner& b) {
-  return a.corner == b.corner || glm::distance(a.place, b.place) < kSame;
+  return a.corner == b.corner || glm::distance(a.place, b.place) < kNearly;
 }
 
 }  // namespace

@@ -116,9 +116,9 @@ class ThinVertexPlacer {
       gaps.push_back(k);
       for (const dvec2& end : lines[k].line) ways.push_back({end, *found[k]});
     }
-    const auto edges = last_defined(tree_.surface(), ways, kAllHalvings, threads_);
+    const auto edges = last_defined(tree_.surface(), ways, kHalvingsToNearly, threads_);
     const std::vector<SurfacePoint> points = evaluate(tree_.surface(), edges, threads_);
-    work += kAllHalvings * edges.size();
+    work += kHalvingsToNearly * edges.size();
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       const dvec3& first = points[2 * i].position;
       const dvec3& second = points[2 * i + 1].position;
