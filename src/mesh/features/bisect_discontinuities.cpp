@@ -120,11 +120,15 @@ struct Look {
 };
 
 /// The part of a gap that the slope at neither of its ends explains: its jumps. Not a number where
-/// a slope is infinite.
+/// a slope is infinite. No jump exceeds the gap and the way along the lesser slope: toward an
+/// upright end the other one is far more than the surface moves.
 double unexplained_gap(const dvec3& from, const dvec3& slope_from, const dvec3& to,
                        const dvec3& slope_to, double share) {
   const dvec3 gap = to - from;
-  return std::max(safe_length(gap - share * slope_from), safe_length(gap - share * slope_to));
+  const dvec3 first = share * slope_from;
+  const dvec3 last = share * slope_to;
+  const double most = safe_length(gap) + std::min(safe_length(first), safe_length(last));
+  return std::min(std::max(safe_length(gap - first), safe_length(gap - last)), most);
 }
 
 /// Whether the larger gap is in the first part of a line: by what slopes do not explain, where they

@@ -28,6 +28,8 @@ constexpr std::size_t kHopeless = 8;
 /// In tolerances: a box is measured if the surface is no farther from its points, or without such
 /// bounds if the sphere around its box in space is no larger. That leaves one for their distances.
 constexpr double kReach = kProofFactor - 1;
+/// A box is halved twice at once if its bound is more than 256 times too large.
+constexpr double kHalvedTwice = 256;
 
 /// Where the work ends, up to kInBatch patches are ranked by their bounds, and the worst places of
 /// 8 of them are looked for, by halvings of each. Each of the two takes up to 5,000 places.
@@ -209,7 +211,7 @@ class Certifier {
         if (measured[k] == ProofOutcome::Proved)
           result_.bound = std::max(result_.bound, kProofFactor * patches_[part.patch].allowed);
         if (measured[k] == ProofOutcome::Open) {
-          halve(part, part.known->slope * part.box.size());
+          halve(part, part.known->slope * part.box.size(), 1);
         }
       }
       std::erase_if(next_, [this](const Part& part) { return is_refuted(part.patch); });
@@ -274,7 +276,7 @@ class Certifier {
       if (measure_later(part, bounds)) return;
       ++broken_;
       if (depth_ >= most_halvings) return leave_unproved(part, {bend, false});
-      return halve_along(part, depth_ % 2);
+      return halve_along(part, depth_ % 2, 1);
     }
     const Patch& patch = patches_[part.patch];
     const dvec2 size = part.box.size();
@@ -286,7 +288,8 @@ class Certifier {
                                    : GapReason::Nonsmooth;
     if (measure_later(part, bounds)) return;
     if (depth_ >= kAllHalvings) return leave_unproved(part, {bend, false});
-    halve(part, bounds.contributions(size));
+    const int times = arc > kHalvedTwice * patch.allowed && std::isfinite(arc) ? 2 : 1;
+    halve(part, bounds.contributions(size), times);
   }
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
@@ -310,16 +313,21 @@ class Certifier {
   }
 
   /// Halves a part along the axis that contributes more.
-  void halve(const Part& part, const dvec2& contributions) {
+  void halve(const Part& part, const dvec2& contributions, int times) {
     const auto& [u, v] = std::pair(contributions.x, contributions.y);
     const int axis = u > v ? 0 : u < v ? 1 : depth_ % 2;  // the last for NaN
-    halve_along(part, axis);
+    halve_along(part, axis, times);
   }
 
-  void halve_along(const Part& part, int axis) {
+  void halve_along(const Part& part, int axis, int times) {
     for (const ParameterBox& half : halves_of(part.box, axis)) {
-      next_.push_back(part);
-      next_.back().box = half;
+      Part next = part;
+      next.box = half;
+      if (times > 1) {
+        halve_along(next, axis, times - 1);
+      } else {
+        next_.push_back(next);
+      }
     }
   }
 
