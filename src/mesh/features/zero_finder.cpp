@@ -214,7 +214,7 @@ dvec2 ZeroFinder::way_down(const Area& area) {
   if (!(trace > 0)) return dvec2(0);
   const double determinant = uu * vv - uv * uv;
   dvec2 way = -slope / trace;
-  // Of rank one, along a curve of zeros, a step goes down the slope alone.
+  // A step along a curve of zeros, where the matrix has rank one, goes down the slope alone.
   if (determinant > kSame * trace * trace) {
     way = -dvec2(vv * slope.x - uv * slope.y, uu * slope.y - uv * slope.x) / determinant;
   }

@@ -7,14 +7,19 @@
 
 #include "base/random.h"
 #include "mesh/model/tolerances.h"
+#include "mesh/sizing/effort.h"
 #include "mesh/tree/cell_polygon.h"
 
 namespace saddle {
 
 namespace {
 
-/// Evaluations for a vertex. The highest of 8 is nearly always in the last 1/10 of a sine's range.
-constexpr std::size_t kTriesOfVertex = 8;
+/// Evaluations for all vertices: 1/10 of the least budget of a mesh.
+constexpr std::size_t kAllTries = kLeastEffort / 10;
+/// Evaluations for a vertex: 4 to 16. The highest of 16 is nearly always in the last 1/20 of a
+/// sine's range.
+constexpr std::size_t kMostTries = 16;
+constexpr std::size_t kLeastTries = 4;
 /// A corner moves by at most 0.24 of a leaf's sides: below 1/4 the triangles of a leaf do not turn
 /// over in (u, v).
 constexpr double kMostShift = 0.24;
@@ -93,14 +98,15 @@ void reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
   Mesh& mesh = grid.mesh;
   const std::vector<Movable> movable = movable_vertices(leaves, oscillates, tree, grid);
   if (movable.empty()) return;
+  const std::size_t tries = std::clamp(kAllTries / movable.size(), kLeastTries, kMostTries);
   std::vector<dvec2> places;
   for (std::size_t first = 0; first < movable.size(); first += kInBatch) {
     const auto block =
         std::span(movable).subspan(first, std::min(kInBatch, movable.size() - first));
     places.clear();
     for (const auto& [vertex, reach] : block) {
-      for (std::size_t k = 0; k < kTriesOfVertex; ++k) {
-        const std::uint64_t key = 2 * (std::uint64_t{vertex} * kTriesOfVertex + k);
+      for (std::size_t k = 0; k < tries; ++k) {
+        const std::uint64_t key = 2 * (std::uint64_t{vertex} * kMostTries + k);
         const dvec2 part(2 * random_unit(key) - 1, 2 * random_unit(key + 1) - 1);
         places.push_back(mesh.uv[vertex] + kMostShift * reach.size * part);
       }
@@ -108,16 +114,16 @@ void reach_extremes(const Surface& surface, std::span<const Leaf> leaves,
     const std::vector<SurfacePoint> points = evaluate(surface, places, threads);
     for (std::size_t i = 0; i < block.size(); ++i) {
       const auto [vertex, reach] = block[i];
-      const auto tried = std::span(points).subspan(i * kTriesOfVertex, kTriesOfVertex);
+      const auto tried = std::span(points).subspan(i * tries, tries);
       const int axis = main_axis(tried);
       const double way = reach.is_upper ? 1 : -1;
-      for (std::size_t k = 0; k < kTriesOfVertex; ++k) {
+      for (std::size_t k = 0; k < tries; ++k) {
         const dvec3 normal = glm::normalize(glm::cross(tried[k].r_u, tried[k].r_v));
         const double gain = way * (tried[k].position[axis] - mesh.position[vertex][axis]);
         if (!is_finite(tried[k].position) || !is_finite(normal) || !(gain > 0)) continue;
         mesh.position[vertex] = tried[k].position;
         mesh.normal[vertex] = grid.flipped ? -normal : normal;
-        mesh.uv[vertex] = places[i * kTriesOfVertex + k];
+        mesh.uv[vertex] = places[i * tries + k];
       }
     }
   }

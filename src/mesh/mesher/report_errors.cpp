@@ -26,6 +26,8 @@ constexpr std::size_t kSearchedPart = 16;
 
 /// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
 constexpr std::ptrdiff_t kWaves = 16;
+/// The search climbs from the worst 16 leaves, with 160 evaluations each.
+constexpr std::size_t kClimbed = 16;
 /// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes.
 constexpr std::size_t kFollowed = 256;
 constexpr std::size_t kMostBoxes = 8192;
@@ -61,7 +63,7 @@ class ErrorSearch {
   void climb() {
     std::ranges::stable_sort(starts_, std::ranges::greater(), &Start::error);
     std::vector<WholeMeshError::Climb> climbs;
-    for (const Start& start : std::span(starts_).first(std::min(kMostFollowed, starts_.size())))
+    for (const Start& start : std::span(starts_).first(std::min(kClimbed, starts_.size())))
       climbs.push_back(start.climb);
     whole_.climb(climbs);
     for (std::size_t k = 0; k < climbs.size(); ++k) take(climbs[k].best, starts_[k].scale);

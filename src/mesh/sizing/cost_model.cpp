@@ -7,8 +7,10 @@ namespace {
 
 /// Cost of a function call, in additions.
 constexpr double kCall = 25;
-/// Points for each cell: a share of corners and sides, the centre, and four between them.
-constexpr double kSamplesOfCell = 8;
+/// Points for each cell. A grid: a share of corners and sides, the centre, and four between them. A
+/// tree: besides, those of cells that were subdivided.
+constexpr double kGridSamples = 8;
+constexpr double kLeafSamples = 10;
 constexpr double kMillisecond = 1e6;  // nanoseconds
 
 double weight(std::span<const Instruction> instructions) {
@@ -46,11 +48,11 @@ double drawing_cost(double triangles, double times) {
 }
 
 MeshWork work_of_grid(double cells) {
-  return {.grid_samples = rounded(kSamplesOfCell * cells)};
+  return {.grid_samples = rounded(kGridSamples * cells)};
 }
 
 MeshWork work_of_halving(double cells) {
-  return {.leaf_samples = rounded(kSamplesOfCell * cells)};
+  return {.leaf_samples = rounded(kLeafSamples * cells)};
 }
 
 }  // namespace saddle
