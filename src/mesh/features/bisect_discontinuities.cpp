@@ -28,6 +28,9 @@ constexpr double kAlike = 1.0 / 4096;
 /// The part of a line at which it is halved.
 constexpr double kShare = 0.498;
 
+/// In doubles: a place nearer to an end may be that end.
+constexpr double kLeastStep = 2;
+
 /// A place without a value may be a cusp itself. It is then tried on both sides of that.
 constexpr int kMostMisses = 2;
 
@@ -96,8 +99,8 @@ double next_share(const Search& search) {
   const auto& [a, b] = search.ends;
   const dvec2 way = glm::abs(b - a);
   const dvec2 place = glm::max(glm::abs(a), glm::abs(b));
-  // A place nearer to an end may be that end.
-  const double least = kRounding * std::max(place.x, place.y) / std::max(way.x, way.y);
+  const double digits = kLeastStep * std::numeric_limits<double>::epsilon();
+  const double least = digits * std::max(place.x, place.y) / std::max(way.x, way.y);
   if (!(least < kShare)) return kShare;
   if (search.is_missed) {
     const double beside = search.share + (search.misses % 2 == 0 ? least : -least);

@@ -20,6 +20,10 @@ namespace {
 /// than half of that.
 constexpr double kDip = 0.7;
 
+/// In diagonals: samples on edges of the domain are hardly farther outside of the others, which are
+/// 1/64 of a range apart.
+constexpr double kFarOutside = 1.0 / 16;
+
 /// The middles of even stretches of [first, last], each shifted.
 std::vector<double> jittered(double first, double last, std::uint64_t key) {
   std::vector<double> values;
@@ -139,16 +143,17 @@ void Probe::sample_inside(const Surface& surface, unsigned threads) {
   }
 }
 
-/// Adds positions on edges of the domain to the bounds. One that is outside is added if the
-/// surface just inside of the edge is outside, too: at its end, floor(u) has a line of its own,
+/// Adds positions on edges of the domain to the bounds. One that is far outside is added if the
+/// surface just inside of the edge is far outside, too: at its end, floor(u) has a line of its own,
 /// which is no part of the surface.
 void Probe::add_to_bounds(const Surface& surface, std::span<const SurfacePoint> edges,
                           std::span<const dvec2> uv) {
+  const double margin = kFarOutside * bounds_.diagonal();
   const dvec2 low(std::min(domain_.u0, domain_.u1), std::min(domain_.v0, domain_.v1));
   const dvec2 high(std::max(domain_.u0, domain_.u1), std::max(domain_.v0, domain_.v1));
   // Just inside of an edge, rounding of products with the parameter leads to no other value.
   const dvec2 reach = kRounding * (glm::max(glm::abs(low), glm::abs(high)));
-  const Bounds inner = bounds_;
+  const Bounds inner{bounds_.low - margin, bounds_.high + margin};
   std::vector<dvec2> inside;
   std::vector<dvec3> far;
   for (std::size_t k = 0; k < uv.size(); ++k) {
