@@ -24,7 +24,6 @@ endfunction()
 
 add_kernel(eval/kernel_loops.cpp kernels sse2 sse2_without_fma avx2 avx512)
 add_kernel(eval/vector_loops.cpp vectors sse2 avx2 avx512)
-add_kernel(mesh/error/check_row.cpp check_row sse2 avx2 avx512)
 add_kernel(mesh/grid/cut_cells.cpp cut_cells sse2 avx2 avx512)
 add_kernel(mesh/error/estimate_leaves.cpp estimate_leaves sse2 avx2 avx512)
 add_kernel(mesh/error/validate_leaves.cpp validate_leaves sse2 avx2 avx512)

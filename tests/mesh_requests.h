@@ -24,7 +24,6 @@ inline MeshRequest within_length(double length) {
 
 /// The same with a grid of cells that are not subdivided.
 inline MeshRequest with_samples(MeshRequest request, std::size_t cells_u, std::size_t cells_v) {
-  request.method = MeshRequest::Method::Samples;
   request.samples = {cells_u, cells_v};
   return request;
 }

@@ -76,18 +76,12 @@ auto tolerance_in(const Scene& scene, const SurfaceSpec& spec, const Purpose& pu
   };
 }
 
-/// A picture's mesh is the one that costs least; a file's has the fewest triangles, and reports are
-/// about that.
 MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                           unsigned threads) {
   MeshRequest request;
   if (const auto& samples = scene.mesh.samples) {
-    request.method = MeshRequest::Method::Samples;
     request.samples = {static_cast<std::size_t>(samples->u), static_cast<std::size_t>(samples->v)};
-  } else if (!purpose.mesh) {
-    request.method = MeshRequest::Method::LeastCost;
   }
-  request.draws = static_cast<double>(std::max<std::size_t>(purpose.moments.size(), 1));
   request.clip = scene.clip.box;
   request.tolerance = tolerance_in(scene, spec, purpose, request.clip);
   request.normal_tolerance = scene.mesh.normal_tolerance;

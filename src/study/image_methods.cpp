@@ -92,7 +92,6 @@ class ImageStudy {
 
   std::optional<MeshResult> tessellate(double pixels) const {
     MeshRequest options;
-    options.method = MeshRequest::Method::LeastCost;
     const double length = pixels * subject_.pixel;
     options.tolerance = [length](const Probe&) { return Tolerance(length); };
     options.normal_tolerance = subject_.normal_tolerance;

@@ -43,11 +43,6 @@ class MeshStudy {
     add_over_tolerances("adaptive certified", [&](const MeshRequest& options) {
       return try_mesh(subject_.surface, options);
     });
-    add_over_tolerances("chosen for a picture", [&](const MeshRequest& options) {
-      MeshRequest cheapest = options;
-      cheapest.method = MeshRequest::Method::LeastCost;
-      return try_mesh(subject_.surface, cheapest);
-    });
     add_limit();
     return std::move(result_);
   }

@@ -78,15 +78,6 @@ void mesh(benchmark::State& state, double share, unsigned threads) {
   state.counters["triangles"] = static_cast<double>(result->mesh.triangles.size());
 }
 
-/// By the method that costs least.
-void chosen_mesh(benchmark::State& state, double share) {
-  MeshRequest request = within(share, 1);
-  request.method = MeshRequest::Method::LeastCost;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(try_mesh(torus_surface(), request));
-  }
-}
-
 /// From the mesh to pixels in memory; context and shaders are there.
 void draw(benchmark::State& state, int width, int height, int antialias, bool axes) {
   const auto context = make_osmesa_context();
@@ -127,7 +118,6 @@ void encode(benchmark::State& state) {
   for (const char* const share : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6"}) {
     add(std::string("mesh ") + share, mesh, std::stod(share), 1U);
   }
-  add("mesh 1e-3, chosen", chosen_mesh, 1e-3);
   add("mesh 1e-4, 2 threads", mesh, 1e-4, 2U);
   add("draw 400x300", draw, 400, 300, 2, false);
   add("draw 800x600", draw, 800, 600, 2, false);

@@ -279,49 +279,9 @@ void write_report(std::ostream& out, const RunReport& report) {
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-namespace {
-
-std::string milliseconds(double value) {
-  return rounded(value, 2) + " ms";
-}
-
-/// Which method made a mesh, and why.
-std::string why(const MeshChoice& choice) {
-  using Why = MeshChoice::Why;
-  const std::string grid =
-      "a grid of " + std::to_string(choice.cells_u) + "x" + std::to_string(choice.cells_v);
-  const std::string costs = milliseconds(choice.halving_cost) + " by the model, " + grid + " " +
-                            milliseconds(choice.grid_cost);
-  switch (choice.why) {
-    case Why::GridIsCheaper:
-      return grid + " cells: " + milliseconds(choice.grid_cost) + " by the model, halving cells " +
-             milliseconds(choice.halving_cost);
-    case Why::HalvingIsCheaper:
-      return "cells halved where they need it: " + costs;
-    case Why::Asked:
-      return "cells halved where they need it: the fewest triangles, as a file wants them";
-    case Why::Limited:
-      return "cells halved where they need it: a grid could not keep to the box or the limit of "
-             "triangles";
-    case Why::VariesTolerance:
-      return "cells halved where they need it: the eye is so near that a pixel is larger in one "
-             "place than in another";
-    case Why::NotSmooth:
-      return "cells halved where they need it: the surface is not smooth everywhere, as a grid "
-             "needs";
-    case Why::GridMisses:
-      break;
-  }
-  return "cells halved where they need it: " + grid + " cells is off by " +
-         rounded(choice.excess, 3) + " tolerances";
-}
-
-}  // namespace
-
 std::vector<std::string> summary(const RunReport& report) {
   std::vector<std::string> lines;
   for (const SurfaceReport& s : report.surfaces) {
-    if (s.mesh.choice) lines.push_back(s.name + ": " + why(*s.mesh.choice));
     lines.push_back(s.name + ": " + std::to_string(s.mesh.cells) + " cells, " +
                     std::to_string(s.triangles) + " triangles, " + std::to_string(s.vertices) +
                     " vertices, " + std::to_string(s.mesh.evaluations) + " evaluations");

@@ -1,13 +1,12 @@
 // Vector loops of the error estimates, compiled once for each CPU level: over leaves and their nine
-// samples, over leaves and validation points, and over the cells of a grid's row. Each also reports
-// for which items its result holds; for others the scalar code applies.
+// samples, and over leaves and validation points. Each also reports for which items its result
+// holds; for others the scalar code applies.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
 #include "eval/kernels.h"
-#include "mesh/grid/cell_loops.h"
 
 namespace saddle {
 
@@ -77,30 +76,8 @@ struct LeafSampledErrors {
 using ValidateLeaves = void (*)(const LeafPoints& leaves, const LeafPlaces& places,
                                 std::size_t count, LeafSampledErrors& errors);
 
-/// One place in each cell of a row, all at the same part along v.
-struct RowPlaces {
-  const double* along_u;  ///< where it is in its cell: 0 to 1
-  double along_v;
-  /// How its cell is cut: as Cuts::second, or less than 0 if neither way.
-  const double* second;
-  std::array<const double*, 9> surface;  ///< NormalColumns
-  double scale;                          ///< local units, those of the strips, per unit of length
-  double front;                          ///< 1: vertices' normals are along r_u x r_v; or -1
-};
-
-struct RowErrors {
-  TileNumbers distance;  ///< of the triangle from the surface along its normal, in local units
-  TileNumbers chord;     ///< between unit normals, exact and interpolated: its square
-  TileNumbers is_known;  ///< 1: the errors hold; 0: sampled_error() applies
-};
-
-/// Checks the places in the cells [0, count) between two strips.
-using CheckRow = void (*)(const Strip& lower, const Strip& upper, const RowPlaces& places,
-                          std::size_t count, RowErrors& errors);
-
 /// The loops of a level; all give the same bits.
 EstimateLeaves estimate_loop(CpuLevel level);
 ValidateLeaves validate_loop(CpuLevel level);
-CheckRow check_loop(CpuLevel level);
 
 }  // namespace saddle

@@ -1,6 +1,5 @@
-// Way of meshing 1 of 4 (mesher.h), MeshRequest::Method::FewestTriangles: a mesh within a tolerance
-// from a cell tree. A sizing field places the root lines; leaves are subdivided where that is not
-// enough.
+// Way of meshing 1 of 3 (mesher.h): a mesh within a tolerance from a cell tree. A sizing field
+// places the root lines; leaves are subdivided where that is not enough.
 #pragma once
 
 #include <optional>

@@ -53,7 +53,7 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       request_(request),
       limits_{plan.aim,
               request.normal_tolerance,
-              {request.max_triangles, request.method != MeshRequest::Method::Samples},
+              {request.max_triangles, !request.samples},
               request.clip,
               seen_lines(plan.lines.u, plan.drawn.u),
               seen_lines(plan.lines.v, plan.drawn.v),
@@ -165,9 +165,6 @@ void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report
   report.oscillates = oscillates_;
   proof_.complete(stopped, report);
   report_seams(seams_, report);
-  report.work.leaf_samples +=
-      grid_.vertex_count() + tree_.geometry().evaluations() + validation_.evaluations();
-  report.work.searches += tree_.effort().looks();
 }
 
 Seams AdaptiveMesher::weld_if_two_dimensional(const Probe& probe) {

@@ -1,4 +1,4 @@
-// Way of meshing 4 of 4 (mesher.h), the fallback of make_mesh(): a uniform grid of cells, for
+// Way of meshing 3 of 3 (mesher.h), the fallback of make_mesh(): a uniform grid of cells, for
 // surfaces that the others cannot mesh.
 #pragma once
 

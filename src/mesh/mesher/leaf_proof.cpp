@@ -140,7 +140,7 @@ void LeafProof::complete(bool reached_limit, MeshReport& report) {
   if (!proof_) leave_domain_unproved(GapReason::NotTried);
   name_gaps(report);
   report_proof(surface_, cells_, threads_, *proof_, report);
-  report.work.boxes += budget_.boxes();
+  report.boxes += budget_.boxes();
 }
 
 void LeafProof::leave_domain_unproved(GapReason why) {

@@ -1,4 +1,4 @@
-// The request for a mesh: the way of meshing, the tolerances and limits that the mesh keeps.
+// The request for a mesh: the tolerances and limits that the mesh keeps.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,8 @@ struct CellCounts {
 };
 
 struct MeshRequest {
-  enum class Method {
-    FewestTriangles,  ///< cells are subdivided where the tolerance asks for it
-    LeastCost,        ///< the same or a grid: whichever costs less to make and to draw
-    Samples,          ///< a grid of `samples`, cut along its features, not subdivided
-  };
-  Method method = Method::FewestTriangles;
-
   /// The tolerance of a surface that the probe describes; called once, and required.
-  /// Method::Samples does not keep it, but tells jumps from slopes by it.
+  /// A mesh of `samples` does not keep it, but tells jumps from slopes by it.
   std::function<Tolerance(const Probe&)> tolerance;
   double normal_tolerance = 180;  ///< degrees between interpolated and exact normals
   std::size_t max_triangles = 4'000'000;
@@ -48,9 +41,10 @@ struct MeshRequest {
   int lines_u = 16;
   int lines_v = 16;
 
-  std::optional<CellCounts> samples = {};  ///< for Method::Samples
-  double draws = 1;                        ///< for Method::LeastCost: times that the mesh is drawn
-  unsigned threads = 0;                    ///< 0: all
+  /// A grid of these cells, cut along its features, not subdivided; nothing: cells are subdivided
+  /// where the tolerance asks for it.
+  std::optional<CellCounts> samples = {};
+  unsigned threads = 0;  ///< 0: all
 };
 
 }  // namespace saddle

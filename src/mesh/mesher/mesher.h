@@ -3,9 +3,8 @@
 // A forest of binary trees over a tensor grid of parameters covers the domain. Cells are subdivided
 // until error indicators, validation points and interval bounds find nothing more; each leaf is cut
 // along the boundaries, jumps, poles and creases in it, and its polygon is triangulated. Hanging
-// vertices are corners of these polygons. There are four ways of meshing:
+// vertices are corners of these polygons. There are three ways of meshing:
 //   adaptive_mesh  a cell tree within the tolerance, with few triangles
-//   choose         a grid (grid_within) or a cell tree within the tolerance, whichever is cheaper
 //   sampled_mesh   a given number of cells, cut along edge features, not subdivided
 //   grid_mesh      a uniform grid, for surfaces that the others cannot mesh
 // ../README.md describes the mesher on one page. A mesh within a thousandth of the diagonal:
@@ -26,7 +25,7 @@
 
 namespace saddle {
 
-/// Meshes a surface with second derivatives by the method of the request. Empty if the diagonal of
+/// Meshes a surface with second derivatives. Empty if the diagonal of
 /// the surface is not a normal number, if the mesh would need more lines than can be numbered, if
 /// no cell is defined, or if no triangle has an area. Throws Error (Nothing) if the surface is
 /// undefined everywhere, a point or a curve; the message says which. `report.evaluations` counts

@@ -1,5 +1,5 @@
-// Way of meshing 3 of 4 (mesher.h), MeshRequest::Method::Samples: a given number of cells, cut
-// along boundaries, jumps, poles and creases, not subdivided.
+// Way of meshing 2 of 3 (mesher.h): a given number of cells, cut along boundaries, jumps, poles and
+// creases, not subdivided.
 #pragma once
 
 #include <optional>

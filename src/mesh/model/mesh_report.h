@@ -30,49 +30,16 @@ struct SingularInSpace {
   bool is_isolated = false;         ///< on no curve of such points
 };
 
-/// Counters of the work.
-struct MeshWork {
-  std::size_t grid_samples = 0;  ///< points on tensor grids of parameters
-  std::size_t leaf_samples = 0;  ///< points of cell trees
-  std::size_t boxes = 0;         ///< boxes of parameters in proofs
-  std::size_t searches = 0;      ///< points and boxes in searches for jumps, poles and creases
-  void add(const MeshWork& other) {
-    searches += other.searches;
-    grid_samples += other.grid_samples;
-    leaf_samples += other.leaf_samples;
-    boxes += other.boxes;
-  }
-};
-
-/// Why a mesh is a grid, or why a cell tree was refined instead.
-struct MeshChoice {
-  enum class Why {
-    GridIsCheaper,
-    HalvingIsCheaper,
-    Asked,            ///< for the fewest triangles
-    Limited,          ///< a box cuts the surface, or its triangles are limited
-    VariesTolerance,  ///< with the place
-    NotSmooth,        ///< boundaries, jumps, poles, creases or points without a normal
-    GridMisses,       ///< validation found the grid's error above the tolerance
-  };
-  Why why = Why::Asked;
-  std::size_t cells_u = 0, cells_v = 0;    ///< of the last grid that was considered; 0: none was
-  std::size_t grids = 0;                   ///< grids that were considered, each with closer lines
-  double grid_cost = 0, halving_cost = 0;  ///< milliseconds by the cost model; 0: not estimated
-  double excess = 0;                       ///< error of the grid that missed, in tolerances
-};
-
 /// Findings, errors and costs of a mesh.
 struct MeshReport {
-  std::size_t cells = 0;             ///< cells of the grid that are covered
-  std::size_t evaluations = 0;       ///< points at which the surface was computed
-  MeshWork work;                     ///< with that of grids that came to nothing
-  std::optional<MeshChoice> choice;  ///< nothing: there was none
-  double undefined_fraction = 0;     ///< share of the domain's cells that were left out
-  bool exceeds_doubles = false;      ///< these are defined, with numbers too large for doubles
-  std::size_t flat_triangles = 0;    ///< triangles left out: without area in double precision
-  bool stopped_early = false;        ///< MeshRequest::stop: there is no mesh
-  std::optional<double> tolerance;   ///< the limit of max_error
+  std::size_t cells = 0;            ///< cells of the grid that are covered
+  std::size_t evaluations = 0;      ///< points at which the surface was computed
+  std::size_t boxes = 0;            ///< boxes of parameters in proofs
+  double undefined_fraction = 0;    ///< share of the domain's cells that were left out
+  bool exceeds_doubles = false;     ///< these are defined, with numbers too large for doubles
+  std::size_t flat_triangles = 0;   ///< triangles left out: without area in double precision
+  bool stopped_early = false;       ///< MeshRequest::stop: there is no mesh
+  std::optional<double> tolerance;  ///< the limit of max_error
   /// The rounding of positions, where it exceeds the tolerance: it is the limit in its place.
   std::optional<double> rounding;
   double least_triangles = 0;        ///< estimate of the least that any mesh needs; 0: unknown

@@ -1,22 +1,34 @@
 #include "mesh/sizing/effort.h"
 
 #include "eval/enclose.h"
-#include "mesh/sizing/cost_model.h"
+#include "formula/operations.h"
 
 namespace saddle {
 
 namespace {
 
-/// Nanoseconds, of which only ratios matter: a place without its formula, a look without its
-/// formula, and a step of an Enclosure.
+/// Nanoseconds, of which only ratios matter: a place without its formula, an operation of a formula
+/// there, a look without its formula, and a step of an Enclosure.
 constexpr double kPlace = 270;
+constexpr double kOperation = 0.289;
 constexpr double kLook = 20;
 constexpr double kStep = 5;
+/// Operations that a call of a function takes as long as.
+constexpr double kCall = 25;
+
+double count_operations(const Tape& tape) {
+  double sum = 0;
+  for (const auto* const part : {&tape.of_u, &tape.of_v, &tape.of_both}) {
+    for (const Instruction& instruction : *part)
+      sum += row_of(instruction.op).kind == Kind::Arithmetic ? 1 : kCall;
+  }
+  return sum;
+}
 
 }  // namespace
 
 Effort::Effort(const Surface& surface)
-    : place_(1 + kCosts.operation * count_operations(surface).of_point / kPlace),
+    : place_(1 + kOperation * count_operations(surface.tangents) / kPlace),
       look_((kLook + kStep * static_cast<double>(Enclosure(surface.bounds, 3).steps())) / kPlace) {}
 
 }  // namespace saddle

@@ -251,17 +251,4 @@ std::vector<Counterexample> find_counterexamples(const Probe& probe, const Fixed
   return result;
 }
 
-/// Errors grow with areas: a cell that misses by a factor becomes that many.
-GridForecast forecast_grid(const Probe& probe, const FixedLines& lines,
-                           const Tolerance& tolerance) {
-  GridForecast forecast;
-  const auto add = [&](std::size_t s, const SampledCell& cell) {
-    forecast.is_regular = forecast.is_regular && probe.samples()[s].regular;
-    forecast.worst = std::max(forecast.worst, cell.error);
-    forecast.cells += probe.stretch() / cell.area * std::max(1.0, cell.error);
-  };
-  for_sampled_cells(probe, lines, forms_in_tolerances(probe, tolerance), add);
-  return forecast;
-}
-
 }  // namespace saddle

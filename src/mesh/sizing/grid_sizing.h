@@ -1,7 +1,7 @@
 // From a probe's second derivatives to the lines of a tensor grid: the sizing field (lines per unit
-// of parameter) for which most cells are within the tolerance, the lines that follow it, and what
-// to expect of their cells. Local peaks of the error are left to local refinement.
-// Source: D. Filip, R. Magedson, R. Markot, "Surface algorithms using bounds on derivatives", 1986.
+// of parameter) for which most cells are within the tolerance, and the lines that follow it. Local
+// peaks of the error are left to local refinement. Source: D. Filip, R. Magedson, R. Markot,
+// "Surface algorithms using bounds on derivatives", 1986.
 #pragma once
 
 #include <vector>
@@ -36,13 +36,5 @@ FixedLines place_lines(const Probe& probe, const FixedLines& fixed, const Sizing
 /// u inner.
 std::vector<Counterexample> find_counterexamples(const Probe& probe, const FixedLines& lines,
                                                  const Tolerance& tolerance);
-
-/// A forecast of the cells between lines, by the probe's samples.
-struct GridForecast {
-  double worst = 0;        ///< largest error of a cell, in tolerances
-  double cells = 0;        ///< number of cells once those that miss are subdivided
-  bool is_regular = true;  ///< every sample has a second derivative along a normal
-};
-GridForecast forecast_grid(const Probe& probe, const FixedLines& lines, const Tolerance& tolerance);
 
 }  // namespace saddle

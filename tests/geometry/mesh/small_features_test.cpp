@@ -109,19 +109,6 @@ TEST(SmallFeatures, AreNotCutOffByASingleCell) {
   EXPECT_LE(distance_of(half.mesh, {0, -0.1, 0}), kFeatureTolerance);
 }
 
-TEST(SmallFeatures, RefuseAGrid) {
-  MeshRequest request = within_length(kFeatureTolerance);
-  request.method = MeshRequest::Method::LeastCost;
-  request.draws = 1e6;
-  request.lines_u = request.lines_v = 0;
-  for (const char* const z : {"(u^2+v^2<0.001)?1:0", "round(3*sin(3*u)*sin(3*v))"}) {
-    const std::optional<MeshResult> result = try_mesh(height_field(z), request);
-    ASSERT_TRUE(result) << z;
-    EXPECT_GT(result->report.jump_count, 0U) << z;
-    EXPECT_EQ(result->report.choice->why, MeshChoice::Why::NotSmooth) << z;
-  }
-}
-
 TEST(SmallFeatures, ThatSamplesMissAreTold) {
   const std::optional<MeshResult> result =
       try_mesh(height_field("(hypot(u-0.403,v-0.302)<0.003)?1:0"),
