@@ -106,7 +106,8 @@ bool exceeds_tolerance(const Surface& surface, const Tolerance& aim, unsigned th
     if (!(distance <= patches[cell].allowed)) return true;
     report.max_error = std::max(report.max_error, distance);
   }
-  report_proof(surface, proved_cells(patches, surface.domain), threads, proof, report);
+  KnownHulls hulls(surface);
+  report_proof(surface, proved_cells(patches, surface.domain), threads, hulls, proof, report);
   return false;
 }
 
