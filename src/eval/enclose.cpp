@@ -104,8 +104,19 @@ void Enclosure::run(std::span<const Step> steps) {
   Interval* const slots = slots_.data();
   for (const Step& step : steps) {
     const Interval& a = slots[step.in[0]];
-    slots[step.out] =
-        step.square ? sqr(a) : enclose(step.op, a, slots[step.in[1]], slots[step.in[2]]);
+    const Interval& b = slots[step.in[1]];
+    Interval& out = slots[step.out];
+    if (step.square) {
+      out = sqr(a);
+    } else if (step.op == Op::Mul) {  // most steps are products and sums: no calls
+      out = a * b;
+    } else if (step.op == Op::Add) {
+      out = a + b;
+    } else if (step.op == Op::Sub) {
+      out = a - b;
+    } else {
+      out = enclose(step.op, a, b, slots[step.in[2]]);
+    }
   }
 }
 

@@ -48,8 +48,10 @@ inline Interval operator-(const Interval& a) {
 inline Interval operator+(const Interval& a, const Interval& b) {
   Interval r = rounding::with_decorations_of(a, b);
   if (r.defined == Defined::No) return kUndefined;
-  r.low = rounding::sum_down(a.low, b.low);
-  r.high = rounding::sum_up(a.high, b.high);
+  using rounding::Ends;
+  const Ends ends = rounding::sums(Ends{a.low, a.high}, Ends{b.low, b.high});
+  r.low = ends[0];
+  r.high = ends[1];
   return r;
 }
 

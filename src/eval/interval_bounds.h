@@ -61,16 +61,36 @@ inline double up(double x, double error) {
   return -down(-x, error);
 }
 
-/// A lower bound of a + b. A sum that can be taken apart again is exact, as is every sum so small
-/// that it could underflow (O. Moller, "Quasi double-precision in floating point addition", 1965).
+/// Numbers of the low and of the high end of an interval, on which operations work at once.
+using Ends [[gnu::vector_size(16)]] = double;
+
+inline Ends absolute(Ends a) {
+  using Bits [[gnu::vector_size(16)]] = std::int64_t;
+  constexpr std::int64_t kNoSign = std::numeric_limits<std::int64_t>::max();
+  return std::bit_cast<Ends>(std::bit_cast<Bits>(a) & Bits{kNoSign, kNoSign});
+}
+
+/// A lower bound of the low ends' sum, and an upper bound of the high ends'. A sum that can be
+/// taken apart again is exact, as is every sum so small that it could underflow (O. Moller, "Quasi
+/// double-precision in floating point addition", 1965).
+inline Ends sums(Ends a, Ends b) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  constexpr Ends kMost = {kMax, kEndless};
+  constexpr Ends kLeast = {-kEndless, -kMax};
+  constexpr Ends kOutward = {-kRoundoff, kRoundoff};
+  Ends sum = a + b;
+  sum = kMost < sum ? kMost : sum;
+  sum = sum < kLeast ? kLeast : sum;
+  const Ends lost = absolute(sum - a - b) + absolute(sum - b - a);
+  const Ends error = lost <= 0 ? Ends{0, 0} : kOutward;
+  return sum + absolute(sum) * error;
+}
+
 inline double sum_down(double a, double b) {
-  const double sum = std::min(a + b, kMax);
-  const double lost = std::fabs(sum - a - b) + std::fabs(sum - b - a);
-  const double error = lost <= 0 ? 0 : kRoundoff;
-  return sum - std::fabs(sum) * error;
+  return sums(Ends{a, a}, Ends{b, b})[0];
 }
 inline double sum_up(double a, double b) {
-  return -sum_down(-a, -b);
+  return sums(Ends{a, a}, Ends{b, b})[1];
 }
 
 /// Zero bits at the end of the 53 that make up either number's significand.

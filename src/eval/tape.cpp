@@ -1,5 +1,6 @@
 #include "eval/tape.h"
 
+#include <array>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -150,6 +151,31 @@ Tape compile(const Graph& graph, std::span<const NodeId> outputs, Powers powers)
   }
   for (const NodeId root : roots) tape.outputs.push_back(allocator.slot(root));
   return tape;
+}
+
+Tape first_outputs(const Tape& tape, std::size_t count) {
+  Tape result = tape;
+  result.outputs.resize(count);
+  // Slots are used again: what is needed of one is what was last written there.
+  std::array<std::vector<bool>, 4> needed = {
+      std::vector<bool>(tape.constants.size()), std::vector<bool>(tape.slots_u),
+      std::vector<bool>(tape.slots_v), std::vector<bool>(tape.slots_both)};
+  const auto is_needed = [&needed](const Slot& slot) {
+    return needed[static_cast<std::size_t>(slot.rate)][slot.index];
+  };
+  for (const Slot& slot : result.outputs) is_needed(slot) = true;
+  for (auto* const instructions : {&result.of_both, &result.of_v, &result.of_u}) {
+    std::vector<Instruction> kept;
+    for (auto at = instructions->rbegin(); at != instructions->rend(); ++at) {
+      if (!is_needed(at->out) && !(at->cosine && is_needed(*at->cosine))) continue;
+      is_needed(at->out) = false;
+      if (at->cosine) is_needed(*at->cosine) = false;
+      for (int i = 0; i < arity(at->op); ++i) is_needed(at->in[static_cast<std::size_t>(i)]) = true;
+      kept.push_back(*at);
+    }
+    instructions->assign(kept.rbegin(), kept.rend());
+  }
+  return result;
 }
 
 }  // namespace saddle

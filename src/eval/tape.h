@@ -50,4 +50,7 @@ struct Tape {
 /// one instruction. The outputs depend on u and v alone (Scope::bind has replaced the rest).
 Tape compile(const Graph& graph, std::span<const NodeId> outputs, Powers powers = Powers::Products);
 
+/// The first outputs of a tape, by the same instructions: they have the same bits.
+Tape first_outputs(const Tape& tape, std::size_t count);
+
 }  // namespace saddle

@@ -93,7 +93,7 @@ NormalColumns normal_columns(std::size_t count, Evaluate evaluate) {
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
                      Order order) {
   const Tangents tangents = tangents_of(graph, r);
-  Surface surface{domain, flip, {}, {}, {}, {}, {}, {}};
+  Surface surface{domain, flip, {}, {}, {}, {}, {}, {}, {}};
   surface.tangents = compile(graph, tangent_outputs(tangents));
   surface.normals = compile(graph, normal_outputs(graph, tangents));
   if (order == Order::Second) {
@@ -102,6 +102,7 @@ Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain&
   }
   surface.tangents.count = std::make_shared<PointCount>();
   surface.normals.count = surface.curvatures.count = surface.tangents.count;
+  surface.positions = first_outputs(surface.tangents, 3);
   return surface;
 }
 
@@ -124,6 +125,11 @@ void take_own_parameters(const Surface& surface, std::span<dvec2> uv) {
 std::vector<SurfacePoint> evaluate(const Surface& surface, std::span<const dvec2> uv,
                                    unsigned threads) {
   return evaluate_records<SurfacePoint>(surface.tangents, uv, threads);
+}
+
+std::vector<dvec3> evaluate_positions(const Surface& surface, std::span<const dvec2> uv,
+                                      unsigned threads) {
+  return evaluate_records<dvec3>(surface.positions, uv, threads);
 }
 
 NormalColumns evaluate_normals(const Surface& surface, std::span<const double> u,

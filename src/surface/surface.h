@@ -35,6 +35,7 @@ struct Surface {
   Domain domain;
   bool flip = false;  ///< front and back are swapped: the normal is r_v x r_u
   Tape tangents;      ///< tangent_outputs() of surface/forms.h
+  Tape positions;     ///< the first three outputs of `tangents`, with the same bits
   Tape normals;       ///< normal_outputs(); see evaluate_normals()
   Tape curvatures;    ///< curvature_outputs(); without outputs unless compiled for second order
   Tape bounds;        ///< r, r_u, r_v, r_uu, r_uv, r_vv for enclosures; the same holds
@@ -66,6 +67,10 @@ struct SurfacePoint {
 /// Positions and tangents at arbitrary parameters, (u[i], v[i]).
 std::vector<SurfacePoint> evaluate(const Surface& surface, std::span<const dvec2> uv,
                                    unsigned threads = 0);
+
+/// The positions alone, with the same bits.
+std::vector<dvec3> evaluate_positions(const Surface& surface, std::span<const dvec2> uv,
+                                      unsigned threads = 0);
 
 /// Positions and tangents on the grid u x v, v outer: result[j * u.size() + i] is at (u[i], v[j]).
 std::vector<SurfacePoint> evaluate_on_grid(const Surface& surface, std::span<const double> u,

@@ -1,6 +1,12 @@
 #include "surface/surface_enclosure.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "base/numbers.h"
 
 namespace saddle {
 
@@ -18,6 +24,28 @@ Defined least_defined(std::span<const Interval> bounds) {
 Bounds hull_of(std::span<const Interval> bounds) {
   return {{bounds[0].low, bounds[1].low, bounds[2].low},
           {bounds[0].high, bounds[1].high, bounds[2].high}};
+}
+
+std::size_t KnownHulls::HashOfBox::operator()(const std::array<double, 4>& box) const {
+  constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
+  std::uint64_t hash = 0;
+  for (const double end : box) hash = (hash ^ std::bit_cast<std::uint64_t>(end)) * kSpread;
+  return hash >> 32U;
+}
+
+const Bounds& KnownHulls::over(const ParameterBox& box) {
+  const auto [place, is_new] = known_.try_emplace({box.low.x, box.low.y, box.high.x, box.high.y});
+  if (!enclosure_) enclosure_.emplace(surface_, Bounded::Position);
+  if (is_new) place->second = hull_of(enclosure_->enclose(box));
+  return place->second;
+}
+
+double room_beyond(const Bounds& points, const Bounds& bounds) {
+  dvec3 excess(0);
+  for (int k = 0; k < 3; ++k)
+    excess[k] = std::max({points.low[k] - bounds.low[k], bounds.high[k] - points.high[k], 0.0});
+  const double room = glm::length(excess);
+  return std::isnan(room) ? kInfinity : room;
 }
 
 }  // namespace saddle

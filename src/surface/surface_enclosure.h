@@ -3,9 +3,12 @@
 // free variables", 2001.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "base/bounds.h"
@@ -51,5 +54,25 @@ Defined least_defined(std::span<const Interval> bounds);
 
 /// The box in space around the bounds of x, y and z, the first three.
 Bounds hull_of(std::span<const Interval> bounds);
+
+/// The boxes in space around a surface over boxes of parameters. Several searches look at the same
+/// leaves: each box is enclosed once. The surface must outlive this.
+class KnownHulls {
+ public:
+  explicit KnownHulls(const Surface& surface) : surface_(surface) {}
+
+  const Bounds& over(const ParameterBox& box);
+
+ private:
+  const Surface& surface_;
+  std::optional<SurfaceEnclosure> enclosure_;  // made for the first box
+  struct HashOfBox {
+    std::size_t operator()(const std::array<double, 4>& box) const;
+  };
+  std::unordered_map<std::array<double, 4>, Bounds, HashOfBox> known_;
+};
+
+/// By how much bounds of a surface exceed a box around points of it; infinite without bounds.
+double room_beyond(const Bounds& points, const Bounds& bounds);
 
 }  // namespace saddle

@@ -159,9 +159,9 @@ std::vector<dvec2> places_above(const Surface& surface, std::span<const MiddleOf
   }
   std::vector<std::size_t> open = all_open(searches.size());
   const auto next = [](const Search& search) { return middle_of(search.left); };
-  const auto is_done = [](Search& search, const dvec2& middle, const SurfacePoint& point) {
+  const auto is_done = [](Search& search, const dvec2& middle, const dvec3& position) {
     const dvec3 along = search.chord->positions[1] - search.chord->positions[0];
-    const double beyond = glm::dot(point.position - search.chord->middle(), along);
+    const double beyond = glm::dot(position - search.chord->middle(), along);
     search.place = middle;
     search.left[beyond < 0 ? 0 : 1] = middle;
     return std::fabs(beyond) <= kArrived * glm::dot(along, along) || has_no_middle(search.left);

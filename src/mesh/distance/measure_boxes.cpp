@@ -97,7 +97,7 @@ BoxMeasure::BoxMeasure(const Surface& surface, const Grid& grid, std::span<const
 std::vector<ProofOutcome> BoxMeasure::operator()(std::span<const BoundedBox> boxes) {
   std::vector<dvec2> uv;
   for (const BoundedBox& box : boxes) append_points(box, uv);
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   std::vector<ProofOutcome> outcomes;
   outcomes.reserve(boxes.size());
   std::size_t first = 0;
@@ -126,7 +126,7 @@ NearestTriangle BoxMeasure::nearest(std::size_t patch, const dvec3& position, do
 }
 
 ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> uv,
-                                 std::span<const SurfacePoint> points) {
+                                 std::span<const dvec3> points) {
   const double allowed = patches_[box.patch].allowed;
   double worst = 0;
   std::size_t farthest = 0;
@@ -137,7 +137,7 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
                                                                   : ProofOutcome::Open;
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const dvec3& p = points[k].position;
+    const dvec3& p = points[k];
     nearest_.push_back(nearest(box.patch, p, allowed));
     const double distance = nearest_.back().distance;
     if (!(distance > worst) || (clip_ && !clip_->contains(p))) continue;
@@ -148,7 +148,7 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
     // On a jump the surface may have a value of its own, as sign(u) has at 0: no mesh shows it.
     if (patches_[box.patch].jump_line) return ProofOutcome::Refuted;
     const dvec2 size = box.box.size() / glm::max(dvec2(box.cells[0], box.cells[1]), dvec2(1));
-    found_.push_back({{uv[farthest], points[farthest].position, size, box.bend, box.patch}, worst});
+    found_.push_back({{uv[farthest], points[farthest], size, box.bend, box.patch}, worst});
     return ProofOutcome::Refuted;
   }
   const std::size_t row = box.cells[0] + 1;
@@ -167,8 +167,8 @@ ProofOutcome BoxMeasure::measure(const BoundedBox& box, std::span<const dvec2> u
 
 /// Whether the convex hull of points is near one triangle, or two with a common side. The distance
 /// from a convex set is a convex function: of the hull, the points have the largest.
-bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners,
-                         std::span<const SurfacePoint> points, double most) const {
+bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners, std::span<const dvec3> points,
+                         double most) const {
   const Triangle& a = nearest_[corners[0]].triangle;
   const Triangle* other = nullptr;
   double worst = 0;
@@ -188,8 +188,7 @@ bool BoxMeasure::is_near(const std::array<std::size_t, 4>& corners,
   return std::ranges::any_of(corners, [&](std::size_t one) {
     const Triangle& t = nearest_[one].triangle;
     return std::ranges::all_of(corners, [&](std::size_t k) {
-      return nearest_[k].triangle == t ||
-             distance_from_triangle(grid_, t, points[k].position) <= most;
+      return nearest_[k].triangle == t || distance_from_triangle(grid_, t, points[k]) <= most;
     });
   });
 }

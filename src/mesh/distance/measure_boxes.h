@@ -40,10 +40,10 @@ class BoxMeasure {
  private:
   NearestTriangle nearest(std::size_t patch, const dvec3& position, double enough);
   ProofOutcome measure(const BoundedBox& box, std::span<const dvec2> uv,
-                       std::span<const SurfacePoint> points);
+                       std::span<const dvec3> points);
   double fold_between(const Triangle& a, const Triangle& b,
                       const std::array<std::size_t, 4>& corners) const;
-  bool is_near(const std::array<std::size_t, 4>& corners, std::span<const SurfacePoint> points,
+  bool is_near(const std::array<std::size_t, 4>& corners, std::span<const dvec3> points,
                double most) const;
 
   const Surface& surface_;

@@ -21,8 +21,11 @@ double square_of_distance(const Bounds& box, const dvec3& p) {
 }  // namespace
 
 NearestTriangle nearest_point(const Grid& grid, const Triangle& triangle, const dvec3& position) {
-  const WeightedDistance nearest = nearest_weights(grid, triangle, position);
   const auto& p = grid.mesh.position;
+  for (const std::uint32_t corner : triangle) {
+    if (p[corner] == position) return {triangle, position, 0};
+  }
+  const WeightedDistance nearest = nearest_weights(grid, triangle, position);
   const dvec3& w = nearest.weights;
   return {triangle, w.x * p[triangle[0]] + w.y * p[triangle[1]] + w.z * p[triangle[2]],
           nearest.distance};

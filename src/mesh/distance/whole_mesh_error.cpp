@@ -23,6 +23,9 @@ constexpr double kFirstStep = 0.25;
 constexpr double kShortPart = 0.25;
 /// Lines through a place of the mesh: two of parameters, then three to the corners.
 constexpr std::size_t kLines = 5;
+/// Lines that are sampled after each of the first rounds: the next ones begin where a place is
+/// still too far off.
+constexpr std::array<std::size_t, 3> kBegun = {1, 2, kLines};
 /// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
 /// The search climbs from the 8 farthest places of the mesh, in 4 rounds, if they are within 0.5 of
@@ -35,20 +38,25 @@ constexpr int kClimbsOfTriangles = 2;
 
 }  // namespace
 
+const TriangleTree& WholeMeshError::tree() const {
+  std::call_once(has_tree_, [this] { tree_.emplace(grid_.mesh.position, all_); });
+  return *tree_;
+}
+
 double WholeMeshError::distance(const Place& place, const dvec3& position) const {
-  if (place.triangles.empty()) return tree_.distance(position);
+  if (place.triangles.empty()) return tree().distance(position);
   const double from_own = distance_from(grid_, place.triangles, place.uv, position);
-  return from_own > place.known ? tree_.distance(position, from_own) : from_own;
+  return from_own > place.known ? tree().distance(position, from_own) : from_own;
 }
 
 std::vector<double> WholeMeshError::distances(std::span<const Place> places) const {
   std::vector<dvec2> uv(places.size());
   std::ranges::transform(places, uv.begin(), &Place::uv);
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   std::vector<double> result(uv.size());
   parallel_chunks(uv.size(), kSearchedTogether, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const dvec3& p = points[k].position;
+      const dvec3& p = points[k];
       if (is_seen(clip_, p)) result[k] = distance(places[k], p);
     }
   });
@@ -118,12 +126,12 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(std::span<const Mes
     seen.push_back(place);
     uv.push_back(uv_of(place));
   }
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   std::vector<Expected> result;
   for (std::size_t k = 0; k < seen.size(); ++k) {
-    if (!is_finite(points[k].position)) continue;
+    if (!is_finite(points[k])) continue;
     const dvec3 p = position_of(seen[k]);
-    double near = glm::distance(p, points[k].position);
+    double near = glm::distance(p, points[k]);
     for (const std::uint32_t corner : *seen[k].triangle)
       near = std::min(near, glm::distance(p, grid_.mesh.position[corner]));
     result.push_back({seen[k], std::min(near, thickness_of(*seen[k].triangle)), near});
@@ -135,14 +143,15 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(std::span<const Mes
 /// Searches the surface along five lines through each place: both lines of parameters, as far to
 /// both sides as its triangle reaches along one of them, and the lines to the corners. Both lines
 /// of parameters start from samples within the triangle's own extent, too: a triangle along a
-/// ridge is much longer than the ridge is wide. The lines to the corners are sampled only where
-/// those samples are too far off.
+/// ridge is much longer than the ridge is wide. A line is sampled only where the samples of those
+/// before it are too far off.
 std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expected> places,
                                                             double least, double tolerance) const {
   constexpr std::array<double, 9> kStarts = {-1, -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1};
   const dvec2 range = box_of(surface_.domain).size();
   std::vector<Nearest> result;
   std::vector<NearestOnLine> lines;
+  std::vector<double> own;  // the triangle's own extent, as a share of each line
   std::vector<std::pair<std::size_t, double>> tries;
   for (const Expected& expected : places) {
     dvec2 low = grid_.mesh.uv[(*expected.place.triangle)[0]];
@@ -158,33 +167,37 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
     for (int axis = 0; axis < 2; ++axis) {
       dvec2 way(0);
       way[axis] = reach[axis];
-      const double own = (high[axis] - low[axis]) / reach[axis];
-      for (const double t : kStarts) {
-        tries.emplace_back(lines.size(), t);
-        if (own > 0 && own < 1) tries.emplace_back(lines.size(), own * t);
-      }
+      own.push_back((high[axis] - low[axis]) / reach[axis]);
       lines.emplace_back(p, uv, way);
     }
     for (const std::uint32_t corner : *expected.place.triangle)
       lines.emplace_back(p, uv, grid_.mesh.uv[corner] - uv);
+    own.resize(lines.size());
     result.push_back({expected.place, {expected.near, uv}, kFirstStep * reach});
   }
-  for (int halving = 0; halving <= kHalvingsToEdge && !tries.empty(); ++halving) {
+  const auto begin = [&](std::size_t k) {
+    lines[k].reserve(2 * kStarts.size());
+    for (const double t : kStarts) {
+      tries.emplace_back(k, t);
+      if (own[k] > 0 && own[k] < 1) tries.emplace_back(k, own[k] * t);
+    }
+  };
+  for (std::size_t first = 0; first < lines.size(); first += kLines) begin(first);
+  for (std::size_t round = 0; round < kBegun.size() + kHalvingsToEdge && !tries.empty(); ++round) {
     std::vector<dvec2> uv;
     for (const auto& [k, t] : tries) uv.push_back(within_domain(lines[k].uv(t)));
-    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+    const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
     for (std::size_t i = 0; i < tries.size(); ++i)
-      lines[tries[i].first].add(tries[i].second, points[i].position);
+      lines[tries[i].first].add(tries[i].second, points[i]);
     tries.clear();
+    const std::size_t begun = round < kBegun.size() ? kBegun[round] : kLines;
+    const std::size_t next = round + 1 < kBegun.size() ? kBegun[round + 1] : kLines;
     for (std::size_t first = 0; first < lines.size(); first += kLines) {
       const auto of_place = std::span(lines).subspan(first, kLines);
       const auto is_near = [&](const NearestOnLine& line) { return line.distance() <= least; };
       if (std::ranges::any_of(of_place, is_near)) continue;
-      const std::size_t begun = first + (halving == 0 ? 2 : kLines);
-      for (std::size_t k = begun; k < first + kLines; ++k) {
-        for (const double t : kStarts) tries.emplace_back(k, t);
-      }
-      for (std::size_t k = first; k < begun; ++k) {
+      for (std::size_t k = first + begun; k < first + next; ++k) begin(k);
+      for (std::size_t k = first; k < first + begun && round > 0; ++k) {
         if (const auto t = lines[k].next(kShortPart * tolerance)) tries.emplace_back(k, *t);
       }
     }
@@ -203,13 +216,13 @@ void WholeMeshError::descend(std::span<Nearest> nearest) const {
     for (const Nearest& n : nearest) {
       for (const dvec2& way : kFourWays) uv.push_back(within_domain(n.error.uv + n.reach * way));
     }
-    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+    const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
     for (std::size_t k = 0; k < nearest.size(); ++k) {
       PlacedError& error = nearest[k].error;
       const dvec3 p = position_of(nearest[k].place);
       const double before = error.distance;
       for (std::size_t i = k * kFourWays.size(); i < (k + 1) * kFourWays.size(); ++i) {
-        const double distance = glm::distance(p, points[i].position);
+        const double distance = glm::distance(p, points[i]);
         if (distance < error.distance) error = {distance, uv[i]};
       }
       if (!(error.distance < before)) nearest[k].reach *= 0.5;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,11 +31,7 @@ class WholeMeshError {
   /// grid and the triangles must outlive this.
   WholeMeshError(const Surface& surface, const Grid& grid, std::span<const Triangle> all,
                  const std::optional<Bounds>& clip, unsigned threads)
-      : surface_(surface),
-        grid_(grid),
-        clip_(clip),
-        threads_(threads),
-        tree_(grid.mesh.position, all) {}
+      : surface_(surface), grid_(grid), all_(all), clip_(clip), threads_(threads) {}
 
   /// A place over triangles, of a leaf.
   struct Place {
@@ -82,6 +79,7 @@ class WholeMeshError {
   std::vector<Expected> expect(std::span<const MeshPlace> places, double known) const;
   std::vector<Expected> expect_farthest(std::span<const Triangle* const> triangles,
                                         double known) const;
+  const TriangleTree& tree() const;
   double thickness_of(const Triangle& t) const;
   dvec2 within_domain(const dvec2& uv) const;
   dvec2 uv_of(const MeshPlace& place) const;
@@ -104,9 +102,11 @@ class WholeMeshError {
 
   const Surface& surface_;
   const Grid& grid_;
+  std::span<const Triangle> all_;
   std::optional<Bounds> clip_;
   unsigned threads_;
-  TriangleTree tree_;
+  mutable std::once_flag has_tree_;
+  mutable std::optional<TriangleTree> tree_;  // made for the first point that its leaf misses
 };
 
 }  // namespace saddle

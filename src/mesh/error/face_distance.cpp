@@ -112,12 +112,12 @@ void FaceDistance::find(std::vector<Crossing>& crossings) {
     const auto& [below, above] = crossing.heights;
     return glm::mix(crossing.line[0], crossing.line[1], below / (below - above));
   };
-  const auto is_done = [&](Crossing& crossing, const dvec2& uv, const SurfacePoint& point) {
+  const auto is_done = [&](Crossing& crossing, const dvec2& uv, const dvec3& position) {
     ++evaluations_;
-    const double height = point.position[crossing.face.axis] - crossing.face.limit;
+    const double height = position[crossing.face.axis] - crossing.face.limit;
     const dvec3 before = crossing.position;
     crossing.uv = uv;
-    crossing.position = point.position;
+    crossing.position = position;
     crossing.position[crossing.face.axis] = crossing.face.limit;
     const std::size_t end = height < 0 ? 0 : 1;
     crossing.line[end] = uv;
@@ -140,11 +140,11 @@ std::vector<FaceDistance::Crossing> FaceDistance::middles() const {
     uv.push_back(0.5 * (a + b) - aside);
     uv.push_back(0.5 * (a + b) + aside);
   }
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   std::vector<Crossing> across;
   for (std::size_t k = 0; k < cuts_.size(); ++k) {
     const Face& face = cuts_[k].face;
-    const auto height = [&](std::size_t i) { return points[i].position[face.axis] - face.limit; };
+    const auto height = [&](std::size_t i) { return points[i][face.axis] - face.limit; };
     across.push_back(
         crossing_of({uv[2 * k], uv[2 * k + 1]}, {height(2 * k), height(2 * k + 1)}, face));
   }

@@ -65,11 +65,11 @@ std::vector<LeftOutLeaf> measure_left_out(const ValidatedMesh& mesh,
   const std::vector<Triangle> triangles = triangles_of_others(mesh);
   if (triangles.empty()) return {};
   const TriangleTree whole(tree.mesh().position, triangles);
-  const std::vector<SurfacePoint> points = evaluate(tree.surface(), all_places, threads);
+  const std::vector<dvec3> points = evaluate_positions(tree.surface(), all_places, threads);
   std::size_t next = 0;
   for (std::size_t i = 0; i < result.size(); ++i) {
     for (const dvec2& uv : places[i]) {
-      const dvec3& position = points[next++].position;
+      const dvec3& position = points[next++];
       if (!is_seen(clip, position)) continue;
       const double distance = whole.distance(position);
       if (distance > result[i].farthest.distance) result[i].farthest = {distance, uv};

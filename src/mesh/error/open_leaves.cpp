@@ -63,10 +63,11 @@ SearchedPart part_of(const ValidatedMesh& mesh, std::size_t leaf,
 }
 
 OpenLeaves::OpenLeaves(const Surface& surface, const Grid& grid, const CellTree& tree,
-                       const std::optional<Bounds>& clip, unsigned threads)
+                       KnownHulls& hulls, const std::optional<Bounds>& clip, unsigned threads)
     : surface_(surface),
       grid_(grid),
       tree_(tree),
+      hulls_(hulls),
       clip_(clip),
       threads_(threads),
       left_(kMostOpened) {}
@@ -75,8 +76,9 @@ std::vector<Counterexample> OpenLeaves::refute(const std::function<bool(std::siz
                                                ValidatedMesh& mesh) {
   std::vector<SearchedPart> parts;
   for (std::size_t k = 0; k < mesh.leaves.size(); ++k) {
-    if (!is_open(k) || mesh.triangles.of(k).empty() || !searched_.insert(mesh.key_of(k)).second)
-      continue;
+    const std::uint32_t revision = mesh.revision_of(k);
+    if (mesh.triangles.of(k).empty() || mesh.searched[k].is_on(revision) || !is_open(k)) continue;
+    mesh.searched[k].put_on(revision);
     parts.push_back(part_of(mesh, k, mesh.triangles.of(k), grid_, tree_));
     parts.back().scale = 1 / mesh.allowed[k];
     parts.back().number = k;
@@ -86,7 +88,7 @@ std::vector<Counterexample> OpenLeaves::refute(const std::function<bool(std::siz
                                                   const dvec3& position, double) {
     return distance_from(grid_, part.triangles, uv, position);
   };
-  FeatureSearch search(surface_, distance, 1, clip_, threads_);
+  FeatureSearch search(surface_, hulls_, distance, 1, clip_, threads_);
   search.keep_widest(std::max(left_, kFirstSearched), 0, parts);
   // Bounds of a long formula are wide where nothing is: the search goes on while it finds.
   std::vector<PlacedError> found;

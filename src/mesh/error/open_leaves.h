@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -23,7 +22,7 @@ SearchedPart part_of(const ValidatedMesh& mesh, std::size_t leaf,
 
 class OpenLeaves {
  public:
-  OpenLeaves(const Surface& surface, const Grid& grid, const CellTree& tree,
+  OpenLeaves(const Surface& surface, const Grid& grid, const CellTree& tree, KnownHulls& hulls,
              const std::optional<Bounds>& clip, unsigned threads);
 
   /// Looks for features in the leaves of a mesh for which `is_open`, once in each, and adds their
@@ -36,9 +35,9 @@ class OpenLeaves {
   const Surface& surface_;
   const Grid& grid_;
   const CellTree& tree_;
+  KnownHulls& hulls_;
   const std::optional<Bounds>& clip_;
   unsigned threads_;
-  std::set<LeafKey> searched_;
   std::size_t left_;       // leaves that may still be searched
   bool gives_up_ = false;  // features are told only
 };

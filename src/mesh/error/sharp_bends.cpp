@@ -181,7 +181,7 @@ void SharpBends::sample(ValidatedMesh& mesh) {
   }
   std::vector<dvec2> uv(places.size());
   std::ranges::transform(places, uv.begin(), &Place::uv);
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   evaluations_ += points.size();
   const Mesh& of = grid_.mesh;
   std::vector<MiddleOfChord> chords;
@@ -192,7 +192,7 @@ void SharpBends::sample(ValidatedMesh& mesh) {
     const double allowed = mesh.allowed[leaf.number];
     if (!mesh.is_near(leaf.number)) continue;
     if (!side) {
-      validate_at(at, points[k].position, leaf, mesh);
+      validate_at(at, points[k], leaf, mesh);
       continue;
     }
     const auto& [a, b] = *side;
@@ -200,8 +200,8 @@ void SharpBends::sample(ValidatedMesh& mesh) {
                         {of.uv[a], of.uv[b]},
                         glm::abs(leaf.high - leaf.low),
                         allowed};
-    if (glm::distance(chord.middle(), points[k].position) <= kSearched * allowed) continue;
-    validate_at(at, points[k].position, leaf, mesh);
+    if (glm::distance(chord.middle(), points[k]) <= kSearched * allowed) continue;
+    validate_at(at, points[k], leaf, mesh);
     chord.known = mesh.sampled_errors[leaf.number].distance;
     if (!mesh.is_near(leaf.number)) continue;
     chords.push_back(chord);
@@ -226,10 +226,10 @@ void SharpBends::search(ValidatedMesh& mesh) {
             glm::clamp(there, glm::min(leaf.low, leaf.high), glm::max(leaf.low, leaf.high)));
       }
     }
-    const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+    const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
     evaluations_ += points.size();
     for (std::size_t k = 0; k < points.size(); ++k) {
-      validate_at(uv[k], points[k].position, leaves_[k / kFourWays.size()], mesh);
+      validate_at(uv[k], points[k], leaves_[k / kFourWays.size()], mesh);
     }
   }
 }

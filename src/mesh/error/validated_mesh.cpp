@@ -19,6 +19,8 @@ void ValidatedMesh::put(std::span<const std::size_t> which, const LeafTriangles&
                         std::uint32_t now) {
   triangles.ranges.resize(leaves.size());
   made.resize(leaves.size());
+  proved.resize(leaves.size());
+  searched.resize(leaves.size());
   for (std::size_t k = 0; k < which.size(); ++k) {
     triangles.ranges[which[k]] = append(newer, newer.ranges[k], triangles.all);
     made[which[k]] = now;
@@ -49,12 +51,16 @@ void ValidatedMesh::remove(std::span<const std::size_t> which) {
     sampled_errors[to] = sampled_errors[from];
     triangles.ranges[to] = triangles.ranges[from];
     made[to] = made[from];
+    proved[to] = proved[from];
+    searched[to] = searched[from];
     allowed[to++] = allowed[from];
   }
   leaves.resize(to);
   sampled_errors.resize(to);
   triangles.ranges.resize(to);
   made.resize(to);
+  proved.resize(to);
+  searched.resize(to);
   allowed.resize(to);
 }
 

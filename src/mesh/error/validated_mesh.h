@@ -1,12 +1,10 @@
 // The leaves of a mesh, their triangles and their measured errors.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "mesh/distance/sampled_error.h"
@@ -14,8 +12,15 @@
 
 namespace saddle {
 
-/// A leaf with its triangles: its place in the tree, and their revision.
-using LeafKey = std::array<std::uint32_t, 5>;
+/// A mark on the triangles that a leaf has now.
+class TriangleMark {
+ public:
+  bool is_on(std::uint32_t revision) const { return revision_ == revision; }
+  void put_on(std::uint32_t revision) { revision_ = revision; }
+
+ private:
+  std::optional<std::uint32_t> revision_;
+};
 
 /// The leaves of a mesh, their tolerances, and the triangles and errors that they had when they
 /// were last validated.
@@ -26,13 +31,13 @@ struct ValidatedMesh {
   std::vector<double> allowed;
   /// As many ranges as errors. Replaced triangles stay, in no range.
   LeafTriangles triangles;
-  std::vector<std::uint32_t> made;  ///< revisions of the triangles: RevisionClock::next()
+  std::vector<std::uint32_t> made;     ///< revisions of the triangles: RevisionClock::next()
+  std::vector<TriangleMark> proved;    ///< leaves with a proof, whole or measured
+  std::vector<TriangleMark> searched;  ///< leaves that were searched for features
 
-  /// A leaf with its triangles. Without any there is nothing to revise.
-  LeafKey key_of(std::size_t leaf) const {
-    const auto& [low, high] = std::pair(leaves[leaf].low, leaves[leaf].high);
-    const bool is_empty = triangles.ranges[leaf].count == 0;
-    return {low.u, low.v, high.u, high.v, is_empty ? ~std::uint32_t{0} : made[leaf]};
+  /// The revision of a leaf's triangles. Without any there is nothing to revise.
+  std::uint32_t revision_of(std::size_t leaf) const {
+    return triangles.ranges[leaf].count == 0 ? ~std::uint32_t{0} : made[leaf];
   }
   /// The distance of a leaf divided by its tolerance.
   double error_ratio(std::size_t leaf) const {

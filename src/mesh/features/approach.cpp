@@ -94,9 +94,8 @@ std::vector<dvec2> last_defined(const Surface& surface, std::span<const Line> li
                                 unsigned threads, const std::optional<Bounds>& box) {
   std::vector<Line> ends(lines.begin(), lines.end());
   std::vector<std::size_t> open = all_open(lines.size());
-  const auto is_done = [&](Line& line, const dvec2& middle, const SurfacePoint& point) {
+  const auto is_done = [&](Line& line, const dvec2& middle, const dvec3& p) {
     const bool is_last = middle == line[0] || middle == line[1];  // no doubles between
-    const dvec3& p = point.position;
     line[is_seen(box, p) ? 0 : 1] = middle;
     return is_last;
   };

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "mesh/proof/continuity.h"
@@ -31,7 +32,8 @@ inline std::vector<std::size_t> all_open(std::size_t count) {
 
 /// Runs rounds, `rounds` at most, on the searches whose numbers are in `open`. A round evaluates
 /// the surface at place(search) of each. Then is_done(search, uv, point) narrows the search to one
-/// of its parts, and tells whether it ends: its number leaves `open`.
+/// of its parts, and tells whether it ends: its number leaves `open`. The point is a SurfacePoint,
+/// or a position, if is_done() takes one.
 template <class Search, class Place, class IsDone>
 void bisect_together(const Surface& surface, std::vector<Search>& searches,
                      std::vector<std::size_t>& open, int rounds, unsigned threads, Place place,
@@ -40,7 +42,13 @@ void bisect_together(const Surface& surface, std::vector<Search>& searches,
   for (int round = 0; round < rounds && !open.empty(); ++round) {
     uv.clear();
     for (const std::size_t k : open) uv.push_back(place(searches[k]));
-    const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
+    const auto points = [&] {
+      if constexpr (std::is_invocable_v<IsDone, Search&, const dvec2&, const SurfacePoint&>) {
+        return evaluate(surface, uv, threads);
+      } else {
+        return evaluate_positions(surface, uv, threads);
+      }
+    }();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < uv.size(); ++i) {
       const std::size_t k = open[i];

@@ -59,14 +59,14 @@ class ThinPartSearch {
     for (const OpenLine& open : open_) {
       for (const Line& part : open.parts) middles.push_back(near_middle(part));
     }
-    const std::vector<SurfacePoint> points = evaluate(surface_, middles, threads_);
+    const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
     work_ += points.size();
     std::size_t next = 0;
     for (OpenLine& open : open_) {
       std::vector<Line> halves;
       for (const Line& part : open.parts) {
         const std::size_t k = next++;
-        if (is_finite(points[k].position) != lines_[open.number].are_defined)
+        if (is_finite(points[k]) != lines_[open.number].are_defined)
           found_[open.number] = middles[k];
         halves.push_back({part[0], middles[k]});
         halves.push_back({middles[k], part[1]});

@@ -68,7 +68,8 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       validation_(surface, limits_, grid_, tree_, landmarks_, mesh_),
       direction_(limits_, grid_, tree_, mesh_),
       proof_(surface, grid_, tree_, request_.clip, request.threads),
-      open_(surface, grid_, tree_, request_.clip, request.threads),
+      hulls_(surface),
+      open_(surface, grid_, tree_, hulls_, request_.clip, request.threads),
       predicted_(predict(plan)) {
   if (request.stop != MeshRequest::Stop::AtPolesOrFar) return;
   const Bounds most = rough_box(plan.probe.positions());
@@ -163,7 +164,7 @@ void AdaptiveMesher::complete(const LeafTriangles& triangles, MeshReport& report
   report.budget_spent = stopped && tree_.budget().is_spent(limits_.triangles);
   report.coarse_normals = coarse_normals_;
   report.oscillates = oscillates_;
-  proof_.complete(stopped, report);
+  proof_.complete(stopped, hulls_, report);
   report_seams(seams_, report);
 }
 

@@ -45,6 +45,7 @@ class AdaptiveMesher {
   const CellTree& tree() const { return tree_; }
   const LeafLandmarks& landmarks() const { return landmarks_; }
   const LeafProof& proof() const { return proof_; }
+  KnownHulls& hulls() const { return hulls_; }
   /// Point singularities inside leaves, which are left out.
   const std::vector<PlacedSingularity>& singularities() const { return singularities_; }
   /// The root grid; its mesh has the vertices of all leaves.
@@ -114,6 +115,7 @@ class AdaptiveMesher {
   LeafValidation validation_;
   SplitDirection direction_;
   LeafProof proof_;
+  mutable KnownHulls hulls_;
   OpenLeaves open_;
   Oscillation predicted_;
   /// Vertices outside of it are far.

@@ -103,7 +103,8 @@ double search_grid_error(const Surface& surface, const Grid& grid, double known,
   const std::optional<Bounds> no_box;
   const WholeMeshError whole(surface, grid, triangles, no_box, threads);
   const auto measured = [&]() -> const WholeMeshError& { return whole; };
-  const PlacedError found = largest_error(surface, sampled, blocks, known, no_box, threads,
+  KnownHulls hulls(surface);
+  const PlacedError found = largest_error(surface, sampled, blocks, known, no_box, threads, hulls,
                                           measured, SearchFrom::Surface);
   return std::max(known, found.distance);
 }

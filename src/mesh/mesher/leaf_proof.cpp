@@ -66,7 +66,7 @@ LeafProof::Result LeafProof::prove(ValidatedMesh& mesh) {
       certify(surface_, root_lines(grid_), patches, clip_, std::ref(measure), budget_);
   proof.bound = std::max(proof.bound, proof_ ? proof_->bound : 0);
   for (std::size_t k = 0; k < leaves.size(); ++k) {
-    if (proof.proved[k] != 0) proved_.insert(mesh.key_of(leaves[k]));
+    if (proof.proved[k] != 0) mesh.proved[leaves[k]].put_on(mesh.revision_of(leaves[k]));
   }
   for (UnprovedBox& box : proof.unproved_boxes) box.patch = leaves[box.patch];
   Result result{std::move(proof.unproved_boxes), {}};
@@ -93,17 +93,17 @@ std::vector<Counterexample> LeafProof::refute(std::span<const UnprovedBox> boxes
                                               ValidatedMesh& mesh) const {
   std::vector<dvec2> middles;
   for (const UnprovedBox& box : boxes) middles.push_back(box.middle);
-  const std::vector<SurfacePoint> points = evaluate(surface_, middles, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, middles, threads_);
   std::vector<Counterexample> counterexamples;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const UnprovedBox& box = boxes[k];
     const double distance =
-        distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k].position);
+        distance_from(grid_, mesh.triangles.of(box.patch), box.middle, points[k]);
     mesh.add(box.patch, distance, box.middle);
     const bool exceeds_tolerance =
         box.is_undefined ? is_visible_hole(box, mesh) : distance > mesh.allowed[box.patch];
     if (exceeds_tolerance)
-      counterexamples.push_back({box.middle, points[k].position, box.size, box.bend, box.patch});
+      counterexamples.push_back({box.middle, points[k], box.size, box.bend, box.patch});
   }
   return counterexamples;
 }
@@ -135,11 +135,11 @@ void LeafProof::leave_unproved(std::span<const Leaf> leaves) {
   }
 }
 
-void LeafProof::complete(bool reached_limit, MeshReport& report) {
+void LeafProof::complete(bool reached_limit, KnownHulls& hulls, MeshReport& report) {
   if (reached_limit) leave_domain_unproved(GapReason::Triangles);
   if (!proof_) leave_domain_unproved(GapReason::NotTried);
   name_gaps(report);
-  report_proof(surface_, cells_, threads_, *proof_, report);
+  report_proof(surface_, cells_, threads_, hulls, *proof_, report);
   report.boxes += budget_.boxes();
 }
 

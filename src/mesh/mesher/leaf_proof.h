@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -41,7 +40,7 @@ class LeafProof {
   bool was_tried() const { return proof_.has_value(); }
   /// Whether a leaf with its triangles is proved.
   bool is_proved(const ValidatedMesh& mesh, std::size_t leaf) const {
-    return proved_.contains(mesh.key_of(leaf));
+    return mesh.proved[leaf].is_on(mesh.revision_of(leaf));
   }
   /// Whether the work of proofs is done: more counterexamples are told, not mended.
   bool is_spent() const { return budget_.is_spent(true); }
@@ -52,7 +51,7 @@ class LeafProof {
   void leave_unproved(std::span<const Leaf> leaves);
   /// Fills in what is proved of the mesh, and its proof gaps. `reached_limit`: subdivision ended
   /// at the limit of triangles, which leaves the whole domain unproved.
-  void complete(bool reached_limit, MeshReport& report);
+  void complete(bool reached_limit, KnownHulls& hulls, MeshReport& report);
 
  private:
   std::vector<Patch> patches_of(const ValidatedMesh& mesh) const;
@@ -68,7 +67,6 @@ class LeafProof {
   const std::optional<Bounds>& clip_;
   unsigned threads_;
   ProofBudget budget_;
-  std::set<LeafKey> proved_;            // leaves, whole or measured
   std::optional<Certification> proof_;  // the last; empty: none was tried
   ProvedCells cells_;                   // of the mesh that it was tried for
 };

@@ -73,9 +73,9 @@ std::vector<dvec2> leave_box(std::span<const PoleWay> ways, const TraceOptions& 
         {goes_on ? Line{way.last, way.beyond} : Line{tree.mesh().uv[way.from], way.last}, box});
   }
   std::vector<std::size_t> open = all_open(out.size());
-  const auto is_done = [](WayOut& way, const dvec2& middle, const SurfacePoint& point) {
+  const auto is_done = [](WayOut& way, const dvec2& middle, const dvec3& position) {
     const bool is_last = has_no_middle(way.line);
-    way.line[is_finite(point.position) && way.box.contains(point.position) ? 0 : 1] = middle;
+    way.line[is_finite(position) && way.box.contains(position) ? 0 : 1] = middle;
     return is_last;
   };
   bisect_together(

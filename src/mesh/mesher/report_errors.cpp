@@ -99,13 +99,13 @@ class ErrorSearch {
 
 PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
                           std::span<const SearchedPart> others, double tolerance,
-                          const std::optional<Bounds>& clip, unsigned threads,
+                          const std::optional<Bounds>& clip, unsigned threads, KnownHulls& hulls,
                           const std::function<const WholeMeshError&()>& whole, SearchFrom from) {
   const auto distance = [&whole](const SearchedPart& part, const dvec2& uv, const dvec3& position,
                                  double known) {
     return whole().distance({uv, part.triangles, known}, position);
   };
-  FeatureSearch features(surface, distance, tolerance, clip, threads);
+  FeatureSearch features(surface, hulls, distance, tolerance, clip, threads);
   std::vector<SearchedPart> parts(others.begin(), others.end());
   // Features that do not stick out are looked for in a mesh that is off anyway.
   features.keep_widest(kFollowed, suspects.empty() ? 0 : kMostFollowed, parts);
@@ -256,7 +256,7 @@ class ErrorReporter {
       return *whole;
     };
     return largest_error(surface, suspected, others, tolerance, request.clip, request.threads,
-                         measured, SearchFrom::Both);
+                         mesher_.hulls(), measured, SearchFrom::Both);
   }
 
   SearchedPart searched(std::size_t k, const LeafTriangles& triangles) const {

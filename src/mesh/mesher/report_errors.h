@@ -35,7 +35,7 @@ enum class SearchFrom : std::uint8_t { Surface, Both };
 /// only if there is anything to measure.
 PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
                           std::span<const SearchedPart> others, double tolerance,
-                          const std::optional<Bounds>& clip, unsigned threads,
+                          const std::optional<Bounds>& clip, unsigned threads, KnownHulls& hulls,
                           const std::function<const WholeMeshError&()>& whole, SearchFrom from);
 
 /// Sets max_error, worst_place and max_normal_error. `triangles`: of all leaves. Validation knows

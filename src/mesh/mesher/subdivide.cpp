@@ -145,16 +145,12 @@ class Subdivider {
 
   /// Halves a leaf until its edge feature is nearly straight; validation points tell whether that
   /// is enough. The features of the halves are counted anew.
-  void halve_toward_feature(const Estimated& estimated, Leaf leaf, bool along_u,
-                            int wanted_halvings) {
-    const int done = halvings(leaf);
-    const auto halves = done < wanted_halvings || misses_landmark(estimated.candidate)
-                            ? halve_if_allowed(leaf, along_u)
-                            : std::nullopt;
+  void halve_toward_feature(const Estimated& estimated, Leaf leaf, bool along_u, bool is_coarse) {
+    const auto halves = is_coarse ? halve_if_allowed(leaf, along_u) : std::nullopt;
     if (!halves) {
       const int most =
           leaf.state.is_on_boundary() ? most_boundary_halvings(leaf, tree_) : kMostHalvings;
-      if (done >= most || tree_.budget().is_full(goal_.triangles)) leaf.state.freeze();
+      if (halvings(leaf) >= most || tree_.budget().is_full(goal_.triangles)) leaf.state.freeze();
       result_.leaves.push_back(leaf);
       return;
     }
@@ -218,15 +214,26 @@ class Subdivider {
         fine.push_back(boundary.candidate.leaf);
     }
     search_sides(fine);
+    std::vector<bool> is_coarse;
+    std::vector<Leaf> with_landmarks;  // fine enough but for them
     for (const Estimated& boundary : boundaries) {
       Leaf leaf = boundary.candidate.leaf;
       leaf.state.take_pole_for_boundary();
       const bool goes_far =
           limits_.clip && !indicator_.is_outside(leaf) && has_cut(FeatureKind::Pole, leaf, tree_);
-      halve_toward_feature(boundary, leaf, indicator_.splits_boundary_u(leaf),
-                           goes_far || has_essential(leaf.samples)
-                               ? kMostCutHalvings
-                               : boundary_halvings(leaf, tree_));
+      const int wanted = goes_far || has_essential(leaf.samples) ? kMostCutHalvings
+                                                                 : boundary_halvings(leaf, tree_);
+      is_coarse.push_back(halvings(leaf) < wanted);
+      if (!is_coarse.back() && !landmarks_in(boundary.candidate).empty())
+        with_landmarks.push_back(leaf);
+    }
+    search_sides(with_landmarks);
+    for (std::size_t k = 0; k < boundaries.size(); ++k)
+      is_coarse[k] = is_coarse[k] || misses_landmark(boundaries[k].candidate);
+    for (std::size_t k = 0; k < boundaries.size(); ++k) {
+      Leaf leaf = boundaries[k].candidate.leaf;
+      leaf.state.take_pole_for_boundary();
+      halve_toward_feature(boundaries[k], leaf, indicator_.splits_boundary_u(leaf), is_coarse[k]);
     }
   }
 
@@ -281,7 +288,8 @@ class Subdivider {
         result_.leaves.push_back(leaf);
       } else if (is_cut) {
         halve_toward_feature(to_search[k], leaf, features_of[k].is_parted_along_u(leaf),
-                             wanted_halvings(features_of[k]));
+                             halvings(leaf) < wanted_halvings(features_of[k]) ||
+                                 misses_landmark(to_search[k].candidate));
       } else {
         keep_or_halve(to_search[k]);
       }
@@ -375,29 +383,33 @@ class Subdivider {
     next_.push_back(std::move(candidate));
   }
 
-  /// Whether a leaf with features misses a landmark by more than the tolerance, and is not smaller
-  /// than the tolerance there.
-  bool misses_landmark(const Candidate& candidate) {
-    const auto& leaf = candidate.leaf;
-    const dvec2 size =
-        glm::abs(tree_.vertices().parameters(leaf.high) - tree_.vertices().parameters(leaf.low));
-    std::optional<LeafTriangles> triangles;
+  /// The landmarks at which a leaf is larger than the tolerance.
+  std::vector<const Counterexample*> landmarks_in(const Candidate& candidate) const {
+    const dvec2 size = glm::abs(tree_.vertices().parameters(candidate.leaf.high) -
+                                tree_.vertices().parameters(candidate.leaf.low));
+    std::vector<const Counterexample*> landmarks;
     for (const std::uint32_t number : candidate.counterexamples) {
       const Counterexample& place = counterexamples_[number];
       if (!place.speed || !is_finite(place.position)) continue;
-      const double allowed = limits_.tolerance(place.position);
-      if (!(glm::dot(*place.speed, size) > allowed)) continue;
-      if (!triangles) {
-        search_sides(std::span(&leaf, 1));
-        triangles = triangulate_leaves(std::span(&leaf, 1), std::array{std::size_t{0}},
-                                       SingularCorners(), grid_, tree_);
-      }
-      if (triangles->all.empty() ||
-          distance_from(grid_, triangles->all, place.uv, place.position) > allowed) {
-        return true;
-      }
+      if (glm::dot(*place.speed, size) > limits_.tolerance(place.position))
+        landmarks.push_back(&place);
     }
-    return false;
+    return landmarks;
+  }
+
+  /// Whether a leaf with features misses a landmark by more than the tolerance.
+  bool misses_landmark(const Candidate& candidate) {
+    const std::vector<const Counterexample*> landmarks = landmarks_in(candidate);
+    if (landmarks.empty()) return false;
+    const auto leaf = std::span(&candidate.leaf, 1);
+    search_sides(leaf);
+    const LeafTriangles triangles =
+        triangulate_leaves(leaf, std::array{std::size_t{0}}, SingularCorners(), grid_, tree_);
+    if (triangles.all.empty()) return true;
+    return std::ranges::any_of(landmarks, [&](const Counterexample* place) {
+      return distance_from(grid_, triangles.all, place->uv, place->position) >
+             limits_.tolerance(place->position);
+    });
   }
 
   /// The first counterexample that a leaf misses.

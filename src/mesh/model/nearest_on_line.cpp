@@ -1,6 +1,7 @@
 #include "mesh/model/nearest_on_line.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "mesh/model/segment.h"
 
@@ -12,27 +13,31 @@ void NearestOnLine::add(double t, const dvec3& position) {
     distance_ = distance;
     nearest_ = t;
   }
-  samples_.insert(std::ranges::lower_bound(samples_, t, {}, &Sample::t), Sample{t, position});
+  const auto place =
+      samples_.insert(std::ranges::lower_bound(samples_, t, {}, &Sample::t), Sample{t, position});
+  if (place != samples_.begin()) std::prev(place)->length = kUnknown;
 }
 
-std::optional<double> NearestOnLine::next(double shortest) const {
+std::optional<double> NearestOnLine::next(double shortest) {
   double nearest = distance_;
   std::optional<double> middle;
   double longest = shortest;
   std::optional<double> beside;  // the nearest sample
   for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
-    const Sample& a = samples_[k];
+    Sample& a = samples_[k];
     const Sample& b = samples_[k + 1];
+    if (a.length == kUnknown) {
+      a.length = glm::distance(a.position, b.position);
+      a.distance = distance_from_segment(a.position, b.position, target_);
+    }
     const double t = 0.5 * (a.t + b.t);
-    const double length = glm::distance(a.position, b.position);
-    if (!(a.t < t && t < b.t) || length <= shortest) continue;
-    if ((a.t == nearest_ || b.t == nearest_) && length > longest) {
-      longest = length;
+    if (!(a.t < t && t < b.t) || a.length <= shortest) continue;
+    if ((a.t == nearest_ || b.t == nearest_) && a.length > longest) {
+      longest = a.length;
       beside = t;
     }
-    const double distance = distance_from_segment(a.position, b.position, target_);
-    if (distance >= nearest) continue;
-    nearest = distance;
+    if (a.distance >= nearest) continue;
+    nearest = a.distance;
     middle = t;
   }
   return middle ? middle : beside;

@@ -1,6 +1,7 @@
 // The point of the surface over a line of parameters that is nearest to a point in space.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -23,19 +24,25 @@ class NearestOnLine {
   /// Where that sample is.
   dvec2 nearest() const { return uv(nearest_); }
 
+  /// Makes room for so many samples.
+  void reserve(std::size_t count) { samples_.reserve(count); }
   /// Takes a sample. Skips one where the surface is undefined.
   void add(double t, const dvec3& position);
 
   /// The next t to sample: the middle of a part longer than `shortest`, in space, whose chord is
   /// nearer than all samples; else of the longer one beside the nearest sample, where a ridge may
   /// rise between samples. Nothing if there is none.
-  std::optional<double> next(double shortest) const;
+  std::optional<double> next(double shortest);
 
  private:
   struct Sample {
     double t;
     dvec3 position;
+    /// These are of the part up to the next sample; not known at first.
+    double length = kUnknown;
+    double distance = kUnknown;
   };
+  static constexpr double kUnknown = -1;
   dvec3 target_;
   dvec2 start_, way_;
   std::vector<Sample> samples_;  // ascending t

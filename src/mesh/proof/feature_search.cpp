@@ -24,18 +24,6 @@ dvec2 sample_of(const ParameterBox& box) {
   return glm::mix(box.low, box.high, kSample);
 }
 
-/// By how much bounds of the surface over `box` exceed `known`; infinite without bounds.
-double room_beyond(const Bounds& known, const ParameterBox& box, SurfaceEnclosure& enclosure) {
-  const std::span<const Interval> bounds = enclosure.enclose(box);
-  dvec3 excess(0);
-  for (int k = 0; k < 3; ++k) {
-    const Interval& bound = bounds[static_cast<std::size_t>(k)];
-    excess[k] = std::max({known.low[k] - bound.low, bound.high - known.high[k], 0.0});
-  }
-  const double room = glm::length(excess);
-  return std::isnan(room) ? kInfinity : room;
-}
-
 }  // namespace
 
 void FeatureSearch::keep_widest(std::size_t most, std::size_t others,
@@ -44,20 +32,23 @@ void FeatureSearch::keep_widest(std::size_t most, std::size_t others,
   std::vector<Ranked> wide;
   std::vector<Ranked> within;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const double room = parts[k].scale * room_beyond(parts[k].around, parts[k].box, enclosure_);
-    const double length = parts[k].scale * hull_of(enclosure_.last()).diagonal();
+    const Bounds& hull = hulls_.over(parts[k].box);
+    const double room = parts[k].scale * room_beyond(parts[k].around, hull);
+    const double length = parts[k].scale * hull.diagonal();
     if (room > least_) {
       wide.emplace_back(-room, k);
     } else {
       within.emplace_back(-length, k);
     }
   }
-  std::ranges::sort(wide);
-  std::ranges::sort(within);
+  const auto first = [](std::vector<Ranked>& of, std::size_t count) {
+    const auto end = of.begin() + static_cast<std::ptrdiff_t>(std::min(count, of.size()));
+    std::partial_sort(of.begin(), end, of.end());
+    return std::span(of.begin(), end);
+  };
   std::vector<SearchedPart> kept;
-  for (const auto& [room, k] : std::span(wide).first(std::min(most, wide.size())))
-    kept.push_back(parts[k]);
-  for (const auto& [length, k] : std::span(within).first(std::min(others, within.size()))) {
+  for (const auto& [room, k] : first(wide, most)) kept.push_back(parts[k]);
+  for (const auto& [length, k] : first(within, others)) {
     kept.push_back(parts[k]);
     kept.back().sticks_out = false;
   }
@@ -70,11 +61,11 @@ double FeatureSearch::limit() const {
 
 /// The surface over a box is within half of the diagonal of its bounds from their middle.
 double FeatureSearch::bound_over(const SearchedPart& part, const ParameterBox& box) {
-  const double room = part.scale * room_beyond(part.around, box, enclosure_);
-  if (part.sticks_out && room <= least_) return 0;
-  const std::span<const Interval> of = enclosure_.last();
-  if (least_defined(of) == Defined::No) return 0;
+  const std::span<const Interval> of = enclosure_.enclose(box);
   const Bounds hull = hull_of(of);
+  const double room = part.scale * room_beyond(part.around, hull);
+  if (part.sticks_out && room <= least_) return 0;
+  if (least_defined(of) == Defined::No) return 0;
   if (clip_ && is_beyond(*clip_, std::array{hull.low, hull.high})) return 0;
   const double radius = 0.5 * hull.diagonal();
   if (!std::isfinite(radius)) return kInfinity;
@@ -99,11 +90,11 @@ void FeatureSearch::keep(const Node& node) {
 std::vector<double> FeatureSearch::measure(std::span<const Sample> samples) const {
   std::vector<dvec2> uv(samples.size());
   std::ranges::transform(samples, uv.begin(), &Sample::uv);
-  const std::vector<SurfacePoint> points = evaluate(surface_, uv, threads_);
+  const std::vector<dvec3> points = evaluate_positions(surface_, uv, threads_);
   std::vector<double> result(samples.size(), 0);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Sample& sample = samples[k];
-    const dvec3& p = points[k].position;
+    const dvec3& p = points[k];
     if (!is_seen(clip_, p)) continue;
     const double known = sample.known / sample.part->scale;
     result[k] = sample.part->scale * distance_(*sample.part, sample.uv, p, known);

@@ -35,10 +35,11 @@ class FeatureSearch {
   using Distance = std::function<double(const SearchedPart& part, const dvec2& uv,
                                         const dvec3& position, double known)>;
   /// Scaled distances of up to `least` do not count, nor does the surface outside of `clip`, which
-  /// must outlive this.
-  FeatureSearch(const Surface& surface, Distance distance, double least,
+  /// must outlive this. `hulls`: of the surface.
+  FeatureSearch(const Surface& surface, KnownHulls& hulls, Distance distance, double least,
                 const std::optional<Bounds>& clip, unsigned threads)
       : surface_(surface),
+        hulls_(hulls),
         distance_(std::move(distance)),
         least_(least),
         clip_(clip),
@@ -78,6 +79,7 @@ class FeatureSearch {
   double limit() const;
 
   const Surface& surface_;
+  KnownHulls& hulls_;
   Distance distance_;
   double least_;
   const std::optional<Bounds>& clip_;

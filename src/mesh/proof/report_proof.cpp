@@ -30,18 +30,6 @@ std::array<dvec2, kPlaces> places_in(const ProofGap& gap) {
           {gap.low.x, gap.high.y}};
 }
 
-/// By how much bounds exceed a box around samples; infinite without bounds or samples.
-double excess_over(const Bounds& samples, std::span<const Interval> bounds) {
-  if (samples.empty()) return kInfinity;
-  dvec3 excess(0);
-  for (int k = 0; k < 3; ++k) {
-    const Interval& bound = bounds[static_cast<std::size_t>(k)];
-    excess[k] = std::max({samples.low[k] - bound.low, bound.high - samples.high[k], 0.0});
-  }
-  const double room = glm::length(excess);
-  return std::isnan(room) ? kInfinity : room;
-}
-
 /// The extent of a box along the parameter of which it is the smaller share.
 double narrow_side(const dvec2& size, const dvec2& range) {
   const dvec2 share = size / range;
@@ -51,15 +39,14 @@ double narrow_side(const dvec2& size, const dvec2& range) {
 }  // namespace
 
 void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tolerance,
-                  unsigned threads, std::span<ProofGap> gaps) {
+                  unsigned threads, KnownHulls& hulls, std::span<ProofGap> gaps) {
   std::vector<dvec2> uv;
   uv.reserve(kPlaces * gaps.size());
   for (const ProofGap& gap : gaps) {
     const auto places = places_in(gap);
     uv.insert(uv.end(), places.begin(), places.end());
   }
-  const std::vector<SurfacePoint> points = evaluate(surface, uv, threads);
-  SurfaceEnclosure enclosure(surface, Bounded::Position);
+  const std::vector<dvec3> points = evaluate_positions(surface, uv, threads);
   const dvec2 range = box_of(surface.domain).size();
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     ProofGap& gap = gaps[k];
@@ -67,10 +54,10 @@ void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tole
     const dvec2 size = box.size();
     Bounds samples;
     for (std::size_t i = k * kPlaces; i < (k + 1) * kPlaces; ++i) {
-      if (is_finite(points[i].position)) samples.add(points[i].position);
+      if (is_finite(points[i])) samples.add(points[i]);
     }
     gap.share = size.x * size.y / (range.x * range.y);
-    gap.room = excess_over(samples, enclosure.enclose(box));
+    gap.room = samples.empty() ? kInfinity : room_beyond(samples, hulls.over(box));
     if (gap.room > kVisibleRoom * tolerance) {
       gap.visible = gap.share;
       gap.width = narrow_side(glm::min(size, largest_cell), range);
@@ -91,9 +78,9 @@ ProvedCells proved_cells(std::span<const Patch> patches, const Domain& domain) {
 }
 
 void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,
-                  Certification& proof, MeshReport& report) {
+                  KnownHulls& hulls, Certification& proof, MeshReport& report) {
   std::vector<ProofGap>& gaps = proof.proof_gaps;
-  measure_gaps(surface, cells.largest, report.tolerance.value_or(kInfinity), threads, gaps);
+  measure_gaps(surface, cells.largest, report.tolerance.value_or(kInfinity), threads, hulls, gaps);
   double open = 0;
   for (const ProofGap& gap : gaps) open += gap.share;
   report.certified = gaps.empty();

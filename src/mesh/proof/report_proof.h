@@ -7,6 +7,7 @@
 #include "mesh/model/mesh_report.h"
 #include "mesh/proof/certify.h"
 #include "surface/surface.h"
+#include "surface/surface_enclosure.h"
 
 namespace saddle {
 
@@ -20,11 +21,11 @@ ProvedCells proved_cells(std::span<const Patch> patches, const Domain& domain);
 /// Fills in the sizes of disjoint gaps, and their worst places. The room is the distance by which
 /// bounds of the position over a box exceed five samples of it: its corners and its middle.
 void measure_gaps(const Surface& surface, const dvec2& largest_cell, double tolerance,
-                  unsigned threads, std::span<ProofGap> gaps);
+                  unsigned threads, KnownHulls& hulls, std::span<ProofGap> gaps);
 
 /// Fills in what is proved of a mesh, and its proof gaps. An error that is proved to be at most the
 /// tolerance is a bound from then on.
 void report_proof(const Surface& surface, const ProvedCells& cells, unsigned threads,
-                  Certification& proof, MeshReport& report);
+                  KnownHulls& hulls, Certification& proof, MeshReport& report);
 
 }  // namespace saddle

@@ -44,11 +44,13 @@ class ThinVertexPlacer {
   /// The sides between alike vertices that were not searched before.
   std::vector<PlacedSide> alike_sides() {
     std::vector<PlacedSide> sides;
+    std::vector<std::uint32_t> vertices;  // of a side
+    std::vector<DyadicPoint> places;
     for (const Leaf& leaf : leaves_) {
       const auto corners = leaf.corners();
       for (std::size_t k = 0; k < 4; ++k) {
-        std::vector<std::uint32_t> vertices;
-        std::vector<DyadicPoint> places;
+        vertices.clear();
+        places.clear();
         tree_.vertices().walk(leaf, k, [&](std::uint32_t vertex, DyadicPoint place) {
           vertices.push_back(vertex);
           places.push_back(place);
@@ -59,7 +61,7 @@ class ThinVertexPlacer {
           const std::array ends = {vertices[i], vertices[i + 1]};
           if (tree_.geometry().is_defined(ends[0]) != tree_.geometry().is_defined(ends[1]))
             continue;
-          if (!tree_.thin().starts_search(side_of(ends[0], ends[1]))) continue;
+          if (!tree_.thin().starts_search(ends[0], ends[1])) continue;
           sides.push_back({ends,
                            {places[i], places[i + 1]},
                            vertices.size() == 2 ? leaf.samples.side[k] : SampleVertices::kUnasked});

@@ -2,9 +2,10 @@
 // defined ones.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <set>
+
+#include "mesh/model/pair_table.h"
 
 namespace saddle {
 
@@ -14,15 +15,14 @@ class ThinVertices {
   bool contains(std::uint32_t vertex) const { return any() && vertices_.contains(vertex); }
   void add(std::uint32_t vertex) { vertices_.insert(vertex); }
 
-  /// Whether a side, the smaller number first, needs a search for thin parts. Notes that it has
-  /// one.
-  bool starts_search(const std::array<std::uint32_t, 2>& side) {
-    return searched_.insert(side).second;
+  /// Whether a side needs a search for thin parts. Notes that it has one.
+  bool starts_search(std::uint32_t a, std::uint32_t b) {
+    return searched_.insert(pair_of(a, b)).second;
   }
 
  private:
   std::set<std::uint32_t> vertices_;
-  std::set<std::array<std::uint32_t, 2>> searched_;
+  PairTable searched_;
 };
 
 }  // namespace saddle
