@@ -9,6 +9,7 @@
 
 #include "base/format.h"
 #include "mesh/model/tolerances.h"
+#include "meshing/place_groups.h"
 
 namespace saddle {
 namespace {
@@ -26,22 +27,20 @@ constexpr double kLeastPercent = 1e-3;
 constexpr double kSmallShare = 0.01;
 constexpr double kLargeRoom = 30;
 
-/// Four digits: enough to find the place, short enough to read.
+/// Enough to find a place, short enough to read.
+constexpr int kDigits = 4;
+
 std::string number(double value) {
-  return rounded(value, 4);
+  return rounded(value, kDigits);
 }
 
-/// A place in the domain. A bisection may end at 1e-20 where 0 is meant.
 std::string place(const dvec2& uv, const Domain& domain) {
-  const auto coordinate = [](double value, double from, double to) {
-    return number(std::fabs(value) < kRoundingOfSums * std::fabs(to - from) ? 0 : value);
-  };
-  return "u = " + coordinate(uv.x, domain.u0, domain.u1) +
-         ", v = " + coordinate(uv.y, domain.v0, domain.v1);
+  const dvec2 clean = without_rounding(uv, domain, kRoundingOfSums);
+  return "u = " + number(clean.x) + ", v = " + number(clean.y);
 }
 
 std::string range(const char* name, double low, double high) {
-  return std::string(name) + " = " + number(low) + ":" + number(high);
+  return range_text(name, low, high, kDigits);
 }
 
 /// The range between two faces of a box, either of which may be infinitely far.
@@ -202,14 +201,19 @@ class MeshFindings {
     }
   }
 
+  /// How often the mesh was cut is no property of the surface: only the places are told.
   void take_cut(Kind kind, const char* what, std::size_t number, std::span<const dvec2> places) {
     if (places.empty()) return;
-    Finding& cut =
-        warn(kind, std::string(what) + ": it was cut in " + plural(number, "place", "places") +
-                       (number == 1 ? " (at " : " (the first at ") +
-                       place(places.front(), domain_) + ")");
-    count(number, "places", cut);
-    cut.place = at(places.front());
+    const std::vector<PlaceGroup> groups = grouped_places(places, domain_);
+    Finding& cut = warn(kind, std::string(what) + " and is cut there: " +
+                                  text_of(groups, number > places.size(), kDigits));
+    dvec2 low = groups.front().low;
+    dvec2 high = groups.front().high;
+    for (const PlaceGroup& group : groups) {
+      low = glm::min(low, group.low);
+      high = glm::max(high, group.high);
+    }
+    cut.place = {low, high};
   }
 
   void take_cuts() {
@@ -222,7 +226,7 @@ class MeshFindings {
         warn(Kind::NoLimit, "the surface has no limit at " + place(torn.front(), domain_) +
                                 others(torn.size()) +
                                 ": each way there leads to another place; left out");
-    count(torn.size(), "places", no_limit);
+    count(torn.size(), "points", no_limit);
     no_limit.place = at(torn.front());
   }
 

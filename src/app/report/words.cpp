@@ -4,41 +4,31 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
-
-#include <glm/vector_relational.hpp>
+#include <iterator>
 
 #include "base/format.h"
+#include "mesh/model/tolerances.h"
+#include "meshing/place_groups.h"
 
 namespace saddle::words {
 
 namespace {
 
-/// Parameters this close, as a part of the range, are on one line.
-constexpr double kSameLine = 1e-6;
-/// And this close, of their size, they are the same but for rounding.
+/// Parameters this close, of their size, are the same but for rounding.
 constexpr double kSameParameters = 1e-12;
-/// Cuts this close, as a part of the range, are one place; points, of the diagonal, are one.
-constexpr double kSamePlace = 1e-9;
+/// Points this close, as a part of the diagonal, are one.
+constexpr double kSamePoint = kSame;
 /// Components of normals below this are what limits lost.
 constexpr double kLostOfNormals = 1e-9;
 /// Coordinates below this, in diagonals, are rounding errors.
 constexpr double kRounding = 1e-12;
 /// Digits of numbers.
 constexpr int kDigits = 6;
-/// At least so many places on a line of constant u or v, or at one point, are reported as one.
-constexpr std::size_t kLine = 12;
-/// Places and lines that are told one by one.
-constexpr std::size_t kTold = 6;
+/// At least so many places at one point are told as curves that lead to it.
+constexpr std::size_t kManyAtPoint = 12;
 
 using Places = std::vector<dvec2>;
 using Indices = std::vector<std::size_t>;
-
-Indices all_of(std::size_t count) {
-  Indices indices(count);
-  std::iota(indices.begin(), indices.end(), std::size_t{0});
-  return indices;
-}
 
 /// Takes those that belong.
 template <class Belongs>
@@ -47,100 +37,6 @@ Indices take(Indices& from, Belongs belongs) {
   std::ranges::copy_if(from, std::back_inserter(taken), belongs);
   std::erase_if(from, belongs);
   return taken;
-}
-
-/// Places that are told as one.
-struct Group {
-  Extremes u, v;
-  Indices members;
-
-  Group(const Places& places, Indices indices) : members(std::move(indices)) {
-    for (const std::size_t k : members) {
-      u.add(places[k].x);
-      v.add(places[k].y);
-    }
-  }
-  std::string text() const { return range("u", u.low, u.high) + ", " + range("v", v.low, v.high); }
-};
-
-/// The most members whose parameter `axis` is within kSameLine of each other.
-Group longest_line(const Places& places, const Indices& left, int axis, double extent) {
-  Indices sorted = left;
-  std::ranges::sort(sorted, {}, [&](std::size_t k) { return places[k][axis]; });
-  std::ptrdiff_t best = 0;
-  std::ptrdiff_t best_begin = 0;
-  for (std::ptrdiff_t begin = 0, end = 0; begin < std::ssize(sorted); ++begin) {
-    const auto at = [&](std::ptrdiff_t k) {
-      return places[sorted[static_cast<std::size_t>(k)]][axis];
-    };
-    while (end < std::ssize(sorted) && at(end) - at(begin) <= kSameLine * extent) ++end;
-    if (end - begin > best) {
-      best = end - begin;
-      best_begin = begin;
-    }
-  }
-  Group group(places, {sorted.begin() + best_begin, sorted.begin() + best_begin + best});
-  double sum = 0;
-  for (const std::size_t k : group.members) sum += places[k][axis];
-  double middle = sum / static_cast<double>(std::max<std::ptrdiff_t>(best, 1));
-  if (std::fabs(middle) < kSameLine * extent) middle = 0;
-  (axis == 0 ? group.u : group.v) = {middle, middle};
-  return group;
-}
-
-/// Takes lines of many places, the longest before the others.
-std::vector<Group> take_lines(const Places& places, const Domain& d, Indices& left) {
-  std::vector<Group> lines;
-  while (left.size() >= kLine) {
-    const Group along_v = longest_line(places, left, 0, std::fabs(d.u1 - d.u0));
-    const Group along_u = longest_line(places, left, 1, std::fabs(d.v1 - d.v0));
-    const Group& longer = along_v.members.size() > along_u.members.size() ? along_v : along_u;
-    if (longer.members.size() < kLine) break;
-    take(left, [&](std::size_t k) {
-      return std::ranges::find(longer.members, k) != longer.members.end();
-    });
-    lines.push_back(longer);
-  }
-  return lines;
-}
-
-/// Each of some places, or all as one if they are many.
-std::vector<Group> one_by_one(const Places& places, const Indices& which) {
-  if (which.size() > kTold) return {Group(places, which)};
-  std::vector<Group> groups;
-  for (const std::size_t k : which) groups.emplace_back(places, Indices{k});
-  return groups;
-}
-
-void append(std::vector<Group>& to, const std::vector<Group>& more) {
-  to.insert(to.end(), more.begin(), more.end());
-}
-
-/// How far places are from each other that are one.
-dvec2 same_place(const Domain& d) {
-  return kSamePlace * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
-}
-
-/// A place beside 0, at 0.
-dvec2 clean(dvec2 place, const Domain& d) {
-  for (int k = 0; k < 2; ++k) {
-    if (std::fabs(place[k]) < same_place(d)[k]) place[k] = 0;
-  }
-  return place;
-}
-
-/// Places that bisections from many sides ended at, each once.
-Places distinct(std::span<const dvec2> places, const Domain& d) {
-  const dvec2 near = same_place(d);
-  Places result;
-  for (const dvec2& found : places) {
-    const dvec2 place = clean(found, d);
-    const auto is_same = [&](const dvec2& other) {
-      return glm::all(glm::lessThanEqual(glm::abs(place - other), near));
-    };
-    if (std::ranges::none_of(result, is_same)) result.push_back(place);
-  }
-  return result;
 }
 
 /// How the singular places of a surface belong together.
@@ -153,42 +49,43 @@ class SingularWords {
         return glm::distance(uv, place.uv) <= kSameParameters * glm::length(place.uv);
       };
       if (std::ranges::any_of(at_, is_same)) continue;
-      at_.push_back(clean(place.uv, facts.domain));
+      at_.push_back(without_rounding(place.uv, facts.domain, kSame));
       places_.push_back(&place);
     }
   }
 
   std::string text() const {
     if (places_.empty()) return "none";
-    Indices left = all_of(places_.size());
+    Indices left = indices_of(places_.size());
     Indices single = take(left, [&](std::size_t k) { return places_[k]->is_alone; });
-    std::vector<Group> lines = take_known_lines(left);
-    std::vector<Group> curves = take_points(left);
-    append(lines, take_lines(at_, facts_.domain, left));
-    if (left.size() > kTold) {
+    std::vector<PlaceGroup> lines = take_known_lines(left);
+    std::vector<PlaceGroup> curves = take_points(left);
+    std::ranges::copy(take_lines(at_, facts_.domain, left), std::back_inserter(lines));
+    if (left.size() > kToldGroups) {
       curves.emplace_back(at_, left);
     } else {
       single.insert(single.end(), left.begin(), left.end());
     }
     return joined({sentence(plural(lines.size(), "line"), lines), sentence("curves", curves),
-                   sentence(plural(single.size(), "point"), one_by_one(at_, single))});
+                   points(single)});
   }
 
  private:
   /// Takes the lines of constant u or v that are singular from one end to the other.
-  std::vector<Group> take_known_lines(Indices& left) const {
+  std::vector<PlaceGroup> take_known_lines(Indices& left) const {
     const Domain& d = facts_.domain;
     const Extremes ends_u = {std::min(d.u0, d.u1), std::max(d.u0, d.u1)};
     const Extremes ends_v = {std::min(d.v0, d.v1), std::max(d.v0, d.v1)};
-    std::vector<Group> lines;
+    std::vector<PlaceGroup> lines;
     const auto take_line = [&](int axis, double line, const Extremes& u, const Extremes& v) {
       const double near =
-          kSameLine * (axis == 0 ? ends_u.high - ends_u.low : ends_v.high - ends_v.low);
-      Group group(
-          at_, take(left, [&](std::size_t k) { return std::fabs(at_[k][axis] - line) <= near; }));
-      if (group.members.empty()) return;
-      group.u = u;
-      group.v = v;
+          kNearly * (axis == 0 ? ends_u.high - ends_u.low : ends_v.high - ends_v.low);
+      const Indices here =
+          take(left, [&](std::size_t k) { return std::fabs(at_[k][axis] - line) <= near; });
+      if (here.empty()) return;
+      PlaceGroup group(at_, here);
+      group.low = {u.low, v.low};
+      group.high = {u.high, v.high};
       lines.push_back(group);
     };
     for (const double u : facts_.singular_u) take_line(0, u, {u, u}, ends_v);
@@ -201,18 +98,18 @@ class SingularWords {
   }
 
   /// Takes what is one point of space in many places.
-  std::vector<Group> take_points(Indices& left) const {
-    std::vector<Group> groups;
+  std::vector<PlaceGroup> take_points(Indices& left) const {
+    std::vector<PlaceGroup> groups;
     Indices others = left;
     while (!others.empty()) {
       const std::size_t first = others.front();
       const Indices here = take(others, [&](std::size_t k) {
         // A place without a position has no distance to itself either.
-        return k == first || distance(k, first) <= kSamePlace * diagonal_;
+        return k == first || distance(k, first) <= kSamePoint * diagonal_;
       });
-      if (here.size() >= kLine) groups.emplace_back(at_, here);
+      if (here.size() >= kManyAtPoint) groups.emplace_back(at_, here);
     }
-    for (const Group& group : groups) {
+    for (const PlaceGroup& group : groups) {
       take(left, [&](std::size_t k) {
         return std::ranges::find(group.members, k) != group.members.end();
       });
@@ -221,7 +118,7 @@ class SingularWords {
   }
 
   /// The group's point, if it is one, and the normals there.
-  std::string point_and_normal(const Group& group) const {
+  std::string point_and_normal(const PlaceGroup& group) const {
     const SingularPlace& first = *places_[group.members.front()];
     bool one_point = true;
     bool one_normal = true;
@@ -229,7 +126,7 @@ class SingularWords {
     std::size_t without = 0;
     for (const std::size_t k : group.members) {
       const SingularPlace& place = *places_[k];
-      one_point &= glm::distance(place.position, first.position) <= kSamePlace * diagonal_;
+      one_point &= glm::distance(place.position, first.position) <= kSamePoint * diagonal_;
       one_normal &= place.normals.size() == 1 && first.normals.size() == 1 &&
                     degrees_between(place.normals[0], first.normals[0]) <= kSameDegrees;
       all_alone &= place.is_alone;
@@ -248,12 +145,44 @@ class SingularWords {
     return text + verb + " a normal on each " + (all_alone ? "way there" : "side");
   }
 
-  std::string sentence(const std::string& what, const std::vector<Group>& groups) const {
-    std::string text;
-    for (std::size_t k = 0; k < std::min(groups.size(), kTold); ++k) {
-      text += (k == 0 ? what + ": " : "; ") + groups[k].text() + point_and_normal(groups[k]);
+  /// A place, and others of the same point of space.
+  std::string text(const PlaceGroup& group, const Indices& others) const {
+    std::string text = group.text(kDigits);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      text += (k == 0 ? " (also " : "; ") + PlaceGroup(at_, {others[k]}).text(kDigits);
     }
-    return groups.size() > kTold ? text + "; and others" : text;
+    return text + (others.empty() ? "" : ")") + point_and_normal(group);
+  }
+
+  std::string sentence(const std::string& what, const std::vector<PlaceGroup>& groups) const {
+    std::string text;
+    for (std::size_t k = 0; k < std::min(groups.size(), kToldGroups); ++k) {
+      text += (k == 0 ? what + ": " : "; ") + this->text(groups[k], {});
+    }
+    return groups.size() > kToldGroups ? text + "; and others" : text;
+  }
+
+  /// Single points of space, each with the places where it lies.
+  std::string points(const Indices& places) const {
+    Indices first;
+    std::vector<Indices> others;
+    for (const std::size_t k : places) {
+      const auto same = std::ranges::find_if(
+          first, [&](std::size_t f) { return distance(k, f) <= kSamePoint * diagonal_; });
+      if (same != first.end()) {
+        others[static_cast<std::size_t>(same - first.begin())].push_back(k);
+      } else {
+        first.push_back(k);
+        others.emplace_back();
+      }
+    }
+    const std::string count = plural(first.size(), "point");
+    if (first.size() > kToldGroups) return sentence(count, one_by_one(at_, places));
+    std::string all;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      all += (k == 0 ? count + ": " : "; ") + text(PlaceGroup(at_, {first[k]}), others[k]);
+    }
+    return all;
   }
 
   static std::string joined(const std::array<std::string, 3>& sentences) {
@@ -297,12 +226,11 @@ std::string plural(std::size_t count, const std::string& noun) {
 }
 
 std::string range(const std::string& name, double low, double high) {
-  if (low == high) return name + " = " + number(low);
-  return name + " = " + number(low) + ":" + number(high);
+  return range_text(name, low, high, kDigits);
 }
 
 std::string near(const dvec2& uv, const Domain& domain) {
-  const dvec2 place = clean(uv, domain);
+  const dvec2 place = without_rounding(uv, domain, kSame);
   return "near " + range("u", place.x, place.x) + ", " + range("v", place.y, place.y);
 }
 
@@ -337,23 +265,18 @@ std::string vector(const dvec3& v, double rounding) {
 
 std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain) {
   if (count == 0) return "none";
-  const Places told = distinct(listed, domain);
-  Indices left = all_of(told.size());
-  std::vector<Group> groups = take_lines(told, domain, left);
-  append(groups, one_by_one(told, left));
-  std::string text = plural(count == listed.size() ? told.size() : count, "place");
-  for (std::size_t k = 0; k < std::min(groups.size(), kTold); ++k) {
-    text += (k == 0 ? ": " : "; ") + groups[k].text();
-  }
-  return groups.size() > kTold ? text + "; and others" : text;
+  const std::vector<PlaceGroup> groups = grouped_places(listed, domain);
+  const bool is_points =
+      std::ranges::all_of(groups, [](const PlaceGroup& group) { return group.is_point(); });
+  return (is_points ? plural(groups.size(), "place") + ": " : "") +
+         text_of(groups, count > listed.size(), kDigits);
 }
 
 std::string jumps(const MeshReport& report, const Domain& domain) {
   const std::size_t torn = report.without_limit.size();
   if (torn == 0) return cuts(report.jumps, report.jump_count, domain);
-  std::string text = "no limit at ";
-  const std::vector<Group> points = one_by_one(report.without_limit, all_of(torn));
-  for (std::size_t k = 0; k < points.size(); ++k) text += (k > 0 ? "; " : "") + points[k].text();
+  const std::string text =
+      "no limit at " + text_of(one_by_one(report.without_limit, indices_of(torn)), false, kDigits);
   if (report.jump_count == torn) return text;
   const auto others = std::span(report.jumps).subspan(torn);
   return cuts(others, report.jump_count - torn, domain) + "; " + text;

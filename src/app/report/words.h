@@ -32,8 +32,8 @@ std::string proved(const ValueRange& range, double rounding);
 /// Without what is no more than `rounding`.
 std::string vector(const dvec3& v, double rounding);
 
-/// Where cuts are: "none", or how many places, and each of them or the line that they are on.
-/// `count`: with those that are not listed.
+/// Where cuts are: "none", lines of constant u or v, and boxes around other places; single places
+/// are counted. `count`: with those that are not listed.
 std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain& domain);
 
 /// Where a surface jumps, as cuts(), and at which points it has no limit.

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "mesh/model/mesh_report.h"
 #include "meshing/clip_box.h"
 
@@ -83,9 +86,35 @@ TEST(Warnings, NamePointsThatHaveNoLimit) {
   torn.report.jump_count = 6;
   const Warnings both = mesh_warnings("s", torn, kDomain);
   ASSERT_EQ(both.size(), 2U);
-  EXPECT_NE(both[0].find("jumps: it was cut in 3 places (the first at u = 0.25"), std::string::npos)
-      << both[0];
+  EXPECT_EQ(both[0], "s: the surface jumps and is cut there: u = 0.25, v = 1; and others");
   EXPECT_NE(both[1].find("u = 0, v = 1 and 2 other points"), std::string::npos) << both[1];
+}
+
+/// A grid of another size cuts at other places of the same lines.
+TEST(Warnings, TellTheLinesOfJumpsNotHowManyPlacesWereCut) {
+  const auto warning = [](int cells) {
+    MeshResult jumps = mesh_between({-1, 0}, {1, 2});
+    for (int k = 0; k <= cells; ++k) {
+      jumps.report.jumps.emplace_back(0.5, 2.0 * k / cells);
+      jumps.report.jumps.emplace_back(-1 + 2.0 * k / cells, 1e-21);
+    }
+    jumps.report.jump_count = jumps.report.jumps.size();
+    return mesh_warnings("s", jumps, kDomain);
+  };
+  EXPECT_EQ(warning(20),
+            Warnings{"s: the surface jumps and is cut there: u = -1:1, v = 0; u = 0.5, v = 0:2"});
+  EXPECT_EQ(warning(33), warning(20));
+}
+
+TEST(Warnings, TellABoxOfJumpsAlongACurve) {
+  MeshResult jumps = mesh_between({-1, 0}, {1, 2});
+  for (int k = 0; k < 8; ++k) {
+    const double turn = k * std::numbers::pi / 4;
+    jumps.report.jumps.emplace_back(0.5 * std::cos(turn), 1 + 0.5 * std::sin(turn));
+  }
+  jumps.report.jump_count = jumps.report.jumps.size();
+  EXPECT_EQ(mesh_warnings("s", jumps, kDomain),
+            Warnings{"s: the surface jumps and is cut there: within u = -0.5:0.5, v = 0.5:1.5"});
 }
 
 TEST(Warnings, SayThatASurfaceIsOneSided) {

@@ -1,0 +1,150 @@
+#include "meshing/place_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "base/format.h"
+#include "mesh/model/tolerances.h"
+
+namespace saddle {
+namespace {
+
+/// At least so many places on a line of constant u or v are told as one.
+constexpr std::size_t kFewestOfLine = 12;
+
+using Indices = std::vector<std::size_t>;
+
+/// Lengths of the ranges of u and v.
+dvec2 extents(const Domain& d) {
+  return glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
+}
+
+/// The most members whose parameter `axis` is within kNearly of each other, as a part of its range.
+PlaceGroup longest_line(std::span<const dvec2> places, const Indices& left, int axis,
+                        double extent) {
+  Indices sorted = left;
+  std::ranges::sort(sorted, {}, [&](std::size_t k) { return places[k][axis]; });
+  std::ptrdiff_t best = 0;
+  std::ptrdiff_t best_begin = 0;
+  for (std::ptrdiff_t begin = 0, end = 0; begin < std::ssize(sorted); ++begin) {
+    const auto at = [&](std::ptrdiff_t k) {
+      return places[sorted[static_cast<std::size_t>(k)]][axis];
+    };
+    while (end < std::ssize(sorted) && at(end) - at(begin) <= kNearly * extent) ++end;
+    if (end - begin > best) {
+      best = end - begin;
+      best_begin = begin;
+    }
+  }
+  PlaceGroup group(places, {sorted.begin() + best_begin, sorted.begin() + best_begin + best});
+  // Places where another line crosses belong to both.
+  for (const dvec2& place : places) {
+    if (std::fabs(place[axis] - group.low[axis]) > kNearly * extent) continue;
+    group.low = glm::min(group.low, place);
+    group.high = glm::max(group.high, place);
+  }
+  double sum = 0;
+  for (const std::size_t k : group.members) sum += places[k][axis];
+  double middle = sum / static_cast<double>(std::max<std::ptrdiff_t>(best, 1));
+  if (std::fabs(middle) < kNearly * extent) middle = 0;
+  group.low[axis] = group.high[axis] = middle;
+  return group;
+}
+
+}  // namespace
+
+PlaceGroup::PlaceGroup(std::span<const dvec2> places, Indices indices)
+    : low(places[indices.front()]), high(low), members(std::move(indices)) {
+  for (const std::size_t k : members) {
+    low = glm::min(low, places[k]);
+    high = glm::max(high, places[k]);
+  }
+}
+
+std::string range_text(const std::string& name, double low, double high, int digits) {
+  const std::string from = rounded(low, digits);
+  const std::string to = rounded(high, digits);
+  return name + " = " + from + (from == to ? "" : ":" + to);
+}
+
+std::string PlaceGroup::text(int digits) const {
+  const bool is_box = low.x < high.x && low.y < high.y;
+  return (is_box ? "within " : "") + range_text("u", low.x, high.x, digits) + ", " +
+         range_text("v", low.y, high.y, digits);
+}
+
+Indices indices_of(std::size_t count) {
+  Indices indices(count);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
+dvec2 without_rounding(dvec2 place, const Domain& domain, double rounding) {
+  const dvec2 near = rounding * extents(domain);
+  for (int k = 0; k < 2; ++k) {
+    if (std::fabs(place[k]) < near[k]) place[k] = 0;
+  }
+  return place;
+}
+
+std::vector<dvec2> distinct_places(std::span<const dvec2> places, const Domain& domain) {
+  const dvec2 near = kSame * extents(domain);
+  std::vector<dvec2> result;
+  for (const dvec2& found : places) {
+    const dvec2 place = without_rounding(found, domain, kSame);
+    const auto is_same = [&](const dvec2& other) {
+      return glm::all(glm::lessThanEqual(glm::abs(place - other), near));
+    };
+    if (std::ranges::none_of(result, is_same)) result.push_back(place);
+  }
+  return result;
+}
+
+std::vector<PlaceGroup> take_lines(std::span<const dvec2> places, const Domain& domain,
+                                   Indices& left) {
+  const dvec2 extent = extents(domain);
+  std::vector<PlaceGroup> lines;
+  while (left.size() >= kFewestOfLine) {
+    const PlaceGroup along_v = longest_line(places, left, 0, extent.x);
+    const PlaceGroup along_u = longest_line(places, left, 1, extent.y);
+    const PlaceGroup& longer = along_v.members.size() > along_u.members.size() ? along_v : along_u;
+    if (longer.members.size() < kFewestOfLine) break;
+    std::erase_if(left, [&](std::size_t k) {
+      return std::ranges::find(longer.members, k) != longer.members.end();
+    });
+    lines.push_back(longer);
+  }
+  return lines;
+}
+
+std::vector<PlaceGroup> one_by_one(std::span<const dvec2> places, const Indices& which) {
+  if (which.size() > kToldGroups) return {PlaceGroup(places, which)};
+  std::vector<PlaceGroup> groups;
+  for (const std::size_t k : which) groups.emplace_back(places, Indices{k});
+  return groups;
+}
+
+std::vector<PlaceGroup> grouped_places(std::span<const dvec2> places, const Domain& domain) {
+  const std::vector<dvec2> distinct = distinct_places(places, domain);
+  Indices left = indices_of(distinct.size());
+  std::vector<PlaceGroup> groups = take_lines(distinct, domain, left);
+  const std::vector<PlaceGroup> others = one_by_one(distinct, left);
+  groups.insert(groups.end(), others.begin(), others.end());
+  return groups;
+}
+
+std::string text_of(std::span<const PlaceGroup> groups, bool has_others, int digits) {
+  std::string text;
+  for (const PlaceGroup& group : groups.first(std::min(groups.size(), kToldGroups))) {
+    text += (text.empty() ? "" : "; ") + group.text(digits);
+  }
+  return text + (has_others || groups.size() > kToldGroups ? "; and others" : "");
+}
+
+}  // namespace saddle
