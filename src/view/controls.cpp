@@ -71,6 +71,9 @@ Camera settled(const Grip& grip) {
   Camera camera = grip.camera;
   camera.target = grip.fitted.target;
   camera.distance = grip.fitted.distance;
+  if (camera.turn != 0) camera.view = axes_of(grip.fitted).backward;
+  camera.turntable = false;
+  camera.turn = 0;
   return camera;
 }
 

@@ -139,8 +139,8 @@ class Model {
   std::optional<Clock::time_point> refine_at_;
   std::optional<Clock::time_point> last_tick_;
   mutable std::optional<ViewPyramid> seen_;  ///< around the meshes, for the last view asked for
-  double full_ms_ = 0;  ///< that the last mesh took that was no preview
-  MeshWorker worker_;   // the last member: it ends first
+  double full_ms_ = 0;                       ///< that the last mesh took that was no preview
+  MeshWorker worker_;                        // the last member: it ends first
 };
 
 }  // namespace saddle

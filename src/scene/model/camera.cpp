@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "base/error.h"
@@ -60,7 +61,10 @@ dvec3 direction(const dvec3& v, const char* name) {
 using Axes = std::array<dvec3, 3>;
 
 Axes camera_axes(const Camera& camera) {
-  const dvec3 z = direction(camera.view, "--view");
+  dvec3 z = direction(camera.view, "--view");
+  if (camera.turn != 0) {
+    z = glm::angleAxis(camera.turn, direction(camera.up, "--up")) * z;
+  }
   for (const dvec3& up : {direction(camera.up, "--up"), dvec3(0, 1, 0), dvec3(0, 0, 1)}) {
     const dvec3 x = glm::cross(up, z);
     if (glm::length(x) > kParallel) {
@@ -250,7 +254,8 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
   const auto fit = [&]() -> double {
     const double distance = seen->distance_from(fitted.target);
     const double radius = sphere_radius(bounds, fitted.target);
-    if (distance > 0 && (camera.ortho || distance - seen->nearest_to(fitted.target) > kOnPoint * radius))
+    if (distance > 0 &&
+        (camera.ortho || distance - seen->nearest_to(fitted.target) > kOnPoint * radius))
       return distance;
     return distance_of_sphere(radius, camera, aspect);
   };

@@ -70,7 +70,7 @@ class ViewPyramid {
 
   std::array<dvec3, 3> axes_;  // to the right, up and toward the eye
   dvec3 origin_;
-  dvec2 slopes_;      // of the pyramid's faces
+  dvec2 slopes_;  // of the pyramid's faces
   bool is_prism_;
   dvec2 high_, low_;  // the largest offsets
   double low_depth_, high_depth_;

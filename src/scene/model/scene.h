@@ -147,6 +147,9 @@ struct Camera {
   Number fov = 30;                 ///< vertical, degrees, more than 0 and less than 180
   Number zoom = 1;                 ///< of the picture around its middle, more than 0
   bool ortho = false;              ///< the visible height is the perspective one at the target
+  bool turntable = false;          ///< goes once round `up` in the range of time
+  /// Radians that the view is turned around `up` at a moment, which resolve() fills in.
+  double turn = 0;
 
   bool operator==(const Camera&) const = default;
 };
