@@ -22,7 +22,7 @@ namespace {
 /// once if the scene is known.
 Number parse_expression(const Given& given, const std::string& text, const Limits& limits) {
   try {
-    return parse_number(given.option, text, limits);
+    static_cast<void>(parse_number(given.option, text, kAny));
   } catch (const Error&) {
     if (given.scene) {
       Graph graph;
@@ -30,6 +30,7 @@ Number parse_expression(const Given& given, const std::string& text, const Limit
     }
     return Number(text);
   }
+  return parse_number(given.option, text, limits);
 }
 
 }  // namespace
