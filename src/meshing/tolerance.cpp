@@ -22,8 +22,9 @@ constexpr ToleranceValue kMeshTolerance = {1e-3, false};
 /// of its extent, or of the target's distance, are drawn more coarsely than asked.
 constexpr double kNearest = 0.05;
 /// An eye is close to a surface whose nearest part has pixels smaller than this share of those of a
-/// picture that it fills: then each part of it has its own, and what is not seen has large ones.
-constexpr double kClose = 0.5;
+/// picture that it fills: then each part of it has its own, and what is not seen has large ones. A
+/// fitted camera is not, but for surfaces that are long toward the eye.
+constexpr double kClose = 0.35;
 /// Half the picture's size times this is how far beside the picture a surface is still as fine as
 /// in it: the hand soon turns it there. Farther out cells grow with the distance.
 constexpr double kMargin = 0.5;
@@ -45,6 +46,15 @@ Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
   return bounds;
 }
 
+/// The samples' positions that are in the clip box.
+std::vector<dvec3> seen_positions(const Probe& probe, const std::optional<Bounds>& clip) {
+  std::vector<dvec3> positions = probe.positions();
+  const std::vector<dvec3> edges = probe.edge_positions();
+  positions.insert(positions.end(), edges.begin(), edges.end());
+  if (clip) std::erase_if(positions, [&](const dvec3& p) { return !clip->contains(p); });
+  return positions;
+}
+
 /// The side of a pixel on a surface that a node has put somewhere, in the surface's own units of
 /// length.
 class PixelSize {
@@ -54,17 +64,17 @@ class PixelSize {
       : place_(place), stretch_(largest_stretch(place)), ortho_(camera.ortho) {
     const Bounds bounds = transformed(visible(probe, clip), place);
     const double aspect = static_cast<double>(picture.width) / picture.height;
-    const dvec3 target = camera_target(camera, bounds);
-    const double to_corner =
-        glm::length(glm::max(glm::abs(bounds.low - target), glm::abs(bounds.high - target)));
-    const bool in_world = place == glm::dmat4(1);
-    const double radius = in_world ? std::min(probe.radius(target), to_corner) : to_corner;
-    camera_ = fit_camera(camera, bounds, aspect, radius);
-    const double tangent = std::tan(camera.fov / 2 * std::numbers::pi / 180);
+    ViewPyramid seen(camera, aspect, bounds.centre());
+    add_points(seen_positions(probe, clip), visible(probe, clip), place, seen);
+    if (seen.empty()) seen.add(bounds);
+    camera_ = fit_camera(camera, bounds, aspect, &seen);
+    const double tangent = camera_.half_height / camera_.distance;
     half_ = {aspect * tangent, tangent};
     per_length_ = 2 / static_cast<double>(picture.height) / stretch_;
+    const double radius = 0.5 * bounds.diagonal();
     const double depth =
-        ortho_ ? camera_.distance : std::max(camera_.distance - radius, kNearest * radius);
+        ortho_ ? camera_.distance
+               : std::max(camera_.distance - seen.nearest_to(camera_.target), kNearest * radius);
     nearest_ = depth * tangent * per_length_;
     whole_ = radius * per_length_;
     is_close_ = nearest_ < kClose * whole_;

@@ -71,6 +71,9 @@ Camera settled(const Grip& grip) {
   Camera camera = grip.camera;
   camera.target = grip.fitted.target;
   camera.distance = grip.fitted.distance;
+  if (camera.turn != 0) camera.view = axes_of(grip.fitted).backward;
+  camera.turntable = false;
+  camera.turn = 0;
   return camera;
 }
 
@@ -78,7 +81,7 @@ Camera turned_on_ball(const Grip& grip, const dvec2& from, const dvec2& to) {
   const glm::dquat turn(on_ball(grip, to), on_ball(grip, from));  // of the eye, against the ball's
   const EyeAxes axes = axes_of(grip.fitted);
   const glm::dmat3 eye_to_world(axes.right, axes.up, axes.backward);
-  Camera camera = grip.camera;
+  Camera camera = settled(grip);
   camera.view = eye_to_world * (turn * dvec3(0, 0, 1));
   camera.up = eye_to_world * (turn * dvec3(0, 1, 0));
   return camera;
@@ -98,7 +101,7 @@ Camera turned_on_table(const Grip& grip, const dvec3& up, const dvec2& from, con
   const double new_height = std::clamp(height + (to.y - from.y) * radians, -most, most);
   const double around = (to.x - from.x) * radians;
   const dvec3 level = -std::cos(around) * ahead - std::sin(around) * right;
-  Camera camera = grip.camera;
+  Camera camera = settled(grip);
   camera.view = std::cos(new_height) * level + std::sin(new_height) * pole;
   camera.up = pole;
   return camera;

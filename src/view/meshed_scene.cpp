@@ -19,29 +19,28 @@ Bounds bounds_of(const Meshed& meshed) {
   return bounds;
 }
 
-double radius_around(const dvec3& centre, const Meshed& meshed) {
-  double radius = 0;
-  for (const Instance& instance : instances(meshed.scene)) {
-    const Mesh& mesh = meshed.surfaces[instance.surface]->mesh;
-    radius = std::max(radius, farthest_vertex(centre, mesh, instance.to_world));
-  }
-  return radius;
+ViewPyramid pyramid_beside_annotations(
+    const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
+    const Bounds& bounds, const dvec2& size) {
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const auto& surface : surfaces) ranges.push_back(color_range_of(surface->mesh));
+  return pyramid_beside_annotations(scene, scene.camera, bounds, color_scales(scene, ranges), size);
 }
 
-FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture) {
+void add_meshes(const Meshed& meshed, ViewPyramid& seen) {
+  for (const Instance& instance : instances(meshed.scene)) {
+    const Mesh& mesh = meshed.surfaces[instance.surface]->mesh;
+    add_points(mesh.position, mesh.bounds, instance.to_world, seen);
+  }
+}
+
+FittedCamera fit_to(const Meshed& meshed, const PictureSettings& picture) {
   Bounds bounds = bounds_of(meshed);
   if (bounds.empty()) bounds.add(dvec3(0));
   const dvec2 size(picture.width, picture.height);
-  return fit_camera(camera, bounds, size.x / size.y,
-                    radius_around(camera_target(camera, bounds), meshed),
-                    room_for(meshed.scene, meshed.surfaces, bounds, size));
-}
-
-Room room_for(const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
-              const Bounds& bounds, const dvec2& size) {
-  std::vector<std::optional<ColorRange>> ranges;
-  for (const auto& surface : surfaces) ranges.push_back(color_range_of(surface->mesh));
-  return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
+  ViewPyramid seen = pyramid_beside_annotations(meshed.scene, meshed.surfaces, bounds, size);
+  add_meshes(meshed, seen);
+  return fit_camera(meshed.scene.camera, bounds, size.x / size.y, &seen);
 }
 
 std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray) {

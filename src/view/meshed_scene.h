@@ -14,16 +14,18 @@
 
 namespace saddle {
 
-/// A box around all that is drawn of the meshes, and their farthest point from `centre`.
+/// A box around all that is drawn of the meshes.
 Bounds bounds_of(const Meshed& meshed);
-double radius_around(const dvec3& centre, const Meshed& meshed);
 
-/// The part of a picture of `size` pixels that these surfaces of the scene may take.
-Room room_for(const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
-              const Bounds& bounds, const dvec2& size);
+/// A pyramid for a picture of `size` pixels that leaves room for what is written beside these
+/// surfaces of the scene. The meshes are added by add_meshes().
+ViewPyramid pyramid_beside_annotations(
+    const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
+    const Bounds& bounds, const dvec2& size);
+void add_meshes(const Meshed& meshed, ViewPyramid& seen);
 
 /// The camera as render() would fit it to these meshes.
-FittedCamera fit_to(const Meshed& meshed, const Camera& camera, const PictureSettings& picture);
+FittedCamera fit_to(const Meshed& meshed, const PictureSettings& picture);
 
 /// The first surface on a line of sight, where a node has put it.
 struct SightedPoint {

@@ -94,12 +94,19 @@ Scene Model::drawn_scene() const {
 Grip Model::grip() const {
   Bounds bounds = bounds_;
   if (bounds.empty()) bounds.add(dvec3(0));
-  const dvec3 target = camera_target(scene_.camera, bounds);
   const dvec2 pixels = size();
-  const Room room = room_for(drawn_scene(), good_.surfaces, bounds, pixels);
-  return {scene_.camera,
-          fit_camera(scene_.camera, bounds, pixels.x / pixels.y, surface_radius(target), room),
-          pixels};
+  const double aspect = pixels.x / pixels.y;
+  const Camera& camera = scene_.camera;
+  if (camera.target && camera.distance) {
+    return {camera, fit_camera(camera, bounds, aspect), pixels};
+  }
+  const ViewPyramid empty =
+      pyramid_beside_annotations(drawn_scene(), good_.surfaces, bounds, pixels);
+  if (!seen_ || !seen_->fits(empty)) {
+    seen_ = empty;
+    add_meshes(good_, *seen_);
+  }
+  return {camera, fit_camera(camera, bounds, aspect, &*seen_), pixels};
 }
 
 dvec2 Model::size() const {
@@ -126,12 +133,6 @@ void Model::reload() {
 void Model::change_look(Scene scene) {
   history_.record(scene_, "");
   scene_ = std::move(scene);
-}
-
-double Model::surface_radius(const dvec3& centre) const {
-  if (radius_ && radius_->first == centre) return radius_->second;
-  radius_ = {centre, radius_around(centre, good_)};
-  return radius_->second;
 }
 
 void Model::edit(Scene scene, const std::string& what) {
@@ -244,7 +245,7 @@ void Model::show(Meshed meshed) {
   if (!meshed.preview) full_ms_ = meshed.milliseconds;
   good_ = std::move(meshed);
   bounds_ = bounds_of(good_);
-  radius_.reset();
+  seen_.reset();
   follow_picked();
 }
 

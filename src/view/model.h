@@ -113,7 +113,6 @@ class Model {
   bool is_close(const Camera& camera) const;
   void show(Meshed meshed);
   void follow_picked();
-  double surface_radius(const dvec3& centre) const;
   bool act_on_looks(Action action);
   bool act_on_camera(Action action);
   bool act_on_scene(Action action);
@@ -139,9 +138,9 @@ class Model {
   Camera meshed_camera_;
   std::optional<Clock::time_point> refine_at_;
   std::optional<Clock::time_point> last_tick_;
-  mutable std::optional<std::pair<dvec3, double>> radius_;  ///< around the last centre asked for
-  double full_ms_ = 0;  ///< that the last mesh took that was no preview
-  MeshWorker worker_;   // the last member: it ends first
+  mutable std::optional<ViewPyramid> seen_;  ///< around the meshes, for the last view asked for
+  double full_ms_ = 0;                       ///< that the last mesh took that was no preview
+  MeshWorker worker_;                        // the last member: it ends first
 };
 
 }  // namespace saddle

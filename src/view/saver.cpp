@@ -37,7 +37,7 @@ Image draw_meshed(const Meshed& meshed) {
   for (std::size_t i = 0; i < meshed.surfaces.size(); ++i) {
     renderer.set_surface(scene, i, meshed.surfaces[i]->mesh);
   }
-  const FittedCamera camera = fit_to(meshed, scene.camera, scene.picture);
+  const FittedCamera camera = fit_to(meshed, scene.picture);
   return draw_image(renderer, scene, camera, scene.picture);
 }
 

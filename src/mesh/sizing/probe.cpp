@@ -215,18 +215,14 @@ double Probe::area_beside(bool along_u, std::size_t end) const {
   return largest;
 }
 
-double Probe::radius(const dvec3& centre) const {
-  double largest = 0;  // square
-  const auto add = [&](const dvec3& position) {
-    const dvec3 off = position - centre;
-    largest = std::max(largest, glm::dot(off, off));
-  };
-  for (const Sample& s : samples_) {
-    if (is_finite(s.position)) add(s.position);
+std::vector<dvec3> Probe::edge_positions() const {
+  std::vector<dvec3> positions;
+  for (const auto& edges : {edges_along_u_, edges_along_v_}) {
+    for (const EdgeSample& e : edges) {
+      if (is_finite(e.position)) positions.push_back(e.position);
+    }
   }
-  for (const EdgeSample& e : edges_along_u_) add(e.position);
-  for (const EdgeSample& e : edges_along_v_) add(e.position);
-  return std::sqrt(largest);
+  return positions;
 }
 
 std::vector<dvec3> Probe::positions() const {

@@ -63,15 +63,13 @@ class Probe {
   /// A box around the finite positions. After keep_within() it ends at the faces of the given box
   /// beyond which samples were forgotten.
   const Bounds& bounds() const { return bounds_; }
-  /// The finite positions of samples, without those of edges.
+  /// The finite positions of samples, without those of edges; and of these.
   std::vector<dvec3> positions() const;
+  std::vector<dvec3> edge_positions() const;
   /// Small features between samples, and places beside jumps and boundaries.
   const Landmarks& landmarks() const { return landmarks_; }
   /// Where the surface is, if at most one position is finite.
   const std::optional<SmallComponent>& component() const { return component_; }
-  /// The largest distance of a finite position from `centre`.
-  double radius(const dvec3& centre) const;
-
   /// For cells of this size in u and v. These errors count all of the second derivative, not just
   /// what is along the normal: a cell that holds many waves is steep wherever there is no crest.
   LinearizationErrors linearization_errors(const dvec2& size, const Tolerance& tolerance) const;

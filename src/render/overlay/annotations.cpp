@@ -328,6 +328,8 @@ Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bound
   return annotator.take();
 }
 
+namespace {
+
 Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const ColorScale> scales,
                           const dvec2& size) {
   Room room;
@@ -335,14 +337,23 @@ Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const
   const Annotator annotator(scene, {}, box, size);
   dvec2 margin(0);
   for (const ColorScale& scale : scales) margin.x += annotator.bar_zone(scale);
-  room.holds_box = scene.axes && !box.empty();
-  if (room.holds_box) {
+  if (scene.axes && !box.empty()) {
     const dvec2 axes = annotator.axes_margin();
     margin = {std::max(axes.x, margin.x + axes.x / 2), axes.y};  // long labels are at the left
   }
-  room.across = std::max(kLeastRoom, 1 - 2 * margin.x / size.x);
-  room.down = std::max(kLeastRoom, 1 - 2 * margin.y / size.y);
+  room.across = std::clamp(1 - 2 * margin.x / size.x, kLeastRoom, room.across);
+  room.down = std::clamp(1 - 2 * margin.y / size.y, kLeastRoom, room.down);
   return room;
+}
+
+}  // namespace
+
+ViewPyramid pyramid_beside_annotations(const Scene& scene, const Camera& camera, const Bounds& box,
+                                       std::span<const ColorScale> scales, const dvec2& size) {
+  ViewPyramid seen(camera, size.x / size.y, box.centre(),
+                   room_for_annotations(scene, box, scales, size));
+  if (scene.axes && !box.empty()) seen.add(box);
+  return seen;
 }
 
 dvec3 ink_on(const Color& background) {

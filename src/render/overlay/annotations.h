@@ -41,9 +41,10 @@ struct Annotations {
 Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
                      std::span<const ColorScale> scales, const dvec2& size);
 
-/// The part of the picture that the surfaces may take so that there is room for all that.
-Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const ColorScale> scales,
-                          const dvec2& size);
+/// A pyramid along the camera's view into which what is seen goes, so that there is room for all
+/// that. It holds `box` if the scene has axes, else nothing yet.
+ViewPyramid pyramid_beside_annotations(const Scene& scene, const Camera& camera, const Bounds& box,
+                                       std::span<const ColorScale> scales, const dvec2& size);
 
 /// Light on a dark background, dark on a light one, something between on none: red, green, blue.
 dvec3 ink_on(const Color& background);

@@ -137,25 +137,12 @@ void keep_to_clipped(std::vector<Samples>& moments) {
   }
 }
 
-/// The largest distance from `centre` of a sample where it is drawn, at least `radius`.
-double farthest(const dvec3& centre, const Sampled& samples, const glm::dmat4& place,
-                double radius) {
-  const auto distance = [&](const dvec3& p) {
-    const dvec3 way = dvec3(place * glm::dvec4(p, 1)) - centre;
-    return std::hypot(way.x, way.y, way.z);
-  };
-  double bound = 0;  // distances are convex: no sample is farther than the farthest corner
-  for (const dvec3& p : samples.bounds.corners()) bound = std::max(bound, distance(p));
-  if (samples.positions.empty() || bound <= radius) return radius;
-  for (const dvec3& p : samples.positions) radius = std::max(radius, distance(p));
-  return radius;
-}
-
-/// Beside what is written. The numbers of colours are known when there is a mesh: their labels are
-/// about as wide as these.
-Room room_in(const Scene& scene, const Bounds& bounds, const dvec2& size) {
+/// A pyramid beside what is written. The numbers of colours are known when there is a mesh: their
+/// labels are about as wide as these.
+ViewPyramid pyramid_of(const Scene& scene, const Camera& camera, const Bounds& box) {
   const std::vector<std::optional<ColorRange>> ranges(scene.surfaces.size(), ColorRange{-1, 1});
-  return room_for_annotations(scene, bounds, color_scales(scene, ranges), size);
+  return pyramid_beside_annotations(scene, camera, box, color_scales(scene, ranges),
+                                    dvec2(scene.picture.width, scene.picture.height));
 }
 
 /// A box around boxes that keeps to where all of them end at the same place, and leaves room beyond
@@ -214,6 +201,32 @@ void find_colors(const std::vector<Scene>& scenes, const Samples& samples, Frami
   }
 }
 
+/// Finds target and distance from the pyramids around what each moment's camera sees. A camera that
+/// turns looks at the middle of all, one that does not is fitted to all moments together.
+template <class PyramidOf>
+void fit_pyramids(const std::vector<Scene>& scenes, PyramidOf pyramid_of, const dvec3& middle,
+                  Framing& framing) {
+  std::vector<ViewPyramid> pyramids;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    pyramids.push_back(pyramid_of(k, scenes[k].camera));
+  }
+  ViewPyramid all = pyramids[0];
+  bool turns = false;
+  for (const ViewPyramid& seen : pyramids) {
+    turns = turns || !all.fits(seen);
+    if (!turns) all.join(seen);
+  }
+  const Camera& camera = scenes[0].camera;
+  if (!camera.target) framing.target = turns ? middle : all.target();
+  if (camera.distance) return;
+  double distance = 0;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const dvec3 target = framing.target ? *framing.target : dvec3(*scenes[k].camera.target);
+    distance = std::max(distance, pyramids[k].distance_from(target));
+  }
+  if (distance > 0) framing.distance = distance;
+}
+
 /// Finds what the scene's cameras do not say. `scenes` are those of all moments.
 void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
   std::vector<Samples> samples;
@@ -237,25 +250,15 @@ void fit(const std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
   for (const Bounds& box : boxes) bounds.add(box);
   if (scenes[0].axes) framing.box = around_all(boxes);
   const Bounds& written_about = framing.box ? *framing.box : bounds;
-  const Camera& camera = scenes[0].camera;
-  if (!camera.target) framing.target = bounds.centre();
-  if (camera.distance) return;
-  double distance = 0;
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const PictureSettings& picture = scenes[k].picture;
-    const dvec3 target = camera_target(scenes[k].camera, bounds);
-    double radius = 0;
+  const auto pyramid = [&](std::size_t k, const Camera& camera) {
+    ViewPyramid seen = pyramid_of(scenes[k], camera, written_about);
     for (const Instance& at : places[k]) {
-      radius = farthest(target, *samples[k][at.surface], at.to_world, radius);
+      const Sampled& surface = *samples[k][at.surface];
+      add_points(surface.positions, surface.bounds, at.to_world, seen);
     }
-    const dvec2 size(picture.width, picture.height);
-    Camera seen = scenes[k].camera;
-    seen.target = Vector(target);
-    const Room room = room_in(scenes[k], written_about, size);
-    const FittedCamera fitted = fit_camera(seen, written_about, size.x / size.y, radius, room);
-    distance = std::max(distance, fitted.distance);
-  }
-  framing.distance = distance;
+    return seen;
+  };
+  fit_pyramids(scenes, pyramid, bounds.centre(), framing);
 }
 
 }  // namespace

@@ -30,15 +30,13 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
     bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
   }
   if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
-  if (scene.camera.distance) return fit_camera(scene.camera, bounds, size.x / size.y);
-  const dvec3 target = camera_target(scene.camera, bounds);
-  double radius = 0;  // much less than the box's for a torus, say
+  ViewPyramid seen = pyramid_beside_annotations(
+      scene, scene.camera, bounds, color_scales(scene, ranges_of(meshes)), size);
   for (const Instance& instance : all) {
-    radius = std::max(radius, farthest_vertex(target, meshes[instance.surface], instance.to_world));
+    const Mesh& mesh = meshes[instance.surface];
+    add_points(mesh.position, mesh.bounds, instance.to_world, seen);
   }
-  return fit_camera(
-      scene.camera, bounds, size.x / size.y, radius,
-      room_for_annotations(scene, bounds, color_scales(scene, ranges_of(meshes)), size));
+  return fit_camera(scene.camera, bounds, size.x / size.y, &seen);
 }
 
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,

@@ -7,14 +7,18 @@
 #include <limits>
 #include <numbers>
 
+#include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vector_relational.hpp>
+
 #include "base/error.h"
 
 namespace saddle {
 namespace {
 
-/// Room around the fitted sphere, as a factor: a silhouette that touches the picture's border would
-/// lose its antialiased edge and half of a grid line on it (a pixel of 100 is 2 %).
-constexpr double kFitMargin = 1.02;
+/// An eye this close to the nearest of the points, in radii of the sphere around them, is on it:
+/// they are one behind the other, and have no size in the picture.
+constexpr double kOnPoint = 1e-6;
 
 /// Sine of the angle between two directions below which their cross product, of relative error
 /// 1e-16, no longer gives a direction to half of a double's digits.
@@ -53,13 +57,14 @@ dvec3 direction(const dvec3& v, const char* name) {
   return glm::normalize(v / largest);
 }
 
-/// Rows: the eye's right, up and backward axes in world coordinates.
-struct Axes {
-  dvec3 x, y, z;
-};
+/// The eye's right, up and backward axes in world coordinates.
+using Axes = std::array<dvec3, 3>;
 
 Axes camera_axes(const Camera& camera) {
-  const dvec3 z = direction(camera.view, "--view");
+  dvec3 z = direction(camera.view, "--view");
+  if (camera.turn != 0) {
+    z = glm::angleAxis(camera.turn, direction(camera.up, "--up")) * z;
+  }
   for (const dvec3& up : {direction(camera.up, "--up"), dvec3(0, 1, 0), dvec3(0, 0, 1)}) {
     const dvec3 x = glm::cross(up, z);
     if (glm::length(x) > kParallel) {
@@ -67,7 +72,12 @@ Axes camera_axes(const Camera& camera) {
       return {unit_x, glm::cross(z, unit_x), z};
     }
   }
-  return {{1, 0, 0}, {0, 1, 0}, z};  // not reached: z is not parallel to both y and z
+  return {dvec3(1, 0, 0), dvec3(0, 1, 0), z};  // not reached: z is not parallel to both y and z
+}
+
+/// Half the height of the picture at distance 1, without the zoom.
+double slope_of(const Camera& camera) {
+  return std::tan(camera.fov * std::numbers::pi / 360);
 }
 
 /// Radius of the sphere around `target` that holds the box. A box that is a point at the target
@@ -78,29 +88,85 @@ double sphere_radius(const Bounds& bounds, const dvec3& target) {
   return radius > 0 ? radius : std::max(1.0, length(target));
 }
 
-/// Distance at which a sphere of `radius` fills the narrower side of the room in the picture.
-double fitting_distance(double radius, double half_fov, double aspect, bool ortho,
-                        const Room& room) {
-  // Half the narrower side at distance 1.
-  const double slope = std::tan(half_fov) * std::min(room.down, aspect * room.across);
-  const double ratio = ortho ? slope : slope / std::hypot(1.0, slope);  // sin(atan(slope))
-  return kFitMargin * radius / ratio;
-}
-
-/// The least distance at which all corners of the box are in the room.
-double distance_of_box(const Bounds& bounds, const FittedCamera& fitted, const Axes& axes,
-                       const dvec2& slopes, bool ortho) {
-  double least = 0;
-  for (const dvec3& corner : bounds.corners()) {
-    const dvec3 q = corner - fitted.target;
-    const double nearer = ortho ? 0 : glm::dot(axes.z, q);
-    least = std::max({least, nearer + std::abs(glm::dot(axes.x, q)) / slopes.x,
-                      nearer + std::abs(glm::dot(axes.y, q)) / slopes.y});
-  }
-  return least;
+/// Distance at which a sphere of `radius` fills the narrower side of the picture.
+double distance_of_sphere(double radius, const Camera& camera, double aspect) {
+  const double slope = slope_of(camera) * std::min(1.0, aspect);
+  return radius / (camera.ortho ? slope : slope / std::hypot(1.0, slope));  // sin(atan(slope))
 }
 
 }  // namespace
+
+ViewPyramid::ViewPyramid(const Camera& camera, double aspect, const dvec3& origin, const Room& room)
+    : axes_(camera_axes(camera)),
+      origin_(origin),
+      slopes_(slope_of(camera) * dvec2(aspect * room.across, room.down)),
+      is_prism_(camera.ortho),
+      high_(-std::numeric_limits<double>::infinity()),
+      low_(high_),
+      low_depth_(-high_.x),
+      high_depth_(high_.x) {}
+
+dvec3 ViewPyramid::seen(const dvec3& point) const {
+  const dvec3 way = point - origin_;
+  return {glm::dot(axes_[0], way), glm::dot(axes_[1], way), glm::dot(axes_[2], way)};
+}
+
+ViewPyramid::Offsets ViewPyramid::offsets(const dvec3& seen) const {
+  const dvec2 opened = is_prism_ ? dvec2(0) : seen.z * slopes_;
+  return {opened + dvec2(seen), opened - dvec2(seen)};
+}
+
+void ViewPyramid::add(const dvec3& point) {
+  const dvec3 p = seen(point);
+  const auto [high, low] = offsets(p);
+  high_ = glm::max(high_, high);
+  low_ = glm::max(low_, low);
+  low_depth_ = std::min(low_depth_, p.z);
+  high_depth_ = std::max(high_depth_, p.z);
+}
+
+bool ViewPyramid::holds(const dvec3& point) const {
+  const dvec3 p = seen(point);
+  const auto [high, low] = offsets(p);
+  return glm::all(glm::lessThanEqual(high, high_)) && glm::all(glm::lessThanEqual(low, low_)) &&
+         p.z >= low_depth_ && p.z <= high_depth_;
+}
+
+void ViewPyramid::add(const Bounds& bounds) {
+  for (const dvec3& corner : bounds.corners()) add(corner);
+}
+
+bool ViewPyramid::fits(const ViewPyramid& other) const {
+  return axes_ == other.axes_ && origin_ == other.origin_ && slopes_ == other.slopes_ &&
+         is_prism_ == other.is_prism_;
+}
+
+void ViewPyramid::join(const ViewPyramid& other) {
+  high_ = glm::max(high_, other.high_);
+  low_ = glm::max(low_, other.low_);
+  low_depth_ = std::min(low_depth_, other.low_depth_);
+  high_depth_ = std::max(high_depth_, other.high_depth_);
+}
+
+dvec3 ViewPyramid::target() const {
+  const dvec2 middle = 0.5 * (high_ - low_);
+  return origin_ + middle.x * axes_[0] + middle.y * axes_[1] +
+         0.5 * (low_depth_ + high_depth_) * axes_[2];
+}
+
+double ViewPyramid::distance() const {
+  return distance_from(target());
+}
+
+double ViewPyramid::distance_from(const dvec3& target) const {
+  const dvec3 p = seen(target);
+  const dvec2 apex = glm::max(high_ - dvec2(p), low_ + dvec2(p)) / slopes_;
+  return std::max(apex.x, apex.y) - (is_prism_ ? 0 : p.z);
+}
+
+double ViewPyramid::nearest_to(const dvec3& target) const {
+  return high_depth_ - seen(target).z;
+}
 
 void check_camera(const Camera& camera) {
   direction(camera.view, "--view");
@@ -111,6 +177,9 @@ void check_camera(const Camera& camera) {
   }
   if (camera.distance && !(*camera.distance > 0 && std::isfinite(*camera.distance))) {
     throw Error(Status::Input, "the distance must be positive and finite", {"--distance", {}, {}});
+  }
+  if (!(camera.zoom > 0 && std::isfinite(camera.zoom))) {
+    throw Error(Status::Input, "the zoom must be positive and finite", {"--zoom", {}, {}});
   }
   if (camera.target && !std::isfinite(length(*camera.target))) {
     throw Error(Status::Input, "the target is not finite", {"--target", {}, {}});
@@ -141,11 +210,9 @@ void fit_depth(FittedCamera& fitted, const Bounds& bounds, const dvec3& backward
 glm::dmat4 view_matrix(const Axes& axes, const dvec3& eye) {
   glm::dmat4 m(1);
   for (int i = 0; i < 3; ++i) {
-    m[i][0] = axes.x[i];
-    m[i][1] = axes.y[i];
-    m[i][2] = axes.z[i];
+    for (int k = 0; k < 3; ++k) m[i][k] = axes[static_cast<std::size_t>(k)][i];
   }
-  m[3] = {-glm::dot(axes.x, eye), -glm::dot(axes.y, eye), -glm::dot(axes.z, eye), 1};
+  m[3] = {-glm::dot(axes[0], eye), -glm::dot(axes[1], eye), -glm::dot(axes[2], eye), 1};
   return m;
 }
 
@@ -173,30 +240,32 @@ std::optional<dvec2> pixel_of(const FittedCamera& camera, const dvec3& point, co
   return dvec2((1 + clip.x / clip.w) / 2 * size.x, (1 - clip.y / clip.w) / 2 * size.y);
 }
 
-dvec3 camera_target(const Camera& camera, const Bounds& bounds) {
-  return camera.target.value_or(bounds.centre());
-}
-
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
-                        std::optional<double> radius, const Room& room) {
+                        const ViewPyramid* seen) {
   check_camera(camera);
   const Axes axes = camera_axes(camera);
-  const double half_fov = camera.fov * std::numbers::pi / 360;
-  FittedCamera fitted;
-  fitted.target = camera_target(camera, bounds);
-  const bool known = radius && *radius > 0;
-  const double sphere = known ? *radius : sphere_radius(bounds, fitted.target);
-  double fit = fitting_distance(sphere, half_fov, aspect, camera.ortho, room);
-  if (room.holds_box) {
-    const dvec2 slopes = std::tan(half_fov) * dvec2(aspect * room.across, room.down);
-    fit = std::max(fit, distance_of_box(bounds, fitted, axes, slopes, camera.ortho));
+  ViewPyramid corners(camera, aspect, bounds.centre());
+  if (!seen || seen->empty()) {
+    corners.add(bounds);
+    seen = &corners;
   }
-  fitted.distance = camera.distance.value_or(fit);
-  fitted.eye = fitted.target + fitted.distance * axes.z;
+  FittedCamera fitted;
+  fitted.target = camera.target ? dvec3(*camera.target) : seen->target();
+  const auto fit = [&]() -> double {
+    const double distance = seen->distance_from(fitted.target);
+    const double radius = sphere_radius(bounds, fitted.target);
+    if (distance > 0 &&
+        (camera.ortho || distance - seen->nearest_to(fitted.target) > kOnPoint * radius))
+      return distance;
+    return distance_of_sphere(radius, camera, aspect);
+  };
+  fitted.distance = camera.distance ? static_cast<double>(*camera.distance) : fit();
+  fitted.eye = fitted.target + fitted.distance * axes[2];
   fitted.world_to_eye = view_matrix(axes, fitted.eye);
-  fit_depth(fitted, bounds, axes.z, camera.ortho);
-  const double half_height = std::tan(half_fov) * (camera.ortho ? fitted.distance : 1);
-  fitted.eye_to_clip = projection(fitted, half_height, aspect, camera.ortho);
+  fit_depth(fitted, bounds, axes[2], camera.ortho);
+  fitted.half_height = slope_of(camera) / camera.zoom * fitted.distance;
+  fitted.eye_to_clip = projection(fitted, fitted.half_height / (camera.ortho ? 1 : fitted.distance),
+                                  aspect, camera.ortho);
   return fitted;
 }
 

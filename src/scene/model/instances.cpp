@@ -94,13 +94,13 @@ Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world) {
   return result;
 }
 
-double farthest_vertex(const dvec3& centre, const Mesh& mesh, const glm::dmat4& to_world) {
-  double farthest = 0;
-  for (const dvec3& vertex : mesh.position) {
-    const dvec3 way = dvec3(to_world * glm::dvec4(vertex, 1)) - centre;
-    farthest = std::max(farthest, std::hypot(way.x, way.y, way.z));
-  }
-  return farthest;
+void add_points(std::span<const dvec3> points, const Bounds& bounds, const glm::dmat4& to_world,
+                ViewPyramid& seen) {
+  const auto placed = [&](const dvec3& p) { return dvec3(to_world * glm::dvec4(p, 1)); };
+  if (bounds.empty()) return;
+  const auto corners = bounds.corners();
+  if (std::ranges::all_of(corners, [&](const dvec3& p) { return seen.holds(placed(p)); })) return;
+  for (const dvec3& point : points) seen.add(placed(point));
 }
 
 glm::dmat3 normal_matrix(const glm::dmat3& m) {

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <span>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "mesh/model/mesh.h"
+#include "scene/model/camera.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
@@ -47,9 +49,10 @@ Bounds transformed(const Bounds& bounds, const glm::dmat4& to_world);
 /// A mesh where an instance is: positions, normals, and the winding that keeps the front in front.
 Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world);
 
-/// The distance from `centre` of the vertex that is farthest from it where an instance is; 0 for an
-/// empty mesh.
-double farthest_vertex(const dvec3& centre, const Mesh& mesh, const glm::dmat4& to_world);
+/// Adds points where an instance has them. `bounds`: around the points; nothing is added if the
+/// pyramid holds it.
+void add_points(std::span<const dvec3> points, const Bounds& bounds, const glm::dmat4& to_world,
+                ViewPyramid& seen);
 
 /// The transform of normals up to a positive factor: the inverse transpose, by its cofactors, which
 /// a flattening transform has too. Largest element 1; zero if the transform leaves no surface.

@@ -142,10 +142,14 @@ std::vector<Light> default_lights();
 struct Camera {
   Vector view{2, -3, 1.5};  ///< from the target toward the eye, any length but 0
   Vector up{0, 0, 1};
-  std::optional<Vector> target;    ///< default: centre of the bounding box
-  std::optional<Number> distance;  ///< from the target; default: the bounding sphere just fits
+  std::optional<Vector> target;    ///< default: what is seen is in the middle
+  std::optional<Number> distance;  ///< from the target; default: what is seen just fits
   Number fov = 30;                 ///< vertical, degrees, more than 0 and less than 180
+  Number zoom = 1;                 ///< of the picture around its middle, more than 0
   bool ortho = false;              ///< the visible height is the perspective one at the target
+  bool turntable = false;          ///< goes once round `up` in the range of time
+  /// Radians that the view is turned around `up` at a moment, which resolve() fills in.
+  double turn = 0;
 
   bool operator==(const Camera&) const = default;
 };

@@ -118,34 +118,23 @@ int parse_whole(const std::string& option, const std::string& text, int low, int
   return whole_in(option, text, whole(text), low, high);
 }
 
-dvec3 parse_vector(const std::string& option, const std::string& text) {
-  std::array<Span, 3> parts{};
-  std::size_t count = 0;
-  std::size_t begin = 0;
+std::vector<std::string> parse_list(const std::string& option, const std::string& text,
+                                    std::size_t count, const std::string& what,
+                                    const std::string& sample) {
+  std::vector<std::string> parts(1);
   int depth = 0;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    const char c = i < text.size() ? text[i] : ',';
+  for (const char c : text) {
     if (c == '(') ++depth;
     if (c == ')') --depth;
-    if (c != ',' || (depth > 0 && i < text.size())) continue;
-    if (count < parts.size()) parts[count] = {begin, i};
-    ++count;
-    begin = i + 1;
+    if (c == ',' && depth <= 0) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
   }
-  if (count != parts.size()) {
-    throw Error(Status::Input, "a vector has three numbers, this one has " + std::to_string(count),
-                {option, text, whole(text)}, example(option, "2,-3,1.5"));
-  }
-  return {number_in(option, text, parts[0]), number_in(option, text, parts[1]),
-          number_in(option, text, parts[2])};
-}
-
-dvec3 parse_direction(const std::string& option, const std::string& text) {
-  const dvec3 direction = parse_vector(option, text);
-  if (direction == dvec3{0, 0, 0}) {
-    throw Error(Status::Input, "a direction needs a length", {option, text, whole(text)});
-  }
-  return direction;
+  if (parts.size() == count) return parts;
+  throw Error(Status::Input, what + ", this has " + std::to_string(parts.size()),
+              {option, text, whole(text)}, example(option, sample));
 }
 
 ToleranceValue parse_tolerance(const std::string& option, const std::string& text) {

@@ -52,11 +52,11 @@ double parse_number(const std::string& option, const std::string& text,
 /// A whole number from `low` to `high`, in digits.
 int parse_whole(const std::string& option, const std::string& text, int low, int high);
 
-/// `X,Y,Z`, each a constant expression.
-dvec3 parse_vector(const std::string& option, const std::string& text);
-
-/// The same for a direction, which has a length.
-dvec3 parse_direction(const std::string& option, const std::string& text);
+/// The parts of `A,B,...` between commas that are in no bracket. Throws Error (Input) unless they
+/// are `count`; `what` and `sample` for the message: "a vector", "2,-3,1.5".
+std::vector<std::string> parse_list(const std::string& option, const std::string& text,
+                                    std::size_t count, const std::string& what,
+                                    const std::string& sample);
 
 /// A colour of a surface, whose opacity is apart.
 Color opaque_color(const std::string& option, const std::string& text);

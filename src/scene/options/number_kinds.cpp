@@ -1,16 +1,42 @@
 #include "scene/options/number_kinds.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <glm/trigonometric.hpp>
 
 #include "base/error.h"
+#include "base/nearest.h"
 #include "scene/model/prepare.h"
 #include "scene/model/values.h"
 #include "scene/toml/toml_writer.h"
 
 namespace saddle::kinds {
 
+namespace {
+
+/// A number, or an expression that resolve() of the scene will make one. An error in it is found at
+/// once if the scene is known.
+Number parse_expression(const Given& given, const std::string& text, const Limits& limits) {
+  try {
+    static_cast<void>(parse_number(given.option, text, kAny));
+  } catch (const Error&) {
+    if (given.scene) {
+      Graph graph;
+      Scope(graph, constant_names(*given.scene)).constant(given.option, text, {}, given.scene->t);
+    }
+    return Number(text);
+  }
+  return parse_number(given.option, text, limits);
+}
+
+}  // namespace
+
 void Real::parse(const Given& given) const {
-  *value = parse_number(given.option, given.text, limits);
+  *value = parse_expression(given, given.text, limits);
 }
 
 std::string Real::format() const {
@@ -64,8 +90,15 @@ std::string Whole::write() const {
 }
 
 void Point::parse(const Given& given) const {
-  *value = direction ? parse_direction(given.option, given.text)
-                     : parse_vector(given.option, given.text);
+  const std::vector<std::string> parts =
+      parse_list(given.option, given.text, 3, "a vector has three numbers", "2,-3,1.5");
+  *value = {parse_expression(given, parts[0], kAny), parse_expression(given, parts[1], kAny),
+            parse_expression(given, parts[2], kAny)};
+  const auto is_zero = [](const Number& number) { return number.text.empty() && number == 0; };
+  if (direction && is_zero(value->x) && is_zero(value->y) && is_zero(value->z)) {
+    throw Error(Status::Input, "a direction needs a length",
+                {given.option, given.text, {0, given.text.size()}});
+  }
 }
 
 std::string Point::format() const {
@@ -82,6 +115,86 @@ std::string Point::write() const {
 
 void Point::resolve(Resolver& resolver, const std::string& name) const {
   direction ? resolver.direction(name, *value) : resolver.vector(name, *value);
+}
+
+namespace {
+
+struct NamedView {
+  std::string_view name;
+  dvec3 view;
+};
+
+/// Height fields have their front at the least y; `iso` shows three sides of a cube alike.
+constexpr std::array kNamedViews = {NamedView{"front", {0, -1, 0}}, NamedView{"back", {0, 1, 0}},
+                                    NamedView{"left", {-1, 0, 0}},  NamedView{"right", {1, 0, 0}},
+                                    NamedView{"top", {0, 0, 1}},    NamedView{"bottom", {0, 0, -1}},
+                                    NamedView{"iso", {1, -1, 1}}};
+
+/// Null if no view has the name. Throws Error (Input) for another word.
+const NamedView* find_view(const std::string& option, const std::string& text) {
+  const auto found = std::ranges::find(kNamedViews, text, &NamedView::name);
+  if (found != kNamedViews.end()) return &*found;
+  if (text.empty() || text.find(',') != std::string::npos) return nullptr;
+  std::vector<std::string> names;
+  std::string hint = "X,Y,Z, or";
+  for (const NamedView& view : kNamedViews) {
+    names.emplace_back(view.name);
+    hint += " " + names.back();
+  }
+  if (const auto nearest = nearest_name(text, names)) hint += "; did you mean '" + *nearest + "'?";
+  throw Error(Status::Input, "no view has this name", {option, text, {0, text.size()}}, hint);
+}
+
+/// cos(elevation) cos(azimuth), cos(elevation) sin(azimuth), sin(elevation).
+Vector view_along(const Number& azimuth, const Number& elevation) {
+  if (azimuth.text.empty() && elevation.text.empty()) {
+    const double a = glm::radians(azimuth.value);
+    const double e = glm::radians(elevation.value);
+    return {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
+  }
+  const std::string a = "((" + expression_of(azimuth) + ")*pi/180)";
+  const std::string e = "((" + expression_of(elevation) + ")*pi/180)";
+  return {Number("cos" + e + "*cos" + a), Number("cos" + e + "*sin" + a), Number("sin" + e)};
+}
+
+}  // namespace
+
+void ViewDirection::parse(const Given& given) const {
+  const NamedView* const named = find_view(given.option, given.text);
+  named ? void(*value = named->view) : direction(value).parse(given);
+}
+
+std::string ViewDirection::format() const {
+  return direction(value).format();
+}
+
+void ViewDirection::read(const InFile& in) const {
+  if (in.value.kind != TomlValue::Kind::String) return direction(value).read(in);
+  const std::string name = in.reader.text(in.subject, in.value, "");
+  const NamedView* const named = in.reader.in_place([&] { return find_view(in.subject, name); });
+  if (!named) return direction(value).read(in);
+  *value = named->view;
+}
+
+std::string ViewDirection::write() const {
+  return direction(value).write();
+}
+
+void ViewDirection::resolve(Resolver& resolver, const std::string& name) const {
+  direction(value).resolve(resolver, name);
+}
+
+void ViewAngles::parse(const Given& given) const {
+  const std::vector<std::string> parts =
+      parse_list(given.option, given.text, 2, "two angles are wanted", "-60,25");
+  *value =
+      view_along(parse_expression(given, parts[0], kAny), parse_expression(given, parts[1], kAny));
+}
+
+void ViewAngles::read(const InFile& in) const {
+  const auto angles =
+      in.reader.numbers(in.subject, in.value, 2, "two angles in degrees, such as [-60, 25]");
+  *value = view_along(angles[0], angles[1]);
 }
 
 void Ends::read(const InFile& in) const {
@@ -126,7 +239,7 @@ void Times::resolve(Resolver& resolver, const std::string& name) const {
 }
 
 void Moment::parse(const Given& given) const {
-  scene->t = finite_constant(given.scene, given.option, given.text);
+  scene->t = finite_constant(*given.scene, given.option, given.text);
 }
 
 std::string Moment::format() const {

@@ -63,6 +63,25 @@ inline Point direction(Vector* value) {
   return {value, true};
 }
 
+/// The direction toward the eye: X,Y,Z or a name.
+struct ViewDirection {
+  Vector* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;
+  void read(const InFile& in) const;
+  std::string write() const;
+  void resolve(Resolver& resolver, const std::string& name) const;
+};
+
+/// The same by two angles in degrees: AZIMUTH,ELEVATION. It is kept, and written, as a direction.
+struct ViewAngles {
+  Vector* value;
+
+  void parse(const Given& given) const;
+  void read(const InFile& in) const;
+};
+
 /// [MIN, MAX]: the range of u or v.
 struct Ends {
   Range* value;

@@ -55,9 +55,9 @@ struct Maybe {
   }
 };
 
-using Slot =
-    std::variant<Flag, Text, Texts, Formula, Ends, Times, Moment, Names, Real, Plain, Whole, Point,
-                 Paint, Side, ColormapName, Choice, PictureSize, GridLines, Cells, Length, ClipBox,
-                 Frames, Maybe<Real, Number>, Maybe<Point, Vector>, Maybe<Whole, int>>;
+using Slot = std::variant<Flag, Text, Texts, Formula, Ends, Times, Moment, Names, Real, Plain,
+                          Whole, Point, ViewDirection, ViewAngles, Paint, Side, ColormapName,
+                          Choice, PictureSize, GridLines, Cells, Length, ClipBox, Frames,
+                          Maybe<Real, Number>, Maybe<Point, Vector>, Maybe<Whole, int>>;
 
 }  // namespace saddle::kinds

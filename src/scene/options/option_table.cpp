@@ -62,9 +62,18 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "view",
      .value = "X,Y,Z",
      .section = Section::Camera,
-     .help = "direction from the target toward the eye",
+     .help = "direction from the target toward the eye, or its name: front, back, left, right, "
+             "top, bottom, iso",
      .table = Table::Camera,
-     .scene = [](Scene& s) -> kinds::Slot { return kinds::direction(&s.camera.view); }},
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::ViewDirection{&s.camera.view}; }},
+    {.name = "angles",
+     .value = "A,E",
+     .section = Section::Camera,
+     .help = "the same direction in degrees: azimuth, from the x axis toward y, and elevation",
+     .usual = "off",
+     .excludes = "view",
+     .table = Table::Camera,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::ViewAngles{&s.camera.view}; }},
     {.name = "up",
      .value = "X,Y,Z",
      .section = Section::Camera,
@@ -75,7 +84,7 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "X,Y,Z",
      .section = Section::Camera,
      .help = "point in the middle of the picture",
-     .usual = "centre of the bounding box",
+     .usual = "what is seen is in the middle",
      .table = Table::Camera,
      .scene = [](Scene& s) -> kinds::Slot {
        return kinds::Maybe<kinds::Point, Vector>{&s.camera.target, {}};
@@ -84,7 +93,7 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "D",
      .section = Section::Camera,
      .help = "from the target to the eye",
-     .usual = "the bounding sphere just fits",
+     .usual = "what is seen just fits",
      .table = Table::Camera,
      .scene = [](Scene& s) -> kinds::Slot {
        return kinds::Maybe<kinds::Real, Number>{&s.camera.distance, {nullptr, kPositive}};
@@ -97,11 +106,25 @@ constexpr auto kRows = std::to_array<Option>({
      .scene = [](Scene& s) -> kinds::Slot {
        return kinds::Real{&s.camera.fov, kFieldOfView};
      }},
+    {.name = "zoom",
+     .value = "F",
+     .section = Section::Camera,
+     .help = "size of all that is seen, as a factor; the middle stays",
+     .table = Table::Camera,
+     .scene = [](Scene& s) -> kinds::Slot {
+       return kinds::Real{&s.camera.zoom, kPositive};
+     }},
     {.name = "ortho",
      .section = Section::Camera,
      .help = "orthographic, with the height that is seen at the target",
      .table = Table::Camera,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Flag{&s.camera.ortho}; }},
+    {.name = "turntable",
+     .section = Section::Camera,
+     .help = "the eye goes once round the target in an animation, which then needs no t",
+     .commands = kGraph,
+     .table = Table::Camera,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Flag{&s.camera.turntable}; }},
 
     // --- look -----------------------------------------------------------------------------------
     {.name = "title",

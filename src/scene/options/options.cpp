@@ -159,25 +159,29 @@ void check_value(const Option& option, const std::string& text) {
   RunSettings run;
   const kinds::Slot slot = slot_of(option, scene, scene.surfaces[0], run);
   if (std::holds_alternative<kinds::Moment>(slot)) return;  // it may use the scene's parameters
-  parse_slot(slot, {scene, dashed(option), text});
+  parse_slot(slot, {nullptr, dashed(option), text});
 }
 
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
-  const kinds::Given given{scene, dashed(option), text};
+  const kinds::Given given{&scene, dashed(option), text};
   if (option.scene) parse_slot(option.scene(scene), given);
   if (!option.surface) return;
   for (SurfaceSpec& surface : scene.surfaces) parse_slot(option.surface(surface), given);
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {
-  static const Scene none;
-  if (option.run) parse_slot(option.run(run), {none, dashed(option), text});
+  if (option.run) parse_slot(option.run(run), {nullptr, dashed(option), text});
 }
 
 void read_keys(Table table, TomlReader& reader, const std::string& prefix, const TomlValue& value,
                Scene& scene) {
   each_row(table, [&](const Option& option) {
     with(value, key_of(option), [&](const TomlValue& v) {
+      if (!option.excludes.empty() && value.find(std::string(option.excludes)) != nullptr) {
+        throw reader.source().error(prefix + subject(option),
+                                    "says again what '" + std::string(option.excludes) + "' says",
+                                    v.span, "leave one of the two out");
+      }
       read_slot(option.scene(scene), {reader, prefix + subject(option), v});
     });
   });

@@ -2,6 +2,7 @@
 #include "scene/options/resolve.h"
 
 #include <map>
+#include <numbers>
 #include <vector>
 
 #include "base/error.h"
@@ -53,6 +54,10 @@ void resolve_at(Resolver& resolver, Scene& scene) {
     resolve_light(resolver, light_prefix(i), scene.lights[i]);
   }
   resolve_keys(resolver, Table::Camera, scene);
+  if (scene.camera.turntable && scene.animation) {
+    const Animation& film = *scene.animation;
+    scene.camera.turn = 2 * std::numbers::pi * (scene.t - film.from) / (film.to - film.from);
+  }
   for (Slider& slider : scene.sliders) resolve_slider(resolver, slider);
 }
 
@@ -153,7 +158,7 @@ Scene Timeline::at(double t) {
 }
 
 bool Timeline::moves() const {
-  return parsed_->resolver.has_used_time();
+  return parsed_->resolver.has_used_time() || (scene_.camera.turntable && scene_.animation);
 }
 
 Scene resolve(Scene scene) {

@@ -10,7 +10,7 @@ namespace saddle::kinds {
 
 /// An option on the command line.
 struct Given {
-  const Scene& scene;         ///< that it changes
+  const Scene* scene;         ///< that it changes; null if it is not known yet
   const std::string& option;  ///< "--size"
   const std::string& text;    ///< its value
 };

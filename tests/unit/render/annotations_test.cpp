@@ -29,8 +29,9 @@ Scene scene_seen_from(const dvec3& view, bool ortho = false) {
 
 FittedCamera fitted(const Scene& scene, const Bounds& bounds,
                     const std::vector<ColorScale>& scales = {}, const dvec2& size = kSize) {
-  return fit_camera(scene.camera, bounds, size.x / size.y, std::nullopt,
-                    room_for_annotations(scene, bounds, scales, size));
+  ViewPyramid seen = pyramid_beside_annotations(scene, scene.camera, bounds, scales, size);
+  seen.add(bounds);
+  return fit_camera(scene.camera, bounds, size.x / size.y, &seen);
 }
 
 dvec2 pixel_of(const FittedCamera& camera, const dvec3& p) {
@@ -147,9 +148,9 @@ TEST(Axes, PutTicksWhereTheirNumbersAre) {
   Scene scene = scene_seen_from({0, 0, 1}, true);
   const FittedCamera camera = fitted(scene, bounds);
   const Annotations all = annotate(scene, camera, bounds, {}, kSize);
-  const double x = pixel_of(camera, {3, 0, 0}).x;
+  const double x = pixel_of(camera, {2, 0, 0}).x;
   EXPECT_TRUE(std::ranges::any_of(all.texts, [&](const WrittenText& text) {
-    return text.text == "3" && std::abs(text.middle.x - x) < 0.01 && text.middle.y > kSize.y / 2;
+    return text.text == "2" && std::abs(text.middle.x - x) < 0.01 && text.middle.y > kSize.y / 2;
   }));
 }
 

@@ -1,5 +1,6 @@
 #include "scene/model/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -73,26 +74,107 @@ TEST(Camera, IsRigidAndKeepsUpAtTheTop) {
   EXPECT_GT(up.y, 0);
 }
 
-TEST(Camera, FitsTheBoundingSphereIntoTheNarrowerSide) {
-  const Bounds bounds = box({-1, 2, -5}, {4, 3, 0});
-  const double radius = 0.5 * bounds.diagonal();
-  for (bool ortho : {false, true}) {
-    for (double aspect : {0.25, 1.0, 4.0}) {
-      for (double fov : {1.0, 30.0, 120.0}) {
-        Camera camera;
-        camera.ortho = ortho;
-        camera.fov = fov;
-        const FittedCamera fitted = fit_camera(camera, bounds, aspect);
-        // Tangent of the angle (or the height) at which the sphere's silhouette appears, over that
-        // of the picture's border.
-        const double half = std::tan(fov * std::numbers::pi / 360) * std::min(1.0, aspect);
-        const double d = fitted.distance;
-        const double filled = ortho ? radius / (half * d) : std::tan(std::asin(radius / d)) / half;
-        EXPECT_LT(filled, 1) << ortho << aspect << fov;
-        EXPECT_GT(filled, 0.9) << ortho << aspect << fov;
+/// How far points reach in the picture: left, right, bottom, top, of half its width and height.
+struct Reach {
+  double left = 2, right = -2, bottom = 2, top = -2;
+};
+
+Reach reach(const FittedCamera& camera, const std::vector<dvec3>& points) {
+  Reach reach;
+  for (const dvec3& point : points) {
+    const dvec3 seen = project(camera, point);
+    reach.left = std::min(reach.left, seen.x);
+    reach.right = std::max(reach.right, seen.x);
+    reach.bottom = std::min(reach.bottom, seen.y);
+    reach.top = std::max(reach.top, seen.y);
+  }
+  return reach;
+}
+
+/// A tilted ring off the origin, with a spike toward one side.
+std::vector<dvec3> some_points() {
+  std::vector<dvec3> points = {{7, 3, -2}};
+  for (int k = 0; k < 64; ++k) {
+    const double turn = k * std::numbers::pi / 32;
+    points.emplace_back(3 + std::cos(turn), 2 + 2 * std::sin(turn), -4 + 0.7 * std::cos(turn));
+  }
+  return points;
+}
+
+TEST(Camera, FillsThePictureUpToItsMarginOnTwoOppositeSides) {
+  Bounds bounds;
+  for (const dvec3& point : some_points()) bounds.add(point);
+  const double edge = 1 - 2 * kPictureMargin;
+  for (const dvec3& view : {dvec3(2, -3, 1.5), dvec3(0, 0, 1), dvec3(-1, 0.2, -4)}) {
+    for (const bool ortho : {false, true}) {
+      for (const double aspect : {0.25, 1.0, 4.0}) {
+        for (const double fov : {1.0, 30.0, 120.0}) {
+          Camera camera;
+          camera.view = view;
+          camera.ortho = ortho;
+          camera.fov = fov;
+          ViewPyramid seen(camera, aspect, bounds.centre());
+          for (const dvec3& point : some_points()) seen.add(point);
+          const Reach r = reach(fit_camera(camera, bounds, aspect, &seen), some_points());
+          const double wide = std::min(-r.left, r.right);
+          const double high = std::min(-r.bottom, r.top);
+          EXPECT_NEAR(std::max(wide, high), edge, 1e-9) << ortho << aspect << fov;
+          for (const double side : {-r.left, r.right, -r.bottom, r.top}) {
+            EXPECT_LE(side, edge + 1e-9) << ortho << aspect << fov;
+          }
+        }
       }
     }
   }
+}
+
+TEST(Camera, HoldsJoinedPyramidsAsIfTheirPointsWereOne) {
+  const std::vector<dvec3> points = some_points();
+  ViewPyramid all(Camera{}, 1.5, dvec3(0));
+  ViewPyramid first = all;
+  ViewPyramid others = all;
+  for (const dvec3& point : points) all.add(point);
+  first.add(points[0]);
+  for (const dvec3& point : points) others.add(point);
+  ASSERT_TRUE(first.fits(others));
+  first.join(others);
+  EXPECT_EQ(first.target(), all.target());
+  EXPECT_EQ(first.distance(), all.distance());
+  EXPECT_TRUE(all.holds(points[3]));
+  EXPECT_FALSE(all.holds(dvec3(100, 0, 0)));
+  Camera elsewhere;
+  elsewhere.view = {1, 0, 0};
+  EXPECT_FALSE(all.fits(ViewPyramid(elsewhere, 1.5, dvec3(0))));
+}
+
+TEST(Camera, ZoomsAroundTheMiddleOfThePicture) {
+  for (const bool ortho : {false, true}) {
+    Camera camera;
+    camera.ortho = ortho;
+    const Bounds bounds = box({-1, 2, -5}, {4, 3, 0});
+    const Reach before = reach(fit_camera(camera, bounds, 1.5), corners(bounds));
+    camera.zoom = 0.5;
+    const Reach after = reach(fit_camera(camera, bounds, 1.5), corners(bounds));
+    EXPECT_NEAR(after.left, 0.5 * before.left, kRounding);
+    EXPECT_NEAR(after.top, 0.5 * before.top, kRounding);
+  }
+}
+
+TEST(Camera, TurnsAroundUp) {
+  Camera camera;
+  camera.view = {1, 0, 2};
+  camera.turn = std::numbers::pi / 2;
+  const FittedCamera fitted = fit_camera(camera, box(dvec3(-1), dvec3(1)), 1);
+  const dvec3 along = glm::normalize(fitted.eye - fitted.target);
+  EXPECT_NEAR(glm::length(along - glm::normalize(dvec3(0, 1, 2))), 0, kRounding);
+}
+
+TEST(Camera, SeesALineFromItsEnd) {
+  Camera camera;
+  camera.view = {1, 0, 0};
+  const Bounds line = box({-1, 0, 0}, {1, 0, 0});
+  const FittedCamera fitted = fit_camera(camera, line, 1);
+  EXPECT_GT(fitted.distance, 1.5);
 }
 
 TEST(Camera, FitsAroundAGivenTarget) {
