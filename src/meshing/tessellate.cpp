@@ -35,7 +35,8 @@ constexpr std::size_t kEnoughTriangles = 1'000'000;
 constexpr double kLeastShare = 0.25;
 /// Cells in one direction: a multiple of the intervals between grid lines, so that grid lines are
 /// mesh lines, unless there are more of them than cells. An even one, so that the middle of the
-/// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks.
+/// range is a mesh line too: there symmetric surfaces have their apexes, cusps and kinks. No part
+/// of the domain in which features are told apart is without a cell.
 int default_cells(int lines) {
   const int wanted = static_cast<int>(kDomainParts);
   const int intervals = std::lcm(std::max(lines - 1, 1), 2);

@@ -17,9 +17,6 @@ struct GridOptions {
   int lines_u = 16;
   int lines_v = 16;
   unsigned threads = 0;  ///< 0: all
-  /// The largest error is searched for between samples, in grids of up to 131,072 triangles. For
-  /// surfaces of second order whose bounds are continuous.
-  bool is_searched = false;
 };
 
 /// Tessellates a surface by a uniform grid. Cells with an undefined corner are left out and
@@ -28,7 +25,8 @@ struct GridOptions {
 MeshResult mesh_on_grid(const Surface& surface, const GridOptions& options);
 
 /// The cells of mesh_uniformly() are halved until the error is at most `share` of the diagonal, or
-/// there would be more than kMostGridCells. Without a share they are not halved.
+/// two halvings in a row did not help, or there would be more than kMostGridCells. Without a share
+/// they are not halved.
 struct UniformRequest {
   GridOptions grid;
   std::optional<double> share;

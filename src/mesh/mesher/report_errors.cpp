@@ -21,7 +21,8 @@ namespace saddle {
 
 namespace {
 
-/// The largest leaves are searched for what samples miss: 1/16 of all, but kInBatch at least.
+/// The largest leaves are searched for what samples miss: 1/16 of all, but kInBatch at least. A
+/// grid of given cells is searched everywhere: nothing else chose them.
 constexpr std::size_t kSearchedPart = 16;
 
 /// Oscillating leaves are waves if they are one in 16; fewer are parts of a ridge.
@@ -31,6 +32,13 @@ constexpr std::size_t kClimbed = 16;
 /// Bounds are followed in up to 256 leaves of each kind, then over up to 8,192 boxes.
 constexpr std::size_t kFollowed = 256;
 constexpr std::size_t kMostBoxes = 8192;
+
+/// A leaf that is searched for the largest error.
+struct SearchedLeaf {
+  double error = 0;  ///< by validation, scaled
+  SearchedPart part;
+  std::vector<dvec2> places;  ///< where its error was sampled
+};
 
 /// The search, from the largest known error down.
 class ErrorSearch {
@@ -95,12 +103,14 @@ class ErrorSearch {
   std::vector<const Triangle*> on_mesh_;
 };
 
-}  // namespace
-
+/// The largest error by a search against the whole mesh, scaled. `suspects`: leaves that validation
+/// found to be off; each error is replaced only after its places were measured. `others`: leaves
+/// whose samples may miss a feature that sticks out. `tolerance`: of the report. `whole` is called
+/// only if there is anything to measure.
 PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspects,
                           std::span<const SearchedPart> others, double tolerance,
                           const std::optional<Bounds>& clip, unsigned threads, KnownHulls& hulls,
-                          const std::function<const WholeMeshError&()>& whole, SearchFrom from) {
+                          const std::function<const WholeMeshError&()>& whole) {
   const auto distance = [&whole](const SearchedPart& part, const dvec2& uv, const dvec3& position,
                                  double known) {
     return whole().distance({uv, part.triangles, known}, position);
@@ -111,10 +121,8 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   features.keep_widest(kFollowed, suspects.empty() ? 0 : kMostFollowed, parts);
   if (suspects.empty() && parts.empty()) return {};
   std::ranges::stable_sort(suspects, std::ranges::greater(), &SearchedLeaf::error);
-  if (from == SearchFrom::Both) {
-    for (const SearchedLeaf& leaf : suspects.first(std::min(kFollowed, suspects.size())))
-      parts.push_back(leaf.part);
-  }
+  for (const SearchedLeaf& leaf : suspects.first(std::min(kFollowed, suspects.size())))
+    parts.push_back(leaf.part);
   features.dive(parts);
   ErrorSearch search(tolerance, whole(), features.search(kMostBoxes));
   for (std::size_t next = 0;
@@ -122,15 +130,11 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
     search.measure(suspects.subspan(next, std::min(kInBatch, suspects.size() - next)));
   }
   search.climb();
-  if (from == SearchFrom::Both) {
-    for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
-    for (const SearchedPart& part : others) search.measure_triangles(part);
-    search.climb_on_mesh();
-  }
+  for (const SearchedLeaf& leaf : suspects) search.measure_triangles(leaf.part);
+  for (const SearchedPart& part : others) search.measure_triangles(part);
+  search.climb_on_mesh();
   return search.worst();
 }
-
-namespace {
 
 class ErrorReporter {
  public:
@@ -247,8 +251,12 @@ class ErrorReporter {
                      std::span<SearchedLeaf> suspected, const LeafTriangles& triangles,
                      double tolerance) const {
     std::vector<SearchedPart> others;
-    for (const std::size_t k : largest_leaves(triangles)) {
-      if (!suspected.empty() || triangles.of(k).empty()) others.push_back(searched(k, triangles));
+    const bool is_sampled = request.samples.has_value();
+    std::vector<std::size_t> leaves = searchable_leaves(triangles);
+    if (!is_sampled) keep_largest(leaves);
+    for (const std::size_t k : leaves) {
+      if (is_sampled || !suspected.empty() || triangles.of(k).empty())
+        others.push_back(searched(k, triangles));
     }
     std::optional<WholeMeshError> whole;
     const auto measured = [&]() -> const WholeMeshError& {
@@ -256,7 +264,7 @@ class ErrorReporter {
       return *whole;
     };
     return largest_error(surface, suspected, others, tolerance, request.clip, request.threads,
-                         mesher_.hulls(), measured, SearchFrom::Both);
+                         mesher_.hulls(), measured);
   }
 
   SearchedPart searched(std::size_t k, const LeafTriangles& triangles) const {
@@ -285,8 +293,8 @@ class ErrorReporter {
     append(leaf.samples.centre);
   }
 
-  /// The largest leaves by their parameters; only those without a proof, if one was tried.
-  std::vector<std::size_t> largest_leaves(const LeafTriangles& triangles) const {
+  /// Leaves whose samples may miss a feature; only those without a proof, if one was tried.
+  std::vector<std::size_t> searchable_leaves(const LeafTriangles& triangles) const {
     const bool was_proved = mesher_.proof().was_tried();
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
@@ -297,11 +305,15 @@ class ErrorReporter {
       if (triangles.of(k).empty() && leaf.state.is_whole()) continue;
       if (!was_proved || !mesher_.proof().is_proved(mesh_, k)) result.push_back(k);
     }
-    std::ranges::stable_sort(result, std::ranges::greater(), [this](std::size_t k) {
+    return result;
+  }
+
+  /// Keeps the largest leaves by their parameters.
+  void keep_largest(std::vector<std::size_t>& which) const {
+    std::ranges::stable_sort(which, std::ranges::greater(), [this](std::size_t k) {
       return static_cast<double>(mesh_.leaves[k].size_u()) * mesh_.leaves[k].size_v();
     });
-    result.resize(std::min(result.size(), std::max(kInBatch, mesh_.leaves.size() / kSearchedPart)));
-    return result;
+    which.resize(std::min(which.size(), std::max(kInBatch, mesh_.leaves.size() / kSearchedPart)));
   }
 
   const AdaptiveMesher& mesher_;

@@ -76,6 +76,19 @@ TEST(GridMeshReport, CountsEveryPointThatIsComputed) {
   EXPECT_GE(report.evaluations, kVertices + kMeasured);
 }
 
+TEST(GridMeshReport, IsHalvedUntilThatDoesNotHelp) {
+  // Some cells lie flat between waves of any size that they cannot show.
+  const Surface waves = surface_from_text("u", "v", "sin(1e5*u)", {});
+  const MeshReport stopped = mesh_uniformly(waves, {options_of(20, 20), 1e-3, {}}).report;
+  EXPECT_GT(stopped.max_error, 0.5);
+  EXPECT_LE(stopped.cells, 160U * 160);
+  // At its apex a cell of side h is off by h^2 / 2: 0.005 for 20 of them, 0.00125 for 40.
+  const Surface paraboloid = surface_from_text("u", "v", "u^2+v^2", {});
+  const MeshReport halved = mesh_uniformly(paraboloid, {options_of(5, 5), 1e-3, {}}).report;
+  EXPECT_LE(halved.max_error, *halved.tolerance);
+  EXPECT_EQ(halved.cells, 40U * 40);
+}
+
 TEST(GridMeshReport, FindsOutASurfaceThatOscillatesInStepWithTheGrid) {
   const Surface waves = surface_from_text("u", "v", "sin(60*u)", {0, 2 * kPi, 0, 1});
   const MeshReport report = mesh_on_grid(waves, options_of(60, 4)).report;

@@ -12,6 +12,7 @@
 #include "geometry/gallery/samples.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh_checks.h"
 #include "mesh_requests.h"
 #include "surface_from_text.h"
@@ -161,6 +162,43 @@ TEST(SampledMesh, TellsTheErrorOfChords) {
   const MeshResult parabola = sampled("u^2", {-1, 1, -1, 1});
   EXPECT_LE(parabola.report.max_error, 0.0025 * (1 + 1e-9));
   EXPECT_GE(parabola.report.max_error, 0.0025 / 1.1);
+}
+
+/// The distance of a point of a triangle from z = tanh(100 (r^2 - 1/2)), bounded by those along z
+/// and along r.
+double distance_from_wall(const dvec3& p) {
+  const double r = std::hypot(p.x, p.y);
+  const double along_z = std::fabs(p.z - std::tanh(100 * (r * r - 0.5)));
+  const double square = 0.5 + std::atanh(p.z) / 100;
+  return square >= 0 ? std::min(along_z, std::fabs(r - std::sqrt(square))) : along_z;
+}
+
+/// The wall is a third of a cell wide: triangles lean against it.
+TEST(SampledMesh, TellsNoLargerErrorThanThatOfTheWholeMesh) {
+  const MeshResult wall = sampled(height_field("tanh(100*(u^2+v^2-0.5))"), 40);
+  const Mesh& mesh = wall.mesh;
+  const TriangleTree tree(mesh);
+  double of_surface = 0;
+  for (int i = 0; i <= 400; ++i) {
+    for (int j = 0; j <= 400; ++j) {
+      const dvec2 p = dvec2(i, j) / 200.0 - 1.0;
+      const double z = std::tanh(100 * (glm::dot(p, p) - 0.5));
+      of_surface = std::max(of_surface, tree.distance(dvec3(p, z)));
+    }
+  }
+  double of_mesh = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (int i = 0; i <= 8; ++i) {
+      for (int j = 0; i + j <= 8; ++j) {
+        const dvec3 weights = dvec3(i, j, 8 - i - j) / 8.0;
+        const auto& at = mesh.position;
+        of_mesh = std::max(of_mesh, distance_from_wall(weights.x * at[t[0]] + weights.y * at[t[1]] +
+                                                       weights.z * at[t[2]]));
+      }
+    }
+  }
+  EXPECT_GE(wall.report.max_error, of_surface);
+  EXPECT_LE(wall.report.max_error, 1.2 * std::max(of_surface, of_mesh));
 }
 
 /// Jumps of which no triangle joins both sides.
