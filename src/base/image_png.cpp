@@ -73,13 +73,6 @@ void on_write(png_structp png, png_bytep data, std::size_t size) {
 
 void on_flush(png_structp) {}
 
-bool is_opaque(const Image& image) {
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i] != 255) return false;
-  }
-  return true;
-}
-
 constexpr std::array<png_byte, 5> kPixelChunk{'I', 'D', 'A', 'T'};
 constexpr std::array<png_byte, 5> kEndChunk{'I', 'E', 'N', 'D'};
 

@@ -158,6 +158,7 @@ class Run {
 }  // namespace
 
 void run_graph(const CommandLine& line, Clock::time_point start) {
+  remove_results_of_comparison(line);
   auto run = std::make_unique<Run>(line, start);
   run->go();
   // All is written, and the process about to end: taking OpenGL apart is left to the system.

@@ -40,7 +40,9 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "threshold",
      .value = "E",
      .section = Section::Output,
-     .help = "largest difference from the reference that passes: 1 - SSIM, {limits}",
+     .help = "largest perceptual difference from the reference that passes, {limits}",
+     .more = "It is the mean difference of the 8x8 pixels that differ most, in CIELAB; 1 is black "
+             "against\nwhite. Rims may move by a part of a pixel. 0 wants equal pictures.",
      .commands = kGraph,
      .needs = "reference",
      .run = [](RunSettings& r) -> kinds::Slot {
