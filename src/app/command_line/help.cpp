@@ -22,7 +22,8 @@ constexpr const char* kUsage =
     R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
 
   saddle NAME=EXPRESSION... [options]                  graph formulas
-  saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
+  saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene;
+                                                       - is standard input
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
   saddle check ...same arguments...                    what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for

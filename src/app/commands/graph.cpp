@@ -108,10 +108,11 @@ class Run {
   }
 
   void gather_warnings() {
-    meshes_.report(report_);
     const auto add = [this](const std::vector<std::string>& warnings) {
       std::ranges::copy(warnings, std::back_inserter(report_.warnings));
     };
+    add(warnings_of(plan_.scene()));
+    meshes_.report(report_);
     if (drawer_) add(drawer_->warnings());
     if (report_.frames > 1 && !meshes_.move() && !plan_.timeline.moves()) {
       add({"nothing depends on t: all frames are the same"});

@@ -131,6 +131,9 @@ TEST(Parser, UnderstandsHowPeopleWrite) {
   EXPECT_EQ(testing::value("u⁻¹+v⁻²", 4, 2), 0.5);
   EXPECT_EQ(testing::value("2·u×v−1", 3, 4), 23);
   EXPECT_EQ(testing::value("π"), 3.141592653589793);
+  EXPECT_EQ(testing::value("τ/π"), 2);
+  EXPECT_EQ(testing::value("φ"), testing::value("phi"));
+  EXPECT_EQ(testing::value("1/∞"), 0);
   EXPECT_EQ(testing::value("u≤1", 1), 1);
   EXPECT_EQ(testing::value("1/2u", 4), 2);  // from left to right, like 1/2*u
   EXPECT_EQ(testing::value(".5u", 4), 2);
