@@ -204,10 +204,8 @@ class MeshFindings {
 
   void take_cut(Kind kind, const char* what, std::size_t number, std::span<const dvec2> places) {
     if (places.empty()) return;
-    Finding& cut =
-        warn(kind, std::string(what) + ": it was cut in " + plural(number, "place", "places") +
-                       (number == 1 ? " (at " : " (the first at ") +
-                       place(places.front(), domain_) + ")");
+    Finding& cut = warn(
+        kind, std::string(what) + ": it is cut there, as at " + place(places.front(), domain_));
     count(number, "places", cut);
     cut.place = at(places.front());
   }

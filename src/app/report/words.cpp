@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
 
 #include <glm/vector_relational.hpp>
@@ -152,7 +153,7 @@ class SingularWords {
       const auto is_same = [&](const dvec2& uv) {
         return glm::distance(uv, place.uv) <= kSameParameters * glm::length(place.uv);
       };
-      if (std::ranges::any_of(at_, is_same)) continue;
+      if (std::ranges::any_of(at_, is_same) || is_on_another_side(place)) continue;
       at_.push_back(clean(place.uv, facts.domain));
       places_.push_back(&place);
     }
@@ -194,6 +195,23 @@ class SingularWords {
     for (const double u : facts_.singular_u) take_line(0, u, {u, u}, ends_v);
     for (const double v : facts_.singular_v) take_line(1, v, ends_u, {v, v});
     return lines;
+  }
+
+  /// Where edges of the domain join, a point on them is one place with two parameters.
+  bool is_on_another_side(const SingularPlace& place) const {
+    const auto is_end = [&](const dvec2& uv, int axis) {
+      const Domain& d = facts_.domain;
+      const double first = axis == 0 ? d.u0 : d.v0;
+      const double last = axis == 0 ? d.u1 : d.v1;
+      const double near = kSameLine * std::fabs(last - first);
+      return std::fabs(uv[axis] - first) <= near || std::fabs(uv[axis] - last) <= near;
+    };
+    return place.is_alone && std::ranges::any_of(places_, [&](const SingularPlace* other) {
+             const bool both_on_edges = (is_end(place.uv, 0) && is_end(other->uv, 0)) ||
+                                        (is_end(place.uv, 1) && is_end(other->uv, 1));
+             return other->is_alone && both_on_edges &&
+                    glm::distance(place.position, other->position) <= kSamePlace * diagonal_;
+           });
   }
 
   double distance(std::size_t a, std::size_t b) const {
@@ -270,6 +288,15 @@ class SingularWords {
   std::vector<const SingularPlace*> places_;
 };
 
+/// "2 lines: u = 1, v = 0:1; u = 2, v = 0:1".
+std::string listed_groups(const std::string& what, const std::vector<Group>& groups) {
+  std::string text = what;
+  for (std::size_t k = 0; k < std::min(groups.size(), kTold); ++k) {
+    text += (k > 0 ? "; " : what.ends_with("within") ? " " : ": ") + groups[k].text();
+  }
+  return groups.size() > kTold ? text + "; and others" : text;
+}
+
 /// A number to three digits, rounded in a direction.
 std::string outward(double value, double direction) {
   if (value == 0) return "0";
@@ -287,9 +314,17 @@ std::string number(double value) {
 std::string number(const Estimate& estimate) {
   const double share = estimate.error / std::fabs(estimate.value);
   const double known = share > 0 ? std::floor(-std::log10(2 * share)) : kDigits;
+  if (share >= 1) return "0 within " + rounded(std::fabs(estimate.value) + estimate.error, 1);
   if (known >= kDigits || !std::isfinite(known)) return number(estimate.value);
   const std::string digits = rounded(estimate.value, static_cast<int>(std::max(known, 1.0)));
   return "about " + number(std::strtod(digits.c_str(), nullptr));
+}
+
+std::string measure(const Estimate& estimate, double size, int dimension) {
+  // Products of two of them, of tangents and of their squares, are smaller than any double.
+  const bool underflows = std::pow(size, 2 * dimension) < std::numeric_limits<double>::min();
+  if (estimate.value == 0 && underflows) return "too small for doubles";
+  return number(estimate);
 }
 
 std::string plural(std::size_t count, const std::string& noun) {
@@ -339,13 +374,15 @@ std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain&
   if (count == 0) return "none";
   const Places told = distinct(listed, domain);
   Indices left = all_of(told.size());
-  std::vector<Group> groups = take_lines(told, domain, left);
-  append(groups, one_by_one(told, left));
-  std::string text = plural(count == listed.size() ? told.size() : count, "place");
-  for (std::size_t k = 0; k < std::min(groups.size(), kTold); ++k) {
-    text += (k == 0 ? ": " : "; ") + groups[k].text();
-  }
-  return groups.size() > kTold ? text + "; and others" : text;
+  const std::vector<Group> lines = take_lines(told, domain, left);
+  std::string text = lines.empty() ? "" : listed_groups(plural(lines.size(), "line"), lines);
+  if (left.empty()) return text;
+  if (!text.empty()) text += "; ";
+  // The sides of cells that a curve crosses say how fine the mesh is, not how many curves there
+  // are.
+  const bool are_few = left.size() <= kTold && count == listed.size();
+  const std::string what = are_few ? plural(left.size(), "place") : "curves within";
+  return text + listed_groups(what, one_by_one(told, left));
 }
 
 std::string jumps(const MeshReport& report, const Domain& domain) {

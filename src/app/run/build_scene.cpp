@@ -68,7 +68,8 @@ Scene build_scene(const CommandLine& line) {
   }
   if (names.size() > 1) {
     throw Error(Status::Input, "two scenes, '" + names[0] + "' and '" + names[1] + "'", {},
-                "graph one at a time");
+                assignments.empty() ? "graph one at a time"
+                                    : "a formula with spaces is written in quotes: z='u + v'");
   }
   if (line.arguments.empty()) {
     throw Error(Status::Input, "no surface given", {},

@@ -57,7 +57,7 @@ int whole_in(const std::string& option, const std::string& text, Span part, int 
   const auto [rest, error] = std::from_chars(begin, end, value);
   const bool too_large = error == std::errc::result_out_of_range;
   if ((error != std::errc{} && !too_large) || rest != end) {
-    throw Error(Status::Input, "not a whole number", {option, text, part});
+    throw Error(Status::Input, "not a whole number", {option, text, part}, "write digits alone");
   }
   if (too_large || value < low || value > high) {
     throw Error(Status::Input,
@@ -143,7 +143,8 @@ dvec3 parse_vector(const std::string& option, const std::string& text) {
 dvec3 parse_direction(const std::string& option, const std::string& text) {
   const dvec3 direction = parse_vector(option, text);
   if (direction == dvec3{0, 0, 0}) {
-    throw Error(Status::Input, "a direction needs a length", {option, text, whole(text)});
+    throw Error(Status::Input, "a direction needs a length", {option, text, whole(text)},
+                "one of its three numbers must not be 0");
   }
   return direction;
 }
@@ -182,9 +183,7 @@ namespace {
 
 /// `MxN`, or one number for both.
 GridSize parse_one_or_two(const std::string& option, const std::string& text, int low, int high) {
-  if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos) {
-    return parse_pair(option, text, low, high);
-  }
+  if (text.find_first_of("xX,") != std::string::npos) return parse_pair(option, text, low, high);
   const int both = whole_in(option, text, whole(text), low, high);
   return {both, both};
 }

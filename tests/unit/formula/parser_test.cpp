@@ -85,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"max(,u)", ",", "an operand is missing", ""},
                       Mistake{"(u+)*v", ")", "an operand is missing", ""},
                       Mistake{"0,5*u", "0,5", "a decimal comma", "0.5"},
+                      Mistake{"0.3,0.9", ",", "two results", "takes one formula"},
+                      Mistake{"1e3,5", ",", "two results", "a decimal point is '.'"},
                       Mistake{"sin(0,5)", "sin", "takes 1 argument, not 2", "0.5"},
                       Mistake{"u,v", ",", "two results", ""},
                       Mistake{"(u,v)", ",", "two results", ""},
