@@ -42,7 +42,7 @@ double luminance(const std::uint8_t* pixel) {
   return (0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]) / kFull;
 }
 
-/// What is behind transparent pixels.
+/// The background that shows through transparent pixels.
 enum class Behind { Black, White };
 
 /// The linear light of an sRGB value, 0 to 1 (IEC 61966-2-1).

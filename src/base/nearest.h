@@ -19,7 +19,8 @@ std::optional<std::string> nearest_name(std::string_view word,
                                         std::span<const std::string> candidates);
 
 /// The candidates that a word may stand for: the nearest; without one, up to four that share a part
-/// of at least three letters with it, as `klein-bottle` does with `klein`. Parts end at `-` and `_`.
+/// of at least three letters with it, as `klein-bottle` does with `klein`. Parts end at `-` and
+/// `_`.
 std::vector<std::string> similar_names(std::string_view word,
                                        std::span<const std::string> candidates);
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <numeric>
 
 #include <glm/vector_relational.hpp>
@@ -199,12 +198,11 @@ class SingularWords {
 
   /// Where edges of the domain join, a point on them is one place with two parameters.
   bool is_on_another_side(const SingularPlace& place) const {
+    const Domain& d = facts_.domain;
+    const dvec2 near = kSameLine * glm::abs(dvec2(d.u1 - d.u0, d.v1 - d.v0));
     const auto is_end = [&](const dvec2& uv, int axis) {
-      const Domain& d = facts_.domain;
-      const double first = axis == 0 ? d.u0 : d.v0;
-      const double last = axis == 0 ? d.u1 : d.v1;
-      const double near = kSameLine * std::fabs(last - first);
-      return std::fabs(uv[axis] - first) <= near || std::fabs(uv[axis] - last) <= near;
+      return std::fabs(uv[axis] - dvec2(d.u0, d.v0)[axis]) <= near[axis] ||
+             std::fabs(uv[axis] - dvec2(d.u1, d.v1)[axis]) <= near[axis];
     };
     return place.is_alone && std::ranges::any_of(places_, [&](const SingularPlace* other) {
              const bool both_on_edges = (is_end(place.uv, 0) && is_end(other->uv, 0)) ||
@@ -314,16 +312,16 @@ std::string number(double value) {
 std::string number(const Estimate& estimate) {
   const double share = estimate.error / std::fabs(estimate.value);
   const double known = share > 0 ? std::floor(-std::log10(2 * share)) : kDigits;
-  if (share >= 1) return "0 within " + rounded(std::fabs(estimate.value) + estimate.error, 1);
+  if (share >= 1) return "0 within " + outward(std::fabs(estimate.value) + estimate.error, 1);
   if (known >= kDigits || !std::isfinite(known)) return number(estimate.value);
   const std::string digits = rounded(estimate.value, static_cast<int>(std::max(known, 1.0)));
   return "about " + number(std::strtod(digits.c_str(), nullptr));
 }
 
 std::string measure(const Estimate& estimate, double size, int dimension) {
-  // Products of two of them, of tangents and of their squares, are smaller than any double.
-  const bool underflows = std::pow(size, 2 * dimension) < std::numeric_limits<double>::min();
-  if (estimate.value == 0 && underflows) return "too small for doubles";
+  // Areas are roots of products of four lengths, volumes products of three by three.
+  const double least = std::pow(size, 2 * dimension);
+  if (estimate.value == 0 && !std::isnormal(least)) return "too small for doubles";
   return number(estimate);
 }
 
@@ -375,14 +373,13 @@ std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain&
   const Places told = distinct(listed, domain);
   Indices left = all_of(told.size());
   const std::vector<Group> lines = take_lines(told, domain, left);
-  std::string text = lines.empty() ? "" : listed_groups(plural(lines.size(), "line"), lines);
+  const std::string text = lines.empty() ? "" : listed_groups(plural(lines.size(), "line"), lines);
   if (left.empty()) return text;
-  if (!text.empty()) text += "; ";
   // The sides of cells that a curve crosses say how fine the mesh is, not how many curves there
   // are.
   const bool are_few = left.size() <= kTold && count == listed.size();
   const std::string what = are_few ? plural(left.size(), "place") : "curves within";
-  return text + listed_groups(what, one_by_one(told, left));
+  return (text.empty() ? "" : text + "; ") + listed_groups(what, one_by_one(told, left));
 }
 
 std::string jumps(const MeshReport& report, const Domain& domain) {

@@ -20,8 +20,7 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "FILE",
      .section = Section::Output,
      .help = "what to write, by its extension: {formats}; may be repeated; none: a window opens",
-     .more = "frame-%04d.png writes a file for each frame.\n- is standard "
-             "output, with --format.",
+     .more = "frame-%04d.png writes a file for each frame.\n- is standard output, with --format.",
      .commands = kGraphChart,
      .repeats = true,
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Texts{&r.outputs}; }},
@@ -41,8 +40,7 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "E",
      .section = Section::Output,
      .help = "largest perceptual difference from the reference that passes, {limits}",
-     .more = "It is the mean difference of the 8x8 pixels that differ most, in CIELAB; 1 is black "
-             "against\nwhite. Rims may move by a part of a pixel. 0 wants equal pictures.",
+     .more = "The mean of the 8x8 pixels that differ most, in CIELAB; 1: black against white.",
      .commands = kGraph,
      .needs = "reference",
      .run = [](RunSettings& r) -> kinds::Slot {
