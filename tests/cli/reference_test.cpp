@@ -165,7 +165,8 @@ TEST_F(Comparison, TellsTheSizesIfTheyDiffer) {
 TEST_F(Comparison, LeavesNoOlderResultsWhereItFailsEarly) {
   for (const std::string broken :
        {"z=foo --reference ref.png", "torus --reference none.png", "z=sqrt(-1) --reference ref.png",
-        "mobius --strict --reference ref.png", "none.toml --reference ref.png"}) {
+        "mobius --strict --reference ref.png", "none.toml --reference ref.png",
+        "torus --reference ref.png --threshold 2", "torus --grid q --reference ref.png"}) {
     leave_older_results();
     std::ofstream(path("none.png.diff.png")) << "older";
     const std::string reference = contains(broken, "none.png") ? "none.png" : "ref.png";

@@ -161,6 +161,15 @@ void check_given_options(const CommandLine& line) {
   }
 }
 
+/// Reference and report, which are known also where something else is wrong.
+void set_paths(CommandLine& line) {
+  for (const auto& [option, text] : line.given) {
+    if (option->name == "reference" || option->name == "report") {
+      apply_option(*option, text, line.run);
+    }
+  }
+}
+
 }  // namespace
 
 const Verb* find_verb(std::string_view name) {
@@ -176,14 +185,19 @@ const Option* CommandLine::last_given(const std::vector<std::string_view>& names
   return last;
 }
 
-CommandLine parse_command_line(int argc, const char* const* argv) {
-  CommandLine line;
+void parse_command_line(int argc, const char* const* argv, CommandLine& line) {
   if (auto topics = help_topics(argc, argv)) {
     line.run.help = true;
     line.help_topics = std::move(*topics);
-    return line;
+    return;
   }
-  Splitter(argc, argv, line).split();
+  try {
+    Splitter(argc, argv, line).split();
+  } catch (const Error&) {
+    set_paths(line);
+    throw;
+  }
+  set_paths(line);
   if (argc > 1) {
     if (const Verb* const verb = find_verb(argv[1])) {
       line.command = verb->command;
@@ -195,7 +209,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     apply_option(*option, text, line.run);
   }
   if (!line.run.help && !line.run.version) check_given_options(line);
-  return line;
 }
 
 }  // namespace saddle

@@ -83,8 +83,7 @@ TEST(Warnings, NamePointsThatHaveNoLimit) {
   torn.report.jump_count = 6;
   const Warnings both = mesh_warnings("s", torn, kDomain);
   ASSERT_EQ(both.size(), 2U);
-  EXPECT_NE(both[0].find("jumps: it is cut there, as at u = 0.25"), std::string::npos)
-      << both[0];
+  EXPECT_NE(both[0].find("jumps: it is cut there, as at u = 0.25"), std::string::npos) << both[0];
   EXPECT_NE(both[1].find("u = 0, v = 1 and 2 other points"), std::string::npos) << both[1];
 }
 
