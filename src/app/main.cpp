@@ -4,6 +4,7 @@
 #include "app/command_line/cli.h"
 #include "app/command_line/help.h"
 #include "app/commands/commands.h"
+#include "app/report/reference.h"
 #include "app/run/outputs.h"
 #include "base/error.h"
 #include "base/heap.h"
@@ -42,8 +43,16 @@ int run_program(int argc, char** argv) {
   saddle::reserve_stack();
   saddle::guard_standard_streams();
   saddle::remove_temporaries_on_signals();
+  saddle::CommandLine line;
   try {
-    run(saddle::parse_command_line(argc, argv), start);
+    saddle::parse_command_line(argc, argv, line);
+  } catch (...) {
+    const saddle::Error error = saddle::caught_error();
+    saddle::remove_results_of_comparison(line);
+    return fail(error);
+  }
+  try {
+    run(line, start);
     return 0;
   } catch (...) {
     return fail(saddle::caught_error());

@@ -199,6 +199,24 @@ void write_and_rename(const fs::path& path, const fs::path& target, const Existi
   if (rename(temporary.path().c_str(), target.c_str()) != 0) fail_write(path, reason(errno));
 }
 
+[[noreturn]] void fail_read(const std::string& name, int error) {
+  throw Error(Status::Machine, "cannot read " + name + ": " + reason(error));
+}
+
+/// All that can be read from a descriptor; messages call it `name`.
+std::string read_all(int number, const std::string& name) {
+  std::string content;
+  std::vector<char> buffer(kBufferBytes);
+  while (true) {
+    const ssize_t count = read(number, buffer.data(), buffer.size());
+    if (count == 0) return content;
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_read(name, errno);
+    content.append(buffer.data(), static_cast<std::size_t>(count));
+    if (content.size() > kLargestFile) fail_read(name, EFBIG);
+  }
+}
+
 }  // namespace
 
 void write_file_whole(const fs::path& path, const Writer& write) {
@@ -226,21 +244,13 @@ void check_writable(const fs::path& path) {
 }
 
 std::string read_file(const fs::path& path) {
-  const auto fail = [&path](const std::string& why) {
-    throw Error(Status::Machine, "cannot read " + path.string() + ": " + why);
-  };
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) fail(reason(errno));
-  std::string content;
-  std::vector<char> buffer(kBufferBytes);
-  while (true) {
-    const ssize_t count = read(file.number(), buffer.data(), buffer.size());
-    if (count == 0) return content;
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(reason(errno));
-    content.append(buffer.data(), static_cast<std::size_t>(count));
-    if (content.size() > kLargestFile) fail(reason(EFBIG));
-  }
+  if (!file) fail_read(path.string(), errno);
+  return read_all(file.number(), path.string());
+}
+
+std::string read_standard_input() {
+  return read_all(STDIN_FILENO, "standard input");
 }
 
 }  // namespace saddle

@@ -22,4 +22,7 @@ void check_writable(const std::filesystem::path& path);
 /// The whole content of a file, at most 1 GiB. Throws Error (Machine) with the system's reason.
 std::string read_file(const std::filesystem::path& path);
 
+/// All that is left of standard input, in the same way.
+std::string read_standard_input();
+
 }  // namespace saddle

@@ -25,4 +25,12 @@ struct Image {
   }
 };
 
+/// No pixel is transparent.
+inline bool is_opaque(const Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i] != 255) return false;
+  }
+  return true;
+}
+
 }  // namespace saddle

@@ -5,19 +5,22 @@
 
 namespace saddle {
 
-/// All differences are over red, green, blue and alpha, on a scale of 0 to 1.
+/// Differences are on a scale of 0 to 1.
 struct ImageDifference {
-  double largest = 0;  ///< largest difference of any channel of any pixel
-  double mean = 0;     ///< mean over all channels and pixels
-  double ssim = 1;     ///< mean structural similarity of the luminance, 1 for equal pictures
-  /// One number for a threshold: 1 - ssim, at least `mean` (colours count too), 1 if the sizes
-  /// differ. 0: equal; 0.04: hard to tell apart; 0.1: visible; 0.5: other things in the picture.
+  double largest = 0;  ///< largest difference of red, green, blue or alpha of any pixel
+  double mean = 0;     ///< mean over these channels and all pixels
+  /// One number for a threshold: the mean perceptual difference of the 8x8 pixels that differ most,
+  /// 1 if the sizes differ. 0.05: hard to tell apart; 0.1: a line is missing; 1: black and white.
   double error = 0;
+  int x = 0;  ///< the middle of these pixels, from the left and from the top
+  int y = 0;
 };
 
-/// Compares two pictures. Transparent pixels are compared as if over black.
-/// Source: Z. Wang, A. Bovik, H. Sheikh, E. Simoncelli, "Image quality assessment: from error
-/// visibility to structural similarity", 2004 (8x8 windows, every 4 pixels; K1 0.01, K2 0.03).
+/// Compares two pictures. Colours are taken over black, and over white too where pixels are
+/// transparent. They are blurred, and compared in CIELAB with the colours of the other picture up
+/// to a pixel away, so that a rim may move by a part of a pixel.
+/// Sources: X. Zhang, B. Wandell, "A spatial extension of CIELAB for digital color-image
+/// reproduction", 1997 (blurred Lab colours); CIE 15, "Colorimetry", 2004 (CIELAB, 1976).
 ImageDifference compare_images(const Image& a, const Image& b);
 
 /// A picture of the difference: grey where equal (a dimmed copy of `a`), red where not, the more

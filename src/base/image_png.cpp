@@ -73,13 +73,6 @@ void on_write(png_structp png, png_bytep data, std::size_t size) {
 
 void on_flush(png_structp) {}
 
-bool is_opaque(const Image& image) {
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i] != 255) return false;
-  }
-  return true;
-}
-
 constexpr std::array<png_byte, 5> kPixelChunk{'I', 'D', 'A', 'T'};
 constexpr std::array<png_byte, 5> kEndChunk{'I', 'E', 'N', 'D'};
 
@@ -209,9 +202,9 @@ PngText read_text(const Reader& reader) {
   return text;
 }
 
-[[noreturn]] void fail_damaged(const std::filesystem::path& path, const Reader& reader) {
+[[noreturn]] void fail_damaged(const std::string& name, const Reader& reader) {
   throw Error(Status::Input,
-              path.string() + " is a damaged PNG file: " + std::string(reader.message.data()));
+              name + " is a damaged PNG file: " + std::string(reader.message.data()));
 }
 
 }  // namespace
@@ -228,20 +221,24 @@ void write_png(std::ostream& out, const Image& image, const PngText& text, unsig
 }
 
 PngFile read_png(const std::filesystem::path& path) {
-  const std::string file = read_file(path);
-  constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
-  if (!file.starts_with(kSignature)) {
-    throw Error(Status::Input, path.string() + " is not a PNG file");
-  }
-  Reader reader(file);
+  return decode_png(read_file(path), path.string());
+}
+
+bool is_png(std::string_view bytes) {
+  return bytes.starts_with("\x89PNG\r\n\x1A\n");
+}
+
+PngFile decode_png(const std::string& bytes, const std::string& name) {
+  if (!is_png(bytes)) throw Error(Status::Input, name + " is not a PNG file");
+  Reader reader(bytes);
   if (reader.info == nullptr) throw Error(Status::Machine, "libpng cannot be started");
   png_uint_32 width = 0;
   png_uint_32 height = 0;
-  if (!decode_header(reader, width, height)) fail_damaged(path, reader);
+  if (!decode_header(reader, width, height)) fail_damaged(name, reader);
   PngFile result{Image(static_cast<int>(width), static_cast<int>(height)), {}};
   std::vector<png_bytep> rows(height);
   for (png_uint_32 y = 0; y < height; ++y) rows[y] = result.image.pixel(0, static_cast<int>(y));
-  if (!decode_pixels(reader, rows)) fail_damaged(path, reader);
+  if (!decode_pixels(reader, rows)) fail_damaged(name, reader);
   result.text = read_text(reader);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "base/image.h"
 
@@ -27,5 +28,11 @@ struct PngFile {
 /// Reads any PNG as 8-bit RGBA, with its text chunks. Throws Error: Machine if the file cannot be
 /// opened, Input if it is no PNG or is damaged.
 PngFile read_png(const std::filesystem::path& path);
+
+/// The bytes are those of a PNG file, damaged or not.
+bool is_png(std::string_view bytes);
+
+/// The same of a file's bytes; messages call it `name`.
+PngFile decode_png(const std::string& bytes, const std::string& name);
 
 }  // namespace saddle

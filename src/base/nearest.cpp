@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -51,7 +52,54 @@ bool share_a_letter(const std::u32string& a, const std::u32string& b) {
   return a.find_first_of(b) != std::u32string::npos;
 }
 
+/// The parts of a name between `-` and `_`, but for the shortest, in lower case.
+std::vector<std::string> parts_of(std::string_view name) {
+  constexpr std::size_t kShortest = 3;
+  std::vector<std::string> parts(1);
+  for (const char c : name) {
+    if (c == '-' || c == '_' || c == ' ') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  std::erase_if(parts, [](const std::string& part) { return part.size() < kShortest; });
+  return parts;
+}
+
 }  // namespace
+
+std::vector<std::string> similar_names(std::string_view word,
+                                       std::span<const std::string> candidates) {
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string> result;
+  const auto add = [&result](const std::string& name) {
+    if (result.size() < kMost && std::ranges::find(result, name) == result.end()) {
+      result.push_back(name);
+    }
+  };
+  if (const auto nearest = nearest_name(word, candidates)) return {*nearest};
+  std::vector<std::string> known;
+  for (const std::string& candidate : candidates)
+    std::ranges::copy(parts_of(candidate), std::back_inserter(known));
+  for (const std::string& part : parts_of(word)) {
+    const auto meant = nearest_name(part, known);
+    for (const std::string& candidate : candidates) {
+      const std::vector<std::string> parts = parts_of(candidate);
+      if (meant && std::ranges::find(parts, *meant) != parts.end()) add(candidate);
+    }
+  }
+  return result;
+}
+
+std::string did_you_mean(std::span<const std::string> names) {
+  if (names.empty()) return "";
+  std::string text = "did you mean ";
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    text += (k == 0 ? "'" : k + 1 == names.size() ? " or '" : ", '") + names[k] + "'";
+  }
+  return text + "?";
+}
 
 std::optional<std::string> nearest_name(std::string_view word,
                                         std::span<const std::string> candidates) {

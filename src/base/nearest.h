@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace saddle {
 
@@ -16,5 +17,14 @@ namespace saddle {
 /// errors", 1964.
 std::optional<std::string> nearest_name(std::string_view word,
                                         std::span<const std::string> candidates);
+
+/// The candidates that a word may stand for: the nearest; without one, up to four that share a part
+/// of at least three letters with it, as `klein-bottle` does with `klein`. Parts end at `-` and
+/// `_`.
+std::vector<std::string> similar_names(std::string_view word,
+                                       std::span<const std::string> candidates);
+
+/// "did you mean 'a'?", "did you mean 'a', 'b' or 'c'?"; empty for no names.
+std::string did_you_mean(std::span<const std::string> names);
 
 }  // namespace saddle

@@ -17,6 +17,13 @@ namespace {
 /// To the line's begin, and away with what is on it.
 constexpr const char* kClearLine = "\r\033[K";
 
+/// The reader has what it wanted, as in `saddle list | head -1`: the rest goes nowhere.
+void drop_standard_output() {
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
+  std::cout.clear();
+}
+
 void write_lines(std::ostream& out, std::span<const std::string> lines) {
   for (const std::string& line : lines) out << printable(line) << '\n';
 }
@@ -27,6 +34,7 @@ void write_standard_output(const std::function<void(std::ostream&)>& write) {
   errno = 0;
   write(std::cout);
   if (std::cout.flush()) return;
+  if (errno == EPIPE) return drop_standard_output();
   const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
   throw Error(Status::Machine, "cannot write to standard output" + reason);
 }

@@ -33,7 +33,8 @@ struct Format {
   const VideoFormat* video = nullptr;
   /// Returns the text of the scene file inside a file of this format, if there is one. Not set: the
   /// format holds none.
-  std::optional<std::string> (*scene_in)(const std::filesystem::path& path) = nullptr;
+  std::optional<std::string> (*scene_in)(const std::string& bytes,
+                                         const std::string& name) = nullptr;
 
   /// Such a file is made of images.
   bool is_drawn() const { return kind == Kind::Picture || kind == Kind::Animation; }

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/image_png.h"
 #include "export/formats.h"
 #include "scene/toml/scene_file.h"
 
@@ -15,23 +16,42 @@ bool has_scene_extension(const std::filesystem::path& path) {
   return format != nullptr && format->carries_scene();
 }
 
+namespace {
+
+/// The scene in a file's bytes; messages call the file `name`.
+Scene scene_of(const std::string& bytes, const std::string& name, const Format* format) {
+  if (format != nullptr && format->scene_in != nullptr) {
+    const std::optional<std::string> text = format->scene_in(bytes, name);
+    if (text) return read_scene({name, *text});
+    throw Error(Status::Input, name + " holds no scene", {},
+                "a picture keeps its scene until another program saves it");
+  }
+  if (bytes.size() > kMaxTomlBytes) {
+    throw Error(Status::Input, name + " is larger than 4 MiB", {},
+                "a scene file is shorter; saddle show torus prints one");
+  }
+  return read_scene({name, bytes});
+}
+
+}  // namespace
+
 Scene load_scene(const std::filesystem::path& path) {
   std::error_code ignored;  // what cannot be looked up is reported by the reading
   if (!std::filesystem::exists(path, ignored)) {
     throw Error(Status::Input, "there is no file " + path.string(), {},
                 "saddle list names the surfaces of the gallery");
   }
-  const Format* const format = find_format(extension_of(path));
-  if (format != nullptr && format->scene_in != nullptr) {
-    const std::optional<std::string> text = format->scene_in(path);
-    if (text) return read_scene({path.string(), *text});
-    throw Error(Status::Input, path.string() + " holds no scene", {},
-                "pictures that saddle has made do, unless another program saved them again");
+  return scene_of(read_file(path), path.string(), find_format(extension_of(path)));
+}
+
+Scene load_standard_input() {
+  const std::string bytes = read_standard_input();
+  const std::string name = "standard input";
+  if (bytes.empty()) {
+    throw Error(Status::Input, name + " is empty", {},
+                "for example saddle show torus | saddle - -o torus.png");
   }
-  if (std::filesystem::file_size(path, ignored) > kMaxTomlBytes) {
-    throw Error(Status::Input, path.string() + " is larger than 4 MiB", {}, "is this a scene?");
-  }
-  return read_scene({path.string(), read_file(path)});
+  return scene_of(bytes, name, is_png(bytes) ? find_format("png") : nullptr);
 }
 
 }  // namespace saddle

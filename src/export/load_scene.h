@@ -15,4 +15,7 @@ bool has_scene_extension(const std::filesystem::path& path);
 /// or holds no scene; Machine if it cannot be read.
 Scene load_scene(const std::filesystem::path& path);
 
+/// The same of what standard input holds: a scene file, or a PNG that carries a scene.
+Scene load_standard_input();
+
 }  // namespace saddle

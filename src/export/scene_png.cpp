@@ -15,8 +15,8 @@ void write_scene_png(std::ostream& out, const PictureContent& content) {
   write_png(out, content.image, {{kSceneKeyword, write_scene(content.scene)}}, content.threads);
 }
 
-std::optional<std::string> scene_in_png(const std::filesystem::path& path) {
-  const PngText text = read_png(path).text;
+std::optional<std::string> scene_in_png(const std::string& bytes, const std::string& name) {
+  const PngText text = decode_png(bytes, name).text;
   const auto found = text.find(kSceneKeyword);
   if (found == text.end()) return std::nullopt;
   return found->second;

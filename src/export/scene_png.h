@@ -14,6 +14,6 @@ namespace saddle {
 void write_scene_png(std::ostream& out, const PictureContent& content);
 
 /// The scene file in a PNG; nothing if it holds none. Throws Error as read_png() does.
-std::optional<std::string> scene_in_png(const std::filesystem::path& path);
+std::optional<std::string> scene_in_png(const std::string& bytes, const std::string& name);
 
 }  // namespace saddle

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/utf8.h"
+
 namespace saddle {
 namespace {
 
@@ -32,7 +34,6 @@ constexpr std::array kSpellings = {
     Spelling{"÷", TokenKind::Operator, "/"},   Spelling{"−", TokenKind::Operator, "-"},
     Spelling{"≤", TokenKind::Operator, "<="},  Spelling{"≥", TokenKind::Operator, ">="},
     Spelling{"≠", TokenKind::Operator, "!="},  Spelling{"π", TokenKind::Name, "pi"},
-    Spelling{"τ", TokenKind::Name, "tau"},     Spelling{"φ", TokenKind::Name, "phi"},
     Spelling{"∞", TokenKind::Name, "inf"},
 };
 
@@ -73,12 +74,21 @@ constexpr std::array kMisspelt = {
 };
 
 constexpr std::string_view kSuperscriptMinus = "⁻";
+constexpr std::string_view kGreekPi = "π";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// The letters of Unicode's block "Greek and Coptic" but for π, and the micro sign of keyboards.
+bool is_greek(char32_t code) {
+  constexpr char32_t kSmallPi = 0x3C0;
+  constexpr char32_t kMicro = 0xB5;
+  const bool is_mark = code == 0x37E || code == 0x387;  // a question mark and a dot
+  return code == kMicro || (code >= 0x386 && code <= 0x3FF && code != kSmallPi && !is_mark);
 }
 
 /// Length in bytes of the UTF-8 character that begins with `c`, at least 1.
@@ -120,12 +130,8 @@ class Lexer {
       at_ += 2;
     } else if (is_digit(c) || (c == '.' && rest().size() > 1 && is_digit(rest()[1]))) {
       read_number();
-    } else if (is_letter(c)) {
-      std::size_t length = 1;
-      while (length < rest().size() && (is_letter(rest()[length]) || is_digit(rest()[length]))) {
-        ++length;
-      }
-      push(TokenKind::Name, rest().substr(0, length), length);
+    } else if (const std::size_t length = name_length(rest())) {
+      push(TokenKind::Name, meant_name(rest().substr(0, length)), length);
     } else {
       refuse(kMisspelt);
       if (!read_spelling() && !read_superscript()) refuse_character();
@@ -237,6 +243,27 @@ class Lexer {
 };
 
 }  // namespace
+
+std::size_t name_length(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const Character c = decode_utf8(text, at);
+    if (!is_letter(text[at]) && !is_greek(c.code) && (at == 0 || !is_digit(text[at]))) break;
+    at += c.bytes;
+  }
+  return at;
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && (text == kGreekPi || name_length(text) == text.size());
+}
+
+std::string meant_name(std::string_view written) {
+  if (written == kGreekPi) return "pi";
+  if (written == "τ") return "tau";
+  if (written == "µ") return "μ";  // the micro sign of keyboards
+  return written == "φ" ? "phi" : std::string(written);
+}
 
 Error FormulaText::error(std::string message, Span span, std::string hint) const {
   return {Status::Input, std::move(message), Place{name, text, span}, std::move(hint)};

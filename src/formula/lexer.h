@@ -1,8 +1,9 @@
 // A formula's text as tokens with their places. The usual ways to write * and ^ on paper or in
-// other programs are understood here: 2u, 3(u+1), u**2, π, ², ·, ×, −, ≤.
+// other programs are understood here: 2u, 3(u+1), u**2, π, ², ·, ×, −, ≤, and names in Greek.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -27,6 +28,17 @@ struct Token {
   double value = 0;  ///< of a number
   Span span;         ///< bytes of FormulaText::text; empty for a * that is only understood
 };
+
+/// Bytes of the name that `text` begins with, 0 if it begins with none.
+std::size_t name_length(std::string_view text);
+
+/// A name: letters, digits and _, no digit first. Greek letters are letters; `π` is a whole name,
+/// so that in `πu` an operator is missing.
+bool is_name(std::string_view text);
+
+/// The name that a written one stands for: `π`, `τ` and `φ` are `pi`, `tau` and `phi`, any other
+/// stands for itself.
+std::string meant_name(std::string_view written);
 
 /// Longest formula in bytes, and deepest nesting of brackets: enough for anything written by hand
 /// or by a program in good faith, and little enough that no later step can be made to run away.

@@ -21,12 +21,15 @@ std::string written(const FormulaText& formula, const Token& token) {
   return formula.text.substr(token.span.begin, token.span.end - token.span.begin);
 }
 
+/// A number of digits alone, without a point or an exponent.
+bool is_digits(const Token& token) {
+  return token.kind == TokenKind::Number && !token.text.empty() &&
+         token.text.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// 1 000: digits in groups of three.
 bool is_grouped(const Token& left, const Token& right) {
-  constexpr std::string_view kDigits = "0123456789";
-  return left.kind == TokenKind::Number && right.kind == TokenKind::Number && !left.text.empty() &&
-         left.text.size() <= 3 && left.text.find_first_not_of(kDigits) == std::string::npos &&
-         right.text.size() == 3 && right.text.find_first_not_of(kDigits) == std::string::npos;
+  return is_digits(left) && left.text.size() <= 3 && is_digits(right) && right.text.size() == 3;
 }
 
 [[noreturn]] void refuse_neighbours(const FormulaText& formula, const Token& left,
@@ -53,8 +56,9 @@ bool is_grouped(const Token& left, const Token& right) {
                         "write " + left.text + "." + right.text);
   }
   throw formula.error("two results in one formula", tokens[comma].span,
-                      "x, y and z are three formulas; a comma only separates the arguments of a "
-                      "function");
+                      formula.name +
+                          " takes one formula; a comma only separates the arguments of "
+                          "a function, and a decimal point is '.'");
 }
 
 }  // namespace
@@ -106,8 +110,8 @@ bool is_decimal_comma(const std::vector<Token>& tokens, std::size_t comma) {
   if (comma == 0 || comma + 1 >= tokens.size()) return false;
   const Token& left = tokens[comma - 1];
   const Token& right = tokens[comma + 1];
-  return left.kind == TokenKind::Number && right.kind == TokenKind::Number &&
-         left.span.end == tokens[comma].span.begin && tokens[comma].span.end == right.span.begin;
+  return is_digits(left) && is_digits(right) && left.span.end == tokens[comma].span.begin &&
+         tokens[comma].span.end == right.span.begin;
 }
 
 }  // namespace saddle

@@ -28,7 +28,7 @@ inline constexpr const char* kMissingOperandHint = "add a number, a name or a br
 void explain_slips(const FormulaText& formula, const std::vector<Token>& tokens,
                    const Calls& calls);
 
-/// True if the tokens at `comma` are a number, a comma and a number without a space: 0,5.
+/// True if the tokens at `comma` are digits, a comma and digits without a space: 0,5.
 bool is_decimal_comma(const std::vector<Token>& tokens, std::size_t comma);
 
 }  // namespace saddle

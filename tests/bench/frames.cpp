@@ -26,7 +26,9 @@ double ms(Clock::duration d) {
 ViewerSetup setup_of(const std::vector<std::string>& arguments) {
   std::vector<const char*> words{"saddle"};
   for (const std::string& argument : arguments) words.push_back(argument.c_str());
-  return viewer_setup(parse_command_line(static_cast<int>(words.size()), words.data()));
+  CommandLine line;
+  parse_command_line(static_cast<int>(words.size()), words.data(), line);
+  return viewer_setup(line);
 }
 
 void rest(Viewer& viewer) {

@@ -283,9 +283,9 @@ TEST_F(AnimationTest, RefusesWhatCannotBe) {
       {"a scene is one file", {"-o", "f-%d.toml"}},
       {"a GIF shows at most 50 frames per second", {"-o", "f.gif", "--fps", "60"}},
       {"unknown extension '.avi'", {"-o", "f.avi"}},
-      {"no output is of one moment", {"-o", "f.gif", "--t", "1"}},
+      {"no output shows this moment", {"-o", "f.gif", "--t", "1"}},
       {"argument = t=0.5", {"t=0.5", "-o", "f-%d.png"}},
-      {"no output is of one moment", {"t=0:2", "--t", "1", "-o", "f.png", "--frame-range", "1:1"}},
+      {"no output shows this moment", {"t=0:2", "--t", "1", "-o", "f.png", "--frame-range", "1:1"}},
   };
   for (const auto& [message, words] : table) {
     const std::string error = error_of(run({"z=u*t"}, words), 2);

@@ -169,6 +169,26 @@ TEST_F(CheckCommand, SaysOnWhichShareOfTheDomainItsProofHolds) {
                        "% of the domain within 4 tolerances of the mesh (proved), but for"));
 }
 
+TEST_F(CheckCommand, TellsCurvesAsCurvesHoweverManyCellsTheyCross) {
+  EXPECT_TRUE(contains(words({"z=floor(3*u)", "u=0.1:0.9"}), "jumps       u = 0.333333, v = -1:1;"));
+  EXPECT_TRUE(contains(words({"z=sign(u^2+v^2-0.5)"}), "jumps       within u = -0.7"));
+}
+
+TEST_F(CheckCommand, TellsAPointOnASeamOnce) {
+  // The tangents of its two circles are parallel at (+-1/2, 0, +-1), and at u = 0 as at 2*pi.
+  const std::string dome = words({"bohemian-dome"});
+  EXPECT_TRUE(contains(dome, "singular    4 points: ")) << dome;
+  EXPECT_TRUE(contains(dome, "volume      0 within ")) << dome;
+}
+
+TEST_F(CheckCommand, TellsSizesThatDoublesCannotHold) {
+  const std::string small = words({"sphere", "r=1e-60"});
+  EXPECT_TRUE(contains(small, "volume      4.18879e-180\n")) << small;
+  const std::string none = words({"sphere", "r=1e-110"});
+  EXPECT_TRUE(contains(none, "area        too small for doubles\n")) << none;
+  EXPECT_TRUE(contains(none, "volume      too small for doubles\n")) << none;
+}
+
 TEST_F(CheckCommand, SaysWhereNothingIsProvedAndWhy) {
   EXPECT_TRUE(facts({"torus"})["uncertified"].empty());
   EXPECT_TRUE(facts({"z=abs(u)"})["uncertified"].empty());

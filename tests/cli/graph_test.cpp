@@ -369,26 +369,5 @@ TEST_F(GraphCommand, DrawsAxesOnlyWhenTheyAreWanted) {
   EXPECT_NE(picture("axes.png").rgba, picture("plain.png").rgba);
 }
 
-TEST_F(GraphCommand, PassesAgainstItsOwnPicture) {
-  done({"torus", "-o", "ref.png"});
-  done({"torus", "--reference", "ref.png"});
-  EXPECT_EQ(files(), Names{"ref.png"});
-}
-
-TEST_F(GraphCommand, FailsAgainstAnotherPictureAndDrawsTheDifference) {
-  done({"torus", "-o", "ref.png"});
-  const std::string message = error_of(small({"sphere", "--reference", "ref.png"}), 1);
-  EXPECT_TRUE(contains(message, "threshold 0.04")) << message;
-  EXPECT_TRUE(contains(message, "ref.png.diff.png")) << message;
-  EXPECT_EQ(picture("ref.png.diff.png").width, 64);
-  done({"sphere", "--reference", "ref.png", "--threshold", "1"});
-  EXPECT_TRUE(contains(error_of(small({"torus", "--reference", "no.png"}), 1), "no.png"));
-}
-
-TEST_F(GraphCommand, ReadsTheReferenceBeforeItIsWrittenOver) {
-  done({"torus", "-o", "ref.png"});
-  error_of(small({"sphere", "--reference", "ref.png", "-o", "ref.png"}), 1);
-}
-
 }  // namespace
 }  // namespace saddle

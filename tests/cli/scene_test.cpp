@@ -1,10 +1,14 @@
 // Scene files and pictures that open again.
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+
+#include <cstdlib>
 #include <fstream>
 
 #include "base/file.h"
 #include "cli/program.h"
+#include "paths.h"
 
 namespace saddle {
 namespace {
@@ -94,6 +98,26 @@ TEST_F(SceneFiles, GoToStandardOutput) {
   const Outcome run = saddle({"z=u", "-o", "-", "--format", "toml"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "[[surface]]\nz = \"u\"\n");
+}
+
+TEST_F(SceneFiles, ComeFromStandardInput) {
+  make({"torus", "r=0.3", "-s", "40x30", "-o", "a.png", "-o", "a.toml"});
+  const auto piped = [&](const std::string& command) {
+    const std::string in_folder = "cd " + path(".").string() + " && ";
+    return WEXITSTATUS(std::system((in_folder + command).c_str()));
+  };
+  const std::string program = program_path();
+  for (const std::string file : {"a.toml", "a.png"}) {
+    ASSERT_EQ(piped("cat " + file + " | " + program + " - -o b.toml"), 0) << file;
+    EXPECT_EQ(content("b.toml"), content("a.toml")) << file;
+  }
+  ASSERT_EQ(piped(program + " show torus | " + program + " - r=0.3 -s 40x30 -o c.png"), 0);
+  EXPECT_EQ(content("c.png"), content("a.png"));
+  EXPECT_EQ(piped(program + " - -o d.png </dev/null 2>err"), 2);
+  EXPECT_TRUE(contains(content("err"), "standard input is empty\n")) << content("err");
+  EXPECT_EQ(piped("echo 'grif = 3' | " + program + " - -o d.png 2>err"), 2);
+  EXPECT_TRUE(contains(content("err"), "saddle: standard input:1:1: unknown key 'grif'\n"))
+      << content("err");
 }
 
 }  // namespace

@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 #include "base/file.h"
 #include "cli/program.h"
+#include "paths.h"
 #include "scene/options/options.h"
 
 namespace saddle {
@@ -60,7 +63,9 @@ TEST_F(Usage, HelpExplainsOneOption) {
   }
   EXPECT_EQ(saddle({"--help", "-s"}).out, saddle({"--help", "size"}).out);
   EXPECT_EQ(saddle({"--help", "check"}).out, saddle({"--help"}).out);
-  EXPECT_EQ(saddle({"--help", "title"}).out, saddle({"--help", "scene"}).out);
+  const std::string title = saddle({"--help", "title"}).out;
+  EXPECT_TRUE(title.starts_with("title = TEXT\n")) << title;
+  EXPECT_TRUE(contains(title, "Scene files: title, at the top of the file\n")) << title;
 }
 
 TEST_F(Usage, HelpListsTheKeysOfSceneFiles) {
@@ -68,8 +73,11 @@ TEST_F(Usage, HelpListsTheKeysOfSceneFiles) {
   EXPECT_EQ(run.status, 0);
   for (const Option& option : options()) {
     if (option.table == Table::None) continue;
-    EXPECT_TRUE(contains(run.out, "\n  " + std::string(option.name) + " ")) << option.name;
+    EXPECT_TRUE(contains(run.out, "  " + std::string(option.name) + " = ")) << option.name;
   }
+  EXPECT_LE(std::ranges::count(run.out, '\n'), 45) << "one screen";
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
   EXPECT_TRUE(contains(saddle({"--help", "status"}).out, "3  there is nothing to draw"));
 }
 
@@ -121,6 +129,56 @@ TEST_F(Usage, PrintsItsVersion) {
   EXPECT_EQ(run.status, 0);
   EXPECT_TRUE(run.out.starts_with("saddle ")) << run.out;
   EXPECT_EQ(std::ranges::count(run.out, '.'), 2) << run.out;
+  EXPECT_EQ(saddle({"-V"}).out, run.out);
+}
+
+TEST_F(Usage, TakesSizesAndOffInTheFormsThatPeopleType) {
+  const auto scene = [&](const std::string& option, const std::string& value) {
+    EXPECT_EQ(saddle({"z=u", option, value, "-o", "a.toml"}).status, 0) << option << " " << value;
+    return content("a.toml");
+  };
+  EXPECT_TRUE(contains(scene("-s", "192,108"), "size = \"192x108\""));
+  EXPECT_EQ(scene("--grid", "8"), scene("--grid", "8x8"));
+  EXPECT_EQ(scene("--grid", "8,9"), scene("--grid", "8x9"));
+  EXPECT_EQ(scene("--grid", "none"), scene("--grid", "off"));
+  EXPECT_EQ(scene("--samples", "7"), scene("--samples", "7x7"));
+  EXPECT_EQ(scene("--clip", "none"), scene("--clip", "off"));
+  EXPECT_EQ(scene("--background", "none"), scene("--background", "transparent"));
+}
+
+TEST_F(Usage, TakesNamesInGreek) {
+  const auto scene = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"-o", "a.toml"});
+    const Outcome run = saddle(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return content("a.toml");
+  };
+  const std::string own = scene({"z=θ*u+Δx1", "θ=2", "Δx1=γ", "γ=3"});
+  EXPECT_TRUE(contains(own, "\n\"θ\" = 2\n\"Δx1\" = \"γ\"\n\"γ\" = 3\n")) << own;
+  std::ofstream(path("b.toml")) << own;
+  EXPECT_EQ(scene({"b.toml"}), own) << "keys of TOML in quotes";
+  EXPECT_TRUE(contains(scene({"b.toml", "θ=5"}), "\"θ\" = 5\n"));
+  // φ, τ and π are the constants' other names, also where they are defined anew.
+  EXPECT_EQ(scene({"z=phi*u", "φ=2"}), scene({"z=phi*u", "phi=2"}));
+  EXPECT_EQ(saddle({"z=f(u)+2π+τ", "f(φ)=φ^2", "-o", "a.toml"}).status, 0);
+}
+
+TEST_F(Usage, ExplainsSlipsInGreek) {
+  EXPECT_TRUE(contains(refusal({"z=u", "φ=2", "phi=3", "-o", "c.toml"}), "'phi' is given twice"));
+  EXPECT_TRUE(contains(refusal({"z=γ(u)", "-o", "c.toml"}), "unknown name 'γ'"));
+  EXPECT_TRUE(contains(refusal({"z=πu", "-o", "c.toml"}), "write π*u"));
+}
+
+TEST_F(Usage, EndsQuietlyWhereTheReaderHasGone) {
+  const std::string program = program_path();
+  for (const std::string wanted :
+       {"list", "--help", "show torus", "check torus", "torus -o - --format ply"}) {
+    const std::string command = "{ " + program + " " + wanted + " 2>" + path("err").string() +
+                                "; echo $? >" + path("status").string() + "; } | true";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(content("err"), "") << wanted;
+    EXPECT_EQ(content("status"), "0\n") << wanted;
+  }
 }
 
 TEST_F(Usage, ListsTheGalleryALineEach) {

@@ -19,6 +19,7 @@ BEHAVIOURS = {
     "geometry/mesh/small_features",
     "geometry/meshing/close_up",
     "geometry/meshing/dependent_domain",
+    "unit/scene/scenes_page",
 }
 
 

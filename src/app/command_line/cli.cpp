@@ -21,6 +21,16 @@ constexpr auto kVerbs = std::to_array<Verb>({
     {"show", Command::Show, "saddle show NAME, with assignments"},
 });
 
+/// `--size WxH`
+std::string with_value(const Option& option) {
+  return dashed(option) + " " + std::string(option.value);
+}
+
+std::string form(const Option& option) {
+  return "write " + with_value(option) + "; saddle --help " + std::string(option.name) +
+         " explains it";
+}
+
 /// Throws Error (Input) with the nearest option.
 [[noreturn]] void refuse_unknown(const std::string& name) {
   std::vector<std::string> names;
@@ -88,6 +98,13 @@ class Splitter {
     for (std::size_t i = 1; i < argument.size(); ++i) {
       const Option* const option = find_option(argument[i]);
       if (option == nullptr) refuse_unknown(argument);
+      if (!option->is_flag() && argument.substr(i + 1).starts_with('=')) {
+        const std::string value = argument.substr(i + 2);
+        throw Error(Status::Input, "-" + argument.substr(i, 1) + " takes its value without a '='",
+                    {},
+                    "write " + argument.substr(0, i + 1) + " " + value + " or " + dashed(*option) +
+                        "=" + value);
+      }
       const bool ends = option->is_flag() || i + 1 == argument.size();
       take(*option, ends ? std::nullopt : std::optional(argument.substr(i + 1)));
       if (!ends) return;
@@ -98,12 +115,12 @@ class Splitter {
   void take(const Option& option, std::optional<std::string> value) {
     if (!value && !option.is_flag()) {
       if (at_ == rest_.size() || names_option(rest_[at_])) {
-        throw Error(Status::Input, "the value is missing", {dashed(option), "", {}}, kList);
+        throw Error(Status::Input, "the value is missing", {dashed(option), "", {}}, form(option));
       }
       value = rest_[at_++];
     }
     if (value && value->empty()) {  // a shell's variable that is not set should not go unnoticed
-      throw Error(Status::Input, "the value is empty", {dashed(option), "", {}}, kList);
+      throw Error(Status::Input, "the value is empty", {dashed(option), "", {}}, form(option));
     }
     if (!option.repeats)
       std::erase_if(line_.given, [&](const auto& g) { return g.option == &option; });
@@ -135,11 +152,20 @@ void check_given_options(const CommandLine& line) {
   for (const auto& [option, text] : line.given) {
     if (!option->needs.empty() && !is_given(option->needs)) {
       throw Error(Status::Input, "does nothing without --" + std::string(option->needs),
-                  {dashed(*option), "", {}}, kList);
+                  {dashed(*option), "", {}}, "add " + with_value(*find_option(option->needs)));
     }
     if (!option->excludes.empty() && is_given(option->excludes)) {
       throw Error(Status::Input, "says the opposite of --" + std::string(option->excludes),
                   {dashed(*option), "", {}}, "leave one of them out");
+    }
+  }
+}
+
+/// Reference and report, which are known also where something else is wrong.
+void set_paths(CommandLine& line) {
+  for (const auto& [option, text] : line.given) {
+    if (option->name == "reference" || option->name == "report") {
+      apply_option(*option, text, line.run);
     }
   }
 }
@@ -159,14 +185,19 @@ const Option* CommandLine::last_given(const std::vector<std::string_view>& names
   return last;
 }
 
-CommandLine parse_command_line(int argc, const char* const* argv) {
-  CommandLine line;
+void parse_command_line(int argc, const char* const* argv, CommandLine& line) {
   if (auto topics = help_topics(argc, argv)) {
     line.run.help = true;
     line.help_topics = std::move(*topics);
-    return line;
+    return;
   }
-  Splitter(argc, argv, line).split();
+  try {
+    Splitter(argc, argv, line).split();
+  } catch (const Error&) {
+    set_paths(line);
+    throw;
+  }
+  set_paths(line);
   if (argc > 1) {
     if (const Verb* const verb = find_verb(argv[1])) {
       line.command = verb->command;
@@ -178,7 +209,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     apply_option(*option, text, line.run);
   }
   if (!line.run.help && !line.run.version) check_given_options(line);
-  return line;
 }
 
 }  // namespace saddle

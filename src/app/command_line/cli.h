@@ -40,7 +40,7 @@ struct CommandLine {
 /// `-nVALUE`, flags together (`-qh`), in any place; what follows `--` is no option. An option that
 /// is given again replaces its value. Throws Error (Input): an unknown option or one that the
 /// command does not take, a value that is missing; of the run's options also one that is malformed
-/// or out of range.
-CommandLine parse_command_line(int argc, const char* const* argv);
+/// or out of range. `line` then has what stands before it, and the paths of reference and report.
+void parse_command_line(int argc, const char* const* argv, CommandLine& line);
 
 }  // namespace saddle

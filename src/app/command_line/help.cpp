@@ -22,7 +22,8 @@ constexpr const char* kUsage =
     R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
 
   saddle NAME=EXPRESSION... [options]                  graph formulas
-  saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene
+  saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene;
+                                                       - is standard input
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
   saddle check ...same arguments...                    what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
@@ -42,11 +43,12 @@ Examples:
 )";
 
 constexpr const char* kScene =
-    R"text(A scene file is TOML. Any number may be an expression of the parameters and t, in quotes.
-`saddle show torus` prints one; -o FILE.toml writes the scene of a command line. Beside the keys
-below it has [params] (NAME = VALUE, or { value = 1, min = 0, max = 2 } with a slider), [functions]
-("f(s)" = "exp(-s*s)"), [[node]] (name, in, transform) and [[light]]; docs/LIGHTING.md and
-examples/ explain nodes and lights.
+    R"text(A scene file is TOML. `saddle show torus` prints one; -o FILE.toml writes one. A number may be an
+expression of the parameters and t in quotes. Here are all keys with their defaults, in capitals
+without a fixed one. `saddle --help KEY` explains a key, docs/SCENES.md has examples of all.
+
+  [params]     NAME = 1, or NAME = { value = 1, min = 0, max = 2 } with a slider
+  [functions]  "f(s)" = "exp(-s*s)"
 )text";
 
 constexpr const char* kStatus =
@@ -55,7 +57,9 @@ constexpr const char* kStatus =
    from --reference
 2  the input is wrong: usage, formula, scene file; or a warning with --strict
 3  there is nothing to draw: the surface is undefined everywhere, or has no finite extent
-An output file appears whole or not at all.
+A signal ends saddle with 128 and its number: Ctrl-C with 130. An output file appears whole or not
+at all, and an interrupted run leaves no file behind. A reader that closes the pipe early, as in
+saddle list | head -1, is no failure.
 )";
 
 /// Columns of a terminal, and where the second column of --help begins.
@@ -148,15 +152,44 @@ const char* table_name(Table table) {
   return "";
 }
 
+/// `grid = [16, 16]`, a key with its default; in capitals without a fixed one.
+std::string key_text(const Option& option) {
+  std::string value = default_toml(option);
+  const std::string standard = default_text(option);
+  const bool is_word = standard != "off" && standard.find(' ') == std::string::npos;
+  if (value.empty() && !standard.empty() && is_word) value = '"' + standard + '"';
+  if (value.empty() || value == "\"\"") value = std::string(option.value);
+  if (value == "X,Y,Z") value = "[X, Y, Z]";
+  if (value == "MxN") value = "[M, N]";
+  if (value == "FORMULA" || value == "EXPR" || value == "NODES") value = '"' + value + '"';
+  return std::string(option.name) + " = " + value;
+}
+
+/// A heading, and two entries in each line.
+std::string in_columns(const std::string& heading, const std::vector<std::string>& entries) {
+  constexpr std::size_t kColumn = 48;
+  std::string text = "\n" + heading + '\n';
+  std::string line;
+  for (const std::string& entry : entries) {
+    const bool fits = line.size() <= kColumn && entry.size() + kColumn <= kWidth;
+    if (!line.empty() && !fits) {
+      text += line + '\n';
+      line.clear();
+    }
+    if (!line.empty()) line.resize(kColumn, ' ');
+    line += "  " + entry;
+  }
+  return text + line + '\n';
+}
+
 std::string scene_text() {
   std::string text = kScene;
   for (const Table table : {Table::Scene, Table::Surface, Table::Camera, Table::Animation}) {
-    text += std::string("\n") + table_name(table) + '\n';
+    std::vector<std::string> entries;
     for (const Option& option : options()) {
-      if (option.table != table) continue;
-      text += entry("  " + std::string(option.name),
-                    with_default(expanded(option.help, option), default_text(option)));
+      if (option.table == table) entries.push_back(key_text(option));
     }
+    text += in_columns(table_name(table), entries);
   }
   const auto listed = [](const std::vector<std::string>& keys) {
     std::string names;
@@ -170,8 +203,10 @@ std::string scene_text() {
 }
 
 std::string option_text(const Option& option) {
-  std::string text = names_of(option).substr(2 + (option.letter == 0 ? 4 : 0)) + "\n  " +
-                     expanded(option.help, option) + '\n';
+  const std::string names = names_of(option).substr(2 + (option.letter == 0 ? 4 : 0));
+  const std::string key = std::string(option.name) + " = " + std::string(option.value);
+  std::string text =
+      (option.is_option() ? names : key) + "\n  " + expanded(option.help, option) + '\n';
   if (!option.more.empty()) text += expanded(option.more, option) + '\n';
   std::string words;
   for (const std::string& word : choices(option)) words += " " + word;
@@ -198,18 +233,17 @@ std::string topic_text(const std::string& topic) {
   if (option != nullptr) return option_text(*option);
   if (find_verb(topic) != nullptr) return options_text();
   const auto key = std::ranges::find(options(), topic, &Option::name);
-  if (key != options().end() || topic == "light" || topic == "node" || topic == "params") {
-    return scene_text();
-  }
+  if (key != options().end()) return option_text(*key);
+  if (topic == "light" || topic == "node" || topic == "params") return scene_text();
   std::vector<std::string> known = {"functions", "scene", "status", "keys"};
   for (const Option& other : options()) {
     if (other.is_option()) known.emplace_back(other.name);
   }
-  const auto nearest = nearest_name(topic, known);
+  const std::string meant = did_you_mean(similar_names(name, known));
   throw Error(Status::Input, "there is no help on '" + topic + "'", {},
-              (nearest ? "did you mean '" + *nearest + "'? " : "") +
-                  std::string("saddle --help lists the options; other topics are functions, scene, "
-                              "status and keys"));
+              (meant.empty() ? "" : meant + " ") +
+                  "saddle --help lists the options; other topics are functions, scene, status and "
+                  "keys");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace saddle {
 void run_check(const CommandLine& line, Clock::time_point start) {
   const Scene scene = build_scene(line);
   RunReport report;
+  report.warnings = warnings_of(scene);
   std::vector<std::string> words;
   for (const SurfaceSpec& spec : scene.surfaces) {
     CheckedSurface checked = check_surface(scene, spec, line.run.threads);

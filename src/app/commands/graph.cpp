@@ -108,10 +108,11 @@ class Run {
   }
 
   void gather_warnings() {
-    meshes_.report(report_);
     const auto add = [this](const std::vector<std::string>& warnings) {
       std::ranges::copy(warnings, std::back_inserter(report_.warnings));
     };
+    add(warnings_of(plan_.scene()));
+    meshes_.report(report_);
     if (drawer_) add(drawer_->warnings());
     if (report_.frames > 1 && !meshes_.move() && !plan_.timeline.moves()) {
       add({"nothing depends on t: all frames are the same"});
@@ -158,6 +159,7 @@ class Run {
 }  // namespace
 
 void run_graph(const CommandLine& line, Clock::time_point start) {
+  remove_results_of_comparison(line);
   auto run = std::make_unique<Run>(line, start);
   run->go();
   // All is written, and the process about to end: taking OpenGL apart is left to the system.

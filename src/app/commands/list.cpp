@@ -10,7 +10,8 @@ namespace saddle {
 
 void run_list(const CommandLine& line) {
   if (!line.arguments.empty()) {
-    throw Error(Status::Input, "saddle list takes no arguments, not '" + line.arguments[0] + "'");
+    throw Error(Status::Input, "saddle list takes no arguments, not '" + line.arguments[0] + "'",
+                {}, "saddle show NAME prints a surface, saddle NAME -o FILE.png draws it");
   }
   const bool describe = line.run.verbose || standard_output_is_terminal();
   std::size_t width = 0;

@@ -1,6 +1,7 @@
 // saddle without an output: the viewer.
 #include "app/commands/view.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -39,6 +40,9 @@ ViewerSetup viewer_setup(const CommandLine& line) {
   ViewerSetup setup;
   setup.scene = build_scene(line);
   setup.reload = [line] { return build_scene(line); };
+  if (std::ranges::find(line.arguments, "-") != line.arguments.end()) {
+    setup.reload = [scene = setup.scene] { return scene; };  // standard input is read once
+  }
   if (line.run.watch) {
     setup.watched = scene_file_of(line);
     if (setup.watched.empty()) {

@@ -226,8 +226,9 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
   line("sides", facts.topology.orientable ? "two" : "one: the surface is not orientable");
   line("shape", shape(facts));
   line("extents", extents(facts.measures.extents));
-  line("area", words::number(facts.measures.area));
-  if (encloses_volume(facts)) line("volume", words::number(facts.measures.volume));
+  const double size = s.bounds.diagonal();
+  line("area", words::measure(facts.measures.area, size, 2));
+  if (encloses_volume(facts)) line("volume", words::measure(facts.measures.volume, size, 3));
   line("curvature", curvatures(facts));
   line("mesh", mesh(s));
   line("proof", proof(s.mesh));

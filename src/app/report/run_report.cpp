@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/standard_streams.h"
+#include "scene/options/unused_definitions.h"
 
 namespace saddle {
 
@@ -24,6 +25,14 @@ void add_times(const Tessellation& tessellation, RunTimes& times) {
   times.parse += tessellation.parse_ms;
   times.compile += tessellation.compile_ms;
   times.tessellate += tessellation.tessellate_ms;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const std::string& name : unused_definitions(scene)) {
+    warnings.push_back(name + " is defined, but nothing that is drawn depends on it");
+  }
+  return warnings;
 }
 
 void print_warnings(const CommandLine& line, std::span<const std::string> warnings) {

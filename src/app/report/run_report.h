@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/command_line/cli.h"
 #include "app/report/report.h"
@@ -14,6 +15,9 @@ namespace saddle {
 SurfaceReport report_of(const std::string& name, Tessellation& tessellation);
 
 void add_times(const Tessellation& tessellation, RunTimes& times);
+
+/// Warnings of a scene that need no mesh: definitions that nothing uses.
+std::vector<std::string> warnings_of(const Scene& scene);
 
 /// To standard error, unless --quiet.
 void print_warnings(const CommandLine& line, std::span<const std::string> warnings);

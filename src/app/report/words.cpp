@@ -216,9 +216,17 @@ std::string number(double value) {
 std::string number(const Estimate& estimate) {
   const double share = estimate.error / std::fabs(estimate.value);
   const double known = share > 0 ? std::floor(-std::log10(2 * share)) : kDigits;
+  if (share >= 1) return "0 within " + outward(std::fabs(estimate.value) + estimate.error, 1);
   if (known >= kDigits || !std::isfinite(known)) return number(estimate.value);
   const std::string digits = rounded(estimate.value, static_cast<int>(std::max(known, 1.0)));
   return "about " + number(std::strtod(digits.c_str(), nullptr));
+}
+
+std::string measure(const Estimate& estimate, double size, int dimension) {
+  // Areas are roots of products of four lengths, volumes products of three by three.
+  const double least = std::pow(size, 2 * dimension);
+  if (estimate.value == 0 && !std::isnormal(least)) return "too small for doubles";
+  return number(estimate);
 }
 
 std::string plural(std::size_t count, const std::string& noun) {

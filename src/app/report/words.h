@@ -17,8 +17,11 @@ inline constexpr double kSameDegrees = 1e-3;
 
 /// Six digits: what an area keeps at the least.
 std::string number(double value);
-/// As many of the six digits as are known; "about 3.1" if that is less.
+/// As many of the six digits as are known; "about 3.1" if that is less, "0 within 1e-9" if none is.
 std::string number(const Estimate& estimate);
+/// The same of an area or a volume, the power `dimension` of lengths up to `size`; says so where
+/// that is too small for doubles.
+std::string measure(const Estimate& estimate, double size, int dimension);
 /// "1 place", "2 places".
 std::string plural(std::size_t count, const std::string& noun);
 /// "u = 1", "u = 1:2".

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "export/load_scene.h"
+#include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"
 #include "scene/options/resolve.h"
@@ -21,6 +22,7 @@ bool is_scene_file(const std::string& name) {
 
 /// The scene of the argument without a `=`.
 Scene named_scene(const std::string& name) {
+  if (name == "-") return load_standard_input();
   if (is_scene_file(name)) return load_scene(name);
   const GalleryEntry* const entry = find_gallery_entry(name);
   if (entry == nullptr) throw unknown_gallery_name(name);
@@ -31,7 +33,7 @@ Scene named_scene(const std::string& name) {
 std::string assigned_name(const std::string& assignment) {
   std::string name = assignment.substr(0, assignment.find_first_of("=("));
   std::erase(name, ' ');
-  return name;
+  return meant_name(name);
 }
 
 void check_given_once(const std::vector<std::string>& assignments) {
@@ -40,7 +42,8 @@ void check_given_once(const std::vector<std::string>& assignments) {
     const std::string name = assigned_name(assignment);
     if (std::ranges::find(names, name) != names.end()) {
       throw Error(Status::Input, "'" + name + "' is given twice",
-                  {"argument", assignment, {0, name.size()}}, "leave one of them out");
+                  {"argument", assignment, {0, assignment.find_first_of("=(")}},
+                  "leave one of them out");
     }
     names.push_back(name);
   }
@@ -65,7 +68,8 @@ Scene build_scene(const CommandLine& line) {
   }
   if (names.size() > 1) {
     throw Error(Status::Input, "two scenes, '" + names[0] + "' and '" + names[1] + "'", {},
-                "graph one at a time");
+                assignments.empty() ? "graph one at a time"
+                                    : "a formula with spaces is written in quotes: z='u + v'");
   }
   if (line.arguments.empty()) {
     throw Error(Status::Input, "no surface given", {},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/report/reference.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/nearest.h"
@@ -119,21 +120,32 @@ void check_standard_output(const CommandLine& line) {
   }
 }
 
-/// Two results under one name: the later would replace the earlier.
-void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs) {
+/// Two paths name one file.
+bool clash(const std::string& a, const std::string& b) {
   const auto full = [](const std::string& path) {
     std::error_code ignored;  // a path that cannot be looked up is refused elsewhere
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
   };
-  const auto clash = [full](const std::string& a, const std::string& b) {
-    return a != "-" && full(a) == full(b);
-  };
+  return a != "-" && !a.empty() && !b.empty() && full(a) == full(b);
+}
+
+/// A report in place of something that the run reads would be lost work.
+void check_report_replaces_no_input(const CommandLine& line) {
+  if (!is_input(line, line.run.report)) return;
+  throw Error(Status::Input, "the run reads this file",
+              {"--report", line.run.report, {0, line.run.report.size()}},
+              "give the report a name of its own");
+}
+
+/// Two results under one name: the later would replace the earlier.
+void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs) {
   for (const Output& output : outputs) {
     const auto other = [&](const Output& o) {
       return o.format != output.format && clash(o.path, output.path);
     };
-    const bool report = !line.run.report.empty() && clash(line.run.report, output.path);
-    if (!report && std::ranges::none_of(outputs, other)) continue;
+    const bool other_result = clash(line.run.report, output.path) ||
+                              clash(difference_path(line.run.reference), output.path);
+    if (!other_result && std::ranges::none_of(outputs, other)) continue;
     throw Error(Status::Input, "two outputs of different kinds are called " + output.path, {},
                 "give each its own name");
   }
@@ -167,6 +179,7 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
     unescape(outputs.back());
   }
   check_standard_output(line);
+  check_report_replaces_no_input(line);
   check_names_differ(line, outputs);
   for (const Output& output : outputs) {
     if (output.path != "-") check_writable(output.path_of(0));

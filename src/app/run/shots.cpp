@@ -61,14 +61,15 @@ void check_moment_is_used(const CommandLine& line, std::span<const Output> outpu
                           std::span<const Shot> shots) {
   const auto is_own = [](const Shot& shot) { return !shot.frame; };
   if (writes_scene(outputs) || std::ranges::any_of(shots, is_own)) return;
-  const char* const way_out =
-      "frames are of the range t=MIN:MAX; one moment is a picture: -o FILE.png";
+  constexpr const char* kMessage = "no output shows this moment";
+  constexpr const char* kWayOut =
+      "frames show the range t=MIN:MAX; leave the moment out, or add -o FILE.png without "
+      "--frame-range";
   if (line.last_given({"t"}) != nullptr) {
-    throw Error(Status::Input, "no output is of one moment", {"--t", "", {}}, way_out);
+    throw Error(Status::Input, kMessage, {"--t", "", {}}, kWayOut);
   }
   if (const auto argument = assigned_moment(line)) {
-    throw Error(Status::Input, "no output is of one moment",
-                {"argument", *argument, {0, argument->size()}}, way_out);
+    throw Error(Status::Input, kMessage, {"argument", *argument, {0, argument->size()}}, kWayOut);
   }
 }
 

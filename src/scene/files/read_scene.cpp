@@ -1,5 +1,6 @@
 // TOML to Scene, a function per table. Each says first which keys the table may have.
 #include "base/error.h"
+#include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/prepare.h"
 #include "scene/options/lights.h"
@@ -27,14 +28,14 @@ void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
                                     "for example { value = 1, min = 0, max = 2 }");
       }
       formula = value.find("value");
-      scene.sliders.push_back({key, reader.number(key + ": min", *value.find("min")),
+      scene.sliders.push_back({meant_name(key), reader.number(key + ": min", *value.find("min")),
                                reader.number(key + ": max", *value.find("max"))});
     }
     const std::string text = reader.formula(key, *formula);
     reader.note("argument", key + "=" + text, entry.key_span);
     const Definition definition =
         reader.in_place([&] { return parse_definition(key + "=" + text); });
-    if (definition.name != key) {
+    if (definition.name != meant_name(key)) {
       throw reader.source().error("", "'" + key + "' is not a name", entry.key_span,
                                   "functions go into [functions]");
     }

@@ -28,7 +28,9 @@ std::string definitions(const Scene& scene) {
     if (d.is_function) {
       functions += toml_string(display_name(d)) + " = " + toml_string(d.text) + "\n";
     } else {
-      params += d.name + " = " + parameter(d, scene.sliders) + "\n";
+      const bool is_bare = std::ranges::all_of(d.name, [](char c) { return c > 0; });
+      params +=
+          (is_bare ? d.name : toml_string(d.name)) + " = " + parameter(d, scene.sliders) + "\n";
     }
   }
   return (params.empty() ? "" : "\n[params]\n" + params) +

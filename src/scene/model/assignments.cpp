@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "formula/lexer.h"
 
 namespace saddle {
 namespace {
@@ -36,18 +37,11 @@ std::string cut(std::string_view text, Span span) {
   return std::string(text.substr(span.begin, span.end - span.begin));
 }
 
-bool is_name(std::string_view text) {
-  const auto is_word = [](char c) {
-    return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-  };
-  return !text.empty() && std::ranges::all_of(text, is_word) && (text[0] < '0' || text[0] > '9');
-}
-
 /// The name that `span` of the argument holds. Throws Error (Input) if it is not a name.
 std::string checked_name(const std::string& assignment, Span span) {
   span = trim(assignment, span);
   std::string name = cut(assignment, span);
-  if (is_name(name)) return name;
+  if (is_name(name)) return meant_name(name);
   throw Error(Status::Input, name.empty() ? "the name is missing" : "'" + name + "' is not a name",
               {"argument", assignment, span},
               "an assignment is NAME=EXPRESSION; a name is made of letters, digits and _, and does "
@@ -122,7 +116,19 @@ SurfaceSpec& last_surface(Scene& scene) {
   return scene.surfaces.back();
 }
 
+/// Ranges are for u, v and t. Another name gets its values by way of u or v.
+void check_range_name(const Definition& definition) {
+  const std::string& name = definition.name;
+  if (definition.is_function || is_parameter(name) || !is_range(definition)) return;
+  const std::string& ends = definition.text;
+  std::string hint = "for example u=" + ends + " " + name + "=u, or v=" + ends + " " + name + "=v";
+  if (name == "x") hint = "write u=" + ends + "; x is u unless it has a formula";
+  if (name == "y") hint = "write v=" + ends + "; y is v unless it has a formula";
+  throw Error(Status::Input, "only u, v and t have a range", {name, ends, {0, ends.size()}}, hint);
+}
+
 void file(Scene& scene, const Definition& definition) {
+  check_range_name(definition);
   const std::string& name = definition.name;
   if (is_coordinate(name)) {
     SurfaceSpec& spec = last_surface(scene);

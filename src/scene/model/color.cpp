@@ -219,7 +219,7 @@ Color parse_color(const std::string& option, const std::string& text) {
     return from_bytes(rgb, static_cast<std::uint32_t>(std::stoul(digits.substr(6), nullptr, 16)));
   }
   const std::string name = lower(text);
-  if (name == "transparent") return {0, 0, 0, 0};
+  if (name == "transparent" || name == "none") return {0, 0, 0, 0};
   const auto* const found = std::ranges::find(kNamedColors, name, &NamedColor::name);
   if (found == kNamedColors.end()) throw_unknown_color(option, text);
   return from_bytes(found->rgb);

@@ -266,10 +266,15 @@ Scene gallery_scene(const GalleryEntry& entry) {
 Error unknown_gallery_name(const std::string& name) {
   std::vector<std::string> names;
   for (const GalleryEntry& entry : gallery()) names.emplace_back(entry.name);
-  std::string hint = "known surfaces:";
-  for (const std::string& known : names) hint += " " + known;
-  if (const auto nearest = nearest_name(name, names)) {
-    hint += "; did you mean '" + *nearest + "'?";
+  Hint hint;
+  const std::string meant = did_you_mean(similar_names(name, names));
+  if (meant.empty()) {
+    std::string known = "known surfaces:";
+    for (const std::string& one : names) known += " " + one;
+    hint.add(known);
+    hint.add("a formula is NAME=EXPRESSION, in quotes if it has spaces: z='u + v'");
+  } else {
+    hint.add(meant + " saddle list prints all names");
   }
   return {Status::Input, "no surface is called '" + name + "'", {}, hint};
 }

@@ -143,7 +143,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   const Ends u = constant_ends(scope, range_u, scene.t);
   const bool leans = depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU);
   if (leans && ends[0] == ends[1]) {
-    throw Error(Status::Input, "the range of v is empty", range_v.place());
+    throw Error(Status::Input, "the range of v is empty", range_v.place(), "its ends must differ");
   }
   const Ends v = leans ? Ends{0, 1} : constant_ends(scope, range_v, scene.t);
   result.domain = {u.min, u.max, v.min, v.max};

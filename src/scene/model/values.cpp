@@ -57,7 +57,7 @@ int whole_in(const std::string& option, const std::string& text, Span part, int 
   const auto [rest, error] = std::from_chars(begin, end, value);
   const bool too_large = error == std::errc::result_out_of_range;
   if ((error != std::errc{} && !too_large) || rest != end) {
-    throw Error(Status::Input, "not a whole number", {option, text, part});
+    throw Error(Status::Input, "not a whole number", {option, text, part}, "write digits alone");
   }
   if (too_large || value < low || value > high) {
     throw Error(Status::Input,
@@ -133,7 +133,7 @@ std::vector<std::string> parse_list(const std::string& option, const std::string
     }
   }
   if (parts.size() == count) return parts;
-  throw Error(Status::Input, what + ", this has " + std::to_string(parts.size()),
+  throw Error(Status::Input, what + ", this one has " + std::to_string(parts.size()),
               {option, text, whole(text)}, example(option, sample));
 }
 
@@ -152,12 +152,13 @@ Clip parse_clip(const std::string& option, const std::string& text) {
   std::string word = text;
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   Clip clip{word == "auto", {}};
-  if (!clip.automatic && word != "off") clip.box = parse_box(option, text);
+  const bool none = word == "off" || word == "none";
+  if (!clip.automatic && !none) clip.box = parse_box(option, text);
   return clip;
 }
 
 GridSize parse_pair(const std::string& option, const std::string& text, int low, int high) {
-  const std::size_t x = text.find_first_of("xX");
+  const std::size_t x = text.find_first_of("xX,");
   if (x == std::string::npos) {
     throw Error(Status::Input, "this is two whole numbers with an x between",
                 {option, text, whole(text)}, example(option, "80x60"));
@@ -165,6 +166,17 @@ GridSize parse_pair(const std::string& option, const std::string& text, int low,
   return {whole_in(option, text, {0, x}, low, high),
           whole_in(option, text, {x + 1, text.size()}, low, high)};
 }
+
+namespace {
+
+/// `MxN`, or one number for both.
+GridSize parse_one_or_two(const std::string& option, const std::string& text, int low, int high) {
+  if (text.find_first_of("xX,") != std::string::npos) return parse_pair(option, text, low, high);
+  const int both = whole_in(option, text, whole(text), low, high);
+  return {both, both};
+}
+
+}  // namespace
 
 std::size_t parse_choice(const std::string& option, const std::string& text,
                          const std::vector<std::string>& words) {
@@ -177,7 +189,7 @@ std::size_t parse_choice(const std::string& option, const std::string& text,
 }
 
 GridSize parse_samples(const std::string& option, const std::string& text) {
-  const GridSize cells = parse_pair(option, text, 1, std::numeric_limits<int>::max());
+  const GridSize cells = parse_one_or_two(option, text, 1, std::numeric_limits<int>::max());
   if (std::int64_t{cells.u} * cells.v > kMaxSamples) {
     throw Error(Status::Input, "more than " + std::to_string(kMaxSamples) + " cells",
                 {option, text, whole(text)});
@@ -199,8 +211,8 @@ FrameRange parse_frame_range(const std::string& option, const std::string& text)
 }
 
 GridSize parse_grid_lines(const std::string& option, const std::string& text) {
-  if (text == "off") return {0, 0};
-  const GridSize lines = parse_pair(option, text, 0, kMaxGridLines);
+  if (text == "off" || text == "none") return {0, 0};
+  const GridSize lines = parse_one_or_two(option, text, 0, kMaxGridLines);
   if (lines.u == 1 || lines.v == 1) {
     throw Error(Status::Input,
                 "the first and the last line are the ends of the range: one is not "

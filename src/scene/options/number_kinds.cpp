@@ -97,7 +97,8 @@ void Point::parse(const Given& given) const {
   const auto is_zero = [](const Number& number) { return number.text.empty() && number == 0; };
   if (direction && is_zero(value->x) && is_zero(value->y) && is_zero(value->z)) {
     throw Error(Status::Input, "a direction needs a length",
-                {given.option, given.text, {0, given.text.size()}});
+                {given.option, given.text, {0, given.text.size()}},
+                "one of its three numbers must not be 0");
   }
 }
 

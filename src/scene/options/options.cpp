@@ -125,6 +125,13 @@ std::string default_text(const Option& option) {
   return format_slot(slot_of(option, scene, surface, run));
 }
 
+std::string default_toml(const Option& option) {
+  Scene scene;
+  SurfaceSpec surface;
+  RunSettings run;
+  return write_slot(slot_of(option, scene, surface, run));
+}
+
 std::string limits_text(const Option& option) {
   Scene scene;
   SurfaceSpec surface;

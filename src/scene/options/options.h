@@ -70,6 +70,9 @@ std::string dashed(const Option& option);
 /// The default as text, "" if there is none to tell.
 std::string default_text(const Option& option);
 
+/// The default as scene files have it; empty without one.
+std::string default_toml(const Option& option);
+
 /// The limits of an option that takes a number, "more than 0" or "1 to 16"; "" for others.
 std::string limits_text(const Option& option);
 

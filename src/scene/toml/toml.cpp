@@ -165,7 +165,8 @@ Error SourceText::error(const std::string& subject, const std::string& message, 
 
 TomlValue parse_toml(const SourceText& source) {
   if (source.text.size() > kMaxTomlBytes) {
-    throw source.error("", "a scene file of more than 4 MiB", {0, 0}, "is this a scene?");
+    throw source.error("", "a scene file of more than 4 MiB", {0, 0},
+                       "saddle show torus prints a scene");
   }
   check_key_depth(source);
   try {

@@ -33,7 +33,7 @@ class Reference : public testing::Test {
 
 TEST_F(Reference, IsKeptByAnEqualPictureWhateverTheThreshold) {
   const std::string figures = check_of(Image(8, 8)).compare();
-  EXPECT_TRUE(figures.starts_with(path_ + ": error 0 (threshold 0)")) << figures;
+  EXPECT_TRUE(figures.starts_with(path_ + ": difference 0, threshold 0")) << figures;
 }
 
 TEST_F(Reference, IsMissedByAPictureThatDiffersByMoreThanTheThreshold) {

@@ -56,6 +56,18 @@ TEST(NearestName, CountsCharactersAndNotBytes) {
   EXPECT_EQ(nearest_name("\u03B1\u03B2\u03B3", Names{"\u03B1\u03B4\u03B5"}), kNone);
 }
 
+TEST(SimilarNames, ShareAPart) {
+  const Names names = {"torus", "horn-torus", "klein-figure8", "klein-bottle", "mobius", "sphere"};
+  EXPECT_EQ(similar_names("klein", names), (Names{"klein-figure8", "klein-bottle"}));
+  EXPECT_EQ(similar_names("Kliein-surface", names), (Names{"klein-figure8", "klein-bottle"}));
+  EXPECT_EQ(similar_names("mobius_strip", names), Names{"mobius"});
+  EXPECT_EQ(similar_names("torus-knot", names), (Names{"torus", "horn-torus"}));
+  EXPECT_EQ(similar_names("tours", names), Names{"torus"}) << "the nearest alone";
+  EXPECT_EQ(similar_names("plane", names), Names{});
+  EXPECT_EQ(did_you_mean(Names{}), "");
+  EXPECT_EQ(did_you_mean(Names{"a", "b", "c"}), "did you mean 'a', 'b' or 'c'?");
+}
+
 TEST(NearestName, SuggestsNothingThatHasNoLetterInCommon) {
   EXPECT_EQ(nearest_name("q", Names{"e", "u"}), kNone);
   EXPECT_EQ(nearest_name("", Names{"e"}), kNone);

@@ -85,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"max(,u)", ",", "an operand is missing", ""},
                       Mistake{"(u+)*v", ")", "an operand is missing", ""},
                       Mistake{"0,5*u", "0,5", "a decimal comma", "0.5"},
+                      Mistake{"0.3,0.9", ",", "two results", "takes one formula"},
+                      Mistake{"1e3,5", ",", "two results", "a decimal point is '.'"},
                       Mistake{"sin(0,5)", "sin", "takes 1 argument, not 2", "0.5"},
                       Mistake{"u,v", ",", "two results", ""},
                       Mistake{"(u,v)", ",", "two results", ""},
@@ -131,6 +133,9 @@ TEST(Parser, UnderstandsHowPeopleWrite) {
   EXPECT_EQ(testing::value("u⁻¹+v⁻²", 4, 2), 0.5);
   EXPECT_EQ(testing::value("2·u×v−1", 3, 4), 23);
   EXPECT_EQ(testing::value("π"), 3.141592653589793);
+  EXPECT_EQ(testing::value("τ/π"), 2);
+  EXPECT_EQ(testing::value("φ"), testing::value("phi"));
+  EXPECT_EQ(testing::value("1/∞"), 0);
   EXPECT_EQ(testing::value("u≤1", 1), 1);
   EXPECT_EQ(testing::value("1/2u", 4), 2);  // from left to right, like 1/2*u
   EXPECT_EQ(testing::value(".5u", 4), 2);
