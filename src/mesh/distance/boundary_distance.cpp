@@ -30,6 +30,7 @@ void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
   if (leaf.state.is_cut_by_feature() && has_cut(FeatureKind::Jump, leaf, tree_)) {
     if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
     delta_ = std::min(delta_, allowed);
+    add_flat_sheets(leaf, number, allowed);
     if (!triangles.empty()) return add_chords(leaf, number, triangles, true);
   } else {
     if (leaf.state.cut() != LeafCut::Boundary) return;
@@ -78,6 +79,34 @@ void BoundaryDistance::add_bulges(const Leaf& leaf, std::size_t number) {
     stretch.clear();
     if (tree_.geometry().is_defined(b)) stretch = {end, b};
   });
+}
+
+/// Adds the sheets that reach into a leaf across one side alone. They have no triangles there, as
+/// their vertices are on that side.
+void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed) {
+  const dvec2 low = tree_.vertices().parameters(leaf.low);
+  const dvec2 size = tree_.vertices().parameters(leaf.high) - low;
+  const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
+  for (const Polygon& sheet : sub_polygons(leaf, tree_)) {
+    if (!is_flat(sheet)) continue;
+    const Chord ends = {sheet.front().corner, sheet.back().corner};
+    const dvec2 along = place(ends[1]) - place(ends[0]);
+    std::vector<dvec2> starts;
+    for (const double share : kAlongLine)
+      starts.push_back(low + size * glm::mix(place(ends[0]), place(ends[1]), share));
+    const std::vector<SurfacePoint> points = evaluate(surface_, starts, threads_);
+    evaluations_ += points.size();
+    // On a jump along the side the surface is on another sheet.
+    if (std::ranges::any_of(points, [&](const SurfacePoint& point) {
+          return !(distance_from_chord(grid_, ends, point.position) <= allowed);
+        }))
+      continue;
+    for (const dvec2& start : starts) {
+      // Counter-clockwise, the leaf is to the left.
+      const dvec2 beyond = low + size * border_of_square((start - low) / size, {-along.y, along.x});
+      jumps_.push_back({number, {}, {}, ends, start, start, start, beyond, std::nullopt, false});
+    }
+  }
 }
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
@@ -309,12 +338,14 @@ void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
     if (k % kAlongLine.size() == 0) heights.clear();
     const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
     const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
+    if (through != nullptr && chord.triangles.empty()) continue;
     if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
     if (through != nullptr) {
       add(distance_from_chord(grid_, chord.ends, through->position));
       continue;
     }
-    const double distance = distance_from_edge(chord, std::span(&chord.own, 1), uv[k], at_ends[k]);
+    const double distance = distance_from_edge(
+        chord, std::span(&chord.own, chord.triangles.empty() ? 0 : 1), uv[k], at_ends[k]);
     add(distance);
     heights.push_back({foot(chord.ends[0], chord.ends[1], at_ends[k].position), distance});
     if (heights.size() == kAlongLine.size()) {

@@ -44,7 +44,7 @@ class BoundaryDistance {
   /// A place on a chord of an edge, and where the edge is looked for.
   struct EdgeChord {
     std::size_t leaf;
-    std::span<const Triangle> triangles;  ///< of the leaf
+    std::span<const Triangle> triangles;  ///< of the leaf; none of a flat sheet
     Triangle own;                         ///< the one of the chord
     std::array<std::uint32_t, 2> ends;
     dvec2 middle;    ///< the place on the chord
@@ -58,6 +58,7 @@ class BoundaryDistance {
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
                   bool is_jump);
   void add_bulges(const Leaf& leaf, std::size_t number);
+  void add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed);
   std::optional<dvec2> outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
                                   const dvec2& border, const dvec2& way) const;
   double foot(std::uint32_t from, std::uint32_t to, const dvec3& above) const;

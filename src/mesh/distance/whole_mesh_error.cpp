@@ -38,6 +38,14 @@ constexpr int kClimbsOfTriangles = 2;
 
 }  // namespace
 
+double thickness_of(const Mesh& mesh, const Triangle& t) {
+  const auto& p = mesh.position;
+  const double longest = std::max({glm::distance(p[t[0]], p[t[1]]), glm::distance(p[t[1]], p[t[2]]),
+                                   glm::distance(p[t[2]], p[t[0]])});
+  const double area = glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
+  return longest > 0 ? area / longest : 0;
+}
+
 const TriangleTree& WholeMeshError::tree() const {
   std::call_once(has_tree_, [this] { tree_.emplace(grid_.mesh.position, all_); });
   return *tree_;
@@ -105,24 +113,13 @@ dvec3 WholeMeshError::position_of(const MeshPlace& place) const {
   return w.x * p[t[0]] + w.y * p[t[1]] + w.z * p[t[2]];
 }
 
-double WholeMeshError::thickness_of(const Triangle& t) const {
-  const auto& p = grid_.mesh.position;
-  const double longest = std::max({glm::distance(p[t[0]], p[t[1]]), glm::distance(p[t[1]], p[t[2]]),
-                                   glm::distance(p[t[2]], p[t[0]])});
-  const double area = glm::length(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]));
-  return longest > 0 ? area / longest : 0;
-}
-
-/// The surface at the same parameters bounds a place's distance, and so do the corners. Triangles
-/// along a steep wall are thin: those bounds are large there, and the surface is near.
-std::vector<WholeMeshError::Expected> WholeMeshError::expect(std::span<const MeshPlace> places,
-                                                             double known) const {
+/// The surface at the same parameters bounds a place's distance, and so do the corners.
+std::vector<WholeMeshError::Expected> WholeMeshError::expect(
+    std::span<const MeshPlace> places) const {
   std::vector<MeshPlace> seen;
   std::vector<dvec2> uv;
   for (const MeshPlace& place : places) {
-    const dvec3 p = position_of(place);
-    if (!is_seen(clip_, p)) continue;
-    if (!(thickness_of(*place.triangle) > known)) continue;
+    if (!is_seen(clip_, position_of(place))) continue;
     seen.push_back(place);
     uv.push_back(uv_of(place));
   }
@@ -134,7 +131,7 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(std::span<const Mes
     double near = glm::distance(p, points[k]);
     for (const std::uint32_t corner : *seen[k].triangle)
       near = std::min(near, glm::distance(p, grid_.mesh.position[corner]));
-    result.push_back({seen[k], std::min(near, thickness_of(*seen[k].triangle)), near});
+    result.push_back({seen[k], near, near});
   }
   std::ranges::stable_sort(result, std::ranges::greater(), &Expected::distance);
   return result;
@@ -244,7 +241,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search_above(std::span<cons
 /// search_above() for all places that may be farther.
 std::vector<WholeMeshError::Nearest> WholeMeshError::all_above(std::span<const MeshPlace> places,
                                                                double least) const {
-  const std::vector<Expected> expected = expect(places, least);
+  const std::vector<Expected> expected = expect(places);
   std::vector<Nearest> result;
   for (std::size_t next = 0; next < expected.size() && expected[next].distance > least;
        next += kSearchedTogether) {
@@ -300,7 +297,7 @@ void WholeMeshError::climb_on_mesh(std::span<Nearest> places, double tolerance) 
         towards[corner] = 1;
         beside.push_back({n.place.triangle, glm::mix(n.place.weights, towards, step)});
       }
-      const std::vector<Expected> expected = expect(beside, n.error.distance);
+      const std::vector<Expected> expected = expect(beside);
       for (const Nearest& other : search_above(expected, n.error.distance, tolerance)) {
         if (other.error.distance > n.error.distance) n = other;
       }
@@ -308,8 +305,9 @@ void WholeMeshError::climb_on_mesh(std::span<Nearest> places, double tolerance) 
   }
 }
 
-/// The places of triangles that are expected to be farthest, 192 at most. Triangles are taken a
-/// part at a time: there may be millions.
+/// The places of triangles that are expected to be farthest, 192 at most. Along a steep wall places
+/// are far from what is known of the surface, but the wall is near: triangles there are thin.
+/// Triangles are taken a part at a time: there may be millions.
 std::vector<WholeMeshError::Expected> WholeMeshError::expect_farthest(
     std::span<const Triangle* const> triangles, double known) const {
   std::vector<Expected> farthest;
@@ -318,9 +316,15 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect_farthest(
     rest = rest.subspan(some.size());
     std::vector<MeshPlace> places;
     for (const Triangle* const t : some) {
+      if (!(thickness_of(grid_.mesh, *t) > known)) continue;
       for (const dvec3& weights : kMiddlesOfTriangle) places.push_back({t, weights});
     }
-    const std::vector<Expected> more = expect(places, known);
+    std::vector<Expected> more = expect(places);
+    for (Expected& expected : more) {
+      expected.distance =
+          std::min(expected.near, thickness_of(grid_.mesh, *expected.place.triangle));
+    }
+    std::ranges::stable_sort(more, std::ranges::greater(), &Expected::distance);
     std::vector<Expected> both;
     std::ranges::merge(farthest, more, std::back_inserter(both), std::ranges::greater(),
                        &Expected::distance, &Expected::distance);

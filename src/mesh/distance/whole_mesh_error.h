@@ -25,6 +25,9 @@ struct MeshPlace {
 inline constexpr std::array kMiddlesOfTriangle = {dvec3(1.0 / 3), dvec3(0.5, 0.5, 0),
                                                   dvec3(0, 0.5, 0.5), dvec3(0.5, 0, 0.5)};
 
+/// Twice the area of a triangle over its longest side.
+double thickness_of(const Mesh& mesh, const Triangle& t);
+
 class WholeMeshError {
  public:
   /// `all`: the triangles of the mesh. Places outside of `clip` have no error. The surface, the
@@ -76,11 +79,10 @@ class WholeMeshError {
     double distance;
     double near;  ///< its distance from the nearest known point of the surface
   };
-  std::vector<Expected> expect(std::span<const MeshPlace> places, double known) const;
+  std::vector<Expected> expect(std::span<const MeshPlace> places) const;
   std::vector<Expected> expect_farthest(std::span<const Triangle* const> triangles,
                                         double known) const;
   const TriangleTree& tree() const;
-  double thickness_of(const Triangle& t) const;
   dvec2 within_domain(const dvec2& uv) const;
   dvec2 uv_of(const MeshPlace& place) const;
   dvec3 position_of(const MeshPlace& place) const;

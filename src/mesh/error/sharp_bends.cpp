@@ -24,7 +24,7 @@ constexpr double kSharpDegrees = 20;
 /// A triangle bridges a bend if its normal is over 30 degrees from the mean of its corners'.
 constexpr double kBridgedCosineSquare = 0.75;
 /// Assumption: a leaf validated below 0.5 tolerances, or whose bridges are thinner, needs no more
-/// points.
+/// points, but beside the corners of thin bridges.
 constexpr double kDoubtful = 0.5;
 /// Assumption: a leaf estimated below 0.75 tolerances needs no points on its sides, and a triangle
 /// no search if its places are nearer to the surface.
@@ -38,8 +38,8 @@ constexpr std::array kOnLines = {0.1, 0.9};
 /// nearer to the surface at their parameters, the nearest point is not searched.
 constexpr double kSearched = 0.85;
 constexpr std::array kStepShares = {0.2, 0.1, 0.05};
-/// A side that leaves the surface at a corner, as near to its normal as kSteepCosine, is farthest
-/// from a wall beside the corner: 1.25 tolerances away, where the corner is not near.
+/// A side that leaves the surface at a corner is farthest from a wall beside the corner: 1.25
+/// tolerances from the corner's tangent plane, where the corner is not near.
 constexpr double kBelowCorner = 1.25;
 
 bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
@@ -50,17 +50,15 @@ bool turns_sharply(const Mesh& mesh, const std::array<std::uint32_t, 4>& corner)
 }
 
 /// Whether a triangle's normal is that of none of its corners. Beside a wall all corners may be on
-/// the same side of its foot. `least`: the thickness from which on it counts.
-bool bridges_bend(const Mesh& mesh, const Triangle& t, double least) {
+/// the same side of its foot.
+bool bridges_bend(const Mesh& mesh, const Triangle& t) {
   const dvec3 a = mesh.position[t[1]] - mesh.position[t[0]];
   const dvec3 b = mesh.position[t[2]] - mesh.position[t[0]];
   const dvec3 area = glm::cross(a, b);
   const dvec3 normal = mesh.normal[t[0]] + mesh.normal[t[1]] + mesh.normal[t[2]];
   const double along = glm::dot(area, normal);
   const double squares = glm::dot(area, area) * glm::dot(normal, normal);
-  if (!(along < 0 || along * along < kBridgedCosineSquare * squares)) return false;
-  const double longest = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(b - a, b - a)});
-  return glm::dot(area, area) > least * least * longest;
+  return along < 0 || along * along < kBridgedCosineSquare * squares;
 }
 
 /// The side that a leaf's two triangles share.
@@ -115,12 +113,15 @@ void SharpBends::add(const ValidatedMesh& mesh, std::size_t number,
 std::optional<SharpBends::Targets> SharpBends::targets_of(
     const ValidatedMesh& mesh, std::size_t number, std::span<const Triangle> triangles) const {
   const Leaf& leaf = mesh.leaves[number];
-  const auto is_bridge = [&](const Triangle& t) {
-    return bridges_bend(grid_.mesh, t, kDoubtful * mesh.allowed[number]);
-  };
-  if (std::ranges::any_of(triangles, is_bridge) &&
-      (leaf.state.is_whole() || count_features(leaf, tree_).only_creases))
-    return Targets{true, false, true, true};
+  bool is_bridged = false;
+  bool has_thick_bridge = false;
+  for (const Triangle& t : triangles) {
+    if (!bridges_bend(grid_.mesh, t)) continue;
+    is_bridged = true;
+    has_thick_bridge |= thickness_of(grid_.mesh, t) > kDoubtful * mesh.allowed[number];
+  }
+  if (is_bridged && (leaf.state.is_whole() || count_features(leaf, tree_).only_creases))
+    return Targets{has_thick_bridge, false, has_thick_bridge, true};
   if (!leaf.state.is_whole()) return std::nullopt;
   const Targets targets{mesh.error_ratio(number) > kDoubtful, leaf.known_error > kDoubtfulSides};
   if (!targets.places && !targets.sides) return std::nullopt;
@@ -243,10 +244,8 @@ void SharpBends::append_below_corners(const Triangle& t, double allowed,
     const std::uint32_t corner = t[static_cast<std::size_t>(k)];
     for (int other = (k + 1) % 3; other != k; other = (other + 1) % 3) {
       const dvec3 side = mesh.position[t[static_cast<std::size_t>(other)]] - mesh.position[corner];
-      const double length = glm::length(side);
-      const double share = kBelowCorner * allowed / length;
-      const bool leaves = std::fabs(glm::dot(side, mesh.normal[corner])) > kSteepCosine * length;
-      if (!leaves || !(share < 0.5)) continue;
+      const double share = kBelowCorner * allowed / std::fabs(glm::dot(side, mesh.normal[corner]));
+      if (!(share < 0.5)) continue;
       dvec3 weights(0);
       weights[k] = 1 - share;
       weights[other] = share;
@@ -264,7 +263,11 @@ void SharpBends::measure_triangles(ValidatedMesh& mesh) {
     if (!leaf.targets.from_triangles || !mesh.is_near(leaf.number)) continue;
     least = std::min(least, mesh.allowed[leaf.number]);
     for (const Triangle& t : leaf.triangles) {
-      for (const dvec3& weights : kMiddlesOfTriangle) places.push_back({&t, weights});
+      const bool is_thick =
+          thickness_of(grid_.mesh, t) > kDoubtfulSides * mesh.allowed[leaf.number];
+      for (const dvec3& weights : kMiddlesOfTriangle) {
+        if (is_thick) places.push_back({&t, weights});
+      }
       append_below_corners(t, mesh.allowed[leaf.number], places);
     }
   }

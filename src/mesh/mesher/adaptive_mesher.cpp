@@ -240,7 +240,7 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
   for (std::size_t k = first; k < mesh_.leaves.size(); ++k) {
     const Leaf& leaf = mesh_.leaves[k];
     if (leaf.state.is_whole() || leaf.state.leads_to_pole() || is_clipped(leaf)) continue;
-    if (!leaf.state.may_be_halved()) continue;
+    if (is_refined() && !leaf.state.may_be_halved()) continue;
     if (!unresolvable) unresolvable.emplace(oscillation());
     if (unresolvable->contains(leaf, tree_)) continue;
     if (request_.clip && crosses_box(leaf)) continue;
@@ -253,7 +253,7 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
     if (is_solvable) which.push_back(k);
   }
   for (std::span<const std::size_t> rest = which; !rest.empty();) {
-    if (tree_.budget().is_full(limits_.triangles)) return;
+    if (is_refined() && tree_.budget().is_full(limits_.triangles)) return;
     const auto some = rest.first(std::min(rest.size(), kSolvedAtATime));
     validation_.validate_again(solve_inner_vertices(some, limits_, mesh_, tree_));
     rest = rest.subspan(some.size());

@@ -37,10 +37,10 @@ void VertexGeometry::repair_root_grid(unsigned threads) {
   if (grid_.left_out_count == 0) return;
   std::vector<std::uint32_t> undefined;
   for (std::uint32_t vertex = 0; vertex < grid_.vertex_count(); ++vertex) {
-    const bool has_normal = is_finite(grid_.mesh.normal[vertex]);
+    defined_[vertex] = is_finite(grid_.mesh.position[vertex]) ? 1 : 0;
+    const bool has_normal = is_defined(vertex) && is_finite(grid_.mesh.normal[vertex]);
     if (!has_normal) grid_.mesh.normal[vertex] = dvec3(0);
     if (!has_normal) make_singular(vertex);
-    defined_[vertex] = is_finite(grid_.mesh.position[vertex]) ? 1 : 0;
     if (!is_defined(vertex)) undefined.push_back(vertex);
   }
   fill_removable(undefined, threads);
@@ -83,7 +83,9 @@ void VertexGeometry::append(const NormalColumns& columns, std::size_t count, Fun
     // |r_u x r_v| is compared with |r_u| |r_v|; each may be infinite or 0.
     const double scale =
         std::sqrt(columns[kSquareUColumn][i]) * std::sqrt(columns[kSquareVColumn][i]);
-    const bool regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal);
+    // min(1, undefined) is undefined, but may have the derivatives of 1.
+    const bool regular = columns[kAreaColumn][i] > kDegenerateCross * scale && is_finite(normal) &&
+                         is_finite(position);
     const std::size_t vertex = first + i;
     mesh.position[vertex] = position;
     mesh.normal[vertex] = regular ? normal : dvec3(0);

@@ -71,6 +71,42 @@ TEST(OpenLeaves, ATipTooFineForTheMeshIsTold) {
 }
 
 // The chords from samples on both sides of a groove do not come near its wall.
+/// The largest distance of the triangles of a mesh from the plane z = 2 u with a needle of no width
+/// at `foot`, over the tolerance.
+double distance_from_needle(const MeshResult& result, const dvec2& foot) {
+  constexpr int kParts = 40;
+  double worst = 0;
+  for (const Triangle& t : result.mesh.triangles) {
+    const auto& p = result.mesh.position;
+    for (int i = 0; i <= kParts; ++i) {
+      for (int j = 0; j <= kParts - i; ++j) {
+        const dvec3 at =
+            (double(i) * p[t[0]] + double(j) * p[t[1]] + double(kParts - i - j) * p[t[2]]) /
+            double{kParts};
+        const double from_plane = std::fabs(at.z - 2 * at.x) / std::sqrt(5);
+        worst = std::max(worst, std::min(from_plane, glm::distance(dvec2(at), foot)));
+      }
+    }
+  }
+  return worst / *result.report.tolerance;
+}
+
+TEST(OpenLeaves, AMeshKeepsTheToleranceAtTheFootOfANeedleOnASlope) {
+  struct Needle {
+    const char* z;
+    dvec2 foot;
+  };
+  for (const Needle& needle :
+       {Needle{"2*u+max(0,1-hypot(u-0.3,v-0.1)/1e-5)", {0.3, 0.1}},
+        Needle{"2*u+0.5*max(0,1-hypot(u-0.5,v+0.3195)/1e-4)", {0.5, -0.3195}},
+        Needle{"2*u+0.7*max(0,1-hypot(u-0.6,v-0.6)/3e-5)", {0.6, 0.6}},
+        Needle{"2*u+0.7*max(0,1-hypot(u-0.2,v-0.6)/1e-4)", {0.2, 0.6}}}) {
+    const MeshResult result = try_mesh(height_field(needle.z), within_share(1e-3)).value();
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << needle.z;
+    EXPECT_LE(distance_from_needle(result, needle.foot), 1.02) << needle.z;
+  }
+}
+
 TEST(OpenLeaves, AMeshDownAGrooveIsNotFalselyOff) {
   const MeshResult mesh = ridge_mesh("0.7637*u-0.8685*exp(-(u/1.943e-5)^2)");
   const auto crest = [](double v) { return dvec3(0, v, -0.8685); };

@@ -211,6 +211,12 @@ TEST(Rims, ThatComeNearALineOfSamplesDrawNoDenseLines) {
   EXPECT_LT(result.mesh.triangles.size(), 10'000U);
 }
 
+TEST(Rims, HaveUnitNormalsWhereTheFormulaBesideThemHasDerivatives) {
+  // Beyond the rim the least of 0.3 and an undefined number is undefined, with derivatives of 0.
+  const MeshResult result = mesh_of_rim("min(0.3, sqrt(1-u^2-v^2))", 1e-3);
+  for (const dvec3& normal : result.mesh.normal) EXPECT_NEAR(glm::length(normal), 1, 1e-9);
+}
+
 TEST(Rims, KeepTheToleranceWhereAJumpMeetsThem) {
   const MeshResult result =
       try_mesh(height_field("sqrt(1-u^2-v^2)*sign(u-v)"), within_length(1.4e-3)).value();
