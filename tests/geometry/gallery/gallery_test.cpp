@@ -43,7 +43,7 @@ TEST(Gallery, HelpsWithUnknownNames) {
   const Error error = unknown_gallery_name("helocoid");
   EXPECT_EQ(error.status(), Status::Input);
   EXPECT_NE(error.hint().find("did you mean 'helicoid'?"), std::string::npos);
-  EXPECT_NE(error.hint().find("trefoil-tube"), std::string::npos);
+  EXPECT_NE(error.hint().find("saddle list"), std::string::npos);
 }
 
 TEST(Gallery, DrawsTheFunctionGraphersSceneFromItsOwnCamera) {

@@ -57,8 +57,9 @@ TEST(BoundedWork, ForeseesWavesThatNoMeshCouldFollow) {
     const MeshResult result = try_mesh(height_field(z), thousandth()).value();
     EXPECT_FALSE(result.report.reached_limit) << z;
     EXPECT_TRUE(result.report.oscillates) << z;
-    // Cells of four tolerances, halved once and now and then twice, on nine places each.
-    EXPECT_LT(result.report.evaluations, 2'700'000U) << z;
+    // Cells of four tolerances, halved once and now and then twice, on nine places each, and the
+    // sides of thin triangles.
+    EXPECT_LT(result.report.evaluations, 3'000'000U) << z;
     EXPECT_LT(result.mesh.triangles.size(), 300'000U) << z;
   }
 }

@@ -148,9 +148,9 @@ TEST(Axes, PutTicksWhereTheirNumbersAre) {
   Scene scene = scene_seen_from({0, 0, 1}, true);
   const FittedCamera camera = fitted(scene, bounds);
   const Annotations all = annotate(scene, camera, bounds, {}, kSize);
-  const double x = pixel_of(camera, {2, 0, 0}).x;
+  const double x = pixel_of(camera, {3, 0, 0}).x;
   EXPECT_TRUE(std::ranges::any_of(all.texts, [&](const WrittenText& text) {
-    return text.text == "2" && std::abs(text.middle.x - x) < 0.01 && text.middle.y > kSize.y / 2;
+    return text.text == "3.0" && std::abs(text.middle.x - x) < 0.01 && text.middle.y > kSize.y / 2;
   }));
 }
 
