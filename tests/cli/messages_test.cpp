@@ -223,9 +223,9 @@ TEST_F(Messages, NameTheMistakeAndAWayOutThatWorks) {
 /// Warnings of command lines that are right.
 constexpr Row kWarnings[] = {
     {"z=u k=3", "k is defined, but nothing that is drawn depends on it", "", ""},
-    {"z=1/u", "surface: the surface goes to infinity: it is cut there, as at u = 0", "", ""},
+    {"z=1/u", "surface: the surface goes to infinity and is cut there: u = 0, v = -1:1", "", ""},
     {"z=1/u", "surface: clipped to z = ", "--clip off shows all of it", "z=1/u --clip off"},
-    {"z=sign(u)", "surface: the surface jumps: it is cut there, as at u = 0", "", ""},
+    {"z=sign(u)", "surface: the surface jumps and is cut there: u = 0, v = -1:1", "", ""},
     {"z=atan2(v,u)", "surface: the surface has no limit at u = 0, v = 0", "", ""},
     {"z=sqrt(u)",
      "surface: 50 % of the domain is undefined and left out, at least outside of u = ", "", ""},

@@ -79,8 +79,8 @@ TEST_F(Comparison, PassesChangesThatAreHardToSee) {
       {"torus", "torus --renderer egl"},
       {"torus", "torus --tolerance 0.1px"},
       // rims and lines that move by a part of a pixel
-      {"torus", "torus --target 0.015,0,0"},
-      {"torus --grid off", "torus --grid off --target 0,0,0.015"},
+      {"torus --target 0,0,0", "torus --target 0.015,0,0"},
+      {"torus --grid off --target 0,0,0", "torus --grid off --target 0,0,0.015"},
       {"sphere --background white", "sphere --background white --view 2,-3,1.51"},
       {"sphere --grid 40x40", "sphere --grid 40x40 --view 2,-3,1.51"},
   };

@@ -11,6 +11,10 @@ namespace saddle {
 
 namespace {
 
+/// Limits are means of what is around them within some 1e-6 of the ranges: so many diagonals of the
+/// surface they may be off.
+constexpr double kKnown = 1e-5;
+
 /// Places at which a singular line is sampled.
 constexpr std::size_t kLinePlaces = 9;
 
@@ -20,7 +24,7 @@ constexpr std::size_t kCollapsed = 12;
 
 /// A limit to the decimals that are known of it: at the apex of a cone the mean is beside it.
 dvec3 known_decimals(const dvec3& limit, double diagonal) {
-  const double unit = std::pow(10, std::ceil(std::log10(kLimitsAgree * diagonal)));
+  const double unit = std::pow(10, std::ceil(std::log10(kKnown * diagonal)));
   return std::isfinite(unit) && unit > 0 ? unit * glm::round(limit / unit) : limit;
 }
 

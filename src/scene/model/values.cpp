@@ -35,7 +35,8 @@ Span whole(const std::string& text) {
   return {0, text.size()};
 }
 
-/// The number that `part` of `text` is.
+}  // namespace
+
 double number_in(const std::string& option, const std::string& text, Span part) {
   double value = 0;
   const char* const begin = text.data() + part.begin;
@@ -49,6 +50,8 @@ double number_in(const std::string& option, const std::string& text, Span part) 
     throw Error(Status::Input, "not a finite number", {option, text, part});
   return value;
 }
+
+namespace {
 
 int whole_in(const std::string& option, const std::string& text, Span part, int low, int high) {
   int value = 0;
@@ -118,19 +121,15 @@ int parse_whole(const std::string& option, const std::string& text, int low, int
   return whole_in(option, text, whole(text), low, high);
 }
 
-std::vector<std::string> parse_list(const std::string& option, const std::string& text,
-                                    std::size_t count, const std::string& what,
-                                    const std::string& sample) {
-  std::vector<std::string> parts(1);
+std::vector<Span> parse_list(const std::string& option, const std::string& text, std::size_t count,
+                             const std::string& what, const std::string& sample) {
+  std::vector<Span> parts(1);
   int depth = 0;
-  for (const char c : text) {
-    if (c == '(') ++depth;
-    if (c == ')') --depth;
-    if (c == ',' && depth <= 0) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') --depth;
+    if (text[i] == ',' && depth <= 0) parts.push_back({i + 1, i + 1});
+    if (text[i] != ',' || depth > 0) parts.back().end = i + 1;
   }
   if (parts.size() == count) return parts;
   throw Error(Status::Input, what + ", this one has " + std::to_string(parts.size()),

@@ -45,6 +45,9 @@ inline constexpr Limits kFramesPerSecond = {kMinFps, kMaxFps, true};
 /// "from 0 to 1", "more than 0"
 std::string describe(const Limits& limits);
 
+/// The finite number that a part of a text is, as parse_number().
+double number_in(const std::string& option, const std::string& text, Span part);
+
 /// A finite number within its limits; a constant expression such as 2*pi is one too.
 double parse_number(const std::string& option, const std::string& text,
                     const Limits& limits = kAny);
@@ -54,9 +57,8 @@ int parse_whole(const std::string& option, const std::string& text, int low, int
 
 /// The parts of `A,B,...` between commas that are in no bracket. Throws Error (Input) unless they
 /// are `count`; `what` and `sample` for the message: "a vector", "2,-3,1.5".
-std::vector<std::string> parse_list(const std::string& option, const std::string& text,
-                                    std::size_t count, const std::string& what,
-                                    const std::string& sample);
+std::vector<Span> parse_list(const std::string& option, const std::string& text, std::size_t count,
+                             const std::string& what, const std::string& sample);
 
 /// A colour of a surface, whose opacity is apart.
 Color opaque_color(const std::string& option, const std::string& text);

@@ -18,25 +18,27 @@ namespace saddle::kinds {
 
 namespace {
 
-/// A number, or an expression that resolve() of the scene will make one. An error in it is found at
-/// once if the scene is known.
-Number parse_expression(const Given& given, const std::string& text, const Limits& limits) {
+/// The number that a part of the text is, or an expression that resolve() of the scene will make
+/// one. An error in it is found at once if the scene is known.
+Number parse_expression(const Given& given, Span part) {
   try {
-    static_cast<void>(parse_number(given.option, text, kAny));
+    return number_in(given.option, given.text, part);
   } catch (const Error&) {
     if (given.scene) {
       Graph graph;
-      Scope(graph, constant_names(*given.scene)).constant(given.option, text, {}, given.scene->t);
+      Scope scope(graph, constant_names(*given.scene));
+      const double now = scope.constant(given.option, given.text, part, given.scene->t);
+      if (!std::isfinite(now) && !scope.has_used_time()) throw;
     }
-    return Number(text);
+    return Number(given.text.substr(part.begin, part.end - part.begin));
   }
-  return parse_number(given.option, text, limits);
 }
 
 }  // namespace
 
 void Real::parse(const Given& given) const {
-  *value = parse_expression(given, given.text, limits);
+  const Number number = parse_expression(given, {0, given.text.size()});
+  *value = number.text.empty() ? Number(parse_number(given.option, given.text, limits)) : number;
 }
 
 std::string Real::format() const {
@@ -90,10 +92,10 @@ std::string Whole::write() const {
 }
 
 void Point::parse(const Given& given) const {
-  const std::vector<std::string> parts =
+  const std::vector<Span> parts =
       parse_list(given.option, given.text, 3, "a vector has three numbers", "2,-3,1.5");
-  *value = {parse_expression(given, parts[0], kAny), parse_expression(given, parts[1], kAny),
-            parse_expression(given, parts[2], kAny)};
+  *value = {parse_expression(given, parts[0]), parse_expression(given, parts[1]),
+            parse_expression(given, parts[2])};
   const auto is_zero = [](const Number& number) { return number.text.empty() && number == 0; };
   if (direction && is_zero(value->x) && is_zero(value->y) && is_zero(value->z)) {
     throw Error(Status::Input, "a direction needs a length",
@@ -186,10 +188,9 @@ void ViewDirection::resolve(Resolver& resolver, const std::string& name) const {
 }
 
 void ViewAngles::parse(const Given& given) const {
-  const std::vector<std::string> parts =
+  const std::vector<Span> parts =
       parse_list(given.option, given.text, 2, "two angles are wanted", "-60,25");
-  *value =
-      view_along(parse_expression(given, parts[0], kAny), parse_expression(given, parts[1], kAny));
+  *value = view_along(parse_expression(given, parts[0]), parse_expression(given, parts[1]));
 }
 
 void ViewAngles::read(const InFile& in) const {

@@ -1,0 +1,70 @@
+// The chord of a sheet's edge between two points of its cell, and the geometry of its corner.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/vec.h"
+#include "mesh/model/tolerances.h"
+#include "mesh/tree/cell_polygon.h"
+
+namespace saddle {
+
+/// Rays per round. With the ends of its bracket, an edge has nine places.
+inline constexpr std::size_t kRays = 7;
+inline constexpr std::size_t kNodes = kRays + 2;
+
+/// The chord of a sheet's edge, in the unit square of its leaf.
+struct SheetChord {
+  std::size_t leaf;
+  PolygonChord corners;
+  std::array<dvec2, 2> ends;
+  dvec2 from;  ///< the corner of the sub-polygon from which its edge is looked at
+  /// Places of the edge, in order, and where their rays cut the chord.
+  std::array<dvec2, kNodes> nodes = {};
+  std::array<double, kNodes> shares = {};
+  double turn = 0;  ///< at the corner, in radians
+  dvec2 corner{0};
+  bool is_near = false;  ///< the chord is within the tolerance; only a corner counts
+  bool is_open = true;   ///< its corner is looked for
+  bool is_found = false;
+
+  dvec2 at(double share) const { return glm::mix(ends[0], ends[1], share); }
+};
+
+/// The angle from one direction to another, in radians, 0 where one has no length.
+inline double turn_between(const dvec2& a, const dvec2& b) {
+  return std::atan2(cross(a, b), glm::dot(a, b));
+}
+
+inline double distance_from_chord_of(const SheetChord& chord, const dvec2& place) {
+  const dvec2 way = chord.ends[1] - chord.ends[0];
+  return std::fabs(cross(way, place - chord.ends[0])) / glm::length(way);
+}
+
+/// Whether a place is clearly on the side of a chord where its sheet is.
+inline bool is_on_sheet_side(const SheetChord& chord, const dvec2& place) {
+  return cross(chord.ends[1] - chord.ends[0], place - chord.ends[0]) > kNearly;
+}
+
+/// Where lines through a and b, and through c and d, meet.
+inline std::optional<dvec2> intersection(const dvec2& a, const dvec2& b, const dvec2& c,
+                                         const dvec2& d) {
+  const double area = cross(b - a, d - c);
+  const dvec2 place = a + (b - a) * (cross(c - a, d - c) / area);
+  return std::isfinite(place.x) && std::isfinite(place.y) ? std::optional(place) : std::nullopt;
+}
+
+/// Where the ray through a place cuts the chord, as a share of it.
+inline double share_of(const SheetChord& chord, const dvec2& place) {
+  const dvec2 way = chord.ends[1] - chord.ends[0];
+  const dvec2 ray = place - chord.from;
+  return cross(chord.from - chord.ends[0], ray) / cross(way, ray);
+}
+
+}  // namespace saddle
