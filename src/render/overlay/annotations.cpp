@@ -30,7 +30,7 @@ constexpr double kLetters = 1.0 / 46;
 constexpr double kNarrow = 0.75;
 constexpr double kLeastLetters = 9;
 
-constexpr double kBarHeight = 0.6;    // of the picture's
+constexpr double kBarHeight = 0.84;   // of the picture's
 constexpr double kMostBarName = 0.3;  // of the picture's width
 constexpr double kLeastRoom = 0.3;    // for the surfaces, of each side
 constexpr int kMostTicks = 8;
@@ -96,7 +96,7 @@ class Annotator {
     const double width = bar_zone(scale);
     const double left = right - width + kBarMargin * em_;
     const double height = kBarHeight * size_.y;
-    const dvec2 corner(std::round(left), std::round((size_.y - height) / 2 + em_));
+    const dvec2 corner(std::round(left), bar_top());
     const dvec2 extent(std::round(kBarWidth * em_), std::round(height));
     result_.bars.push_back({corner, extent, scale.colormap});
     writer_.keep_clear({corner, corner + extent});
@@ -119,7 +119,11 @@ class Annotator {
     return right - std::max(width, 2 * half + 2 * kGap * em_);
   }
 
-  /// The width of a bar with its texts, at the picture's right side.
+  /// Where bars begin, and their names end, from the picture's upper side.
+  double bar_top() const { return std::round((1 - kBarHeight) / 2 * size_.y + em_); }
+  double below_bar_names() const { return bar_top() - kBarNameGap * em_; }
+
+  /// The width of a bar with its numbers, at the picture's right side.
   double bar_zone(const ColorScale& scale) const {
     double widest = 0;
     for (const Tick& tick : ticks_of(scale).ticks) {
@@ -337,10 +341,13 @@ Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const
   const Annotator annotator(scene, {}, box, size);
   dvec2 margin(0);
   for (const ColorScale& scale : scales) margin.x += annotator.bar_zone(scale);
+  if (!scales.empty()) margin.y = annotator.below_bar_names();  // names are wider than their bars
   if (scene.axes && !box.empty()) {
     const dvec2 axes = annotator.axes_margin();
-    margin = {std::max(axes.x, margin.x + axes.x / 2), axes.y};  // long labels are at the left
+    // Long labels are at the left.
+    margin = {std::max(axes.x, margin.x + axes.x / 2), std::max(axes.y, margin.y)};
   }
+  if (!scales.empty()) margin.x += kPictureMargin / 2 * size.x;
   room.across = std::clamp(1 - 2 * margin.x / size.x, kLeastRoom, room.across);
   room.down = std::clamp(1 - 2 * margin.y / size.y, kLeastRoom, room.down);
   return room;
