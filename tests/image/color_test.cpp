@@ -155,12 +155,12 @@ TEST(ColourBar, ShowsTheColoursOfItsNumbers) {
   }
   const auto most = std::ranges::max_element(coloured);
   const auto x = static_cast<int>(most - coloured.begin()) + 2;
-  EXPECT_NEAR(*most, 240, 3);  // 0.6 of the height
+  EXPECT_NEAR(*most, 336, 3);  // 0.84 of the height
   const std::vector<ColorScale> scales = {{"x", "viridis", {-1, 1}}};
   const auto top =
       static_cast<int>(annotate(square.scene, {}, {}, scales, dvec2(400)).bars.at(0).upper_left.y);
-  for (int y = top + 3; y < top + 235; y += 5) {
-    expect_color(image, x, y, colormap_at("viridis", 1 - (y + 0.5 - top) / 240));
+  for (int y = top + 3; y < top + 331; y += 5) {
+    expect_color(image, x, y, colormap_at("viridis", 1 - (y + 0.5 - top) / 336));
   }
 }
 

@@ -45,7 +45,7 @@ TEST_F(ViewerTest, TurnsUnderTheHandAndBackAgain) {
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(path("torus.toml")); }));
   const Scene scene = load_scene(path("torus.toml"));
   EXPECT_GT(degrees_between(scene.camera.view, Camera{}.view), 10);
-  EXPECT_FALSE(scene.camera.distance) << "turning does not fix the distance";
+  EXPECT_TRUE(scene.camera.distance) << "fitted anew, it would grow and shrink under the hand";
 }
 
 TEST_F(ViewerTest, TakesGridLinesAwayAndBringsThemBack) {
@@ -69,7 +69,7 @@ TEST_F(ViewerTest, ShadesCornersPixelsOrByTheFormula) {
     const Image shown = settled_picture();
     EXPECT_EQ(differ(shown, pixels), shading != std::string("pixel")) << shading;
     ASSERT_EQ(headless(with(coarse, {"--shading", shading, "-o", "a.png"})), 0);
-    EXPECT_LT(compare_images(shown, read_png(path("a.png")).image).error, 0.001) << shading;
+    EXPECT_LT(compare_images(shown, read_png(path("a.png")).image).error, 0.002) << shading;
   }
 }
 

@@ -11,7 +11,7 @@
 
 #include "base/vec.h"
 #include "mesh/model/tolerances.h"
-#include "mesh/tree/cell_polygon.h"
+#include "mesh/tree/inner_vertices.h"
 
 namespace saddle {
 
