@@ -170,7 +170,8 @@ TEST_F(CheckCommand, SaysOnWhichShareOfTheDomainItsProofHolds) {
 }
 
 TEST_F(CheckCommand, TellsCurvesAsCurvesHoweverManyCellsTheyCross) {
-  EXPECT_TRUE(contains(words({"z=floor(3*u)", "u=0.1:0.9"}), "jumps       u = 0.333333, v = -1:1;"));
+  EXPECT_TRUE(
+      contains(words({"z=floor(3*u)", "u=0.1:0.9"}), "jumps       u = 0.333333, v = -1:1;"));
   EXPECT_TRUE(contains(words({"z=sign(u^2+v^2-0.5)"}), "jumps       within u = -0.7"));
 }
 

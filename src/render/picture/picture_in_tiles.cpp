@@ -30,8 +30,8 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
     bounds.add(transformed(meshes[instance.surface].bounds, instance.to_world));
   }
   if (bounds.empty()) bounds.add(dvec3(0));  // nothing but background
-  ViewPyramid seen = pyramid_beside_annotations(
-      scene, scene.camera, bounds, color_scales(scene, ranges_of(meshes)), size);
+  ViewPyramid seen = pyramid_beside_annotations(scene, scene.camera, bounds,
+                                                color_scales(scene, ranges_of(meshes)), size);
   for (const Instance& instance : all) {
     const Mesh& mesh = meshes[instance.surface];
     add_points(mesh.position, mesh.bounds, instance.to_world, seen);

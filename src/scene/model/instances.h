@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <map>
-#include <string>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
