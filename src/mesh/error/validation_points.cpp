@@ -73,16 +73,19 @@ void PointPlacer::append(std::size_t number, const Leaf& leaf, std::span<const T
       samples.push_back({number, low * (1.0 - part) + high * part});
     }
   }
-  if (leaf.state.cut() == LeafCut::Boundary) append_sides(number, triangles, samples);
+  if (!is_whole) append_sides(number, leaf, triangles, samples);
   if (has_chords) append_chords(number, leaf, triangles, samples);
 }
 
 /// Points on the sides of triangles, a quarter from their corners: an arc with a vertical tangent
 /// at its end, like a square root's, is highest above the first quarter of its chord. The surface
-/// ends at the edge of the domain: there its edge is compared with the side alone.
-void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> triangles,
+/// ends at the edge of the domain: there its edge is compared with the side alone, beside creases,
+/// too.
+void PointPlacer::append_sides(std::size_t number, const Leaf& leaf,
+                               std::span<const Triangle> triangles,
                                std::vector<ValidationPoint>& samples) const {
   const auto& uv = grid_.mesh.uv;
+  const bool is_on_boundary = leaf.state.cut() == LeafCut::Boundary;
   const auto is_at_end = [](double a, double b, std::span<const double> lines) {
     return a == b && (a == lines.front() || a == lines.back());
   };
@@ -92,6 +95,7 @@ void PointPlacer::append_sides(std::size_t number, std::span<const Triangle> tri
       const dvec2& a = uv[side[0]];
       const dvec2& b = uv[side[1]];
       const bool is_edge = is_at_end(a.x, b.x, grid_.u) || is_at_end(a.y, b.y, grid_.v);
+      if (!is_edge && !is_on_boundary) continue;
       for (const double share : kBesideMiddle) {
         samples.push_back({number, glm::mix(a, b, share), &t, true});
         if (is_edge) samples.back().crease = side;

@@ -40,7 +40,7 @@ class PointPlacer {
                              std::vector<ValidationPoint>& samples) const;
 
  private:
-  void append_sides(std::size_t number, std::span<const Triangle> triangles,
+  void append_sides(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                     std::vector<ValidationPoint>& samples) const;
   void append_chords(std::size_t number, const Leaf& leaf, std::span<const Triangle> triangles,
                      std::vector<ValidationPoint>& samples) const;

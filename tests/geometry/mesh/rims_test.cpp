@@ -217,6 +217,13 @@ TEST(Rims, HaveUnitNormalsWhereTheFormulaBesideThemHasDerivatives) {
   for (const dvec3& normal : result.mesh.normal) EXPECT_NEAR(glm::length(normal), 1, 1e-9);
 }
 
+TEST(Rims, OfTheDomainKeepTheToleranceWhereACuspEnds) {
+  const MeshResult result = mesh_of_rim("sqrt(abs(u+v))", 1e-3);
+  const TriangleTree tree(result.mesh);
+  for (double d = 1e-4; d < 0.05; d *= 1.1)
+    EXPECT_LE(tree.distance({1, d - 1, std::sqrt(d)}), *result.report.tolerance) << d;
+}
+
 TEST(Rims, KeepTheToleranceWhereAJumpMeetsThem) {
   const MeshResult result =
       try_mesh(height_field("sqrt(1-u^2-v^2)*sign(u-v)"), within_length(1.4e-3)).value();
