@@ -28,9 +28,9 @@ constexpr std::size_t kHopeless = 8;
 /// In tolerances: a box is measured if the surface is no farther from its points, or without such
 /// bounds if the sphere around its box in space is no larger. That leaves one for their distances.
 constexpr double kReach = kProofFactor - 1;
-/// In tolerances: a box in which the surface may be undefined is no longer than one, which is then
-/// the largest distance across a hole in it. Distances of the surface say nothing about its holes.
-constexpr double kReachBesideHoles = 0.5;
+/// In tolerances: a box in which the surface may be undefined is no longer than two, so that a hole
+/// in it is one deep. Distances of the surface say nothing about its holes.
+constexpr double kReachBesideHoles = 1;
 /// A box is halved twice at once if its bound is more than 256 times too large.
 constexpr double kHalvedTwice = 256;
 
