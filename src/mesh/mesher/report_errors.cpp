@@ -12,6 +12,7 @@
 #include "mesh/error/open_leaves.h"
 #include "mesh/error/validation_points.h"
 #include "mesh/mesher/adaptive_mesher.h"
+#include "mesh/model/sample_places.h"
 #include "mesh/model/tolerances.h"
 #include "mesh/proof/feature_search.h"
 #include "mesh/tree/cell_polygon.h"
@@ -43,8 +44,9 @@ struct SearchedLeaf {
 /// The search, from the largest known error down.
 class ErrorSearch {
  public:
-  ErrorSearch(double tolerance, const WholeMeshError& whole, const PlacedError& known)
-      : tolerance_(tolerance), whole_(whole), worst_(known) {}
+  ErrorSearch(const ParameterBox& domain, double tolerance, const WholeMeshError& whole,
+              const PlacedError& known)
+      : domain_(domain), tolerance_(tolerance), whole_(whole), worst_(known) {}
 
   const PlacedError& worst() const { return worst_; }
 
@@ -58,7 +60,9 @@ class ErrorSearch {
     const std::vector<double> found = whole_.distances(places);
     std::size_t k = 0;
     for (const SearchedLeaf& leaf : leaves) {
-      WholeMeshError::Climb start{{0, leaf.part.box.middle()}, leaf.part.box, leaf.part.triangles};
+      // A part without triangles may go on in leaves without vertices.
+      const ParameterBox& box = leaf.part.triangles.empty() ? domain_ : leaf.part.box;
+      WholeMeshError::Climb start{{0, leaf.part.box.middle()}, box, leaf.part.triangles};
       for (const dvec2& uv : leaf.places) {
         if (found[k] > start.best.distance) start.best = {found[k], uv};
         ++k;
@@ -96,6 +100,7 @@ class ErrorSearch {
     if (scale * found.distance > worst_.distance) worst_ = {scale * found.distance, found.uv};
   }
 
+  ParameterBox domain_;
   double tolerance_;
   const WholeMeshError& whole_;
   PlacedError worst_;
@@ -124,7 +129,7 @@ PlacedError largest_error(const Surface& surface, std::span<SearchedLeaf> suspec
   for (const SearchedLeaf& leaf : suspects.first(std::min(kFollowed, suspects.size())))
     parts.push_back(leaf.part);
   features.dive(parts);
-  ErrorSearch search(tolerance, whole(), features.search(kMostBoxes));
+  ErrorSearch search(box_of(surface.domain), tolerance, whole(), features.search(kMostBoxes));
   for (std::size_t next = 0;
        next < suspects.size() && suspects[next].error > search.worst().distance; next += kInBatch) {
     search.measure(suspects.subspan(next, std::min(kInBatch, suspects.size() - next)));
@@ -157,11 +162,15 @@ class ErrorReporter {
     std::vector<std::size_t> suspects;
     for (std::size_t k = 0; k < mesh_.leaves.size(); ++k) {
       const Leaf& leaf = mesh_.leaves[k];
-      if (triangles.of(k).empty() || mesher_.is_clipped(leaf)) continue;
+      if (mesher_.is_clipped(leaf)) continue;
+      const bool is_missing = triangles.of(k).empty();
+      if (is_missing && !is_missing_part(k)) continue;
       const PlacedError error = error_of(k);
       if (error.distance > *report.tolerance &&
-          (is_covered(leaf) || is_of_surface(k) || is_on_strip(leaf))) {
+          (is_missing || is_covered(leaf) || is_of_surface(k) || is_on_strip(leaf))) {
         suspects.push_back(k);
+      } else if (is_missing) {
+        continue;
       } else if (error.distance > worst.distance) {
         worst = error;
       }
@@ -175,6 +184,7 @@ class ErrorReporter {
       suspected.push_back({error_of(k).distance, searched(k, triangles), {}});
       suspected.back().part.sticks_out = false;
       append_samples(k, suspected.back().places);
+      if (triangles.of(k).empty()) append_around(surface.domain, suspected.back().places);
     }
     const PlacedError beside = append_strips(surface, request, suspects, triangles, suspected);
     if (beside.distance > worst.distance) worst = beside;
@@ -214,6 +224,12 @@ class ErrorReporter {
     if (leaf.state.is_on_boundary() || (leaf.state.oscillates() && has_waves_)) return false;
     if (mesher_.landmarks().misses_hole(leaf)) return false;
     return leaf.state.is_whole() || count_features(leaf, tree_).only_creases;
+  }
+
+  /// Whether a leaf without triangles, on a boundary, has a place of the surface.
+  bool is_missing_part(std::size_t k) const {
+    const Leaf& leaf = mesh_.leaves[k];
+    return mesh_.sampled_errors[k].uv && leaf.state.is_on_boundary() && !leaf.state.is_left_out();
   }
 
   /// Whether a strip of the surface that is thin where it enters crosses a leaf: triangles of other
@@ -291,6 +307,18 @@ class ErrorReporter {
     };
     std::ranges::for_each(leaf.samples.side, append);
     append(leaf.samples.centre);
+  }
+
+  /// Appends places near the last one and far from it: the surface may go on there, in leaves
+  /// whose vertices are undefined.
+  static void append_around(const Domain& domain, std::vector<dvec2>& places) {
+    const auto [low, high] = box_of(domain);
+    const dvec2 from = places.back();
+    dvec2 step = 0.5 * (high - low);
+    for (int k = 0; k < kHalvingsToNearly; ++k, step *= 0.5) {
+      for (const dvec2& way : kFourWays)
+        places.push_back(glm::clamp(from + step * way, glm::min(low, high), glm::max(low, high)));
+    }
   }
 
   /// Leaves whose samples may miss a feature; only those without a proof, if one was tried.

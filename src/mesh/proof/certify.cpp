@@ -28,6 +28,9 @@ constexpr std::size_t kHopeless = 8;
 /// In tolerances: a box is measured if the surface is no farther from its points, or without such
 /// bounds if the sphere around its box in space is no larger. That leaves one for their distances.
 constexpr double kReach = kProofFactor - 1;
+/// In tolerances: a box in which the surface may be undefined is no longer than two, so that a hole
+/// in it is one deep. Distances of the surface say nothing about its holes.
+constexpr double kReachBesideHoles = 1;
 /// A box is halved twice at once if its bound is more than 256 times too large.
 constexpr double kHalvedTwice = 256;
 
@@ -294,14 +297,15 @@ class Certifier {
 
   /// Puts a part on the list of boxes whose points are measured, if its bounds are narrow enough.
   bool measure_later(const Part& part, const BoxBounds& bounds) {
-    const double allowed = kReach * patches_[part.patch].allowed;
+    const bool may_have_hole = bounds.broken == GapReason::Undefined;
+    const double allowed =
+        (may_have_hole ? kReachBesideHoles : kReach) * patches_[part.patch].allowed;
     const dvec2 size = part.box.size();
     const dvec2 bend(bounds.bend.x, bounds.bend.z);
     if (const auto cells = bounds.cells_within(size, allowed)) {
       budget_.take_points(std::size_t{(*cells)[0] + 1} * ((*cells)[1] + 1));
       bounded_.push_back({part.patch, part.box, *cells, bounds.reach(size, *cells), bend});
-    } else if (const double radius = 0.5 * bounds.extent();
-               radius <= kReach * patches_[part.patch].allowed) {
+    } else if (const double radius = 0.5 * bounds.extent(); radius <= allowed) {
       budget_.take_points(1);
       bounded_.push_back({part.patch, part.box, {0, 0}, radius, bend, bounds.hull.centre()});
     } else {

@@ -1,10 +1,15 @@
 // What is proved of a mesh, and how much work goes into proofs where there are none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "geometry/gallery/samples.h"
 #include "mesh/mesher/mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "mesh/model/topology.h"
+#include "mesh/model/triangle_tree.h"
 #include "mesh_requests.h"
 #include "surface_from_text.h"
 
@@ -99,6 +104,22 @@ TEST(Proofs, HoldAlongLinesOfEndlessDerivatives) {
       report_on(surface_over("u", "v", "abs(u-0.1)^1.5+abs(v-0.3)^1.5", {-1, 1, -1, 1}));
   EXPECT_TRUE(fold.certified);
   EXPECT_LE(fold.boxes, 2500U);
+}
+
+/// A hole of two opposite quarters of a disc lies between all samples. The place at 2 - sqrt(2) of
+/// the radius is deepest in it: sqrt(2) - 1 radii from its edge.
+TEST(Proofs, FindHolesBetweenSamples) {
+  constexpr dvec2 kMiddle(-0.5562, -0.2279);
+  for (const double radius : {0.0135, 0.0145, 0.0155, 0.01663}) {
+    const std::string z = "(hypot(u+0.5562,v+0.2279)<" + std::to_string(radius) +
+                          "&&abs(v+0.2279)<abs(u+0.5562))?nan:0";
+    const MeshResult found = try_mesh(height_field(z, {-1, 1, -1, 1}), within_share(1e-3)).value();
+    const double depth = (std::sqrt(2) - 1) * radius;
+    const dvec3 deepest(kMiddle.x + (2 - std::sqrt(2)) * radius, kMiddle.y, 0);
+    const double off = depth - TriangleTree(found.mesh).distance(deepest);
+    EXPECT_LE(off, std::max(1.02 * *found.report.tolerance, 1.1 * found.report.max_error)) << z;
+    EXPECT_FALSE(found.report.certified) << z;
+  }
 }
 
 /// A spire of radius exp(u) from z = -20 up: its end is 1e-9 of its size wide, yet no point.

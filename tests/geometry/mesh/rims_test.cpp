@@ -230,5 +230,23 @@ TEST(Rims, KeepTheToleranceWhereAJumpMeetsThem) {
   EXPECT_LE(result.report.max_error, 1.4e-3);
 }
 
+/// On v = 0 the height is (1 - u^0.25)^0.25, up to u = 1. The surface is (1 - u^0.25)^4 wide there:
+/// 1e-7 at u = 0.93, far less than a cell.
+TEST(Rims, OfTipsThinnerThanACellAreToldAtTheirFullLength) {
+  for (const int lines : {0, 16}) {
+    const MeshResult result = mesh_of_rim("(1-u^0.25-v^0.25)^0.25", 1e-3, lines);
+    const TriangleTree tree(result.mesh);
+    double worst = 0;
+    constexpr int kPlaces = 1000;
+    for (int k = 0; k <= kPlaces; ++k) {
+      const double u = static_cast<double>(k) / kPlaces;
+      const double height = std::pow(1 - std::pow(u, 0.25), 0.25);
+      worst = std::max({worst, tree.distance({u, 0, height}), tree.distance({0, u, height})});
+    }
+    EXPECT_GE(1.1 * std::max(result.report.max_error, *result.report.tolerance), worst) << lines;
+    EXPECT_LE(result.report.max_error, std::max(3 * worst, *result.report.tolerance)) << lines;
+  }
+}
+
 }  // namespace
 }  // namespace saddle
