@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "base/format.h"
@@ -42,7 +44,9 @@ PlaceGroup longest_line(std::span<const dvec2> places, const Indices& left, int 
       best_begin = begin;
     }
   }
-  PlaceGroup group(places, {sorted.begin() + best_begin, sorted.begin() + best_begin + best});
+  Indices members(sorted.begin() + best_begin, sorted.begin() + best_begin + best);
+  std::ranges::sort(members);
+  PlaceGroup group(places, std::move(members));
   // Places where another line crosses belong to both.
   for (const dvec2& place : places) {
     if (std::fabs(place[axis] - group.low[axis]) > kNearly * extent) continue;
@@ -55,6 +59,25 @@ PlaceGroup longest_line(std::span<const dvec2> places, const Indices& left, int 
   if (std::fabs(middle) < kNearly * extent) middle = 0;
   group.low[axis] = group.high[axis] = middle;
   return group;
+}
+
+/// Whether places follow one another along a line. Many curves that cross a line of the grid have
+/// places on it, too, but each has a nearer one on the same curve.
+bool is_line(std::span<const dvec2> places, const PlaceGroup& group, const dvec2& extent) {
+  std::size_t in_line = 0;
+  for (const std::size_t k : group.members) {
+    double nearest_member = std::numeric_limits<double>::infinity();
+    double nearest_other = nearest_member;
+    for (std::size_t other = 0; other < places.size(); ++other) {
+      if (other == k) continue;
+      const double distance = glm::length((places[other] - places[k]) / extent);
+      const bool is_member = std::ranges::binary_search(group.members, other);
+      double& nearest = is_member ? nearest_member : nearest_other;
+      nearest = std::min(nearest, distance);
+    }
+    in_line += nearest_member < nearest_other ? 1 : 0;
+  }
+  return 2 * in_line > group.members.size();
 }
 
 }  // namespace
@@ -110,14 +133,18 @@ std::vector<PlaceGroup> take_lines(std::span<const dvec2> places, const Domain& 
                                    Indices& left) {
   const dvec2 extent = extents(domain);
   std::vector<PlaceGroup> lines;
-  while (left.size() >= kFewestOfLine) {
-    const PlaceGroup along_v = longest_line(places, left, 0, extent.x);
-    const PlaceGroup along_u = longest_line(places, left, 1, extent.y);
+  Indices candidates = left;
+  while (candidates.size() >= kFewestOfLine) {
+    const PlaceGroup along_v = longest_line(places, candidates, 0, extent.x);
+    const PlaceGroup along_u = longest_line(places, candidates, 1, extent.y);
     const PlaceGroup& longer = along_v.members.size() > along_u.members.size() ? along_v : along_u;
     if (longer.members.size() < kFewestOfLine) break;
-    std::erase_if(left, [&](std::size_t k) {
+    const auto is_member = [&](std::size_t k) {
       return std::ranges::find(longer.members, k) != longer.members.end();
-    });
+    };
+    std::erase_if(candidates, is_member);
+    if (!is_line(places, longer, extent)) continue;
+    std::erase_if(left, is_member);
     lines.push_back(longer);
   }
   return lines;

@@ -106,6 +106,19 @@ TEST(Warnings, TellTheLinesOfJumpsNotHowManyPlacesWereCut) {
   EXPECT_EQ(warning(33), warning(20));
 }
 
+/// Twenty slanted curves cut each row of the grid at twenty places.
+TEST(Warnings, TellNoLineOfTheGridForManyCurvesThatCrossIt) {
+  MeshResult jumps = mesh_between({-1, 0}, {1, 2});
+  for (int curve = 0; curve < 20; ++curve) {
+    for (int row = 0; row < 40; ++row) {
+      jumps.report.jumps.emplace_back(-1 + 0.1 * curve + 0.002 * row, row / 20.0);
+    }
+  }
+  jumps.report.jump_count = jumps.report.jumps.size();
+  EXPECT_EQ(mesh_warnings("s", jumps, kDomain),
+            Warnings{"s: the surface jumps and is cut there: within u = -1:0.978, v = 0:1.95"});
+}
+
 TEST(Warnings, TellABoxOfJumpsAlongACurve) {
   MeshResult jumps = mesh_between({-1, 0}, {1, 2});
   for (int k = 0; k < 8; ++k) {
