@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 
@@ -46,13 +47,18 @@ Bounds visible(const Probe& probe, const std::optional<Bounds>& clip) {
   return bounds;
 }
 
-/// The samples' positions that are in the clip box.
-std::vector<dvec3> seen_positions(const Probe& probe, const std::optional<Bounds>& clip) {
+/// The part of a surface in the clip box: a box, and samples' positions in it.
+struct VisiblePart {
+  Bounds bounds;
+  std::vector<dvec3> positions;
+};
+
+VisiblePart visible_part(const Probe& probe, const std::optional<Bounds>& clip) {
   std::vector<dvec3> positions = probe.positions();
   const std::vector<dvec3> edges = probe.edge_positions();
   positions.insert(positions.end(), edges.begin(), edges.end());
   if (clip) std::erase_if(positions, [&](const dvec3& p) { return !clip->contains(p); });
-  return positions;
+  return {visible(probe, clip), std::move(positions)};
 }
 
 /// The side of a pixel on a surface that a node has put somewhere, in the surface's own units of
@@ -60,12 +66,12 @@ std::vector<dvec3> seen_positions(const Probe& probe, const std::optional<Bounds
 class PixelSize {
  public:
   PixelSize(const Camera& camera, const PictureSettings& picture, const glm::dmat4& place,
-            const Probe& probe, const std::optional<Bounds>& clip)
+            const VisiblePart& part)
       : place_(place), stretch_(largest_stretch(place)), ortho_(camera.ortho) {
-    const Bounds bounds = transformed(visible(probe, clip), place);
+    const Bounds bounds = transformed(part.bounds, place);
     const double aspect = static_cast<double>(picture.width) / picture.height;
     ViewPyramid seen(camera, aspect, bounds.centre());
-    add_points(seen_positions(probe, clip), visible(probe, clip), place, seen);
+    add_points(part.positions, part.bounds, place, seen);
     if (seen.empty()) seen.add(bounds);
     camera_ = fit_camera(camera, bounds, aspect, &seen);
     const double tangent = camera_.half_height / camera_.distance;
@@ -161,9 +167,10 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
   if (pixels == kInfinity) return length;
   double same_everywhere = kInfinity;
   std::vector<PixelSize> sizes;  // that are not
+  const VisiblePart part = visible_part(probe, clip);
   for (const auto& [camera, place] : views(scene, spec, purpose)) {
     if (largest_stretch(place) == 0) continue;  // drawn as nothing
-    PixelSize size(camera, scene.picture, place, probe, clip);
+    PixelSize size(camera, scene.picture, place, part);
     if (size.depends_on_place()) {
       sizes.push_back(size);
     } else {

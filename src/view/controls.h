@@ -28,12 +28,10 @@ Ray ray_through(const Grip& grip, const dvec2& pixel);
 dvec3 point_on_target_plane(const Grip& grip, const dvec2& pixel);
 
 /// The camera with its target and distance as numbers, which do not follow the surface any more;
-/// a turntable stands still.
+/// a turntable stands still. A camera that a hand has turned or moved is so: fitted anew in each
+/// direction, the surface would grow and shrink under the hand.
 Camera settled(const Grip& grip);
 
-/// A camera that a hand has turned or moved keeps its target and distance: fitted anew in each
-/// direction, the surface would grow and shrink under the hand.
-///
 /// A ball as large as the picture, around the target, is turned under the pointer from `from` to
 /// `to`. It depends on these places alone, not on the way between them: there and back again is
 /// where it was, and no axis is special.

@@ -164,27 +164,15 @@ Vector view_along(const Number& azimuth, const Number& elevation) {
 
 void ViewDirection::parse(const Given& given) const {
   const NamedView* const named = find_view(given.option, given.text);
-  named ? void(*value = named->view) : direction(value).parse(given);
-}
-
-std::string ViewDirection::format() const {
-  return direction(value).format();
+  named ? void(*value = named->view) : Point::parse(given);
 }
 
 void ViewDirection::read(const InFile& in) const {
-  if (in.value.kind != TomlValue::Kind::String) return direction(value).read(in);
+  if (in.value.kind != TomlValue::Kind::String) return Point::read(in);
   const std::string name = in.reader.text(in.subject, in.value, "");
   const NamedView* const named = in.reader.in_place([&] { return find_view(in.subject, name); });
-  if (!named) return direction(value).read(in);
+  if (!named) return Point::read(in);
   *value = named->view;
-}
-
-std::string ViewDirection::write() const {
-  return direction(value).write();
-}
-
-void ViewDirection::resolve(Resolver& resolver, const std::string& name) const {
-  direction(value).resolve(resolver, name);
 }
 
 void ViewAngles::parse(const Given& given) const {

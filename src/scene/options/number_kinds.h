@@ -64,14 +64,11 @@ inline Point direction(Vector* value) {
 }
 
 /// The direction toward the eye: X,Y,Z or a name.
-struct ViewDirection {
-  Vector* value;
+struct ViewDirection : Point {
+  explicit ViewDirection(Vector* view) : Point{view, true} {}
 
   void parse(const Given& given) const;
-  std::string format() const;
   void read(const InFile& in) const;
-  std::string write() const;
-  void resolve(Resolver& resolver, const std::string& name) const;
 };
 
 /// The same by two angles in degrees: AZIMUTH,ELEVATION. It is kept, and written, as a direction.
