@@ -115,7 +115,15 @@ std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpe
   names.push_back({"x", spec.x});
   names.push_back({"y", spec.y});
   names.push_back({"z", spec.z});
+  for (Definition own : spec.definitions) {
+    own.own = true;
+    names.push_back(std::move(own));
+  }
   return names;
+}
+
+Scope::View surface_view(const Scene&, const SurfaceSpec&) {
+  return {};
 }
 
 NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
@@ -133,7 +141,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   }
   BoundSurface result;
   Graph& graph = result.graph;
-  Scope scope(graph, surface_definitions(scene, spec));
+  Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
   const RangeText range_u("u", spec.u);
   const RangeText range_v("v", spec.v);
   const std::array<NodeId, 2> ends_u = parse_ends(scope, range_u);
@@ -183,14 +191,31 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
   return result;
 }
 
-std::vector<Definition> constant_names(const Scene& scene) {
-  const bool has_surface = !scene.surfaces.empty() && !scene.surfaces.back().z.empty();
-  return has_surface ? surface_definitions(scene, scene.surfaces.back()) : scene.definitions;
+namespace {
+
+/// The surface whose x, y and z constant expressions see; nullptr if none has formulas.
+const SurfaceSpec* seen_surface(const Scene& scene, const SurfaceSpec* spec) {
+  if (spec == nullptr && !scene.surfaces.empty()) spec = &scene.surfaces.back();
+  return spec == nullptr || spec->z.empty() ? nullptr : spec;
+}
+
+}  // namespace
+
+std::vector<Definition> constant_names(const Scene& scene, const SurfaceSpec* spec) {
+  const SurfaceSpec* const seen = seen_surface(scene, spec);
+  return seen == nullptr ? scene.definitions : surface_definitions(scene, *seen);
+}
+
+Scope::View constant_view(const Scene& scene, const SurfaceSpec* spec) {
+  const SurfaceSpec* const seen = seen_surface(scene, spec);
+  Scope::View view = seen == nullptr ? Scope::View{} : surface_view(scene, *seen);
+  view.of_surface = spec != nullptr;
+  return view;
 }
 
 double finite_constant(const Scene& scene, const std::string& name, const std::string& text) {
   Graph graph;
-  Scope scope(graph, constant_names(scene));
+  Scope scope(graph, constant_names(scene), constant_view(scene));
   const double value = scope.constant(name, text);
   if (!std::isfinite(value)) {
     throw Error(Status::Input, "not a finite number", {name, text, {0, text.size()}});

@@ -170,10 +170,13 @@ void check_value(const Option& option, const std::string& text) {
 }
 
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
-  const kinds::Given given{&scene, dashed(option), text};
-  if (option.scene) parse_slot(option.scene(scene), given);
-  if (!option.surface) return;
-  for (SurfaceSpec& surface : scene.surfaces) parse_slot(option.surface(surface), given);
+  if (option.scene) parse_slot(option.scene(scene), {&scene, dashed(option), text});
+  for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
+}
+
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  SurfaceSpec& surface) {
+  if (option.surface) parse_slot(option.surface(surface), {&scene, dashed(option), text, &surface});
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {

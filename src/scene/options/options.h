@@ -45,6 +45,7 @@ struct Option {
   std::string_view more = {};   ///< what --help NAME adds
   unsigned commands = kSurfaceCommands;  ///< that take it
   bool repeats = false;                  ///< each time it is given counts, not only the last
+  bool object = false;                   ///< of the object it stands with, not of the scene
   std::string_view needs = {};           ///< an option without which it would do nothing
   std::string_view excludes = {};        ///< an option that says the opposite
   Table table = Table::None;             ///< of the scene file
@@ -87,6 +88,10 @@ void check_value(const Option& option, const std::string& text);
 
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
+
+/// Changes what an object's option is about, for one surface of the scene. Throws Error (Input).
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  SurfaceSpec& surface);
 
 /// Changes what an option of the run is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, RunSettings& run);
