@@ -139,7 +139,12 @@ Scene build_scene(const CommandLine& line) {
   check_given_once(shared);
   Scene scene = combine_objects(objects, shared, line.given);
   for (const auto& [option, text] : line.given) apply_option(*option, text, scene);
-  apply_object_options(objects, scene);
+  if (alone) {
+    for (const auto& [option, text] : segments[0].given) apply_option(*option, text, scene);
+    check_colormap_is_used(segments[0].given, scene.surfaces);
+  } else {
+    apply_object_options(objects, scene);
+  }
   return resolve(std::move(scene));
 }
 

@@ -213,17 +213,6 @@ std::vector<std::string> unused_of(const Scene& scene, const std::vector<Definit
   return unused;
 }
 
-/// A colormap without anything to colour would do nothing.
-void check_colormap_is_used(const std::vector<GivenOption>& options,
-                            std::span<const SurfaceSpec> surfaces) {
-  const auto given = std::ranges::find(options, std::string_view("colormap"),
-                                       [](const GivenOption& g) { return g.option->name; });
-  const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
-  if (given == options.end() || !std::ranges::all_of(surfaces, has_no_color)) return;
-  throw Error(Status::Input, "there is nothing to colour", {dashed(*given->option), "", {}},
-              "--color z colours by height, --color gauss by curvature");
-}
-
 }  // namespace
 
 Scene combine_objects(const std::vector<SceneObject>& objects,
@@ -255,6 +244,16 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
   if (apart) scene.definitions.insert(scene.definitions.end(), shared.begin(), shared.end());
   pool.settle(unused_of(scene, shared, option_names, apart), scene.definitions);
   return scene;
+}
+
+void check_colormap_is_used(const std::vector<GivenOption>& options,
+                            std::span<const SurfaceSpec> surfaces) {
+  const auto given = std::ranges::find(options, std::string_view("colormap"),
+                                       [](const GivenOption& g) { return g.option->name; });
+  const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
+  if (given == options.end() || !std::ranges::all_of(surfaces, has_no_color)) return;
+  throw Error(Status::Input, "there is nothing to colour", {dashed(*given->option), "", {}},
+              "--color z colours by height, --color gauss by curvature");
 }
 
 void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene) {

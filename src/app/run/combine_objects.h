@@ -1,6 +1,7 @@
 // Several objects of a command line as one scene.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct SceneObject {
 Scene combine_objects(const std::vector<SceneObject>& objects,
                       const std::vector<std::string>& common,
                       const std::vector<GivenOption>& options);
+
+/// A colormap without anything to colour would do nothing: throws Error (Input).
+void check_colormap_is_used(const std::vector<GivenOption>& options,
+                            std::span<const SurfaceSpec> surfaces);
 
 /// Lets the objects' options change their surfaces, which stand in the scene in their order. Throws
 /// Error (Input).

@@ -76,6 +76,19 @@ struct Slider {
   Number max = 1;
 };
 
+/// `MxN`: M in u, N in v; or across and down.
+struct GridSize {
+  int u = 0;
+  int v = 0;
+};
+
+/// Where the lighting equation is computed: at corners; at pixels, with the normal that is blended
+/// from the corners'; or there with the formula's.
+enum class Shading { Vertex, Pixel, Exact };
+
+/// The direction that a highlight's angle is measured from: the mirrored light, or the half vector.
+enum class Specular { Phong, Blinn };
+
 struct SurfaceSpec {
   std::string name = "surface";
   std::string x = "u";  ///< of the usual names; a coordinate that is a parameter has no formula
@@ -97,6 +110,10 @@ struct SurfaceSpec {
   bool flip = false;
   std::vector<Definition> definitions;  ///< of its own: they hide the scene's of the same name
   std::vector<Slider> sliders;          ///< for these
+  /// In place of the scene's.
+  std::optional<Shading> shading = {};
+  std::optional<Specular> specular = {};
+  std::optional<GridSize> samples = {};
   Number opacity = 1;                   ///< 0 to 1; less than 1: one sees what is behind it
   std::vector<std::string> in;          ///< the nodes it is drawn in; none: once, in the world
 };
@@ -171,12 +188,6 @@ struct Clip {
   std::optional<Bounds> box;  ///< this box, whatever the surface does
 };
 
-/// `MxN`: M in u, N in v; or across and down.
-struct GridSize {
-  int u = 0;
-  int v = 0;
-};
-
 /// A length: in pixels of the picture, or as a share of the bounding box's diagonal.
 struct ToleranceValue {
   double value = 0;
@@ -194,13 +205,6 @@ struct MeshSettings {
 
 /// Most samples per pixel and side: 256 per pixel are more than eight bits can show.
 inline constexpr int kMaxAntialias = 16;
-
-/// Where the lighting equation is computed: at corners; at pixels, with the normal that is blended
-/// from the corners'; or there with the formula's.
-enum class Shading { Vertex, Pixel, Exact };
-
-/// The direction that a highlight's angle is measured from: the mirrored light, or the half vector.
-enum class Specular { Phong, Blinn };
 
 /// How the picture is made.
 struct PictureSettings {
@@ -247,6 +251,14 @@ struct Scene {
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another
   std::optional<Animation> animation;
 };
+
+/// How a surface is lit and sampled: its own way, else the scene's.
+Shading shading_of(const Scene& scene, const SurfaceSpec& spec);
+Specular specular_of(const Scene& scene, const SurfaceSpec& spec);
+std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec);
+
+/// A surface is shaded with the normals of its formula.
+bool has_exact_normals(const Scene& scene);
 
 /// The range of time becomes this one, and its start the moment that is drawn.
 void set_time_range(Scene& scene, const Number& from, const Number& to);

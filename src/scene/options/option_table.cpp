@@ -1,6 +1,7 @@
 // The rows of the table of options and scene keys, in the order in which scene files have their
 // keys; those of a section of --help stand together.
 #include <array>
+#include <type_traits>
 
 #include "scene/options/options.h"
 
@@ -11,6 +12,16 @@ constexpr int kMaxThreads = 1024;
 
 Animation& animation(Scene& scene) {
   return scene.animation ? *scene.animation : scene.animation.emplace();
+}
+
+kinds::Choice shading(auto* value) {
+  return kinds::choice<std::remove_pointer_t<decltype(value)>, Shading>(
+      value, {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact}});
+}
+
+kinds::Choice specular(auto* value) {
+  return kinds::choice<std::remove_pointer_t<decltype(value)>, Specular>(
+      value, {{"phong", Specular::Phong}, {"blinn", Specular::Blinn}});
 }
 
 constexpr auto kRows = std::to_array<Option>({
@@ -169,22 +180,17 @@ constexpr auto kRows = std::to_array<Option>({
      .more = "vertex: lit at the mesh's vertices, colours interpolated.\npixel: lit at each pixel, "
              "normals interpolated.\nexact: lit at each pixel, with the normal of the formula.",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Scene,
-     .scene = [](Scene& s) -> kinds::Slot {
-       return kinds::choice<Shading>(
-           &s.picture.shading,
-           {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact}});
-     }},
+     .scene = [](Scene& s) -> kinds::Slot { return shading(&s.picture.shading); }},
     {.name = "specular",
      .value = "HOW",
      .section = Section::Look,
      .help = "highlights by the reflection vector, phong, or the half vector, blinn",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Scene,
-     .scene = [](Scene& s) -> kinds::Slot {
-       return kinds::choice<Specular>(&s.picture.specular,
-                                      {{"phong", Specular::Phong}, {"blinn", Specular::Blinn}});
-     }},
+     .scene = [](Scene& s) -> kinds::Slot { return specular(&s.picture.specular); }},
     {.name = "name",
      .value = "NAME",
      .section = Section::Look,
@@ -300,6 +306,24 @@ constexpr auto kRows = std::to_array<Option>({
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
        return kinds::Real{&s.opacity, kShare};
      }},
+    {.name = "shading",
+     .value = "HOW",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return shading(&s.shading); }},
+    {.name = "specular",
+     .value = "HOW",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return specular(&s.specular); }},
+    {.name = "samples",
+     .value = "MxN",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Cells{&s.samples}; }},
     {.name = "in",
      .value = "NODES",
      .help = "the node that moves it, or several: the same mesh drawn once for each",
@@ -341,6 +365,7 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "a uniform grid of M cells in u by N cells in v instead; N for both",
      .usual = "off",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Cells{&s.mesh.samples}; }},
     {.name = "clip",
@@ -404,8 +429,8 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "how OpenGL starts without a window: {choices}",
      .usual = "the first that starts",
      .run = [](RunSettings& r) -> kinds::Slot {
-       return kinds::choice<Backend>(&r.renderer,
-                                     {{"osmesa", Backend::Osmesa}, {"egl", Backend::Egl}});
+       return kinds::choice<Backend, Backend>(&r.renderer,
+                                              {{"osmesa", Backend::Osmesa}, {"egl", Backend::Egl}});
      }},
     {.name = "threads",
      .value = "N",

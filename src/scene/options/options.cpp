@@ -190,12 +190,15 @@ void check_value(const Option& option, const std::string& text) {
 
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
   if (option.scene) parse_slot(option.scene(scene), {&scene, dashed(option), text});
+  if (!option.surface) return;
   for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
 }
 
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
                   SurfaceSpec& surface) {
-  if (option.surface) parse_slot(option.surface(surface), {&scene, dashed(option), text, &surface});
+  const auto is_key = [&](const Option& row) { return row.surface && row.name == option.name; };
+  const auto row = std::ranges::find_if(options(), is_key);
+  parse_slot(row->surface(surface), {&scene, dashed(option), text, &surface});
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {

@@ -92,7 +92,8 @@ void check_value(const Option& option, const std::string& text);
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
 
-/// Changes what an object's option is about, for one surface of the scene. Throws Error (Input).
+/// Changes what an object's option is about, for one surface of the scene: in place of what the
+/// scene says, if that has the option, too. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
                   SurfaceSpec& surface);
 

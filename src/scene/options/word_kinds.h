@@ -84,9 +84,9 @@ struct Choice {
   std::string write() const;
 };
 
-/// A choice of an enum's values, each with its word.
-template <typename Enum>
-Choice choice(Enum* value, const std::vector<std::pair<const char*, Enum>>& words) {
+/// A choice of an enum's values, each with its word. `Value`: Enum, or an optional one.
+template <typename Value, typename Enum>
+Choice choice(Value* value, const std::vector<std::pair<const char*, Enum>>& words) {
   Choice result;
   std::vector<Enum> values;
   for (const auto& [word, each] : words) {
