@@ -28,8 +28,8 @@ inline bool runs_backwards(const Domain& domain) {
   return (domain.u0 > domain.u1) != (domain.v0 > domain.v1);
 }
 
-/// Of a surface that is only where a condition holds: the condition, 1 or 0, then x, y and z as
-/// they are without it.
+/// The outputs of a surface's region: its condition, 1 or 0, then x, y and z as they are without
+/// it.
 inline constexpr int kRegionOutputs = 4;
 
 /// The derivatives that a surface is compiled for.

@@ -102,6 +102,10 @@ TEST_F(Objects, HaveOptionsOfTheirOwn) {
   EXPECT_GT(scene.find("samples = \"8x4\""), second);
   EXPECT_GT(scene.find("specular = \"blinn\""), second);
   EXPECT_TRUE(contains(scene, "size = \"30x20\""));
+  make("torus --name ring + sphere --samples 8x4 --name ball -o a.ply");
+  const std::string ply = content("a.ply");
+  EXPECT_TRUE(contains(ply, "comment object ring, faces 0 to ")) << ply.substr(0, 300);
+  EXPECT_TRUE(contains(ply, "comment object ball, faces ")) << ply.substr(0, 300);
 }
 
 TEST_F(Objects, TakeCameraAndLightsOfTheFirstSceneFile) {

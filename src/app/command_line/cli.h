@@ -39,7 +39,7 @@ struct CommandLine {
   RunSettings run;                                          ///< what those of the run say
   std::vector<std::string> help_topics;  ///< the words after a first argument --help
 
-  /// Those of all segments.
+  /// All segments' arguments.
   std::vector<std::string> arguments() const;
   /// The last of these options that is given, by name and without "--"; nullptr: none is.
   const Option* last_given(const std::vector<std::string_view>& names) const;

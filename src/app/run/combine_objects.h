@@ -10,7 +10,7 @@
 
 namespace saddle {
 
-/// What a segment of the command line draws, as a scene of its own.
+/// A scene with only what one segment of the command line draws.
 struct SceneObject {
   enum class From { Formulas, Gallery, File };
   From from = From::Formulas;

@@ -21,7 +21,7 @@ namespace {
 bool is_coordinate(const std::string& name) {
   return name == "x" || name == "y" || name == "z";
 }
-bool is_parameter(const std::string& name) {
+bool is_usual_parameter(const std::string& name) {
   return name == "u" || name == "v" || name == "t";
 }
 
@@ -178,8 +178,8 @@ bool is_range(const Definition& definition) {
 
 bool is_of_surface(const Definition& definition) {
   const std::string& name = definition.name;
-  return name != "t" &&
-         (is_coordinate(name) || is_parameter(name) || name == "where" || is_range(definition));
+  return name != "t" && (is_coordinate(name) || is_usual_parameter(name) || name == "where" ||
+                         is_range(definition));
 }
 
 Definition parse_definition(const std::string& assignment) {
@@ -199,14 +199,14 @@ Definition parse_definition(const std::string& assignment) {
     result.name = checked_name(assignment, left);
   }
   if (result.is_function &&
-      (is_coordinate(result.name) || is_parameter(result.name) || result.name == "where")) {
+      (is_coordinate(result.name) || is_usual_parameter(result.name) || result.name == "where")) {
     throw Error(Status::Input, "'" + result.name + "' cannot be a helper function",
                 {"argument", assignment, left}, "give the function another name");
   }
   result.text = cut(assignment, trim(assignment, {equals + 1, assignment.size()}));
   if (result.text.empty()) {
     throw Error(Status::Input, "the expression is empty", {result.name, "", {}},
-                "for example " + result.name + (is_parameter(result.name) ? "=0:1" : "=u*v"));
+                "for example " + result.name + (is_usual_parameter(result.name) ? "=0:1" : "=u*v"));
   }
   return result;
 }

@@ -21,7 +21,7 @@ bool is_range(const Definition& definition);
 /// condition.
 bool is_of_surface(const Definition& definition);
 
-/// What speaks against a name of a surface's parameter; empty: nothing.
+/// The reason why a surface's parameter cannot have that name; empty: it can.
 std::string fault_of_parameter(const std::string& name);
 
 /// Puts one assignment into `scene`: `x=`, `y=`, `z=`, `where=` and ranges of the parameters,

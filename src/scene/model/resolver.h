@@ -15,8 +15,8 @@ namespace saddle {
 /// anything wrong with the expression, a value that is not finite or outside of its limits.
 class Resolver {
  public:
-  /// Of the numbers of the scene, or of one of its surfaces, which sees definitions of its own. The
-  /// scene stays where it is.
+  /// Resolves numbers of the scene, or those of one of its surfaces, which sees definitions of its
+  /// own. The scene stays where it is.
   explicit Resolver(const Scene& scene, const SurfaceSpec* own = nullptr)
       : scene_(scene), own_(own) {}
   explicit Resolver(Scene&&, const SurfaceSpec* = nullptr) = delete;

@@ -114,8 +114,8 @@ struct SurfaceSpec {
   std::optional<Shading> shading = {};
   std::optional<Specular> specular = {};
   std::optional<GridSize> samples = {};
-  Number opacity = 1;                   ///< 0 to 1; less than 1: one sees what is behind it
-  std::vector<std::string> in;          ///< the nodes it is drawn in; none: once, in the world
+  Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
+  std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
 };
 
 /// One step of a node's transform.

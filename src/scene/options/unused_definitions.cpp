@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
-/// What stands in quotes: no keys.
+/// The text in quotes, which has no keys.
 std::string quoted_text(const std::string& toml) {
   std::string text;
   bool quoted = false;
