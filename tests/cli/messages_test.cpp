@@ -90,6 +90,8 @@ constexpr Row kRows[] = {
      "torus --front red -o a.toml"},
     {"z=a*u a=1 + z=a*v a=2 -o a.toml", "argument: two definitions of 'a': a=1 and a=2",
      "give one of them another name", "z=a*u a=1 + z=b*v b=2 -o a.toml"},
+    {"z=u*t t=0:1 + z=v t=0:2 -o a.toml", "argument: two definitions of 't': t=0:1 and t=0:2",
+     "leave one of them out", "z=u*t t=0:1 + z=v -o a.toml"},
     {"torus k=3 + sphere -o a.toml", "argument: torus has no 'k'", "known names: R r x y z u v t",
      "torus r=0.3 + sphere -o a.toml"},
     {"torus r=0.2 + z=u r=0.3 R=1 r=4 -o a.toml", "argument: 'r' is given twice",

@@ -213,6 +213,7 @@ std::string option_text(const Option& option) {
   std::string text =
       (option.is_option() ? names : key) + "\n  " + expanded(option.help, option) + '\n';
   if (!option.more.empty()) text += expanded(option.more, option) + '\n';
+  if (option.object) text += "Beside one of several objects: of that object.\n";
   std::string words;
   for (const std::string& word : choices(option)) words += " " + word;
   if (!words.empty() && option.help.find("{choices}") == std::string_view::npos) {

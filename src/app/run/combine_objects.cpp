@@ -43,7 +43,9 @@ class Pool {
                   "two definitions of '" + added.definition.name + "': " + known->assignment +
                       " and " + added.assignment,
                   {"argument", added.assignment, {0, added.assignment.find('=')}},
-                  "objects share their definitions: give one of them another name");
+                  added.definition.name == "t"
+                      ? "a scene has one time: leave one of them out"
+                      : "objects share their definitions: give one of them another name");
     } else if (!added.unless_used) {
       known->unless_used.reset();
     }
