@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/printable.h"
+#include "scene/model/instances.h"
 
 namespace saddle {
 namespace {
@@ -68,11 +70,12 @@ struct Layout {
   bool colored = false;
   std::size_t vertices = 0;
   std::size_t faces = 0;
+  std::string comments = {};  ///< lines
 };
 
 void write_header(std::ostream& out, const Layout& layout) {
   const std::string real = layout.doubles ? "double" : "float";
-  std::string header = "ply\nformat binary_little_endian 1.0\n";
+  std::string header = "ply\nformat binary_little_endian 1.0\n" + layout.comments;
   header += "element vertex " + std::to_string(layout.vertices) + "\n";
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) {
     header += "property " + real + " " + name + "\n";
@@ -115,13 +118,17 @@ void write_faces(NumberWriter& writer, const Mesh& mesh, std::size_t first) {
 }  // namespace
 
 void write_ply(std::ostream& out, std::span<const Mesh> meshes,
-               std::span<const std::vector<Rgb>> colors) {
+               std::span<const std::vector<Rgb>> colors, std::span<const std::string> names) {
   Layout layout;
   layout.doubles = needs_doubles(meshes);
   layout.colored = !colors.empty();
-  for (const Mesh& mesh : meshes) {
-    layout.vertices += mesh.position.size();
-    layout.faces += mesh.triangles.size();
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::size_t first = layout.faces;
+    layout.vertices += meshes[i].position.size();
+    layout.faces += meshes[i].triangles.size();
+    if (names.empty() || layout.faces == first) continue;
+    layout.comments += "comment object " + printable(names[i]) + ", faces " +
+                       std::to_string(first) + " to " + std::to_string(layout.faces - 1) + "\n";
   }
   if (layout.vertices > std::numeric_limits<std::int32_t>::max()) {
     throw Error(Status::Input, "the mesh has more vertices than a PLY file can number", {},
@@ -143,8 +150,13 @@ void write_ply(std::ostream& out, std::span<const Mesh> meshes,
 }
 
 void write_scene_ply(std::ostream& out, const MeshContent& content) {
-  write_ply(out, placed_meshes(content.scene, content.meshes),
-            placed_colors(content.scene, content.meshes));
+  const Scene& scene = content.scene;
+  std::vector<std::string> names;
+  for (const Instance& instance : instances(scene)) {
+    names.push_back(scene.surfaces[instance.surface].name);
+  }
+  if (names.size() == 1 && names[0] == SurfaceSpec{}.name) names.clear();
+  write_ply(out, placed_meshes(scene, content.meshes), placed_colors(scene, content.meshes), names);
 }
 
 }  // namespace saddle

@@ -50,11 +50,12 @@ UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, cons
   UniformRequest request;
   request.grid.lines_u = spec.grid_u;
   request.grid.lines_v = spec.grid_v;
-  request.grid.cells_u = scene.mesh.samples ? scene.mesh.samples->u : default_cells(spec.grid_u);
-  request.grid.cells_v = scene.mesh.samples ? scene.mesh.samples->v : default_cells(spec.grid_v);
+  const std::optional<GridSize> samples = samples_of(scene, spec);
+  request.grid.cells_u = samples ? samples->u : default_cells(spec.grid_u);
+  request.grid.cells_v = samples ? samples->v : default_cells(spec.grid_v);
   request.grid.threads = threads;
   request.clip = scene.clip.box;
-  if (!scene.mesh.samples) request.share = tolerance_share(scene, purpose);
+  if (!samples) request.share = tolerance_share(scene, purpose);
   return request;
 }
 
@@ -80,13 +81,13 @@ auto tolerance_in(const Scene& scene, const SurfaceSpec& spec, const Purpose& pu
 MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                           unsigned threads) {
   MeshRequest request;
-  if (const auto& samples = scene.mesh.samples) {
+  if (const auto samples = samples_of(scene, spec)) {
     request.samples = {static_cast<std::size_t>(samples->u), static_cast<std::size_t>(samples->v)};
   }
   request.clip = scene.clip.box;
   request.tolerance = tolerance_in(scene, spec, purpose, request.clip);
   request.normal_tolerance = scene.mesh.normal_tolerance;
-  request.max_triangles = most_triangles(scene);
+  request.max_triangles = most_triangles(scene, spec);
   request.lines_u = spec.grid_u;
   request.lines_v = spec.grid_v;
   request.threads = threads;
@@ -124,7 +125,7 @@ class ProportionateMesher {
 
   /// The mesh without what goes to infinity or is out of proportion, if there is any.
   std::optional<MeshResult> run() {
-    if (!scene_.mesh.samples) {
+    if (!samples_of(scene_, spec_)) {
       request_.stop = MeshRequest::Stop::AtPolesOrFar;
       request_.far = kNeedle;
     }
@@ -164,8 +165,8 @@ class ProportionateMesher {
   std::optional<MeshResult> next_mesh(MeshRequest& request) const {
     std::optional<MeshResult> mesh = try_mesh(surface_, request);
     if (mesh && !scene_.mesh.max_triangles) {
-      const auto least =
-          static_cast<std::size_t>(kLeastShare * static_cast<double>(most_triangles(scene_)));
+      const auto least = static_cast<std::size_t>(
+          kLeastShare * static_cast<double>(most_triangles(scene_, spec_)));
       const std::size_t taken = mesh->report.effort / kPlacesPerTriangle;
       request.max_triangles = std::max(request.max_triangles, least + taken) - taken;
     }
@@ -241,7 +242,7 @@ ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Pu
   if (spec.color == "gauss") options.rounding = kSame / (diagonal * diagonal);
   options.range = spec.color_range;
   options.clip = scene.clip.box ? scene.clip.box : mesh.report.clip;
-  options.max_triangles = most_triangles(scene);
+  options.max_triangles = most_triangles(scene, spec);
   options.threads = threads;
   const ColorReport report = color_mesh(surface, options, mesh.mesh);
   return report;
@@ -282,14 +283,14 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
     low = std::min(low, uv.y);
     high = std::max(high, uv.y);
   }
-  return {surface.domain.u0, surface.domain.u1, low, high};
+  return {surface.domain.u0, surface.domain.u1, low, high, surface.domain.names};
 }
 
 }  // namespace
 
-std::size_t most_triangles(const Scene& scene) {
+std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec) {
   if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
-  if (scene.mesh.tolerance || scene.mesh.samples) return kMostTriangles;
+  if (scene.mesh.tolerance || samples_of(scene, spec)) return kMostTriangles;
   const auto pixels = static_cast<std::size_t>(scene.picture.width) *
                       static_cast<std::size_t>(scene.picture.height);
   return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
@@ -301,12 +302,21 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   result.prepared = prepare_surface(scene, spec, Order::Second);
   const Surface& surface = result.prepared.surface;
   const auto begin = std::chrono::steady_clock::now();
-  result.mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
+  try {
+    result.mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
+  } catch (const Error& error) {
+    const bool is_empty = error.status() == Status::Nothing && !surface.region.outputs.empty() &&
+                          region_share(surface, threads).outside == 1;
+    if (!is_empty) throw;
+    throw Error(Status::Nothing, "no part of the surface is where this holds",
+                {"where", spec.where, {0, spec.where.size()}}, "leave it out, or widen the ranges");
+  }
   Mesh& mesh = result.mesh.mesh;
   MeshReport& report = result.mesh.report;
   report.orientable = is_orientable(mesh, report);
   report.singular_in_space = singular_in_space(surface, mesh, report);
-  if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
+  if (!surface.region.outputs.empty()) report.region = region_share(surface, threads);
+  if (report.unexpected_fraction() > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
   const bool is_off = report.tolerance && report.max_error > *report.tolerance;
   if (report.certified && is_off && report.worst_place) {
     report.proof_gaps.push_back({GapReason::Off, *report.worst_place, *report.worst_place});

@@ -27,6 +27,9 @@ Scene plain_scene(const Subject& subject) {
   scene.surfaces = {subject.spec};
   scene.surfaces[0].front = kFrontMaterial;
   scene.surfaces[0].back = kBackMaterial;
+  scene.surfaces[0].shading.reset();
+  scene.surfaces[0].specular.reset();
+  scene.surfaces[0].samples.reset();
   scene.surfaces[0].in.clear();  // as it is, wherever the scene moves it
   scene.camera = subject.scene.camera;
   scene.definitions = subject.scene.definitions;  // for the formulas of exact normals

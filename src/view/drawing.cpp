@@ -20,7 +20,7 @@ void Drawing::take_meshes(const Model& model) {
   const auto& meshes = model.meshes();
   Scene scene = model.last_good().scene;
   scene.picture.shading = model.scene().picture.shading;
-  const bool exact = scene.picture.shading == Shading::Exact;
+  const bool exact = has_exact_normals(scene);
   // Without meshes until all of them are there: uploading may throw.
   auto before = std::exchange(uploaded_, {});
   if (exact && !exact_) before.clear();
@@ -67,7 +67,7 @@ void Drawing::draw(const Model& model) {
   const auto begin = Clock::now();
   const bool rested = is_due(begin);
   if (!stale_ && !rested) return;
-  if (!exact_ && model.scene().picture.shading == Shading::Exact) take_meshes(model);
+  if (!exact_ && has_exact_normals(model.scene())) take_meshes(model);
   if (uploaded_ != model.meshes()) return give_up();
   const bool fast_enough = figures_.frame_ms * (per_side_ == 1 ? 4 : 1) <= kSmoothMs;
   PictureSettings picture = model.scene().picture;

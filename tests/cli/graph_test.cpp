@@ -112,6 +112,7 @@ TEST_F(GraphCommand, ReportsTheKeysThatScriptsReadInOrder) {
                          "max_error_is",
                          "max_normal_error",
                          "undefined_fraction",
+                         "outside_fraction",
                          "efficiency",
                          "singular_points",
                          "singular_points_count",

@@ -51,9 +51,12 @@ constexpr Row kRows[] = {
      "helicoid -o a.toml"},
     {"qqq -o a.toml", "no surface is called 'qqq'", "known surfaces: sphere ", "list"},
     {"none.toml -o a.toml", "there is no file none.toml", "saddle list", "list"},
-    {"torus sphere -o a.toml", "two scenes, 'torus' and 'sphere'", "one at a time",
-     "sphere -o a.toml"},
-    {"z=u + v -o a.toml", "two scenes, '+' and 'v'", "in quotes: z='u + v'", "'z=u + v' -o a.toml"},
+    {"torus sphere -o a.toml", "two scenes, 'torus' and 'sphere'", "torus + sphere",
+     "torus + sphere -o a.toml"},
+    {"z=u + v -o a.toml", "no surface is called 'v'", "in quotes if it has spaces: z='u + v'",
+     "'z=u + v' -o a.toml"},
+    {"z=u v -o a.toml", "no surface is called 'v'", "in quotes if it has spaces: z='u + v'",
+     "'z=u*v' -o a.toml"},
     {"z=u +v -o a.toml", "no surface is called '+v'", "in quotes if it has spaces: z='u + v'",
      "'z=u + v' -o a.toml"},
     {"", "no surface given", "saddle --help says more", "--help"},
@@ -78,13 +81,52 @@ constexpr Row kRows[] = {
     {"z=a*u a=b b=a -o a.toml", "a: a definition that needs itself: a -> b -> a",
      "break the circle", ""},
     {"x=u -o a.toml", "z has no formula", "z='sin(u)*cos(v)'", "x=u 'z=sin(u)*cos(v)' -o a.toml"},
+    // several objects
+    {"torus + -o a.toml", "there is no object after '+' 1", "saddle torus + z=u*v",
+     "torus + z=u*v -o a.toml"},
+    {"+ torus -o a.toml", "there is no object before '+' 1", "saddle torus + z=u*v",
+     "torus + z=u*v -o a.toml"},
+    {"torus + --front red -o a.toml", "there is no object after '+' 1", "saddle torus + z=u*v",
+     "torus --front red -o a.toml"},
+    {"z=a*u a=1 + z=a*v a=2 -o a.toml", "argument: two definitions of 'a': a=1 and a=2",
+     "give one of them another name", "z=a*u a=1 + z=b*v b=2 -o a.toml"},
+    {"z=u*t t=0:1 + z=v t=0:2 -o a.toml", "argument: two definitions of 't': t=0:1 and t=0:2",
+     "leave one of them out", "z=u*t t=0:1 + z=v -o a.toml"},
+    {"torus k=3 + sphere -o a.toml", "argument: torus has no 'k'", "known names: R r x y z u v t",
+     "torus r=0.3 + sphere -o a.toml"},
+    {"torus r=0.2 + z=u r=0.3 R=1 r=4 -o a.toml", "argument: 'r' is given twice",
+     "leave one of them out", "torus r=0.2 + z=u*r r=4 -o a.toml"},
+    {"u=0:1 + torus -o a.ply", "z has no formula", "z='sin(u)*cos(v)'",
+     "u=0:1 'z=sin(u)*cos(v)' + torus -o a.toml"},
+    {"torus --colormap magma + z=u --color u -o a.toml", "--colormap: there is nothing to colour",
+     "--color z", "torus --colormap magma --color z + z=u --color u -o a.toml"},
+    {"node2.toml + node2.toml -o a.toml", "the nodes of a second scene, 'saddle'",
+     "name that scene first", "torus + node2.toml -o a.toml"},
+    // names of parameters
+    {"z=1 x=0:1 y=0:1 v=0:1 -o a.toml",
+     "v: a surface has two parameters, and these are more: x, y and v",
+     "leave one of the ranges out", "z=1 x=0:1 y=0:1 -o a.toml"},
+    {"torus R=0:1 -o a.toml", "R: 'R' is a constant of torus, which has no range", "write R=1;",
+     "torus R=1 -o a.toml"},
+    {"torus x=0:1 -o a.toml", "x: 'x' is not a parameter of torus",
+     "the parameters of torus are u and v: u=0:1", "torus u=0:1 -o a.toml"},
+    {"z=x x=0:1 x=cos(u) -o a.toml", "argument: 'x' is given twice", "leave one of them out",
+     "z=x x=0:1 -o a.toml"},
+    {"z=1 sin=0:1 -o a.toml", "sin: 'sin' is a function of the language", "choose another name",
+     "z=1 s=0:1 -o a.toml"},
+    {"z=u*v x=0:1 y=0:1 -o a.ply", "z: unknown name 'u'", "known names: x y t",
+     "z=x*y x=0:1 y=0:1 -o a.ply"},
+    {"z=x x=0:y y=0:1 -o a.ply", "x: the range of x cannot depend on y",
+     "the ends of y may depend on x: swap", "z=x x=0:1 y=0:x+1 -o a.ply"},
+    {"z=x x=1:1 -o a.ply", "x: the range of x is empty", "for example x=0:2*pi",
+     "z=x x=0:2*pi -o a.ply"},
+    // regions
+    {"z=u where=u+v -o a.ply", "where: this is a number, not a condition", "compare it: u+v < 1",
+     "z=u 'where=u+v < 1' -o a.ply"},
+    {"z=u where=foo<1 -o a.ply", "where: unknown name 'foo'", "known names: u v t x y", ""},
+    {"z=u where=0:1 -o a.toml", "where: 'where' is the condition of a surface",
+     "choose another name", ""},
     // ranges
-    {"z=x^2-y^2 x=-3:3 -o a.toml", "x: only u, v and t have a range", "write u=-3:3; x is u",
-     "z=x^2-y^2 u=-3:3 -o a.toml"},
-    {"z=x^2-y^2 y=-3:3 -o a.toml", "y: only u, v and t have a range", "write v=-3:3; y is v",
-     "z=x^2-y^2 v=-3:3 -o a.toml"},
-    {"z=theta theta=0:pi -o a.toml", "theta: only u, v and t have a range",
-     "for example u=0:pi theta=u", "z=theta u=0:pi theta=u -o a.toml"},
     {"z=u u=3 -o a.toml", "u: a range is MIN:MAX", "u=0:2*pi", "z=u u=0:2*pi -o a.toml"},
     {"z=u u=0:1:2 -o a.toml", "u: a range has one ':'", "u=0:2*pi", ""},
     {"z=u u=:1 -o a.toml", "u: the lower end is missing", "u=0:2*pi", ""},
@@ -198,6 +240,10 @@ constexpr Row kRows[] = {
      "show torus"},
     {"node.toml -o a.toml", "node.toml:3:7: surface 1: in: no node is called 'wheel'",
      "the scene has no [[node]]", ""},
+    {"twice.toml -o a.toml",
+     "twice.toml:2:14: surface 1: parameters: both parameters are called 'p'",
+     "give each its own name", ""},
+    {"other.toml -o a.toml", "other.toml:4:1: unknown key 'u'", "p q", ""},
     {"plain.png -o a.toml", "plain.png is not a PNG file", "", ""},
 };
 
@@ -207,6 +253,11 @@ TEST_F(Messages, NameTheMistakeAndAWayOutThatWorks) {
   std::ofstream(path("toml.toml")) << "title = torus\n";
   std::ofstream(path("empty.toml")) << "title = \"nothing\"\n";
   std::ofstream(path("node.toml")) << "[[surface]]\nz = \"u\"\nin = \"wheel\"\n";
+  std::ofstream(path("node2.toml"))
+      << "[[surface]]\nz = \"u\"\nin = \"w\"\n[[node]]\nname = \"w\"\n";
+  std::ofstream(path("twice.toml")) << "[[surface]]\nparameters = [\"p\", \"p\"]\nz = \"p\"\n";
+  std::ofstream(path("other.toml"))
+      << "[[surface]]\nparameters = [\"p\", \"q\"]\nz = \"p\"\nu = [0, 1]\n";
   std::ofstream(path("plain.png")) << "no picture";
   for (const Row& row : kRows) {
     const std::string text = error_of(run(row.command), 2);
@@ -223,6 +274,11 @@ TEST_F(Messages, NameTheMistakeAndAWayOutThatWorks) {
 /// Warnings of command lines that are right.
 constexpr Row kWarnings[] = {
     {"z=u k=3", "k is defined, but nothing that is drawn depends on it", "", ""},
+    {"z=a*u a=2 + z=v b=3", "b is defined, but nothing that is drawn depends on it", "", ""},
+    {"z=1/x x=-1:1 y=0:1", "surface: the surface goes to infinity and is cut there: x = 0, y = 0:1",
+     "", ""},
+    {"z=sqrt(x) x=-1:1 where=y<0", "surface: 25 % of the domain is undefined and left out inside",
+     "", ""},
     {"z=1/u", "surface: the surface goes to infinity and is cut there: u = 0, v = -1:1", "", ""},
     {"z=1/u", "surface: clipped to z = ", "--clip off shows all of it", "z=1/u --clip off"},
     {"z=sign(u)", "surface: the surface jumps and is cut there: u = 0, v = -1:1", "", ""},

@@ -25,6 +25,7 @@ constexpr const char* kUsage =
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene;
                                                        - is standard input
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
+  saddle OBJECT + OBJECT ... [options]                 several objects in one scene
   saddle check ...same arguments...                    what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
                                                        this surface: .svg .png .csv
@@ -32,13 +33,16 @@ constexpr const char* kUsage =
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
 
 Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
-(default -1:1; the ends of v may depend on u); t=VALUE the moment, t=MIN:MAX the range of time of an
-animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function.
+(default -1:1; the ends of v may depend on u), which may have other names: x=-3:3, theta=0:pi;
+where=CONDITION the part that is graphed; t=VALUE the moment, t=MIN:MAX the range of time of an
+animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function. Between the + of several objects
+--front, --back, --color, --grid, --opacity and the like hold for one object.
 
 Examples:
   saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png
   saddle torus r=0.4 -o torus.ply -o torus.png
   saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
+  saddle torus r=0.4 + torus r=0.6 R=3 --front red + z='x^2+y^2' where='x^2+y^2<1' -o three.png
   saddle z='sin(3*u+t)*cos(v)' t=0:tau -o waves.gif
 )";
 
@@ -49,6 +53,7 @@ without a fixed one. `saddle --help KEY` explains a key, docs/SCENES.md has exam
 
   [params]     NAME = 1, or NAME = { value = 1, min = 0, max = 2 } with a slider
   [functions]  "f(s)" = "exp(-s*s)"
+               a [[surface]] may have both of its own: params = { NAME = 1 }
 )text";
 
 constexpr const char* kStatus =
@@ -208,6 +213,7 @@ std::string option_text(const Option& option) {
   std::string text =
       (option.is_option() ? names : key) + "\n  " + expanded(option.help, option) + '\n';
   if (!option.more.empty()) text += expanded(option.more, option) + '\n';
+  if (option.object) text += "Beside one of several objects: of that object.\n";
   std::string words;
   for (const std::string& word : choices(option)) words += " " + word;
   if (!words.empty() && option.help.find("{choices}") == std::string_view::npos) {

@@ -64,7 +64,8 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
 
 void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
   set_mesh(surface, mesh);
-  if (scene.picture.shading != Shading::Exact || mesh.triangles.empty()) return;
+  const bool exact = shading_of(scene, scene.surfaces[surface]) == Shading::Exact;
+  if (!exact || mesh.triangles.empty()) return;
   ShaderNormal formula = shader_normal(scene, scene.surfaces[surface]);
   if (!formula.obstacle) {
     Program& trust = program(trust_shader(formula), "trust_in_formula");
@@ -290,20 +291,20 @@ void Renderer::draw_surfaces(const Scene& scene, std::span<const PlacedMesh> ite
 void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                          bool first) {
   ShaderNeeds needs;
-  needs.blinn = scene.picture.specular == Specular::Blinn;
-  needs.per_vertex = scene.picture.shading == Shading::Vertex;
   needs.orthographic = scene.camera.ortho;
-  const bool exact = scene.picture.shading == Shading::Exact;
   add_light_needs(lights, needs);
   Program* program = nullptr;
   ShaderNeeds made_for;
   for (const PlacedMesh& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
+    const Shading shading = shading_of(scene, surface);
+    needs.blinn = specular_of(scene, surface) == Specular::Blinn;
+    needs.per_vertex = shading == Shading::Vertex;
     needs.two_sided = item.two_sided;
     needs.see_through = item.opacity < 1;
     needs.normal_matrix = !item.is_similar;
     const auto& formula = normals_[item.surface].formula;
-    needs.normal = exact && formula ? &*formula : nullptr;
+    needs.normal = shading == Shading::Exact && formula ? &*formula : nullptr;
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
     add_material_needs(surface, first, needs);
     if (program == nullptr || needs != made_for) {

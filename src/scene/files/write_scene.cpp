@@ -28,13 +28,26 @@ std::string definitions(const Scene& scene) {
     if (d.is_function) {
       functions += toml_string(display_name(d)) + " = " + toml_string(d.text) + "\n";
     } else {
-      const bool is_bare = std::ranges::all_of(d.name, [](char c) { return c > 0; });
-      params +=
-          (is_bare ? d.name : toml_string(d.name)) + " = " + parameter(d, scene.sliders) + "\n";
+      params += toml_key(d.name) + " = " + parameter(d, scene.sliders) + "\n";
     }
   }
   return (params.empty() ? "" : "\n[params]\n" + params) +
          (functions.empty() ? "" : "\n[functions]\n" + functions);
+}
+
+/// A surface's own.
+std::string definitions(const SurfaceSpec& spec) {
+  InlineTable params;
+  InlineTable functions;
+  for (const Definition& d : spec.definitions) {
+    if (d.is_function) {
+      functions.add(toml_string(display_name(d)), toml_string(d.text));
+    } else {
+      params.add(toml_key(d.name), parameter(d, spec.sliders));
+    }
+  }
+  return (params.empty() ? "" : "params = " + params.text() + "\n") +
+         (functions.empty() ? "" : "functions = " + functions.text() + "\n");
 }
 
 std::string transform(const Transform& step) {
@@ -69,7 +82,9 @@ std::string write_scene(const Scene& scene) {
   std::string text = write_keys(Table::Scene, scene);
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
-  for (const SurfaceSpec& spec : scene.surfaces) text += "\n[[surface]]\n" + write_keys(spec);
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    text += "\n[[surface]]\n" + write_keys(spec) + definitions(spec);
+  }
   for (const SceneNode& n : scene.nodes) text += node(n);
   text += write_lights(scene.lights);
   const std::string camera = write_keys(Table::Camera, scene);

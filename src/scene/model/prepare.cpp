@@ -5,6 +5,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,19 +51,23 @@ bool depends(const Graph& graph, NodeId node, Depends on) {
   return (graph[node].depends & on) != 0;
 }
 
-/// The ends of the range of u depend on nothing, those of v on u at the most.
-void check_dependence(const Graph& graph, const RangeText& range,
-                      const std::array<NodeId, 2>& ends) {
+/// The ends of the first range depend on nothing, those of the second on the first at the most.
+/// `names`: of both.
+void check_dependence(const Graph& graph, const RangeText& range, const std::array<NodeId, 2>& ends,
+                      const ParameterNames& names) {
+  const auto& [u, v] = names;
+  const bool is_first = range.name == u;
   for (std::size_t k = 0; k < 2; ++k) {
     const Place place = range.place(range.ends[k]);
-    if (range.name == "u" && depends(graph, ends[k], kDependsV)) {
-      throw Error(Status::Input, "the range of u cannot depend on v", place,
-                  "the ends of v may depend on u: swap the two parameters");
+    if (is_first && depends(graph, ends[k], kDependsV)) {
+      throw Error(Status::Input, "the range of " + u + " cannot depend on " + v, place,
+                  "the ends of " + v + " may depend on " + u + ": swap the two parameters");
     }
-    if (depends(graph, ends[k], range.name == "u" ? kDependsU : kDependsV)) {
+    if (depends(graph, ends[k], is_first ? kDependsU : kDependsV)) {
       throw Error(Status::Input, "the range of " + range.name + " depends on itself", place,
-                  range.name == "u" ? "both ends are constant expressions, for example u=0:2*pi"
-                                    : "its ends may depend on u, for example v=0:sin(u)");
+                  is_first
+                      ? "both ends are constant expressions, for example " + u + "=0:2*pi"
+                      : "its ends may depend on " + u + ", for example " + v + "=0:sin(" + u + ")");
     }
   }
 }
@@ -108,14 +114,90 @@ NodeId parse_color_formula(Graph& graph, Scope& scope, const std::string& text, 
   return scope.parse_with(curvatures, "color", text);
 }
 
+/// It is 1 or 0, as comparisons are.
+bool is_condition(const Graph& graph, NodeId id) {
+  const Node& node = graph[id];
+  switch (node.op) {
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual:
+    case Op::Equal:
+    case Op::NotEqual:
+    case Op::And:
+    case Op::Or:
+      return true;
+    case Op::Select:
+      return is_condition(graph, node.args[1]) && is_condition(graph, node.args[2]);
+    case Op::Constant:
+      return node.value == 0 || node.value == 1;
+    default:
+      return false;
+  }
+}
+
+NodeId parse_condition(const Graph& graph, Scope& scope, const std::string& text) {
+  const NodeId condition = scope.parse("where", text);
+  if (is_condition(graph, condition)) return condition;
+  throw Error(Status::Input, "this is a number, not a condition", {"where", text, {0, text.size()}},
+              "compare it: " + text + " < 1");
+}
+
+std::array<NodeId, 3> position(const Scope& scope) {
+  return {scope.node("x"), scope.node("y"), scope.node("z")};
+}
+
 }  // namespace
+
+std::array<NodeId, 3> restricted_position(Graph& graph, Scope& scope, const SurfaceSpec& spec) {
+  std::array<NodeId, 3> r = position(scope);
+  if (spec.where.empty()) return r;
+  const Expression condition{&graph, parse_condition(graph, scope, spec.where)};
+  // It has derivatives by u and v, which are undefined, too: those of a constant are 0.
+  const Expression either =
+      Expression{&graph, graph.variable(kSymbolU)} + Expression{&graph, graph.variable(kSymbolV)};
+  const Expression nowhere =
+      Expression{&graph, graph.constant(std::numeric_limits<double>::quiet_NaN())} * either;
+  for (NodeId& coordinate : r) {
+    coordinate = select(condition, Expression{&graph, coordinate}, nowhere).id;
+  }
+  return r;
+}
+
+std::string coordinate_formula(const SurfaceSpec& spec, std::size_t axis) {
+  if (is_parameter(spec, std::string(1, "xyz"[axis]))) return "";
+  const auto& [u, v] = spec.parameters;
+  if (axis == 0 && spec.x == SurfaceSpec{}.x) return u == "y" ? v : u;
+  if (axis == 1 && spec.y == SurfaceSpec{}.y) return v == "x" ? u : v;
+  return std::array{spec.x, spec.y, spec.z}[axis];
+}
+
+bool is_parameter(const SurfaceSpec& spec, const std::string& name) {
+  return std::ranges::find(spec.parameters, name) != spec.parameters.end();
+}
+
+bool has_height(const SurfaceSpec& spec) {
+  return !spec.z.empty() || is_parameter(spec, "z");
+}
 
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
   std::vector<Definition> names = scene.definitions;
-  names.push_back({"x", spec.x});
-  names.push_back({"y", spec.y});
-  names.push_back({"z", spec.z});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string name(1, "xyz"[axis]);
+    if (!is_parameter(spec, name)) names.push_back({name, coordinate_formula(spec, axis)});
+  }
+  for (Definition own : spec.definitions) {
+    own.own = true;
+    names.push_back(std::move(own));
+  }
   return names;
+}
+
+Scope::View surface_view(const Scene& scene, const SurfaceSpec& spec) {
+  const auto has_other_names = [&](const SurfaceSpec& other) {
+    return other.parameters != spec.parameters;
+  };
+  return {spec.parameters, std::ranges::any_of(scene.surfaces, has_other_names)};
 }
 
 NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
@@ -127,30 +209,38 @@ NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
 }
 
 BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
-  if (spec.z.empty()) {
+  const auto& [name_u, name_v] = spec.parameters;
+  if (!has_height(spec)) {
     throw Error(Status::Input, "z has no formula", {},
-                "x and y default to u and v, z has no default: for example z='sin(u)*cos(v)'");
+                "x and y default to " + name_u + " and " + name_v +
+                    ", z has no default: for example z='sin(" + name_u + ")*cos(" + name_v + ")'");
   }
   BoundSurface result;
   Graph& graph = result.graph;
-  Scope scope(graph, surface_definitions(scene, spec));
-  const RangeText range_u("u", spec.u);
-  const RangeText range_v("v", spec.v);
+  Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
+  const RangeText range_u(name_u, spec.u);
+  const RangeText range_v(name_v, spec.v);
   const std::array<NodeId, 2> ends_u = parse_ends(scope, range_u);
-  check_dependence(graph, range_u, ends_u);
+  check_dependence(graph, range_u, ends_u, spec.parameters);
   const std::array<NodeId, 2> ends = parse_ends(scope, range_v);
-  check_dependence(graph, range_v, ends);
+  check_dependence(graph, range_v, ends, spec.parameters);
   const Ends u = constant_ends(scope, range_u, scene.t);
   const bool leans = depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU);
   if (leans && ends[0] == ends[1]) {
-    throw Error(Status::Input, "the range of v is empty", range_v.place(), "its ends must differ");
+    throw Error(Status::Input, "the range of " + name_v + " is empty", range_v.place(),
+                "its ends must differ");
   }
   const Ends v = leans ? Ends{0, 1} : constant_ends(scope, range_v, scene.t);
-  result.domain = {u.min, u.max, v.min, v.max};
+  result.domain = {u.min, u.max, v.min, v.max, spec.parameters};
   result.flip = spec.flip != runs_backwards(result.domain);
-  std::vector<NodeId> roots = {scope.node("x"), scope.node("y"), scope.node("z")};
+  const std::array<NodeId, 3> restricted = restricted_position(graph, scope, spec);
+  std::vector<NodeId> roots(restricted.begin(), restricted.end());
   if (!spec.color.empty())
     roots.push_back(parse_color_formula(graph, scope, spec.color, result.flip));
+  if (!spec.where.empty()) {
+    roots.push_back(parse_condition(graph, scope, spec.where));
+    std::ranges::copy(position(scope), std::back_inserter(roots));
+  }
   const auto depends_on_t = [&](NodeId node) { return depends(graph, node, kDependsT); };
   result.moves = std::ranges::any_of(roots, depends_on_t) ||
                  std::ranges::any_of(ends_u, depends_on_t) ||
@@ -163,6 +253,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   }
   result.r = {r[0], r[1], r[2]};
   if (!spec.color.empty()) result.color = r[3];
+  if (!spec.where.empty()) result.region.assign(r.end() - kRegionOutputs, r.end());
   return result;
 }
 
@@ -177,20 +268,38 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
     result.surface.color = compile(bound.graph, std::array{*bound.color});
     result.surface.color.count = result.surface.tangents.count;
   }
+  if (!bound.region.empty()) result.surface.region = compile(bound.graph, bound.region);
   if (bound.v) result.surface.v = compile(bound.graph, std::array{*bound.v});
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());
   return result;
 }
 
-std::vector<Definition> constant_names(const Scene& scene) {
-  const bool has_surface = !scene.surfaces.empty() && !scene.surfaces.back().z.empty();
-  return has_surface ? surface_definitions(scene, scene.surfaces.back()) : scene.definitions;
+namespace {
+
+/// The surface whose x, y and z constant expressions see; nullptr if none has formulas.
+const SurfaceSpec* seen_surface(const Scene& scene, const SurfaceSpec* spec) {
+  if (spec == nullptr && !scene.surfaces.empty()) spec = &scene.surfaces.back();
+  return spec == nullptr || !has_height(*spec) ? nullptr : spec;
+}
+
+}  // namespace
+
+std::vector<Definition> constant_names(const Scene& scene, const SurfaceSpec* spec) {
+  const SurfaceSpec* const seen = seen_surface(scene, spec);
+  return seen == nullptr ? scene.definitions : surface_definitions(scene, *seen);
+}
+
+Scope::View constant_view(const Scene& scene, const SurfaceSpec* spec) {
+  const SurfaceSpec* const seen = seen_surface(scene, spec);
+  Scope::View view = seen == nullptr ? Scope::View{} : surface_view(scene, *seen);
+  view.of_surface = spec != nullptr;
+  return view;
 }
 
 double finite_constant(const Scene& scene, const std::string& name, const std::string& text) {
   Graph graph;
-  Scope scope(graph, constant_names(scene));
+  Scope scope(graph, constant_names(scene), constant_view(scene));
   const double value = scope.constant(name, text);
   if (!std::isfinite(value)) {
     throw Error(Status::Input, "not a finite number", {name, text, {0, text.size()}});

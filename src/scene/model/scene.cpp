@@ -1,6 +1,8 @@
 // The defaults of a scene.
 #include "scene/model/scene.h"
 
+#include <algorithm>
+
 namespace saddle {
 
 std::vector<Light> default_lights() {
@@ -9,6 +11,24 @@ std::vector<Light> default_lights() {
       {.position = {0, 1, 1}, .directional = true, .color = {0.3, 0.3, 0.3}},
       {.position = {0, -1, 0}, .directional = true, .color = {0.3, 0.3, 0.3}},
   };
+}
+
+Shading shading_of(const Scene& scene, const SurfaceSpec& spec) {
+  return spec.shading.value_or(scene.picture.shading);
+}
+
+Specular specular_of(const Scene& scene, const SurfaceSpec& spec) {
+  return spec.specular.value_or(scene.picture.specular);
+}
+
+std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec) {
+  return spec.samples ? spec.samples : scene.mesh.samples;
+}
+
+bool has_exact_normals(const Scene& scene) {
+  return std::ranges::any_of(scene.surfaces, [&](const SurfaceSpec& spec) {
+    return shading_of(scene, spec) == Shading::Exact;
+  });
 }
 
 void set_time_range(Scene& scene, const Number& from, const Number& to) {

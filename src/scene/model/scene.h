@@ -69,11 +69,33 @@ struct Range {
   std::string max = "1";
 };
 
+/// The values that the viewer offers for a parameter.
+struct Slider {
+  std::string name;
+  Number min = 0;
+  Number max = 1;
+};
+
+/// `MxN`: M in u, N in v; or across and down.
+struct GridSize {
+  int u = 0;
+  int v = 0;
+};
+
+/// Where the lighting equation is computed: at corners; at pixels, with the normal that is blended
+/// from the corners'; or there with the formula's.
+enum class Shading { Vertex, Pixel, Exact };
+
+/// The direction that a highlight's angle is measured from: the mirrored light, or the half vector.
+enum class Specular { Phong, Blinn };
+
 struct SurfaceSpec {
   std::string name = "surface";
-  std::string x = "u";
+  std::string x = "u";  ///< of the usual names; a coordinate that is a parameter has no formula
   std::string y = "v";
   std::string z;
+  std::string where;  ///< a condition: the part of the surface that is there; empty: all
+  ParameterNames parameters = kUsualParameters;  ///< what u and v are called
   Range u;
   Range v;
   int grid_u = 16;  ///< lines of constant u and of constant v; 0 and 0: no lines
@@ -86,6 +108,12 @@ struct SurfaceSpec {
   /// its time, which is computed: scene files have none.
   std::optional<ColorRange> color_range = {};
   bool flip = false;
+  std::vector<Definition> definitions;  ///< of its own: they hide the scene's of the same name
+  std::vector<Slider> sliders;          ///< for these
+  /// In place of the scene's.
+  std::optional<Shading> shading = {};
+  std::optional<Specular> specular = {};
+  std::optional<GridSize> samples = {};
   Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
 };
@@ -160,12 +188,6 @@ struct Clip {
   std::optional<Bounds> box;  ///< this box, whatever the surface does
 };
 
-/// `MxN`: M in u, N in v; or across and down.
-struct GridSize {
-  int u = 0;
-  int v = 0;
-};
-
 /// A length: in pixels of the picture, or as a share of the bounding box's diagonal.
 struct ToleranceValue {
   double value = 0;
@@ -184,13 +206,6 @@ struct MeshSettings {
 /// Most samples per pixel and side: 256 per pixel are more than eight bits can show.
 inline constexpr int kMaxAntialias = 16;
 
-/// Where the lighting equation is computed: at corners; at pixels, with the normal that is blended
-/// from the corners'; or there with the formula's.
-enum class Shading { Vertex, Pixel, Exact };
-
-/// The direction that a highlight's angle is measured from: the mirrored light, or the half vector.
-enum class Specular { Phong, Blinn };
-
 /// How the picture is made.
 struct PictureSettings {
   int width = 800;  ///< pixels
@@ -198,13 +213,6 @@ struct PictureSettings {
   int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
   Shading shading = Shading::Pixel;
   Specular specular = Specular::Phong;
-};
-
-/// The values that the viewer offers for a parameter.
-struct Slider {
-  std::string name;
-  Number min = 0;
-  Number max = 1;
 };
 
 /// Time that passes: frame k of n, counted from 0, shows the moment from + (to - from) k / n. The
@@ -243,6 +251,14 @@ struct Scene {
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another
   std::optional<Animation> animation;
 };
+
+/// How a surface is lit and sampled: its own way, else the scene's.
+Shading shading_of(const Scene& scene, const SurfaceSpec& spec);
+Specular specular_of(const Scene& scene, const SurfaceSpec& spec);
+std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec);
+
+/// A surface is shaded with the normals of its formula.
+bool has_exact_normals(const Scene& scene);
 
 /// The range of time becomes this one, and its start the moment that is drawn.
 void set_time_range(Scene& scene, const Number& from, const Number& to);

@@ -1,6 +1,7 @@
 // The rows of the table of options and scene keys, in the order in which scene files have their
 // keys; those of a section of --help stand together.
 #include <array>
+#include <type_traits>
 
 #include "scene/options/options.h"
 
@@ -11,6 +12,16 @@ constexpr int kMaxThreads = 1024;
 
 Animation& animation(Scene& scene) {
   return scene.animation ? *scene.animation : scene.animation.emplace();
+}
+
+kinds::Choice shading(auto* value) {
+  return kinds::choice<std::remove_pointer_t<decltype(value)>, Shading>(
+      value, {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact}});
+}
+
+kinds::Choice specular(auto* value) {
+  return kinds::choice<std::remove_pointer_t<decltype(value)>, Specular>(
+      value, {{"phong", Specular::Phong}, {"blinn", Specular::Blinn}});
 }
 
 constexpr auto kRows = std::to_array<Option>({
@@ -169,30 +180,34 @@ constexpr auto kRows = std::to_array<Option>({
      .more = "vertex: lit at the mesh's vertices, colours interpolated.\npixel: lit at each pixel, "
              "normals interpolated.\nexact: lit at each pixel, with the normal of the formula.",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Scene,
-     .scene = [](Scene& s) -> kinds::Slot {
-       return kinds::choice<Shading>(
-           &s.picture.shading,
-           {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact}});
-     }},
+     .scene = [](Scene& s) -> kinds::Slot { return shading(&s.picture.shading); }},
     {.name = "specular",
      .value = "HOW",
      .section = Section::Look,
      .help = "highlights by the reflection vector, phong, or the half vector, blinn",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Scene,
-     .scene = [](Scene& s) -> kinds::Slot {
-       return kinds::choice<Specular>(&s.picture.specular,
-                                      {{"phong", Specular::Phong}, {"blinn", Specular::Blinn}});
-     }},
+     .scene = [](Scene& s) -> kinds::Slot { return specular(&s.picture.specular); }},
     {.name = "name",
-     .value = "TEXT",
-     .help = "name of the surface in reports",
-     .commands = kKeyOnly,
+     .value = "NAME",
+     .section = Section::Look,
+     .help = "name of the object in reports, scenes and meshes",
+     .usual = "from the input",
+     .commands = kGraphCheck,
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
        return kinds::Text{&s.name, "a name"};
      }},
+    {.name = "parameters",
+     .value = "[NAME, NAME]",
+     .help = "names of the two parameters, in place of u and v; their ranges are keys",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Parameters{&s.parameters}; }},
     {.name = "x",
      .value = "FORMULA",
      .help = "of u and v",
@@ -211,6 +226,12 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kKeyOnly,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Formula{&s.z}; }},
+    {.name = "where",
+     .value = "CONDITION",
+     .help = "of u, v, x, y and z: only that part of the surface",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Formula{&s.where}; }},
     {.name = "u",
      .value = "[MIN, MAX]",
      .help = "range of u",
@@ -229,6 +250,7 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "colour by an expression of u, v, x, y, z, gauss or mean (curvature), with a bar",
      .usual = "off",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Formula{&s.color}; }},
     {.name = "colormap",
@@ -237,6 +259,7 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "colours of --color: {choices}",
      .usual = "viridis",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::ColormapName{&s}; }},
     {.name = "grid",
@@ -244,6 +267,7 @@ constexpr auto kRows = std::to_array<Option>({
      .section = Section::Look,
      .help = "M lines of constant u and N of constant v, N for both, or off",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::GridLines{&s}; }},
     {.name = "front",
@@ -251,6 +275,7 @@ constexpr auto kRows = std::to_array<Option>({
      .section = Section::Look,
      .help = "diffuse colour of the front, where r_u x r_v points",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
        return kinds::Side{&s.front, &kFrontMaterial};
@@ -260,6 +285,7 @@ constexpr auto kRows = std::to_array<Option>({
      .section = Section::Look,
      .help = "diffuse colour of the back",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
        return kinds::Side{&s.back, &kBackMaterial};
@@ -267,6 +293,7 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "flip",
      .section = Section::Look,
      .help = "swap front and back",
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::toggle(&s.flip); }},
     {.name = "opacity",
@@ -274,10 +301,29 @@ constexpr auto kRows = std::to_array<Option>({
      .section = Section::Look,
      .help = "{limits}; below 1 surfaces are see-through, their lines are not",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
        return kinds::Real{&s.opacity, kShare};
      }},
+    {.name = "shading",
+     .value = "HOW",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return shading(&s.shading); }},
+    {.name = "specular",
+     .value = "HOW",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return specular(&s.specular); }},
+    {.name = "samples",
+     .value = "MxN",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Cells{&s.samples}; }},
     {.name = "in",
      .value = "NODES",
      .help = "the node that moves it, or several: the same mesh drawn once for each",
@@ -319,6 +365,7 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "a uniform grid of M cells in u by N cells in v instead; N for both",
      .usual = "off",
      .commands = kGraphCheck,
+     .object = true,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Cells{&s.mesh.samples}; }},
     {.name = "clip",
@@ -382,8 +429,8 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "how OpenGL starts without a window: {choices}",
      .usual = "the first that starts",
      .run = [](RunSettings& r) -> kinds::Slot {
-       return kinds::choice<Backend>(&r.renderer,
-                                     {{"osmesa", Backend::Osmesa}, {"egl", Backend::Egl}});
+       return kinds::choice<Backend, Backend>(&r.renderer,
+                                              {{"osmesa", Backend::Osmesa}, {"egl", Backend::Egl}});
      }},
     {.name = "threads",
      .value = "N",

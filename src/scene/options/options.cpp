@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "scene/model/colormap.h"
+#include "scene/model/prepare.h"
+#include "scene/toml/toml_writer.h"
 
 namespace saddle {
 namespace {
@@ -69,11 +71,19 @@ std::string key_of(const Option& option) {
   return std::string(option.name);
 }
 
+/// The key in the table of a surface: ranges have the names of its parameters; empty for a
+/// coordinate that is a parameter.
+std::string key_of(const Option& option, const SurfaceSpec& surface) {
+  if (option.name == "u") return surface.parameters[0];
+  if (option.name == "v") return surface.parameters[1];
+  return is_parameter(surface, key_of(option)) ? "" : key_of(option);
+}
+
 /// `key = value`, or nothing for the default.
-std::string line(const Option& option, const kinds::Slot& slot, const kinds::Slot& standard) {
+std::string line(const std::string& key, const kinds::Slot& slot, const kinds::Slot& standard) {
   const std::string text = write_slot(slot);
-  if (text.empty() || text == write_slot(standard)) return "";
-  return key_of(option) + " = " + text + "\n";
+  if (key.empty() || text.empty() || text == write_slot(standard)) return "";
+  return toml_key(key) + " = " + text + "\n";
 }
 
 /// The name of a key in messages.
@@ -160,6 +170,15 @@ std::vector<std::string> keys_of(Table table) {
   return keys;
 }
 
+std::vector<std::string> keys_of(const SurfaceSpec& surface) {
+  std::vector<std::string> keys;
+  each_row(Table::Surface, [&](const Option& option) {
+    const std::string key = key_of(option, surface);
+    if (!key.empty()) keys.push_back(key);
+  });
+  return keys;
+}
+
 void check_value(const Option& option, const std::string& text) {
   Scene scene;
   scene.surfaces.resize(1);
@@ -170,10 +189,16 @@ void check_value(const Option& option, const std::string& text) {
 }
 
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
-  const kinds::Given given{&scene, dashed(option), text};
-  if (option.scene) parse_slot(option.scene(scene), given);
+  if (option.scene) parse_slot(option.scene(scene), {&scene, dashed(option), text});
   if (!option.surface) return;
-  for (SurfaceSpec& surface : scene.surfaces) parse_slot(option.surface(surface), given);
+  for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
+}
+
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  SurfaceSpec& surface) {
+  const auto is_key = [&](const Option& row) { return row.surface && row.name == option.name; };
+  const auto row = std::ranges::find_if(options(), is_key);
+  parse_slot(row->surface(surface), {&scene, dashed(option), text, &surface});
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {
@@ -197,8 +222,9 @@ void read_keys(Table table, TomlReader& reader, const std::string& prefix, const
 void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
                SurfaceSpec& surface) {
   each_row(Table::Surface, [&](const Option& option) {
-    with(value, key_of(option), [&](const TomlValue& v) {
-      read_slot(option.surface(surface), {reader, prefix + key_of(option), v});
+    const std::string key = key_of(option, surface);  // by the parameters, which stand first
+    with(value, key, [&](const TomlValue& v) {
+      read_slot(option.surface(surface), {reader, prefix + key, v});
     });
   });
 }
@@ -208,7 +234,7 @@ std::string write_keys(Table table, const Scene& scene) {
   Scene standard;
   std::string text;
   each_row(table, [&](const Option& option) {
-    text += line(option, option.scene(written), option.scene(standard));
+    text += line(key_of(option), option.scene(written), option.scene(standard));
   });
   return text;
 }
@@ -218,7 +244,7 @@ std::string write_keys(const SurfaceSpec& surface) {
   SurfaceSpec standard;
   std::string text;
   each_row(Table::Surface, [&](const Option& option) {
-    text += line(option, option.surface(written), option.surface(standard));
+    text += line(key_of(option, surface), option.surface(written), option.surface(standard));
   });
   return text;
 }

@@ -45,6 +45,7 @@ struct Option {
   std::string_view more = {};   ///< what --help NAME adds
   unsigned commands = kSurfaceCommands;  ///< that take it
   bool repeats = false;                  ///< each time it is given counts, not only the last
+  bool object = false;                   ///< of the object it stands with, not of the scene
   std::string_view needs = {};           ///< an option without which it would do nothing
   std::string_view excludes = {};        ///< an option that says the opposite
   Table table = Table::None;             ///< of the scene file
@@ -82,11 +83,19 @@ std::vector<std::string> choices(const Option& option);
 /// The keys of a table of scene files that are rows.
 std::vector<std::string> keys_of(Table table);
 
+/// The keys of a surface: its ranges have the names of its parameters.
+std::vector<std::string> keys_of(const SurfaceSpec& surface);
+
 /// Throws Error (Input) for a value that is wrong whatever the scene has.
 void check_value(const Option& option, const std::string& text);
 
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
+
+/// Changes what an object's option is about, for one surface of the scene: in place of what the
+/// scene says, if that has the option, too. Throws Error (Input).
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  SurfaceSpec& surface);
 
 /// Changes what an option of the run is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, RunSettings& run);

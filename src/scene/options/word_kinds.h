@@ -64,6 +64,14 @@ struct Names {
   std::string write() const;
 };
 
+/// The names of a surface's two parameters.
+struct Parameters {
+  ParameterNames* value;
+
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
 /// One of a few words.
 struct Choice {
   std::vector<std::string> words;
@@ -76,9 +84,9 @@ struct Choice {
   std::string write() const;
 };
 
-/// A choice of an enum's values, each with its word.
-template <typename Enum>
-Choice choice(Enum* value, const std::vector<std::pair<const char*, Enum>>& words) {
+/// A choice of an enum's values, each with its word. `Value`: Enum, or an optional one.
+template <typename Value, typename Enum>
+Choice choice(Value* value, const std::vector<std::pair<const char*, Enum>>& words) {
   Choice result;
   std::vector<Enum> values;
   for (const auto& [word, each] : words) {

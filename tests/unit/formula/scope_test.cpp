@@ -88,11 +88,47 @@ TEST(Scope, SaysWhatIsNotConstant) {
   }
 }
 
-TEST(Scope, ListsItsParametersWithTheirValues) {
+TEST(Scope, ListsItsConstantsWithTheirValues) {
   Graph graph;
   const Scope scope(graph, {{"a", "2"}, {"b", "a^2"}, {"w", "u*a"}, {"x", "1"}});
-  const std::map<std::string, double> expected = {{"a", 2}, {"b", 4}};
-  EXPECT_EQ(scope.parameters(), expected);
+  const std::unordered_map<Symbol, double> expected = {{graph[scope.node("a")].symbol, 2}};
+  EXPECT_EQ(scope.constants(), expected);
+}
+
+/// A definition of one surface.
+Definition own(const std::string& name, const std::string& text) {
+  return {name, text, {}, false, true};
+}
+
+TEST(Scope, LetsOwnDefinitionsHideSharedOnes) {
+  Graph graph;
+  Scope scope(graph, {{"a", "2"}, {"w", "10*a"}, own("a", "3"), {"z", "u+100*a+w"}});
+  const NodeId bound = scope.bind(std::array{scope.node("z")}, 0)[0];
+  EXPECT_EQ(testing::value(graph, bound, 1, 0), 1 + 300 + 20);  // w does not see the own a
+  EXPECT_EQ(scope.constant("number", "a"), 3);
+  Scope::View shared;
+  shared.of_surface = false;
+  Graph other;
+  Scope outside(other, {{"a", "2"}, own("a", "3")}, shared);
+  EXPECT_EQ(outside.constant("number", "a"), 2);
+}
+
+TEST(Scope, CallsParametersByTheirNames) {
+  Graph graph;
+  Scope scope(graph, {{"phi", "7"}, {"w", "10*phi"}, {"z", "theta+100*phi+w"}},
+              {.parameters = {"theta", "phi"}});
+  const NodeId bound = scope.bind(std::array{scope.node("z")}, 0)[0];
+  EXPECT_EQ(testing::value(graph, bound, 1, 2), 1 + 200 + 70);  // a shared phi is hidden, not in w
+  EXPECT_THROW(scope.parse("z", "u+1"), Error);
+  EXPECT_THROW(Scope(graph, {own("theta", "1")}, {.parameters = {"theta", "phi"}}), Error);
+}
+
+TEST(Scope, ParsesLazilyWhatOtherSurfacesMean) {
+  Graph graph;
+  EXPECT_THROW(Scope(graph, {{"w", "theta"}, {"z", "u"}}), Error);
+  Scope scope(graph, {{"w", "theta"}, {"z", "u"}}, {.lazy = true});
+  EXPECT_THROW(scope.node("w"), Error);
+  EXPECT_THROW(Scope(graph, {{"z", "theta"}}, {.lazy = true}), Error);
 }
 
 TEST(Scope, BindsTheTime) {

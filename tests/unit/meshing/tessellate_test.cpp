@@ -14,26 +14,26 @@ Scene picture_of(int width, int height) {
 }
 
 TEST(MostTriangles, AreAsManyAsThePictureHasPixels) {
-  EXPECT_EQ(most_triangles(picture_of(1600, 1200)), 1'920'000U);
-  EXPECT_EQ(most_triangles(picture_of(1200, 1600)), 1'920'000U);
+  EXPECT_EQ(most_triangles(picture_of(1600, 1200), {}), 1'920'000U);
+  EXPECT_EQ(most_triangles(picture_of(1200, 1600), {}), 1'920'000U);
 }
 
 TEST(MostTriangles, AreEnoughForAThumbnailAndBoundedForAPoster) {
-  EXPECT_EQ(most_triangles(picture_of(64, 48)), 1'000'000U);
-  EXPECT_EQ(most_triangles(picture_of(800, 600)), 1'000'000U);
-  EXPECT_EQ(most_triangles(picture_of(16000, 12000)), 4'000'000U);
+  EXPECT_EQ(most_triangles(picture_of(64, 48), {}), 1'000'000U);
+  EXPECT_EQ(most_triangles(picture_of(800, 600), {}), 1'000'000U);
+  EXPECT_EQ(most_triangles(picture_of(16000, 12000), {}), 4'000'000U);
 }
 
 TEST(MostTriangles, AreFourMillionForWhoeverAsksForATolerance) {
   Scene scene = picture_of(64, 48);
   scene.mesh.tolerance = ToleranceValue{1e-6, false};
-  EXPECT_EQ(most_triangles(scene), 4'000'000U);
+  EXPECT_EQ(most_triangles(scene, {}), 4'000'000U);
 }
 
 TEST(MostTriangles, AreFourMillionForWhoeverAsksForCells) {
   Scene scene = picture_of(64, 48);
   scene.mesh.samples = GridSize{.u = 10, .v = 10};
-  EXPECT_EQ(most_triangles(scene), 4'000'000U);
+  EXPECT_EQ(most_triangles(scene, {}), 4'000'000U);
 }
 
 TEST(MostTriangles, AreThoseThatAreAskedForAboveAll) {
@@ -42,7 +42,7 @@ TEST(MostTriangles, AreThoseThatAreAskedForAboveAll) {
   scene.mesh.samples = GridSize{.u = 10, .v = 10};
   for (const int asked : {2, 5'000'000}) {
     scene.mesh.max_triangles = asked;
-    EXPECT_EQ(most_triangles(scene), static_cast<std::size_t>(asked));
+    EXPECT_EQ(most_triangles(scene, {}), static_cast<std::size_t>(asked));
   }
 }
 

@@ -205,5 +205,29 @@ TEST(Overrides, AskWhichSurfaceIsMeant) {
   EXPECT_EQ(marked(error), "u");
 }
 
+TEST(Assignments, NameTheParametersByTheirRanges) {
+  const auto names = [](const std::vector<std::string>& assignments) {
+    Scene scene;
+    assign_all(scene, assignments);
+    return scene.surfaces.at(0).parameters;
+  };
+  EXPECT_EQ(names({"z=1"}), (ParameterNames{"u", "v"}));
+  EXPECT_EQ(names({"theta=0:1", "z=1"}), (ParameterNames{"theta", "v"}));
+  EXPECT_EQ(names({"b=0:1", "a=0:1", "z=1"}), (ParameterNames{"b", "a"}));
+  EXPECT_EQ(names({"a=0:1", "u=0:1"}), (ParameterNames{"u", "a"}));
+  EXPECT_EQ(names({"v=0:1", "a=0:1"}), (ParameterNames{"a", "v"}));
+  EXPECT_EQ(names({"y=0:1", "x=0:1", "z=1"}), (ParameterNames{"x", "y"}));
+  EXPECT_EQ(names({"y=0:1"}), (ParameterNames{"u", "y"}));
+  EXPECT_EQ(names({"x=0:1", "u=0:1"}), (ParameterNames{"u", "x"}));
+  EXPECT_EQ(names({"φ=0:1", "z=1"}), (ParameterNames{"phi", "v"}));
+  EXPECT_EQ(names({"t=0:1", "z=1"}), (ParameterNames{"u", "v"}));
+  Scene scene;
+  assign_all(scene, {"y=2:3", "a=0:1"});
+  EXPECT_EQ(scene.surfaces[0].u.max, "1");
+  EXPECT_EQ(scene.surfaces[0].v.min, "2");
+  EXPECT_THROW(assign_all(scene, {"a=0:1", "b=0:1", "c=0:1"}), Error);
+  EXPECT_THROW(assign_all(scene, {"sin=0:1"}), Error);
+}
+
 }  // namespace
 }  // namespace saddle

@@ -71,5 +71,16 @@ TEST(CommandText, SaysTheWholeGallery) {
   }
 }
 
+TEST(CommandText, HasNamesOfParametersAndRegions) {
+  Scene scene;
+  assign_all(scene, {"y=s*cos(x)", "z=s", "where=s<y", "u=0:1", "x=-1:1", "s=3"});
+  const auto text = command_text(scene);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(*text, "saddle 'y=s*cos(x)' z=s 'where=s<y' u=0:1 x=-1:1 s=3");
+  // The command line calls x the first parameter.
+  scene.surfaces[0].parameters = {"a", "x"};
+  EXPECT_FALSE(command_text(scene));
+}
+
 }  // namespace
 }  // namespace saddle

@@ -347,5 +347,21 @@ TEST(MalformedScenes, EndChainsOfNodesThatAreTooDeep) {
   EXPECT_THROW(read(text), Error);
 }
 
+TEST(SceneFile, HasOwnParametersOfSurfaces) {
+  const std::string text =
+      "[params]\na = 2\n\n[[surface]]\nparameters = [\"x\", \"angle\"]\ny = \"f(a)*cos(angle)\"\n"
+      "z = \"sin(angle)\"\nwhere = \"x < a\"\nx = [\"-4\", \"4\"]\nangle = [\"0\", \"pi\"]\n"
+      "params = { a = { value = 3, min = 0, max = 5 } }\nfunctions = { \"f(s)\" = \"s^2\" }\n";
+  const Scene scene = read_scene({"scene.toml", text});
+  const SurfaceSpec& spec = scene.surfaces.at(0);
+  EXPECT_EQ(spec.parameters, (ParameterNames{"x", "angle"}));
+  EXPECT_EQ(spec.u.min, "-4");
+  EXPECT_EQ(spec.v.max, "pi");
+  EXPECT_EQ(spec.where, "x < a");
+  ASSERT_EQ(spec.definitions.size(), 2U);
+  EXPECT_EQ(spec.sliders.at(0).max, 5);
+  EXPECT_EQ(write_scene(scene), text);
+}
+
 }  // namespace
 }  // namespace saddle
