@@ -288,6 +288,12 @@ NodeId Scope::parse_with(const LocalNames& locals, const std::string& name,
   return parse_formula(impl_->graph, {name, text, {0, text.size()}}, names);
 }
 
+NodeId Scope::parse_of(const std::string& argument, Symbol symbol, const std::string& name,
+                       const std::string& text) {
+  return parse_formula(impl_->graph, {name, text, {0, text.size()}},
+                       impl_->names({argument}, {symbol}));
+}
+
 double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
                        std::optional<double> t) {
   if (part) return impl_->value(parse(name, text, part), {name, text, *part}, t);

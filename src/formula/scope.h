@@ -50,6 +50,10 @@ class Scope {
   using LocalNames = std::map<std::string, std::function<NodeId()>>;
   NodeId parse_with(const LocalNames& locals, const std::string& name, const std::string& text);
 
+  /// The same where one name is a variable, whatever the user has defined.
+  NodeId parse_of(const std::string& argument, Symbol symbol, const std::string& name,
+                  const std::string& text);
+
   /// parse() for a formula that must not depend on u, v or, unless that has a value here, t: its
   /// value. It may be infinite or NaN: what is allowed is for the caller to say.
   double constant(const std::string& name, const std::string& text,

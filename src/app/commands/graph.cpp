@@ -16,6 +16,7 @@
 #include "app/run/scene_meshes.h"
 #include "base/standard_streams.h"
 #include "render/picture/framing.h"
+#include "scene/model/strokes.h"
 
 namespace saddle {
 namespace {
@@ -93,7 +94,7 @@ class Run {
   }
 
   void take(const Shot& shot) {
-    const Scene scene = plan_.timeline.at(shot.t);
+    const Scene scene = with_strokes(plan_.timeline.at(shot.t));
     Scene seen = scene;
     framing_.apply(seen);
     const std::vector<std::size_t> updated = meshes_.update(seen, name_of(shot));

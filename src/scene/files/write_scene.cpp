@@ -69,7 +69,11 @@ std::string write_scene(const Scene& scene) {
   std::string text = write_keys(Table::Scene, scene);
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
-  for (const SurfaceSpec& spec : scene.surfaces) text += "\n[[surface]]\n" + write_keys(spec);
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    if (!spec.is_stroke()) text += "\n[[surface]]\n" + write_keys(spec);
+  }
+  for (const CurveSpec& curve : scene.curves) text += "\n[[curve]]\n" + write_keys(curve);
+  for (const PointSpec& point : scene.points) text += "\n[[point]]\n" + write_keys(point);
   for (const SceneNode& n : scene.nodes) text += node(n);
   text += write_lights(scene.lights);
   const std::string camera = write_keys(Table::Camera, scene);

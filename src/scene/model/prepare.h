@@ -31,9 +31,31 @@ struct BoundSurface {
   bool moves = false;  ///< it is another one at another time
 };
 
-/// Parses surface `spec` of `scene` at the scene's time. Throws Error (Input): anything wrong with
+/// Parses surface `spec` of `scene` at the scene's time; also one that stands for a curve, which is
+/// its r(u), or a point, with the ball round it. Throws Error (Input): anything wrong with
 /// a formula, a range that is empty, not finite or circular, a surface without a z.
 BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec);
+
+/// The formulas of a curve, with u in place of s.
+struct BoundCurve {
+  Graph graph;
+  std::array<NodeId, 3> r = {};
+  double from = 0, to = 1;  ///< the range of s
+  bool moves = false;       ///< it is another one at another time
+};
+
+/// Parses a curve at the scene's time. The formulas of one on a surface are that surface's, with
+/// u(s) and v(s) put in. Throws Error (Input): anything wrong with a formula or the range, a curve
+/// that does not depend on s, a surface that the scene does not have.
+BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec);
+
+/// The same for a point, as the sphere of its radius round it, 0 without one. Throws Error (Input)
+/// as bind_curve() does.
+BoundSurface bind_point(const Scene& scene, const PointSpec& spec);
+
+/// The surface that a curve or point is on. Throws Error (Input) if there is none of that name, or
+/// no name and several.
+const SurfaceSpec& surface_under(const Scene& scene, const StrokeSpec& spec);
 
 struct PreparedSurface {
   Surface surface;

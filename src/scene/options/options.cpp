@@ -1,6 +1,7 @@
 #include "scene/options/options.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "scene/model/colormap.h"
 
@@ -52,9 +53,21 @@ void resolve_slot(const kinds::Slot& slot, Resolver& resolver, const std::string
       slot);
 }
 
-kinds::Slot slot_of(const Option& option, Scene& scene, SurfaceSpec& surface, RunSettings& run) {
-  if (option.scene) return option.scene(scene);
-  return option.surface ? option.surface(surface) : option.run(run);
+/// One of each thing that has values, as it begins.
+struct Owners {
+  Scene scene;
+  SurfaceSpec surface;
+  CurveSpec curve;
+  PointSpec point;
+  RunSettings run;
+};
+
+kinds::Slot slot_of(const Option& option, Owners& owners) {
+  if (option.scene) return option.scene(owners.scene);
+  if (option.surface) return option.surface(owners.surface);
+  if (option.stroke) return option.stroke(owners.curve);
+  if (option.curve) return option.curve(owners.curve);
+  return option.point ? option.point(owners.point) : option.run(owners.run);
 }
 
 /// Calls `visit` with each row of a table of scene files.
@@ -74,6 +87,36 @@ std::string line(const Option& option, const kinds::Slot& slot, const kinds::Slo
   const std::string text = write_slot(slot);
   if (text.empty() || text == write_slot(standard)) return "";
   return key_of(option) + " = " + text + "\n";
+}
+
+/// Calls `visit` with each key of a curve or point, and its value.
+template <typename Stroke, typename Visit>
+void each_stroke_slot(Stroke& stroke, const Visit& visit) {
+  each_row(Table::Stroke, [&](const Option& row) { visit(row, row.stroke(stroke)); });
+  constexpr bool kIsCurve = std::is_same_v<Stroke, CurveSpec>;
+  each_row(kIsCurve ? Table::Curve : Table::Point, [&](const Option& row) {
+    if constexpr (kIsCurve) {
+      visit(row, row.curve(stroke));
+    } else {
+      visit(row, row.point(stroke));
+    }
+  });
+}
+
+template <typename Stroke>
+std::string stroke_lines(const Stroke& stroke) {
+  Stroke written = stroke;
+  Stroke standard;
+  std::vector<kinds::Slot> defaults;
+  each_stroke_slot(standard, [&](const Option&, const kinds::Slot& slot) {
+    defaults.push_back(slot);
+  });
+  std::string text;
+  std::size_t k = 0;
+  each_stroke_slot(written, [&](const Option& option, const kinds::Slot& slot) {
+    text += line(option, slot, defaults[k++]);
+  });
+  return text;
 }
 
 /// The name of a key in messages.
@@ -119,36 +162,28 @@ std::string dashed(const Option& option) {
 std::string default_text(const Option& option) {
   if (!option.usual.empty()) return std::string(option.usual);
   if (option.is_flag()) return option.run ? "" : "off";
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
-  return format_slot(slot_of(option, scene, surface, run));
+  Owners owners;
+  return format_slot(slot_of(option, owners));
 }
 
 std::string default_toml(const Option& option) {
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
-  return write_slot(slot_of(option, scene, surface, run));
+  Owners owners;
+  return write_slot(slot_of(option, owners));
 }
 
 std::string limits_text(const Option& option) {
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
+  Owners owners;
   return std::visit(
       [](const auto& kind) -> std::string {
         if constexpr (requires { limits_of(kind); }) return limits_of(kind);
         return "";
       },
-      slot_of(option, scene, surface, run));
+      slot_of(option, owners));
 }
 
 std::vector<std::string> choices(const Option& option) {
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
-  const kinds::Slot slot = slot_of(option, scene, surface, run);
+  Owners owners;
+  const kinds::Slot slot = slot_of(option, owners);
   if (std::holds_alternative<kinds::ColormapName>(slot)) return colormap_names();
   const auto* const choice = std::get_if<kinds::Choice>(&slot);
   return choice == nullptr ? std::vector<std::string>{} : choice->words;
@@ -161,10 +196,8 @@ std::vector<std::string> keys_of(Table table) {
 }
 
 void check_value(const Option& option, const std::string& text) {
-  Scene scene;
-  scene.surfaces.resize(1);
-  RunSettings run;
-  const kinds::Slot slot = slot_of(option, scene, scene.surfaces[0], run);
+  Owners owners;
+  const kinds::Slot slot = slot_of(option, owners);
   if (std::holds_alternative<kinds::Moment>(slot)) return;  // it may use the scene's parameters
   parse_slot(slot, {nullptr, dashed(option), text});
 }
@@ -172,8 +205,18 @@ void check_value(const Option& option, const std::string& text) {
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
   const kinds::Given given{&scene, dashed(option), text};
   if (option.scene) parse_slot(option.scene(scene), given);
-  if (!option.surface) return;
-  for (SurfaceSpec& surface : scene.surfaces) parse_slot(option.surface(surface), given);
+  if (option.surface) {
+    for (SurfaceSpec& surface : scene.surfaces) parse_slot(option.surface(surface), given);
+  }
+  if (option.stroke) {
+    for (CurveSpec& curve : scene.curves) parse_slot(option.stroke(curve), given);
+    for (PointSpec& point : scene.points) parse_slot(option.stroke(point), given);
+  }
+}
+
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  StrokeSpec& stroke) {
+  parse_slot(option.stroke(stroke), {&scene, dashed(option), text});
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {
@@ -203,6 +246,24 @@ void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& v
   });
 }
 
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               CurveSpec& curve) {
+  each_stroke_slot(curve, [&](const Option& option, const kinds::Slot& slot) {
+    with(value, key_of(option), [&](const TomlValue& v) {
+      read_slot(slot, {reader, prefix + key_of(option), v});
+    });
+  });
+}
+
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               PointSpec& point) {
+  each_stroke_slot(point, [&](const Option& option, const kinds::Slot& slot) {
+    with(value, key_of(option), [&](const TomlValue& v) {
+      read_slot(slot, {reader, prefix + key_of(option), v});
+    });
+  });
+}
+
 std::string write_keys(Table table, const Scene& scene) {
   Scene written = scene;
   Scene standard;
@@ -223,6 +284,14 @@ std::string write_keys(const SurfaceSpec& surface) {
   return text;
 }
 
+std::string write_keys(const CurveSpec& curve) {
+  return stroke_lines(curve);
+}
+
+std::string write_keys(const PointSpec& point) {
+  return stroke_lines(point);
+}
+
 void resolve_keys(Resolver& resolver, Table table, Scene& scene) {
   each_row(table, [&](const Option& option) {
     resolve_slot(option.scene(scene), resolver, subject(option));
@@ -232,6 +301,18 @@ void resolve_keys(Resolver& resolver, Table table, Scene& scene) {
 void resolve_keys(Resolver& resolver, const std::string& prefix, SurfaceSpec& surface) {
   each_row(Table::Surface, [&](const Option& option) {
     resolve_slot(option.surface(surface), resolver, prefix + key_of(option));
+  });
+}
+
+void resolve_keys(Resolver& resolver, const std::string& prefix, CurveSpec& curve) {
+  each_stroke_slot(curve, [&](const Option& option, const kinds::Slot& slot) {
+    resolve_slot(slot, resolver, prefix + key_of(option));
+  });
+}
+
+void resolve_keys(Resolver& resolver, const std::string& prefix, PointSpec& point) {
+  each_stroke_slot(point, [&](const Option& option, const kinds::Slot& slot) {
+    resolve_slot(slot, resolver, prefix + key_of(option));
   });
 }
 
@@ -245,7 +326,7 @@ std::vector<Setting> settings_of(const Scene& scene) {
   }
   std::vector<Setting> settings;
   for (const Option& option : options()) {
-    if (!option.is_option() || option.run) continue;
+    if (!option.is_option() || !(option.scene || option.surface)) continue;
     if (option.table == Table::Animation && !said.animation) continue;
     const auto text = [&](Scene& of) {
       return format_slot(option.scene ? option.scene(of) : option.surface(of.surfaces[0]));

@@ -15,8 +15,8 @@ namespace saddle {
 /// Headings of --help, in its order.
 enum class Section { Output, Camera, Look, Mesh, Time, Run };
 
-/// Where a key stands in a scene file.
-enum class Table { None, Scene, Surface, Camera, Animation };
+/// Where a key stands in a scene file. Stroke: curves and points have it.
+enum class Table { None, Scene, Surface, Stroke, Curve, Point, Camera, Animation };
 
 /// The command that the first word of a command line names.
 enum class Command { Graph, Check, Chart, List, Show };
@@ -33,8 +33,8 @@ inline constexpr unsigned kSurfaceCommands = kGraphCheck | kGraphChart;
 inline constexpr unsigned kAllCommands = kSurfaceCommands | bit(Command::List) | bit(Command::Show);
 
 /// A row. In `help` and `more`, --help fills in {choices}, {limits} and {formats}. Exactly one of
-/// `scene`, `surface` and `run` is there: whose value it is. An option of a surface is for each
-/// surface of the scene.
+/// `scene`, `surface`, `stroke`, `curve`, `point` and `run` is there: whose value it is; an option of
+/// surfaces may be one of curves and points, too. It is for each of them in the scene.
 struct Option {
   std::string_view name;           ///< without "--"; also the key
   char letter = 0;                 ///< of "-s"; 0: none
@@ -51,6 +51,9 @@ struct Option {
   std::string_view subject = {};         ///< what messages call the key; empty: its name
   kinds::Slot (*scene)(Scene&) = nullptr;
   kinds::Slot (*surface)(SurfaceSpec&) = nullptr;
+  kinds::Slot (*stroke)(StrokeSpec&) = nullptr;
+  kinds::Slot (*curve)(CurveSpec&) = nullptr;
+  kinds::Slot (*point)(PointSpec&) = nullptr;
   kinds::Slot (*run)(RunSettings&) = nullptr;
 
   bool is_option() const { return commands != kKeyOnly; }
@@ -76,6 +79,9 @@ std::string default_toml(const Option& option);
 /// The limits of an option that takes a number, "more than 0" or "1 to 16"; "" for others.
 std::string limits_text(const Option& option);
 
+/// An option sets what curves and points have, or what surfaces have.
+inline bool is_for_strokes(const Option& option) { return option.stroke != nullptr; }
+
 /// The words of a choice.
 std::vector<std::string> choices(const Option& option);
 
@@ -88,6 +94,10 @@ void check_value(const Option& option, const std::string& text);
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
 
+/// Changes one curve or point, by an option that is_for_strokes(). `scene` is the one it is in.
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  StrokeSpec& stroke);
+
 /// Changes what an option of the run is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, RunSettings& run);
 
@@ -97,14 +107,22 @@ void read_keys(Table table, TomlReader& reader, const std::string& prefix, const
                Scene& scene);
 void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
                SurfaceSpec& surface);
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               CurveSpec& curve);
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               PointSpec& point);
 
 /// Lines `key = value` for what differs from the defaults.
 std::string write_keys(Table table, const Scene& scene);
 std::string write_keys(const SurfaceSpec& surface);
+std::string write_keys(const CurveSpec& curve);
+std::string write_keys(const PointSpec& point);
 
 /// Expressions become numbers. Throws Error (Input).
 void resolve_keys(Resolver& resolver, Table table, Scene& scene);
 void resolve_keys(Resolver& resolver, const std::string& prefix, SurfaceSpec& surface);
+void resolve_keys(Resolver& resolver, const std::string& prefix, CurveSpec& curve);
+void resolve_keys(Resolver& resolver, const std::string& prefix, PointSpec& point);
 
 /// An option with the text that sets it to the value of a scene of one surface.
 struct Setting {
