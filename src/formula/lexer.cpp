@@ -258,6 +258,16 @@ bool is_name(std::string_view text) {
   return !text.empty() && (text == kGreekPi || name_length(text) == text.size());
 }
 
+std::set<std::string> names_in(std::string_view text) {
+  std::set<std::string> names;
+  while (!text.empty()) {
+    const std::size_t length = name_length(text);
+    if (length > 0) names.insert(meant_name(text.substr(0, length)));
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return names;
+}
+
 std::string meant_name(std::string_view written) {
   if (written == kGreekPi) return "pi";
   if (written == "τ") return "tau";

@@ -2,6 +2,7 @@
 // other programs are understood here: 2u, 3(u+1), u**2, π, ², ·, ×, −, ≤, and names in Greek.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,9 @@ std::size_t name_length(std::string_view text);
 /// A name: letters, digits and _, no digit first. Greek letters are letters; `π` is a whole name,
 /// so that in `πu` an operator is missing.
 bool is_name(std::string_view text);
+
+/// The names in a text, as formulas mean them.
+std::set<std::string> names_in(std::string_view text);
 
 /// The name that a written one stands for: `π`, `τ` and `φ` are `pi`, `tau` and `phi`, any other
 /// stands for itself.

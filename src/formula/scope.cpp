@@ -37,11 +37,13 @@ Error name_error(const Definition& definition, std::string message, std::string 
   return formula_of(definition).error(std::move(message), {0, 0}, std::move(hint));
 }
 
-std::optional<Symbol> independent_variable(std::string_view name) {
-  if (name == "u") return kSymbolU;
-  if (name == "v") return kSymbolV;
-  if (name == "t") return kSymbolT;
-  return std::nullopt;
+bool is_coordinate(std::string_view name) {
+  return name == "x" || name == "y" || name == "z";
+}
+
+/// The surface's own definitions and its coordinates are formulas of the surface.
+bool is_of_surface(const Definition& definition) {
+  return definition.own || is_coordinate(definition.name);
 }
 
 }  // namespace
@@ -56,6 +58,7 @@ struct Scope::Impl {
   };
 
   Graph& graph;
+  View view;
   std::vector<Entry> entries;
   std::vector<std::size_t> running;  // entries being parsed, outermost first
   std::unordered_map<Symbol, NodeId> parameter_values;
@@ -70,7 +73,14 @@ struct Scope::Impl {
   double values_t = 0;
   bool has_used_time = false;
 
-  explicit Impl(Graph& g) : graph(g) {}
+  Impl(Graph& g, View how) : graph(g), view(std::move(how)) {}
+
+  std::optional<Symbol> independent_variable(std::string_view name) const {
+    if (name == view.parameters[0]) return kSymbolU;
+    if (name == view.parameters[1]) return kSymbolV;
+    if (name == "t") return kSymbolT;
+    return std::nullopt;
+  }
 
   bool depends_on_time(NodeId node) const { return (graph[node].depends & kDependsT) != 0; }
 
@@ -111,24 +121,38 @@ struct Scope::Impl {
                           : "it may use numbers, constants and parameters, not u, v or t");
   }
 
-  Entry* find(std::string_view name) {
-    for (Entry& entry : entries) {
-      if (entry.definition.name == name) return &entry;
-    }
-    return nullptr;
+  Entry* find(std::string_view name, bool own) {
+    const auto found = std::ranges::find_if(entries, [&](const Entry& entry) {
+      return entry.definition.name == name && entry.definition.own == own;
+    });
+    return found == entries.end() ? nullptr : &*found;
+  }
+
+  /// The definition that a name means in a formula of the surface, or in a shared one; nullptr: it
+  /// means no definition.
+  Entry* meant(std::string_view name, bool of_surface) {
+    Entry* const own = of_surface ? find(name, true) : nullptr;
+    if (own != nullptr) return own;
+    Entry* const shared = find(name, false);
+    const bool is_hidden = of_surface && shared != nullptr && !is_coordinate(name) &&
+                           independent_variable(name).has_value();
+    return is_hidden ? nullptr : shared;
   }
 
   void check_name(const Definition& definition) {
     const std::string& name = definition.name;
-    if (name == "u" || name == "v" || name == "t") {
+    const bool is_own_parameter = definition.own && independent_variable(name).has_value();
+    if (name == "u" || name == "v" || name == "t" || is_own_parameter) {
       throw name_error(definition, "'" + name + "' cannot be defined",
-                       "u, v and t are what formulas depend on; choose another name");
+                       is_own_parameter ? name + " is a parameter of the surface"
+                                        : "u, v and t are what formulas depend on; choose another "
+                                          "name");
     }
     if (find_built_in(name) != nullptr) {
       throw name_error(definition, "'" + name + "' is a function of the language",
                        "choose another name");
     }
-    if (find(name) != nullptr) {
+    if (find(name, definition.own) != nullptr) {
       throw name_error(definition, "'" + name + "' is defined twice", "choose another name");
     }
     for (std::size_t i = 0; i < definition.arguments.size(); ++i) {
@@ -162,16 +186,13 @@ struct Scope::Impl {
   }
 
   void resolve_value(Entry& entry) {
-    entry.node = parse_formula(graph, formula_of(entry.definition), names({}, {}));
+    entry.node = parse_formula(graph, formula_of(entry.definition),
+                               names({}, {}, is_of_surface(entry.definition)));
     // A parameter stays a variable until bind(), so that diff() can differentiate by it.
     if (!graph.is_constant(entry.node) || is_coordinate(entry.definition.name)) return;
     const Symbol symbol = graph.new_symbol();
     parameter_values[symbol] = entry.node;
     entry.node = graph.variable(symbol);
-  }
-
-  static bool is_coordinate(std::string_view name) {
-    return name == "x" || name == "y" || name == "z";
   }
 
   void resolve_function(Entry& entry) {
@@ -180,8 +201,9 @@ struct Scope::Impl {
     for (std::size_t i = 0; i < entry.definition.arguments.size(); ++i) {
       function.arguments.push_back(graph.new_symbol());
     }
-    function.body = parse_formula(graph, formula_of(entry.definition),
-                                  names(entry.definition.arguments, function.arguments));
+    function.body =
+        parse_formula(graph, formula_of(entry.definition),
+                      names(entry.definition.arguments, function.arguments, entry.definition.own));
   }
 
   Error circle(std::size_t index) {
@@ -195,8 +217,9 @@ struct Scope::Impl {
                       "break the circle");
   }
 
-  std::optional<NodeId> variable(std::string_view name) {
-    if (Entry* entry = find(name); entry != nullptr && !entry->definition.is_function) {
+  std::optional<NodeId> variable(std::string_view name, bool of_surface) {
+    if (Entry* entry = meant(name, of_surface);
+        entry != nullptr && !entry->definition.is_function) {
       resolve(*entry);
       return entry->node;
     }
@@ -205,31 +228,33 @@ struct Scope::Impl {
     return std::nullopt;
   }
 
-  const HelperFunction* function(std::string_view name) {
-    Entry* entry = find(name);
+  const HelperFunction* function(std::string_view name, bool of_surface) {
+    Entry* entry = meant(name, of_surface);
     if (entry == nullptr || !entry->definition.is_function) return nullptr;
     resolve(*entry);
     return &entry->function;
   }
 
   /// The meaning of names inside a function with these arguments, which shadow everything else.
-  Names names(const std::vector<std::string>& arguments, const std::vector<Symbol>& symbols) {
+  Names names(const std::vector<std::string>& arguments, const std::vector<Symbol>& symbols,
+              bool of_surface) {
     const auto argument = [arguments, symbols](std::string_view name) -> std::optional<Symbol> {
       const auto found = std::find(arguments.begin(), arguments.end(), name);
       if (found == arguments.end()) return std::nullopt;
       return symbols[static_cast<std::size_t>(found - arguments.begin())];
     };
     Names result;
-    result.variable = [this, argument](std::string_view name) -> std::optional<NodeId> {
+    result.variable = [=, this](std::string_view name) -> std::optional<NodeId> {
       if (const auto symbol = argument(name)) return graph.variable(*symbol);
-      return variable(name);
+      return variable(name, of_surface);
     };
-    result.function = [this, argument](std::string_view name) -> const HelperFunction* {
-      return argument(name) ? nullptr : function(name);
+    result.function = [=, this](std::string_view name) -> const HelperFunction* {
+      return argument(name) ? nullptr : function(name, of_surface);
     };
     result.known_variables = [this, arguments] {
       std::vector<std::string> known = arguments;
-      known.insert(known.end(), {"u", "v", "t"});
+      known.insert(known.end(), view.parameters.begin(), view.parameters.end());
+      known.emplace_back("t");
       add_defined(known, false);
       const std::vector<std::string> constants = constant_names();
       known.insert(known.end(), constants.begin(), constants.end());
@@ -251,34 +276,36 @@ struct Scope::Impl {
   }
 };
 
-Scope::Scope(Graph& graph, std::vector<Definition> definitions)
-    : impl_(std::make_unique<Impl>(graph)) {
+Scope::Scope(Graph& graph, std::vector<Definition> definitions, View view)
+    : impl_(std::make_unique<Impl>(graph, std::move(view))) {
   impl_->entries.reserve(definitions.size());
   for (Definition& definition : definitions) {
     impl_->check_name(definition);
     impl_->entries.push_back({std::move(definition), Impl::Progress::Untouched, 0, {}});
   }
-  for (Impl::Entry& entry : impl_->entries) impl_->resolve(entry);
+  for (Impl::Entry& entry : impl_->entries) {
+    if (!impl_->view.lazy || is_of_surface(entry.definition)) impl_->resolve(entry);
+  }
 }
 
 Scope::~Scope() = default;
 
 NodeId Scope::node(const std::string& name) const {
-  return impl_->find(name)->node;
+  return *impl_->variable(name, true);
 }
 
 NodeId Scope::parse(const std::string& name, const std::string& text, std::optional<Span> part) {
   const FormulaText formula = {name, text, part.value_or(Span{0, text.size()})};
-  return parse_formula(impl_->graph, formula, impl_->names({}, {}));
+  return parse_formula(impl_->graph, formula, impl_->names({}, {}, impl_->view.of_surface));
 }
 
 NodeId Scope::parse_with(const LocalNames& locals, const std::string& name,
                          const std::string& text) {
-  Names names = impl_->names({}, {});
+  Names names = impl_->names({}, {}, true);
   names.variable = [this, &locals](std::string_view word) -> std::optional<NodeId> {
     const auto local = locals.find(std::string(word));
-    const bool is_local = local != locals.end() && impl_->find(word) == nullptr;
-    return is_local ? local->second() : impl_->variable(word);
+    const bool is_local = local != locals.end() && impl_->meant(word, true) == nullptr;
+    return is_local ? local->second() : impl_->variable(word, true);
   };
   names.known_variables = [known = names.known_variables, &locals] {
     std::vector<std::string> all = known();
@@ -286,12 +313,6 @@ NodeId Scope::parse_with(const LocalNames& locals, const std::string& name,
     return all;
   };
   return parse_formula(impl_->graph, {name, text, {0, text.size()}}, names);
-}
-
-NodeId Scope::parse_of(const std::string& argument, Symbol symbol, const std::string& name,
-                       const std::string& text) {
-  return parse_formula(impl_->graph, {name, text, {0, text.size()}},
-                       impl_->names({argument}, {symbol}));
 }
 
 double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
@@ -323,15 +344,10 @@ std::vector<NodeId> Scope::bind(std::span<const NodeId> roots, double t) {
   return substitute(impl_->graph, roots, values);
 }
 
-std::map<std::string, double> Scope::parameters() const {
-  std::map<std::string, double> values;
-  for (const Impl::Entry& entry : impl_->entries) {
-    if (entry.definition.is_function || Impl::is_coordinate(entry.definition.name)) continue;
-    const NodeId bound =
-        substitute(impl_->graph, std::array{entry.node}, impl_->parameter_values)[0];
-    if (impl_->graph.is_constant(bound)) {
-      values[entry.definition.name] = impl_->graph[bound].value;
-    }
+std::unordered_map<Symbol, double> Scope::constants() const {
+  std::unordered_map<Symbol, double> values;
+  for (const auto& [symbol, node] : impl_->parameter_values) {
+    values[symbol] = impl_->graph[node].value;
   }
   return values;
 }

@@ -2,12 +2,15 @@
 // demand. This is the way from text to graph; formula/parser.h is its inner part.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -21,23 +24,43 @@ struct Definition {
   std::string text;
   std::vector<std::string> arguments = {};
   bool is_function = false;
+  bool own = false;  ///< of one surface: there it hides a shared one of the same name
 };
 
 /// How a definition is shown in messages: "r", or "f(s, t)".
 std::string display_name(const Definition& definition);
 
+/// The names of a surface's two parameters.
+using ParameterNames = std::array<std::string, 2>;
+inline const ParameterNames kUsualParameters = {"u", "v"};
+
 class Scope {
  public:
+  /// How a surface sees the definitions.
+  struct View {
+    ParameterNames parameters = kUsualParameters;
+    /// Shared definitions are parsed when they are used: those of other surfaces may use the names
+    /// of other parameters.
+    bool lazy = false;
+    /// parse() and constant() are for formulas of the surface; else for shared ones.
+    bool of_surface = true;
+  };
+
   /// `definitions`: parameters, shared sub-expressions, helper functions and the surface's own x,
-  /// y, z, in any order; they may use each other. All are parsed here, used or not. Throws Error
-  /// (Input) with the place: a malformed formula, an unknown name, a definition of a function's
-  /// name or of u or v, the same name twice, a circle (the circle is shown).
-  Scope(Graph& graph, std::vector<Definition> definitions);
+  /// y, z, in any order; they may use each other. A name means the surface's own definition, else
+  /// its parameter, else the shared definition; in a shared definition the shared one comes first,
+  /// and own ones are not seen. All are parsed here, used or not, unless the view is lazy. Throws
+  /// Error (Input) with the place: a malformed formula, an unknown name, a definition of a
+  /// function's name or of u or v, the same name twice, a circle (the circle is shown).
+  Scope(Graph& graph, std::vector<Definition> definitions, View view);
+  Scope(Graph& graph, std::vector<Definition> definitions)
+      : Scope(graph, std::move(definitions), View{}) {}
   ~Scope();
   Scope(const Scope&) = delete;
   Scope& operator=(const Scope&) = delete;
 
-  /// The node of a definition that is no function. Parameters are variables in it: see bind().
+  /// The node of a definition that is no function, or of a parameter of the surface. Constants
+  /// that have a name are variables in it: see bind().
   NodeId node(const std::string& name) const;
 
   /// Parses one more formula: the bytes `part` of `text` (all of it by default), called `name` in
@@ -50,10 +73,6 @@ class Scope {
   using LocalNames = std::map<std::string, std::function<NodeId()>>;
   NodeId parse_with(const LocalNames& locals, const std::string& name, const std::string& text);
 
-  /// The same where one name is a variable, whatever the user has defined.
-  NodeId parse_of(const std::string& argument, Symbol symbol, const std::string& name,
-                  const std::string& text);
-
   /// parse() for a formula that must not depend on u, v or, unless that has a value here, t: its
   /// value. It may be infinite or NaN: what is allowed is for the caller to say.
   double constant(const std::string& name, const std::string& text,
@@ -65,8 +84,8 @@ class Scope {
   /// The roots with every parameter replaced by its value and t by `t`.
   std::vector<NodeId> bind(std::span<const NodeId> roots, double t);
 
-  /// Definitions that are constant and no function, with their values: sliders, animation.
-  std::map<std::string, double> parameters() const;
+  /// The variables that stand for constants with a name, and their values.
+  std::unordered_map<Symbol, double> constants() const;
 
  private:
   struct Impl;

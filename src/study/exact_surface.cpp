@@ -96,9 +96,7 @@ void ExactSurface::read(const SurfaceTexts& texts) {
     const std::vector<NodeId> slopes = derive(graph_, position, by);
     roots_.insert(roots_.end(), slopes.begin(), slopes.end());
   }
-  for (const auto& [name, value] : scope.parameters()) {
-    values_[graph_[scope.node(name)].symbol] = value;
-  }
+  for (const auto& [symbol, value] : scope.constants()) values_[symbol] = value;
 }
 
 std::vector<Real> ExactSurface::values(std::span<const NodeId> roots, const Real& u,

@@ -63,8 +63,12 @@ class Splitter {
     bool only_arguments = false;
     while (at_ < rest_.size()) {
       const std::string argument = rest_[at_++];
-      if (only_arguments || argument.size() < 2 || argument[0] != '-') {
-        line_.arguments.push_back(argument);
+      if (is_place(argument)) {
+        line_.segments.back().arguments.push_back(argument);
+      } else if (argument == "+") {
+        line_.segments.emplace_back();
+      } else if (only_arguments || argument.size() < 2 || argument[0] != '-') {
+        line_.segments.back().arguments.push_back(argument);
       } else if (argument == "--") {
         only_arguments = true;
       } else if (argument[1] == '-') {
@@ -76,6 +80,13 @@ class Splitter {
   }
 
  private:
+  /// The word after `point` is three numbers, of which the first may have a minus.
+  bool is_place(const std::string& word) const {
+    const std::vector<std::string>& before = line_.segments.back().arguments;
+    return before == std::vector<std::string>{"point"} && !word.starts_with("--") &&
+           word.find(',') != std::string::npos;
+  }
+
   /// `--name`, `--name=VALUE`
   void split_name(const std::string& argument) {
     const std::size_t equals = argument.find('=');
@@ -122,9 +133,9 @@ class Splitter {
     if (value && value->empty()) {  // a shell's variable that is not set should not go unnoticed
       throw Error(Status::Input, "the value is empty", {dashed(option), "", {}}, form(option));
     }
-    if (!option.repeats)
-      std::erase_if(line_.given, [&](const auto& g) { return g.option == &option; });
-    line_.given.push_back({&option, value.value_or("")});
+    auto& given = option.object ? line_.segments.back().given : line_.given;
+    if (!option.repeats) std::erase_if(given, [&](const auto& g) { return g.option == &option; });
+    given.push_back({&option, value.value_or("")});
   }
 
   static bool names_option(const std::string& argument) {
@@ -137,19 +148,25 @@ class Splitter {
   CommandLine& line_;
 };
 
-/// Options that would do nothing, or the opposite of another, are refused.
-void check_given_options(const CommandLine& line) {
-  const auto is_given = [&](std::string_view name) { return line.last_given({name}) != nullptr; };
-  for (const auto& [option, text] : line.given) {
-    if ((option->commands & bit(line.command)) != 0) continue;
-    const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
-    const bool has_verb = verb != kVerbs.end();
-    throw Error(Status::Input,
-                "saddle " + (has_verb ? std::string(verb->name) + " " : "") + "takes no option " +
-                    dashed(*option),
-                {}, has_verb ? std::string(verb->hint) : kList);
-  }
-  for (const auto& [option, text] : line.given) {
+/// An option that the command does not take is refused.
+void check_command(const CommandLine& line, const Option& option) {
+  if ((option.commands & bit(line.command)) != 0) return;
+  const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
+  const bool has_verb = verb != kVerbs.end();
+  throw Error(Status::Input,
+              "saddle " + (has_verb ? std::string(verb->name) + " " : "") + "takes no option " +
+                  dashed(option),
+              {}, has_verb ? std::string(verb->hint) : kList);
+}
+
+/// Options that would do nothing, or the opposite of another, are refused. `given`: all that hold
+/// for one object.
+void check_given_options(const CommandLine& line, const std::vector<GivenOption>& given) {
+  const auto is_given = [&](std::string_view name) {
+    return std::ranges::any_of(given, [&](const auto& g) { return g.option->name == name; });
+  };
+  for (const auto& [option, text] : given) check_command(line, *option);
+  for (const auto& [option, text] : given) {
     if (!option->needs.empty() && !is_given(option->needs)) {
       throw Error(Status::Input, "does nothing without --" + std::string(option->needs),
                   {dashed(*option), "", {}}, "add " + with_value(*find_option(option->needs)));
@@ -158,6 +175,29 @@ void check_given_options(const CommandLine& line) {
       throw Error(Status::Input, "says the opposite of --" + std::string(option->excludes),
                   {dashed(*option), "", {}}, "leave one of them out");
     }
+  }
+}
+
+/// The scene's options with the first segment's, and with each other segment's.
+void check_given_options(const CommandLine& line) {
+  for (const Segment& segment : line.segments) {
+    std::vector<GivenOption> given = line.given;
+    given.insert(given.end(), segment.given.begin(), segment.given.end());
+    check_given_options(line, given);
+  }
+}
+
+/// Throws Error (Input) for a `+` without an object on both of its sides.
+void check_segments(const CommandLine& line) {
+  for (std::size_t i = 0; i < line.segments.size(); ++i) {
+    const Segment& segment = line.segments[i];
+    if (!segment.arguments.empty() || line.segments.size() == 1) continue;
+    if (i == 0 && !segment.given.empty()) continue;
+    const std::string side = i == 0 ? "before" : "after";
+    throw Error(Status::Input,
+                "there is no object " + side + " '+' " + std::to_string(i == 0 ? 1 : i), {},
+                {"for example saddle torus + z=u*v -o both.png",
+                 "a formula with spaces is written in quotes: z='u + v'"});
   }
 }
 
@@ -179,10 +219,22 @@ const Verb* find_verb(std::string_view name) {
 
 const Option* CommandLine::last_given(const std::vector<std::string_view>& names) const {
   const Option* last = nullptr;
-  for (const auto& [option, text] : given) {
-    if (std::ranges::find(names, option->name) != names.end()) last = option;
-  }
+  const auto look = [&](const std::vector<GivenOption>& some) {
+    for (const auto& [option, text] : some) {
+      if (std::ranges::find(names, option->name) != names.end()) last = option;
+    }
+  };
+  look(given);
+  for (const Segment& segment : segments) look(segment.given);
   return last;
+}
+
+std::vector<std::string> CommandLine::arguments() const {
+  std::vector<std::string> all;
+  for (const Segment& segment : segments) {
+    all.insert(all.end(), segment.arguments.begin(), segment.arguments.end());
+  }
+  return all;
 }
 
 void parse_command_line(int argc, const char* const* argv, CommandLine& line) {
@@ -201,14 +253,19 @@ void parse_command_line(int argc, const char* const* argv, CommandLine& line) {
   if (argc > 1) {
     if (const Verb* const verb = find_verb(argv[1])) {
       line.command = verb->command;
-      line.arguments.erase(line.arguments.begin());
+      line.segments[0].arguments.erase(line.segments[0].arguments.begin());
     }
+  }
+  for (const Segment& segment : line.segments) {
+    for (const auto& [option, text] : segment.given) check_value(*option, text);
   }
   for (const auto& [option, text] : line.given) {
     check_value(*option, text);
     apply_option(*option, text, line.run);
   }
-  if (!line.run.help && !line.run.version) check_given_options(line);
+  if (line.run.help || line.run.version) return;
+  check_given_options(line);
+  check_segments(line);
 }
 
 }  // namespace saddle

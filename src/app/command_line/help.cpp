@@ -144,6 +144,12 @@ const char* table_name(Table table) {
       return "at the top of the file";
     case Table::Surface:
       return "[[surface]]";
+    case Table::Stroke:
+      return "[[curve]] and [[point]]";
+    case Table::Curve:
+      return "[[curve]]";
+    case Table::Point:
+      return "[[point]]";
     case Table::Camera:
       return "[camera]";
     case Table::Animation:

@@ -128,7 +128,7 @@ void write(const ChartOutput& output, std::span<const Measurement> measurements,
 /// The surface's name, or its formulas.
 std::string title_of(const Scene& scene, const CommandLine& line) {
   std::string title;
-  for (const std::string& argument : line.arguments)
+  for (const std::string& argument : line.arguments())
     title += (title.empty() ? "" : "  ") + argument;
   constexpr std::size_t kLongest = 110;
   if (title.size() > kLongest) title = title.substr(0, kLongest) + " ...";

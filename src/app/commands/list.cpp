@@ -9,9 +9,10 @@
 namespace saddle {
 
 void run_list(const CommandLine& line) {
-  if (!line.arguments.empty()) {
-    throw Error(Status::Input, "saddle list takes no arguments, not '" + line.arguments[0] + "'",
-                {}, "saddle show NAME prints a surface, saddle NAME -o FILE.png draws it");
+  if (!line.segments[0].arguments.empty()) {
+    throw Error(Status::Input,
+                "saddle list takes no arguments, not '" + line.segments[0].arguments[0] + "'", {},
+                "saddle show NAME prints a surface, saddle NAME -o FILE.png draws it");
   }
   const bool describe = line.run.verbose || standard_output_is_terminal();
   std::size_t width = 0;

@@ -12,7 +12,7 @@ namespace saddle {
 
 void run_show(const CommandLine& line) {
   const auto is_name = [](const std::string& s) { return s.find('=') == std::string::npos; };
-  if (std::ranges::none_of(line.arguments, is_name)) {
+  if (std::ranges::none_of(line.arguments(), is_name)) {
     throw Error(Status::Input, "saddle show needs the name of a surface", {},
                 "saddle list prints the names; for example saddle show torus");
   }

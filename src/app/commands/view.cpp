@@ -40,7 +40,8 @@ ViewerSetup viewer_setup(const CommandLine& line) {
   ViewerSetup setup;
   setup.scene = build_scene(line);
   setup.reload = [line] { return build_scene(line); };
-  if (std::ranges::find(line.arguments, "-") != line.arguments.end()) {
+  const std::vector<std::string> arguments = line.arguments();
+  if (std::ranges::find(arguments, "-") != arguments.end()) {
     setup.reload = [scene = setup.scene] { return scene; };  // standard input is read once
   }
   if (line.run.watch) {

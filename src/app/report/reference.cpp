@@ -25,7 +25,7 @@ bool is_input(const CommandLine& line, const std::string& path) {
     std::error_code ignored;  // what cannot be looked up is no such file
     return std::filesystem::equivalent(path, input, ignored);
   };
-  return is_same(line.run.reference) || std::ranges::any_of(line.arguments, is_same);
+  return is_same(line.run.reference) || std::ranges::any_of(line.arguments(), is_same);
 }
 
 void remove_results_of_comparison(const CommandLine& line) {

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 
+#include "app/run/combine_objects.h"
 #include "base/error.h"
 #include "export/load_scene.h"
 #include "formula/lexer.h"
@@ -49,50 +52,165 @@ void check_given_once(const std::vector<std::string>& assignments) {
   }
 }
 
-/// A colormap without anything to colour would do nothing.
-void check_colormap_is_used(const CommandLine& line, const Scene& scene) {
-  const Option* const option = line.last_given({"colormap"});
-  const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
-  if (option == nullptr || !std::ranges::all_of(scene.surfaces, has_no_color)) return;
-  throw Error(Status::Input, "there is nothing to colour", {dashed(*option), "", {}},
-              "--color z colours by height, --color gauss by curvature");
+bool is_assignment(const std::string& argument) {
+  return argument.find('=') != std::string::npos;
+}
+
+/// The segment stands before all objects and has none: it has no name, no formula of a coordinate
+/// and no range but that of t.
+bool is_common(const Segment& segment) {
+  return std::ranges::all_of(segment.arguments, [](const std::string& argument) {
+    if (!is_assignment(argument)) return false;
+    return !is_of_surface(parse_definition(argument));
+  });
+}
+
+[[noreturn]] void refuse_second_name(const std::string& first, const std::string& second,
+                                     bool has_formulas) {
+  throw Error(Status::Input, "two scenes, '" + first + "' and '" + second + "'", {},
+              has_formulas ? "a formula with spaces is written in quotes: z='u + v'"
+                           : "put a + between them: " + first + " + " + second);
+}
+
+/// Puts the assignments where they belong. `alone`: the object is the whole scene.
+void take_assignments(SceneObject& object, const std::vector<std::string>& assignments,
+                      bool alone) {
+  const bool has_formulas = object.from == SceneObject::From::Formulas;
+  for (const std::string& assignment : assignments) {
+    const Definition definition = parse_definition(assignment);
+    const bool is_shared =
+        has_formulas ? !is_of_surface(definition) : !has_name(object.scene, definition.name);
+    if (!alone && (is_shared || definition.name == "t")) {
+      object.shared.push_back(assignment);
+    } else {
+      has_formulas ? assign(object.scene, assignment)
+                   : override_assignment(object.scene, assignment);
+    }
+  }
+}
+
+/// The words after `curve` or `point`.
+template <typename Stroke>
+void read_stroke(const Segment& segment, Stroke stroke, std::vector<Stroke>& strokes,
+                 SceneObject& object, bool alone) {
+  constexpr bool kIsPoint = std::is_same_v<Stroke, PointSpec>;
+  const std::string& word = segment.arguments[0];
+  std::vector<std::string> assignments;
+  for (std::size_t i = 1; i < segment.arguments.size(); ++i) {
+    const std::string& argument = segment.arguments[i];
+    if (is_assignment(argument)) {
+      assignments.push_back(argument);
+      const bool is_own = assign(stroke, parse_definition(argument));
+      if (!is_own && alone) assign(object.scene, argument);
+      if (!is_own && !alone) object.shared.push_back(argument);
+      continue;
+    }
+    if constexpr (kIsPoint) {
+      if (!stroke.at) {
+        set_place(argument, stroke);
+        continue;
+      }
+    }
+    throw Error(Status::Input, "'" + argument + "' is no part of a " + word, {},
+                kIsPoint ? "for example point 1,2,3 or point u=1 v=2"
+                         : "for example curve x='cos(s)' y='sin(s)' z='s/5' s=0:tau");
+  }
+  check_given_once(assignments);
+  strokes.push_back(std::move(stroke));
+}
+
+/// An option of the segment that says nothing of a curve or point.
+void check_stroke_options(const Segment& segment) {
+  for (const auto& [option, text] : segment.given) {
+    if (option->stroke != nullptr) continue;
+    throw Error(Status::Input, "a " + segment.arguments[0] + " takes no such option",
+                {dashed(*option), "", {}},
+                "it takes --color, --line-width, --radius, --label and --name");
+  }
+}
+
+/// The object of a segment that begins with `curve` or `point`.
+SceneObject read_stroke_object(const Segment& segment, const Segment* common, bool alone) {
+  SceneObject object;
+  check_stroke_options(segment);
+  if (segment.arguments[0] == "curve") {
+    read_stroke(segment, CurveSpec(), object.scene.curves, object, alone);
+  } else {
+    read_stroke(segment, PointSpec(), object.scene.points, object, alone);
+  }
+  if (common != nullptr) {
+    // There --color is a formula, for surfaces.
+    std::ranges::copy_if(common->given, std::back_inserter(object.options),
+                         [](const GivenOption& g) { return g.option->name != "color"; });
+  }
+  std::ranges::copy(segment.given, std::back_inserter(object.options));
+  return object;
+}
+
+bool is_stroke(const Segment& segment) {
+  return !segment.arguments.empty() &&
+         (segment.arguments[0] == "curve" || segment.arguments[0] == "point");
+}
+
+/// `common`: the segment that holds for all objects, or nullptr; `alone`: there is one object.
+SceneObject read_object(const Segment& segment, const Segment* common, bool alone) {
+  if (is_stroke(segment)) return read_stroke_object(segment, common, alone);
+  std::vector<std::string> names;
+  std::vector<std::string> assignments;
+  for (const std::string& argument : segment.arguments) {
+    (is_assignment(argument) ? assignments : names).push_back(argument);
+  }
+  if (names.size() > 1) refuse_second_name(names[0], names[1], !assignments.empty());
+  check_given_once(assignments);
+  SceneObject object;
+  if (!names.empty()) {
+    object.from = is_scene_file(names[0]) || names[0] == "-" ? SceneObject::From::File
+                                                             : SceneObject::From::Gallery;
+    object.scene = named_scene(names[0]);
+  }
+  if (common != nullptr) {
+    for (const std::string& assignment : common->arguments) {
+      const std::string name = assigned_name(assignment);
+      const bool is_own = !names.empty() && name != "t" && has_name(object.scene, name);
+      if (is_own) override_assignment(object.scene, assignment);
+    }
+    object.options = common->given;
+  }
+  take_assignments(object, assignments, alone);
+  if (object.scene.surfaces.empty()) object.scene.surfaces.emplace_back();
+  object.options.insert(object.options.end(), segment.given.begin(), segment.given.end());
+  return object;
 }
 
 }  // namespace
 
 Scene build_scene(const CommandLine& line) {
-  std::vector<std::string> names;
-  std::vector<std::string> assignments;
-  for (const std::string& argument : line.arguments) {
-    (argument.find('=') == std::string::npos ? names : assignments).push_back(argument);
-  }
-  if (names.size() > 1) {
-    throw Error(Status::Input, "two scenes, '" + names[0] + "' and '" + names[1] + "'", {},
-                assignments.empty() ? "graph one at a time"
-                                    : "a formula with spaces is written in quotes: z='u + v'");
-  }
-  if (line.arguments.empty()) {
+  if (line.arguments().empty()) {
     throw Error(Status::Input, "no surface given", {},
                 {"for example saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png",
                  "saddle --help says more"});
   }
-  check_given_once(assignments);
-  Scene scene = names.empty() ? Scene{} : named_scene(names[0]);
-  for (const std::string& assignment : assignments) {
-    names.empty() ? assign(scene, assignment) : override_assignment(scene, assignment);
+  const std::vector<Segment>& segments = line.segments;
+  const bool alone = segments.size() == 1;
+  const Segment* const common = !alone && is_common(segments[0]) ? segments.data() : nullptr;
+  std::vector<SceneObject> objects;
+  for (const Segment& segment : segments) {
+    if (&segment != common) objects.push_back(read_object(segment, common, alone));
   }
-  if (scene.surfaces.empty()) scene.surfaces.emplace_back();
+  const std::vector<std::string> shared =
+      common == nullptr ? std::vector<std::string>() : common->arguments;
+  check_given_once(shared);
+  Scene scene = combine_objects(objects, shared, line.given);
   for (const auto& [option, text] : line.given) apply_option(*option, text, scene);
-  check_colormap_is_used(line, scene);
+  apply_object_options(objects, scene);
   return resolve(std::move(scene));
 }
 
 std::string scene_file_of(const CommandLine& line) {
-  const auto is_file = [](const std::string& argument) {
-    return argument.find('=') == std::string::npos && is_scene_file(argument);
-  };
-  const auto found = std::ranges::find_if(line.arguments, is_file);
-  return found == line.arguments.end() ? "" : *found;
+  for (const std::string& argument : line.arguments()) {
+    if (!is_assignment(argument) && is_scene_file(argument)) return argument;
+  }
+  return "";
 }
 
 }  // namespace saddle

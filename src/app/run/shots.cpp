@@ -48,7 +48,7 @@ void check_frames_are_used(const CommandLine& line, std::span<const Output> outp
 
 /// `t=A` among the assignments, as against a range.
 std::optional<std::string> assigned_moment(const CommandLine& line) {
-  for (const std::string& argument : line.arguments) {
+  for (const std::string& argument : line.arguments()) {
     if (argument.find('=') == std::string::npos) continue;
     const Definition definition = parse_definition(argument);
     if (definition.name == "t" && !is_range(definition)) return argument;

@@ -5,9 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <numeric>
+#include <span>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "eval/enclose.h"
@@ -29,6 +31,8 @@ constexpr double kSampled = 0.75;
 constexpr double kMostTurn = 0.35;
 /// Cut ends that are so many times as far away as most of the first samples are beside a pole.
 constexpr double kFar = 1e6;
+/// Squares of larger coordinates come near to the range of doubles: nothing is there.
+constexpr double kHuge = 1e100;
 /// Boxes of a proof for each chord, and at least.
 constexpr std::size_t kBoxesPerChord = 32;
 constexpr std::size_t kLeastBoxes = 10'000;
@@ -101,7 +105,8 @@ class CurveMesher {
   }
 
   bool is_there(const CurvePoint& p) const {
-    return is_finite(p.position) && (!request_.clip || request_.clip->contains(p.position));
+    const dvec3 size = glm::abs(p.position);
+    return size.x < kHuge && size.y < kHuge && size.z < kHuge && (!request_.clip || request_.clip->contains(p.position));
   }
 
   double tolerance(const dvec3& a, const dvec3& b) {
@@ -119,7 +124,7 @@ class CurveMesher {
     std::vector<double> sizes;
     for (const CurvePoint& p : sample(s)) {
       nodes_.push_back({p, is_there(p)});
-      if (is_finite(p.position)) sizes.push_back(glm::length(p.position));
+      if (nodes_.back().there) sizes.push_back(glm::length(p.position));
     }
     nodes_.back().open = false;
     if (sizes.empty()) return;
@@ -288,8 +293,8 @@ class CurveMesher {
       const CurvePoint& in = nodes_[nodes_[i].there ? i : i + 1].point;
       const CurvePoint& out = nodes_[nodes_[i].there ? i + 1 : i].point;
       if (ends_here && (is_pole(in) || is_pole(out))) add(out.s, result_.poles);
-      const bool both_undefined = !is_finite(nodes_[i].point.position) &&
-                                  !is_finite(nodes_[i + 1].point.position);
+      const bool both_undefined =
+          !is_finite(nodes_[i].point.position) && !is_finite(nodes_[i + 1].point.position);
       if (both_undefined) undefined += nodes_[i + 1].point.s - nodes_[i].point.s;
     }
     result_.undefined_fraction = undefined / (high_ - low_);

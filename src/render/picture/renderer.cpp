@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "base/error.h"
 #include "render/picture/tiles.h"
@@ -16,14 +17,20 @@
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
+#include "scene/model/strokes.h"
 
 namespace saddle {
 namespace {
 
-constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
 constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
 /// The box around the surfaces is less conspicuous than its labels.
 constexpr double kBoxInk = 0.3;
+
+/// Strokes are drawn nearer to the eye by so many half widths, and pixels, so that they win over the
+/// surface that they lie on, also where that is inclined by 60 degrees, and where both are within
+/// their tolerance.
+constexpr double kHalfWidthsNearer = 2;
+constexpr double kPixelsNearer = 2;
 
 /// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
 /// it any longer.
@@ -38,6 +45,24 @@ void clear(const Color& background) {
   glClearColor(channel(background.r), channel(background.g), channel(background.b),
                channel(background.a));
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+dvec3 rgb(const Color& color) {
+  return {color.r, color.g, color.b};
+}
+
+/// A camera that shows all in the same place, but nearer by this share of half the picture's height
+/// there.
+FittedCamera camera_nearer(FittedCamera camera, bool ortho, double share) {
+  glm::dmat4 toward(1);
+  if (ortho) {
+    toward[3][2] = share * camera.half_height;
+  } else {
+    const double factor = 1 - share * camera.half_height / camera.distance;
+    for (int k = 0; k < 3; ++k) toward[k][k] = factor;
+  }
+  camera.eye_to_clip = camera.eye_to_clip * toward;
+  return camera;
 }
 
 void check_gl() {
@@ -60,6 +85,11 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
   }
   normals_.resize(meshes_.size());
   normals_[surface] = {};
+  strokes_.resize(meshes_.size());
+  strokes_[surface].reset();
+  if (mesh.triangles.empty() && !mesh.lines.empty()) strokes_[surface].emplace(mesh);
+  anchors_.resize(meshes_.size());
+  anchors_[surface] = mesh.anchor;
 }
 
 void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
@@ -87,6 +117,8 @@ void Renderer::keep_meshes(std::size_t count) {
   if (count >= meshes_.size()) return;
   meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(count), meshes_.end());
   normals_.resize(count);
+  strokes_.resize(count);
+  anchors_.resize(count);
 }
 
 std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
@@ -125,8 +157,9 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
   if (scene.box) bounds.add(*scene.box);
+  const dvec2 size(viewport.width, viewport.height);
   const Annotations annotations =
-      annotate(scene, camera, bounds, scales_, dvec2(viewport.width, viewport.height));
+      annotate(scene, camera, bounds, scales_, size, labels_of(scene, camera, size));
   unknown_letters_ = annotations.unknown;
   const dvec3 ink = ink_on(scene.background);
   Color background = scene.background;
@@ -136,7 +169,8 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   clear(background);
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, n, look);
-  if (look.lines) draw_lines(items, n);
+  if (look.lines) draw_lines(scene, items, n);
+  draw_strokes(scene, camera, viewport, unit);
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
@@ -207,7 +241,9 @@ Program& Renderer::line_program() {
 }
 
 bool Renderer::has_lines() const {
-  return std::ranges::any_of(meshes_, &GpuMesh::has_lines);
+  const auto is_there = [](const auto& strokes) { return strokes.has_value(); };
+  return std::ranges::any_of(meshes_, &GpuMesh::has_lines) ||
+         std::ranges::any_of(strokes_, is_there);
 }
 
 std::size_t Renderer::lights_at_once() {
@@ -330,19 +366,75 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   glDisable(GL_CULL_FACE);
 }
 
-/// `line_width` in samples.
-void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
+/// `per_side`: samples per pixel.
+void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side) {
   if (!has_lines()) return;
   Program& program = line_program();
   program.use();
-  program.set("line_color", kLineColor);
-  glLineWidth(static_cast<float>(line_width));
   for (const PlacedMesh& item : items) {
-    if (!meshes_[item.surface].has_lines()) continue;
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    if (!meshes_[item.surface].has_lines() || surface.is_stroke()) continue;
+    program.set("line_color", rgb(surface.line_color));
+    glLineWidth(static_cast<float>(per_side * line_width(scene, surface)));
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
     meshes_[item.surface].draw_lines();
   }
+}
+
+void Renderer::draw_strokes(const Scene& scene, const FittedCamera& camera,
+                            const Viewport& viewport, double unit) {
+  const int n = viewport.per_side;
+  const PixelRect& rect = viewport.rect;
+  const double margin = 2.0 * viewport.margin;
+  const dvec2 samples = static_cast<double>(n) * dvec2(rect.width + margin, rect.height + margin);
+  for (const Instance& instance : instances(scene)) {
+    const auto& strokes = strokes_[instance.surface];
+    const SurfaceSpec& surface = scene.surfaces[instance.surface];
+    if (!strokes || !surface.is_stroke()) continue;
+    if (!stroke_program_) {
+      stroke_program_.emplace(std::string(shader_source("stroke.vert.glsl")),
+                              std::string(shader_source("stroke.frag.glsl")));
+    }
+    const double half_width = line_width(scene, surface) / 2;
+    const FittedCamera nearer = camera_nearer(
+        camera, scene.camera.ortho,
+        (kHalfWidthsNearer * half_width + kPixelsNearer) * 2 / viewport.height);
+    const PlacedMesh item(instance, meshes_[instance.surface], nearer, unit);
+    if (!item.is_visible()) continue;
+    stroke_program_->use();
+    stroke_program_->set("model_to_clip",
+                         clip_to_rect(viewport.width, viewport.height, rect, viewport.margin) *
+                             item.model_to_clip);
+    stroke_program_->set("half_size", dvec3(samples / 2.0, n * half_width));
+    stroke_program_->set("line_color", rgb(surface.line_color));
+    stroke_program_->check_all_set();
+    strokes->draw();
+  }
+}
+
+/// The labels where the surfaces' nodes have them.
+std::vector<SpaceLabel> Renderer::labels_of(const Scene& scene, const FittedCamera& camera,
+                                            const dvec2& size) const {
+  std::vector<SpaceLabel> labels;
+  for (const Instance& instance : instances(scene)) {
+    const SurfaceSpec& surface = scene.surfaces[instance.surface];
+    const auto& anchor = anchors_[instance.surface];
+    if (surface.label.empty() || !anchor) continue;
+    const dvec3 place(instance.to_world * glm::dvec4(*anchor, 1));
+    const auto at = pixel_of(camera, place, size);
+    if (!at) continue;
+    double clear = surface.is_stroke() ? line_width(scene, surface) / 2 : 0;
+    const double radius = stroke_radius(scene, surface) * largest_stretch(instance.to_world);
+    if (radius > 0) {
+      const dvec3 up(camera.world_to_eye[0][1], camera.world_to_eye[1][1],
+                     camera.world_to_eye[2][1]);
+      const auto rim = pixel_of(camera, place + radius * up, size);
+      if (rim) clear = glm::length(*rim - *at);
+    }
+    labels.push_back({surface.label, *at, clear});
+  }
+  return labels;
 }
 
 /// Fainter than its labels.

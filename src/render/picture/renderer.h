@@ -11,6 +11,7 @@
 
 #include "mesh/model/mesh.h"
 #include "render/gl/gpu_mesh.h"
+#include "render/gl/gpu_strokes.h"
 #include "render/gl/program.h"
 #include "render/gl/viewport.h"
 #include "render/overlay/overlay_drawer.h"
@@ -86,19 +87,27 @@ class Renderer {
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                      int line_width, const Look& look);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
-  void draw_lines(std::span<const PlacedMesh> items, int line_width);
+  void draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side);
   void draw_marks(const PlacedMesh& item, int line_width);
   void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                 const Viewport& viewport, const dvec3& ink);
 
   std::size_t lights_at_once_ = 0;
+  void draw_strokes(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
+                    double unit);
+  std::vector<SpaceLabel> labels_of(const Scene& scene, const FittedCamera& camera,
+                                    const dvec2& size) const;
+
   std::vector<GpuMesh> meshes_;
+  std::vector<std::optional<GpuStrokes>> strokes_;  // of those without triangles
+  std::vector<std::optional<dvec3>> anchors_;       // of each
   std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
   std::map<std::string, Program> programs_;  // for surfaces, by their text
   ColormapTextures colormaps_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Program> line_program_;
+  std::optional<Program> stroke_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
   std::string unknown_letters_;

@@ -17,7 +17,14 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
-void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
+/// Definitions of the scene, or of a surface, whose prefix completes what messages call them.
+struct Definitions {
+  std::string prefix;
+  std::vector<Definition>& definitions;
+  std::vector<Slider>& sliders;
+};
+
+void read_params(TomlReader& reader, const TomlValue& table, const Definitions& to) {
   if (table.kind != Kind::Table) throw reader.source().wrong_type("params", table, "a table");
   for (const TomlEntry& entry : table.entries) {
     const std::string& key = entry.key;
@@ -31,10 +38,11 @@ void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
                                     "for example { value = 1, min = 0, max = 2 }");
       }
       formula = value.find("value");
-      scene.sliders.push_back({meant_name(key), reader.number(key + ": min", *value.find("min")),
-                               reader.number(key + ": max", *value.find("max"))});
+      const std::string name = to.prefix + key;
+      to.sliders.push_back({meant_name(key), reader.number(name + ": min", *value.find("min")),
+                            reader.number(name + ": max", *value.find("max"))});
     }
-    const std::string text = reader.formula(key, *formula);
+    const std::string text = reader.formula(to.prefix + key, *formula);
     reader.note("argument", key + "=" + text, entry.key_span);
     const Definition definition =
         reader.in_place([&] { return parse_definition(key + "=" + text); });
@@ -42,30 +50,38 @@ void read_params(TomlReader& reader, const TomlValue& table, Scene& scene) {
       throw reader.source().error("", "'" + key + "' is not a name", entry.key_span,
                                   "functions go into [functions]");
     }
-    scene.definitions.push_back(definition);
+    to.definitions.push_back(definition);
   }
 }
 
-void read_functions(TomlReader& reader, const TomlValue& table, Scene& scene) {
+void read_functions(TomlReader& reader, const TomlValue& table, const Definitions& to) {
   if (table.kind != Kind::Table) throw reader.source().wrong_type("functions", table, "a table");
   for (const TomlEntry& entry : table.entries) {
     const std::string& key = entry.key;
     const TomlValue& value = entry.value;
-    const std::string text = reader.formula(key, value);
+    const std::string text = reader.formula(to.prefix + key, value);
     reader.note("argument", key + "=" + text, entry.key_span);
     const Definition function = reader.in_place([&] { return parse_definition(key + "=" + text); });
     if (!function.is_function) {
       throw reader.source().error("", "'" + key + "' is not a function", entry.key_span,
                                   "write \"bump(s)\" = \"exp(-s*s)\"; values go into [params]");
     }
-    reader.note(display_name(function), function.text, value.span);
-    scene.definitions.push_back(function);
+    reader.note(to.prefix + display_name(function), function.text, value.span);
+    to.definitions.push_back(function);
   }
 }
 
+void read_definitions(TomlReader& reader, const TomlValue& table, const Definitions& to) {
+  with(table, "params", [&](const TomlValue& v) { read_params(reader, v, to); });
+  with(table, "functions", [&](const TomlValue& v) { read_functions(reader, v, to); });
+}
+
 SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
-  reader.source().check_keys("surface", table, keys_of(Table::Surface));
+  std::vector<std::string> keys = keys_of(Table::Surface);
+  keys.insert(keys.end(), {"params", "functions"});
+  reader.source().check_keys("surface", table, keys);
   SurfaceSpec spec;
+  read_definitions(reader, table, {prefix, spec.definitions, spec.sliders});
   read_keys(reader, prefix, table, spec);
   if (spec.z.empty()) {
     throw reader.source().error("surface", "z has no formula", table.span,
@@ -165,8 +181,7 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
   read_table(reader, root, "animation", Table::Animation, scene);
   read_keys(Table::Scene, reader, "", root, scene);  // the moment may be another than its start
   read_table(reader, root, "camera", Table::Camera, scene);
-  with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
-  with(root, "functions", [&](const TomlValue& v) { read_functions(reader, v, scene); });
+  read_definitions(reader, root, {"", scene.definitions, scene.sliders});
   with(root, "surface", [&](const TomlValue& v) {
     for (const TomlValue& table : reader.tables("surface", v)) {
       const std::string prefix = surface_prefix(scene.surfaces.size());

@@ -21,6 +21,12 @@ std::string parameter(const Definition& d, const std::vector<Slider>& sliders) {
   return table.text();
 }
 
+/// A key without quotes has only letters of ASCII.
+std::string toml_key(const std::string& name) {
+  const bool is_bare = std::ranges::all_of(name, [](char c) { return c > 0; });
+  return is_bare ? name : toml_string(name);
+}
+
 std::string definitions(const Scene& scene) {
   std::string params;
   std::string functions;
@@ -28,13 +34,26 @@ std::string definitions(const Scene& scene) {
     if (d.is_function) {
       functions += toml_string(display_name(d)) + " = " + toml_string(d.text) + "\n";
     } else {
-      const bool is_bare = std::ranges::all_of(d.name, [](char c) { return c > 0; });
-      params +=
-          (is_bare ? d.name : toml_string(d.name)) + " = " + parameter(d, scene.sliders) + "\n";
+      params += toml_key(d.name) + " = " + parameter(d, scene.sliders) + "\n";
     }
   }
   return (params.empty() ? "" : "\n[params]\n" + params) +
          (functions.empty() ? "" : "\n[functions]\n" + functions);
+}
+
+/// A surface's own.
+std::string definitions(const SurfaceSpec& spec) {
+  InlineTable params;
+  InlineTable functions;
+  for (const Definition& d : spec.definitions) {
+    if (d.is_function) {
+      functions.add(toml_string(display_name(d)), toml_string(d.text));
+    } else {
+      params.add(toml_key(d.name), parameter(d, spec.sliders));
+    }
+  }
+  return (params.empty() ? "" : "params = " + params.text() + "\n") +
+         (functions.empty() ? "" : "functions = " + functions.text() + "\n");
 }
 
 std::string transform(const Transform& step) {
@@ -70,7 +89,7 @@ std::string write_scene(const Scene& scene) {
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
   for (const SurfaceSpec& spec : scene.surfaces) {
-    if (!spec.is_stroke()) text += "\n[[surface]]\n" + write_keys(spec);
+    if (!spec.is_stroke()) text += "\n[[surface]]\n" + write_keys(spec) + definitions(spec);
   }
   for (const CurveSpec& curve : scene.curves) text += "\n[[curve]]\n" + write_keys(curve);
   for (const PointSpec& point : scene.points) text += "\n[[point]]\n" + write_keys(point);

@@ -3,8 +3,10 @@
 #include "scene/model/assignments.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -154,6 +156,11 @@ bool is_range(const Definition& definition) {
   return range_colon(definition.text).has_value();
 }
 
+bool is_of_surface(const Definition& definition) {
+  const std::string& name = definition.name;
+  return name != "t" && (is_coordinate(name) || is_parameter(name) || is_range(definition));
+}
+
 Definition parse_definition(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) {
@@ -186,24 +193,80 @@ void assign(Scene& scene, const std::string& assignment) {
   file(scene, parse_definition(assignment));
 }
 
-void override_assignment(Scene& scene, const std::string& assignment) {
-  const Definition definition = parse_definition(assignment);
+bool assign(CurveSpec& curve, const Definition& definition) {
+  const std::string& name = definition.name;
+  if (definition.is_function || name == "t") return false;
+  if (name == "s") {
+    curve.s = parse_range(definition);
+    return true;
+  }
+  if (is_range(definition)) {
+    throw Error(Status::Input, "a curve has a range of s, and of t",
+                {name, definition.text, {0, definition.text.size()}}, "write s=" + definition.text);
+  }
+  const auto own = std::to_array<std::pair<const char*, std::string*>>(
+      {{"x", &curve.x}, {"y", &curve.y}, {"z", &curve.z}, {"u", &curve.u}, {"v", &curve.v}});
+  const auto found = std::ranges::find(own, name, &std::pair<const char*, std::string*>::first);
+  if (found == own.end()) return false;
+  *found->second = definition.text;
+  return true;
+}
+
+bool assign(PointSpec& point, const Definition& definition) {
+  const std::string& name = definition.name;
+  if (definition.is_function || name == "t") return false;
+  const Place place{name, definition.text, {0, definition.text.size()}};
+  if (is_range(definition)) {
+    throw Error(Status::Input, "a point has no ranges", place, "for example point u=1 v=2");
+  }
+  if (is_coordinate(name)) {
+    throw Error(Status::Input, "the place of a point is one word", place,
+                "for example point 1,2,3");
+  }
+  if (name != "u" && name != "v") return false;
+  (name == "u" ? point.u : point.v) = definition.text;
+  return true;
+}
+
+namespace {
+
+std::vector<std::string> names_of(const Scene& scene) {
   std::vector<std::string> names;
   for (const Definition& known : scene.definitions) names.push_back(known.name);
   for (const char* name : {"x", "y", "z", "u", "v", "t"}) names.emplace_back(name);
-  if (std::ranges::find(names, definition.name) == names.end()) {
-    std::string hint = "known names:";
-    for (const std::string& name : names) hint += " " + name;
-    if (const auto nearest = nearest_name(definition.name, names)) {
-      hint += "; did you mean '" + *nearest + "'?";
-    }
-    throw Error(Status::Input, scene.title + " has no '" + definition.name + "'",
-                {"argument", assignment, trim(assignment, {0, assignment.find('=')})}, hint);
-  }
+  return names;
+}
+
+Span name_span(const std::string& assignment) {
+  return trim(assignment, {0, assignment.find('=')});
+}
+
+}  // namespace
+
+bool has_name(const Scene& scene, const std::string& name) {
+  const std::vector<std::string> names = names_of(scene);
+  return std::ranges::find(names, name) != names.end();
+}
+
+Error unknown_override(const Scene& scene, const std::string& assignment) {
+  const std::vector<std::string> names = names_of(scene);
+  const std::string name = parse_definition(assignment).name;
+  std::string hint = "known names:";
+  for (const std::string& known : names) hint += " " + known;
+  if (const auto nearest = nearest_name(name, names)) hint += "; did you mean '" + *nearest + "'?";
+  return {Status::Input,
+          scene.title + " has no '" + name + "'",
+          {"argument", assignment, name_span(assignment)},
+          hint};
+}
+
+void override_assignment(Scene& scene, const std::string& assignment) {
+  const Definition definition = parse_definition(assignment);
   const std::string& name = definition.name;
+  if (!has_name(scene, name)) throw unknown_override(scene, assignment);
   if (scene.surfaces.size() > 1 && (is_coordinate(name) || name == "u" || name == "v")) {
     throw Error(Status::Input, "each of the scene's surfaces has its own '" + name + "'",
-                {"argument", assignment, trim(assignment, {0, assignment.find('=')})},
+                {"argument", assignment, name_span(assignment)},
                 "change a parameter, or the scene file");
   }
   file(scene, definition);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
@@ -15,6 +16,9 @@ Definition parse_definition(const std::string& assignment);
 /// It is `NAME=MIN:MAX`.
 bool is_range(const Definition& definition);
 
+/// It is a surface's, not the scene's: the formula of a coordinate, or a range but that of t.
+bool is_of_surface(const Definition& definition);
+
 /// Puts one assignment into `scene`: `x=`, `y=`, `z=` and the ranges `u=MIN:MAX`, `v=MIN:MAX` into
 /// its (last) surface, `t=VALUE` and `t=MIN:MAX` into its time, anything else into its definitions;
 /// a name that is there already is replaced. The text splits at its first `=`, a range at its first
@@ -22,9 +26,23 @@ bool is_range(const Definition& definition);
 /// without a `:`, an empty expression.
 void assign(Scene& scene, const std::string& assignment);
 
-/// Like assign(), but the name must be there already: a parameter, function or range of the scene.
-/// Throws Error (Input) with the names that there are; for x, y, z, u and v of a scene with several
-/// surfaces.
+/// Puts the assignment into a curve, if it is one of its own: `x=`, `y=`, `z=`, `u=`, `v=`, all
+/// formulas of s, and the range `s=MIN:MAX`. Returns whether it was. Throws Error (Input): another
+/// range but that of t; `s=` without a `:`.
+bool assign(CurveSpec& curve, const Definition& definition);
+
+/// The same for a point: `u=` and `v=`. Throws Error (Input): a range but that of t; `x=`, `y=` or
+/// `z=`, which the word after `point` gives.
+bool assign(PointSpec& point, const Definition& definition);
+
+/// The scene has a parameter, function or range of that name, which can be overridden.
+bool has_name(const Scene& scene, const std::string& name);
+
+/// The error for an override of a name that the scene lacks, with the names that there are.
+Error unknown_override(const Scene& scene, const std::string& assignment);
+
+/// Like assign(), but the name must be there already: see has_name(). Throws Error (Input):
+/// unknown_override(); x, y, z, u and v of a scene with several surfaces.
 void override_assignment(Scene& scene, const std::string& assignment);
 
 }  // namespace saddle

@@ -117,7 +117,15 @@ std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpe
   names.push_back({"x", spec.x});
   names.push_back({"y", spec.y});
   names.push_back({"z", spec.z});
+  for (Definition own : spec.definitions) {
+    own.own = true;
+    names.push_back(std::move(own));
+  }
   return names;
+}
+
+Scope::View surface_view(const Scene&, const SurfaceSpec&) {
+  return {};
 }
 
 NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
@@ -163,39 +171,34 @@ constexpr const char* kExampleOfCurve = "x='cos(s)' y='sin(s)' z='s/5' s=0:tau";
 /// The formulas of a curve or point while they are parsed.
 class StrokeParser {
  public:
-  StrokeParser(Graph& graph, const Scene& scene)
-      : graph_(graph), scene_(scene), scope_(graph, scene.definitions), s_(graph.new_symbol()) {}
+  /// `parameter`: the name of the variable, "s" or none.
+  StrokeParser(Graph& graph, const Scene& scene, const std::string& parameter)
+      : graph_(graph),
+        scene_(scene),
+        scope_(graph, scene.definitions, {.parameters = {parameter, ""}, .lazy = true}) {}
 
   Scope& scope() { return scope_; }
   bool moves() const { return moves_; }
 
-  /// A formula of s and t, or of t alone for a point; empty: 0.
-  NodeId parse(const std::string& name, const std::string& text, bool is_curve) {
-    if (text.empty()) return graph_.constant(0);
-    const NodeId node =
-        is_curve ? scope_.parse_of("s", s_, name, text) : scope_.parse(name, text);
-    if (depends(graph_, node, kDependsU) || depends(graph_, node, kDependsV)) {
-      throw Error(Status::Input,
-                  is_curve ? "a curve depends on s, not on u or v" : "a point has no u or v to use",
-                  {name, text, {0, text.size()}},
-                  is_curve ? std::string("for example ") + kExampleOfCurve : "it may use numbers, parameters and t");
-    }
-    roots_.push_back(node);
-    return node;
+  /// A formula; empty: 0.
+  NodeId parse(const std::string& name, const std::string& text) {
+    roots_.push_back(text.empty() ? graph_.constant(0) : scope_.parse(name, text));
+    return roots_.back();
   }
 
   NodeId number(const std::string& name, const Number& number) {
-    return number.text.empty() ? graph_.constant(number.value) : parse(name, number.text, false);
+    return number.text.empty() ? graph_.constant(number.value) : parse(name, number.text);
   }
 
   /// These nodes; or with u and v on a surface, its x, y and z there. In u in place of s.
-  Coordinates place(const StrokeSpec& spec, const Coordinates& r, bool is_curve) {
+  Coordinates place(const StrokeSpec& spec, const Coordinates& r) {
     std::vector<NodeId> result(r.begin(), r.end());
     if (!spec.u.empty() || !spec.v.empty()) {
       const SurfaceSpec& surface = surface_under(scene_, spec);
-      const NodeId u = parse("u", spec.u, is_curve);
-      const NodeId v = parse("v", spec.v, is_curve);
-      Scope of_surface(graph_, surface_definitions(scene_, surface));
+      const NodeId u = parse("u", spec.u);
+      const NodeId v = parse("v", spec.v);
+      Scope of_surface(graph_, surface_definitions(scene_, surface),
+                       surface_view(scene_, surface));
       result = {of_surface.node("x"), of_surface.node("y"), of_surface.node("z")};
       roots_.insert(roots_.end(), result.begin(), result.end());
       result = of_surface.bind(result, scene_.t);
@@ -203,7 +206,6 @@ class StrokeParser {
     }
     moves_ = std::ranges::any_of(roots_, [&](NodeId n) { return depends(graph_, n, kDependsT); });
     result = scope_.bind(result, scene_.t);
-    result = substitute(graph_, result, {{s_, graph_.variable(kSymbolU)}});
     return {result[0], result[1], result[2]};
   }
 
@@ -211,7 +213,6 @@ class StrokeParser {
   Graph& graph_;
   const Scene& scene_;
   Scope scope_;
-  Symbol s_;
   std::vector<NodeId> roots_;
   bool moves_ = false;
 };
@@ -252,7 +253,7 @@ BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
   check_place(spec, spec.at.has_value(), "point", "point 1,2,3");
   BoundSurface result;
   Graph& graph = result.graph;
-  StrokeParser parser(graph, scene);
+  StrokeParser parser(graph, scene, "");
   Coordinates at{};
   if (spec.at) {
     at = {parser.number("at", spec.at->x), parser.number("at", spec.at->y),
@@ -260,7 +261,7 @@ BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
   }
   const Number radius = spec.radius.value_or(0);
   parser.number("radius", radius);
-  at = parser.place(spec, at, false);
+  at = parser.place(spec, at);
   const Expression r{&graph, graph.constant(radius.value)};
   const auto of = [&](Op op, Symbol symbol) {
     return make(op, Expression{&graph, graph.variable(symbol)});
@@ -278,16 +279,16 @@ BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec) {
   check_place(spec, !(spec.x.empty() && spec.y.empty() && spec.z.empty()), "curve", kExampleOfCurve);
   BoundCurve result;
   Graph& graph = result.graph;
-  StrokeParser parser(graph, scene);
+  StrokeParser parser(graph, scene, "s");
   const RangeText range("s", spec.s);
   const std::array<NodeId, 2> ends = parse_ends(parser.scope(), range);
   const Ends s = constant_ends(parser.scope(), range, scene.t);
   result.from = s.min;
   result.to = s.max;
-  const Coordinates r = {parser.parse("x", spec.x, true), parser.parse("y", spec.y, true),
-                         parser.parse("z", spec.z, true)};
+  const Coordinates r = {parser.parse("x", spec.x), parser.parse("y", spec.y),
+                         parser.parse("z", spec.z)};
   if (spec.radius) parser.number("radius", *spec.radius);
-  result.r = parser.place(spec, r, true);
+  result.r = parser.place(spec, r);
   result.moves = parser.moves() || std::ranges::any_of(ends, [&](NodeId end) {
                    return depends(graph, end, kDependsT);
                  });
@@ -308,7 +309,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   }
   BoundSurface result;
   Graph& graph = result.graph;
-  Scope scope(graph, surface_definitions(scene, spec));
+  Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
   const RangeText range_u("u", spec.u);
   const RangeText range_v("v", spec.v);
   const std::array<NodeId, 2> ends_u = parse_ends(scope, range_u);
@@ -358,14 +359,31 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
   return result;
 }
 
-std::vector<Definition> constant_names(const Scene& scene) {
-  const bool has_surface = !scene.surfaces.empty() && !scene.surfaces.back().z.empty();
-  return has_surface ? surface_definitions(scene, scene.surfaces.back()) : scene.definitions;
+namespace {
+
+/// The surface whose x, y and z constant expressions see; nullptr if none has formulas.
+const SurfaceSpec* seen_surface(const Scene& scene, const SurfaceSpec* spec) {
+  if (spec == nullptr && !scene.surfaces.empty()) spec = &scene.surfaces.back();
+  return spec == nullptr || spec->z.empty() ? nullptr : spec;
+}
+
+}  // namespace
+
+std::vector<Definition> constant_names(const Scene& scene, const SurfaceSpec* spec) {
+  const SurfaceSpec* const seen = seen_surface(scene, spec);
+  return seen == nullptr ? scene.definitions : surface_definitions(scene, *seen);
+}
+
+Scope::View constant_view(const Scene& scene, const SurfaceSpec* spec) {
+  const SurfaceSpec* const seen = seen_surface(scene, spec);
+  Scope::View view = seen == nullptr ? Scope::View{} : surface_view(scene, *seen);
+  view.of_surface = spec != nullptr;
+  return view;
 }
 
 double finite_constant(const Scene& scene, const std::string& name, const std::string& text) {
   Graph graph;
-  Scope scope(graph, constant_names(scene));
+  Scope scope(graph, constant_names(scene), constant_view(scene));
   const double value = scope.constant(name, text);
   if (!std::isfinite(value)) {
     throw Error(Status::Input, "not a finite number", {name, text, {0, text.size()}});

@@ -12,8 +12,10 @@
 
 namespace saddle {
 
-/// All that has a name in the formulas: the scene's definitions and the surface's own x, y and z.
+/// All that has a name in the formulas: the scene's definitions, the surface's own, and its x, y
+/// and z; and how the surface sees them.
 std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec);
+Scope::View surface_view(const Scene& scene, const SurfaceSpec& spec);
 
 /// v between ends that depend on u, from the lower one (s = 0) to the upper one (s = 1), both
 /// exact. The part s takes the place of v as a variable of the surface.
@@ -68,9 +70,10 @@ struct PreparedSurface {
 PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec,
                                 Order order = Order::First);
 
-/// The names that constant expressions of the scene may use: its definitions, which may use x, y
-/// and z of its (last) surface.
-std::vector<Definition> constant_names(const Scene& scene);
+/// The names that constant expressions of a surface may use, or, without one, those of the scene:
+/// its definitions, which may use x, y and z of its (last) surface.
+std::vector<Definition> constant_names(const Scene& scene, const SurfaceSpec* spec = nullptr);
+Scope::View constant_view(const Scene& scene, const SurfaceSpec* spec = nullptr);
 
 /// The value of a constant expression that may use the scene's parameters; `name` stands for it in
 /// messages. Throws Error (Input): anything wrong with a formula, a value that is not finite.

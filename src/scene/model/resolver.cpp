@@ -40,7 +40,7 @@ void Resolver::color(const std::string& name, Color& c, const Limits& limits) {
 }
 
 Scope& Resolver::scope() {
-  if (!scope_) scope_.emplace(graph_, constant_names(scene_));
+  if (!scope_) scope_.emplace(graph_, constant_names(scene_, own_), constant_view(scene_, own_));
   return *scope_;
 }
 

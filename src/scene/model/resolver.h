@@ -15,9 +15,11 @@ namespace saddle {
 /// anything wrong with the expression, a value that is not finite or outside of its limits.
 class Resolver {
  public:
-  /// The scene stays where it is.
-  explicit Resolver(const Scene& scene) : scene_(scene) {}
-  explicit Resolver(Scene&&) = delete;
+  /// Of the numbers of the scene, or of one of its surfaces, which sees definitions of its own. The
+  /// scene stays where it is.
+  explicit Resolver(const Scene& scene, const SurfaceSpec* own = nullptr)
+      : scene_(scene), own_(own) {}
+  explicit Resolver(Scene&&, const SurfaceSpec* = nullptr) = delete;
   Resolver(const Resolver&) = delete;
   Resolver& operator=(const Resolver&) = delete;
 
@@ -39,6 +41,7 @@ class Resolver {
   Scope& scope();
 
   const Scene& scene_;
+  const SurfaceSpec* own_;
   Graph graph_;
   std::optional<Scope> scope_;
   std::optional<double> t_;

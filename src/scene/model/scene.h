@@ -74,6 +74,13 @@ struct Range {
   std::string max = "1";
 };
 
+/// The values that the viewer offers for a parameter.
+struct Slider {
+  std::string name;
+  Number min = 0;
+  Number max = 1;
+};
+
 struct SurfaceSpec {
   std::string name = "surface";
   std::string x = "u";
@@ -91,6 +98,8 @@ struct SurfaceSpec {
   /// its time, which is computed: scene files have none.
   std::optional<ColorRange> color_range = {};
   bool flip = false;
+  std::vector<Definition> definitions;  ///< of its own: they hide the scene's of the same name
+  std::vector<Slider> sliders;          ///< for these
   Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
   std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: grows with the picture
   Color line_color = kLineColor;
@@ -234,13 +243,6 @@ struct PictureSettings {
   int antialias = 2;  ///< samples per pixel and side, 1 (off) to kMaxAntialias
   Shading shading = Shading::Pixel;
   Specular specular = Specular::Phong;
-};
-
-/// The values that the viewer offers for a parameter.
-struct Slider {
-  std::string name;
-  Number min = 0;
-  Number max = 1;
 };
 
 /// Time that passes: frame k of n, counted from 0, shows the moment from + (to - from) k / n. The

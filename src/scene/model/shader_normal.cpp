@@ -33,7 +33,7 @@ ShaderNormal shader_normal(const Scene& scene, const SurfaceSpec& spec) {
   ShaderNormal result;
   result.flip = bind_surface(scene, spec).flip;
   Graph graph;
-  Scope scope(graph, surface_definitions(scene, spec));
+  Scope scope(graph, surface_definitions(scene, spec), surface_view(scene, spec));
   const std::vector<NodeId> roots = derivatives(graph, scope);
   const auto values = [&](std::span<const NodeId> nodes) {
     std::vector<double> numbers;

@@ -26,7 +26,8 @@ Number parse_expression(const Given& given, Span part) {
   } catch (const Error&) {
     if (given.scene) {
       Graph graph;
-      Scope scope(graph, constant_names(*given.scene));
+      Scope scope(graph, constant_names(*given.scene, given.surface),
+                  constant_view(*given.scene, given.surface));
       const double now = scope.constant(given.option, given.text, part, given.scene->t);
       if (!std::isfinite(now) && !scope.has_used_time()) throw;
     }

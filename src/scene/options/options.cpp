@@ -203,20 +203,26 @@ void check_value(const Option& option, const std::string& text) {
 }
 
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
-  const kinds::Given given{&scene, dashed(option), text};
-  if (option.scene) parse_slot(option.scene(scene), given);
-  if (option.surface) {
-    for (SurfaceSpec& surface : scene.surfaces) parse_slot(option.surface(surface), given);
-  }
-  if (option.stroke) {
-    for (CurveSpec& curve : scene.curves) parse_slot(option.stroke(curve), given);
-    for (PointSpec& point : scene.points) parse_slot(option.stroke(point), given);
-  }
+  if (option.scene) parse_slot(option.scene(scene), {&scene, dashed(option), text});
+  for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
+  for (CurveSpec& curve : scene.curves) apply_option(option, text, scene, curve);
+  for (PointSpec& point : scene.points) apply_option(option, text, scene, point);
+}
+
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  SurfaceSpec& surface) {
+  if (option.surface) parse_slot(option.surface(surface), {&scene, dashed(option), text, &surface});
 }
 
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
                   StrokeSpec& stroke) {
-  parse_slot(option.stroke(stroke), {&scene, dashed(option), text});
+  if (option.stroke) parse_slot(option.stroke(stroke), {&scene, dashed(option), text});
+}
+
+void set_place(const std::string& text, PointSpec& point) {
+  Vector at;
+  parse_slot(kinds::Point{&at}, {nullptr, "point", text});
+  point.at = at;
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {

@@ -45,6 +45,7 @@ struct Option {
   std::string_view more = {};   ///< what --help NAME adds
   unsigned commands = kSurfaceCommands;  ///< that take it
   bool repeats = false;                  ///< each time it is given counts, not only the last
+  bool object = false;                   ///< of the object it stands with, not of the scene
   std::string_view needs = {};           ///< an option without which it would do nothing
   std::string_view excludes = {};        ///< an option that says the opposite
   Table table = Table::None;             ///< of the scene file
@@ -79,9 +80,6 @@ std::string default_toml(const Option& option);
 /// The limits of an option that takes a number, "more than 0" or "1 to 16"; "" for others.
 std::string limits_text(const Option& option);
 
-/// An option sets what curves and points have, or what surfaces have.
-inline bool is_for_strokes(const Option& option) { return option.stroke != nullptr; }
-
 /// The words of a choice.
 std::vector<std::string> choices(const Option& option);
 
@@ -94,9 +92,15 @@ void check_value(const Option& option, const std::string& text);
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
 
-/// Changes one curve or point, by an option that is_for_strokes(). `scene` is the one it is in.
+/// Changes what an object's option is about, for one surface, curve or point of the scene. Throws
+/// Error (Input).
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  SurfaceSpec& surface);
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
                   StrokeSpec& stroke);
+
+/// Sets the place of a point, X,Y,Z. Throws Error (Input).
+void set_place(const std::string& text, PointSpec& point);
 
 /// Changes what an option of the run is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, RunSettings& run);

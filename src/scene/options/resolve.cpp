@@ -1,6 +1,7 @@
 // Replaces each expression of a scene by its number, by the tables of options and lights.
 #include "scene/options/resolve.h"
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <vector>
@@ -35,19 +36,55 @@ void resolve_node(Resolver& resolver, SceneNode& node) {
   }
 }
 
-void resolve_slider(Resolver& resolver, Slider& slider) {
-  resolver.number(slider.name + ": min", slider.min, kAny);
-  resolver.number(slider.name + ": max", slider.max, kAny);
-  if (slider.min < slider.max) return;
-  throw Error(Status::Input, "min must be less than max", {slider.name + ": max", {}, {}});
+void resolve_sliders(Resolver& resolver, const std::string& prefix, std::vector<Slider>& sliders) {
+  for (Slider& slider : sliders) {
+    const std::string name = prefix + slider.name;
+    resolver.number(name + ": min", slider.min, kAny);
+    resolver.number(name + ": max", slider.max, kAny);
+    if (slider.min < slider.max) continue;
+    throw Error(Status::Input, "min must be less than max", {name + ": max", {}, {}});
+  }
 }
 
+/// One for the scene's numbers and those of most surfaces; surfaces with definitions of their own
+/// have one each.
+class Resolvers {
+ public:
+  explicit Resolvers(const Scene& scene) : shared_(scene), own_(scene.surfaces.size()) {
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+      const SurfaceSpec& spec = scene.surfaces[i];
+      if (!spec.definitions.empty()) own_[i] = std::make_unique<Resolver>(scene, &spec);
+    }
+  }
+
+  Resolver& of_scene() { return shared_; }
+  Resolver& of_surface(std::size_t index) { return own_[index] ? *own_[index] : shared_; }
+  void set_time(double t) {
+    shared_.set_time(t);
+    for (const auto& resolver : own_) {
+      if (resolver) resolver->set_time(t);
+    }
+  }
+  bool have_used_time() const {
+    return shared_.has_used_time() || std::ranges::any_of(own_, [](const auto& resolver) {
+             return resolver && resolver->has_used_time();
+           });
+  }
+
+ private:
+  Resolver shared_;
+  std::vector<std::unique_ptr<Resolver>> own_;
+};
+
 /// Everything but the moment itself.
-void resolve_at(Resolver& resolver, Scene& scene) {
-  resolver.set_time(scene.t);
+void resolve_at(Resolvers& resolvers, Scene& scene) {
+  resolvers.set_time(scene.t);
+  Resolver& resolver = resolvers.of_scene();
   resolve_keys(resolver, Table::Scene, scene);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    resolve_keys(resolver, surface_prefix(i), scene.surfaces[i]);
+    SurfaceSpec& spec = scene.surfaces[i];
+    resolve_keys(resolvers.of_surface(i), surface_prefix(i), spec);
+    resolve_sliders(resolvers.of_surface(i), surface_prefix(i), spec.sliders);
   }
   for (std::size_t i = 0; i < scene.curves.size(); ++i) {
     resolve_keys(resolver, curve_prefix(i), scene.curves[i]);
@@ -64,7 +101,7 @@ void resolve_at(Resolver& resolver, Scene& scene) {
     const Animation& film = *scene.animation;
     scene.camera.turn = 2 * std::numbers::pi * (scene.t - film.from) / (film.to - film.from);
   }
-  for (Slider& slider : scene.sliders) resolve_slider(resolver, slider);
+  resolve_sliders(resolver, "", scene.sliders);
 }
 
 /// Nodes by their names.
@@ -152,15 +189,15 @@ std::string node_prefix(const SceneNode& node) {
 }
 
 struct Timeline::Parsed {
-  Resolver resolver;
+  Resolvers resolvers;
 
-  explicit Parsed(const Scene& scene) : resolver(scene) {}
+  explicit Parsed(const Scene& scene) : resolvers(scene) {}
 };
 
 Timeline::Timeline(Scene scene)
     : scene_(std::move(scene)), parsed_(std::make_unique<Parsed>(scene_)) {
   check_nodes(scene_);
-  Resolver& resolver = parsed_->resolver;
+  Resolver& resolver = parsed_->resolvers.of_scene();
   resolver.number("t", scene_.t, kAny);
   if (scene_.animation) resolve_keys(resolver, Table::Animation, scene_);
 }
@@ -170,12 +207,12 @@ Timeline::~Timeline() = default;
 Scene Timeline::at(double t) {
   Scene scene = scene_;
   scene.t = t;
-  resolve_at(parsed_->resolver, scene);
+  resolve_at(parsed_->resolvers, scene);
   return scene;
 }
 
 bool Timeline::moves() const {
-  return parsed_->resolver.has_used_time() || (scene_.camera.turntable && scene_.animation);
+  return parsed_->resolvers.have_used_time() || (scene_.camera.turntable && scene_.animation);
 }
 
 Scene resolve(Scene scene) {

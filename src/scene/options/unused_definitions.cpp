@@ -3,10 +3,9 @@
 #include "scene/options/unused_definitions.h"
 
 #include <algorithm>
-#include <set>
-#include <string_view>
 
 #include "formula/lexer.h"
+#include "scene/options/options.h"
 #include "scene/toml/scene_file.h"
 
 namespace saddle {
@@ -14,51 +13,76 @@ namespace {
 
 using Words = std::set<std::string>;
 
-/// The names in a text, as formulas mean them.
-Words words_of(std::string_view text) {
-  Words words;
-  while (!text.empty()) {
-    const std::size_t length = name_length(text);
-    if (length > 0) words.insert(meant_name(text.substr(0, length)));
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return words;
-}
-
-/// The text of all but definitions, titles and keys: what stands in quotes.
-std::string text_without_definitions(const Scene& scene) {
-  Scene rest = scene;
-  rest.title.clear();
-  rest.definitions.clear();
-  for (SurfaceSpec& surface : rest.surfaces) surface.name.clear();
+/// What stands in quotes: no keys.
+std::string quoted_text(const std::string& toml) {
   std::string text;
   bool quoted = false;
-  for (const char c : write_scene(rest)) {
+  for (const char c : toml) {
     quoted = quoted != (c == '"');
     text += quoted ? c : ' ';
   }
-  for (const Slider& slider : scene.sliders) text += slider.min.text + " " + slider.max.text + " ";
   return text;
+}
+
+std::string text_of(const std::vector<Slider>& sliders) {
+  std::string text;
+  for (const Slider& slider : sliders) text += slider.min.text + " " + slider.max.text + " ";
+  return text;
+}
+
+/// All but surfaces, definitions and titles.
+std::string text_of_scene(const Scene& scene) {
+  Scene rest = scene;
+  rest.title.clear();
+  rest.definitions.clear();
+  rest.surfaces.clear();
+  return quoted_text(write_scene(rest)) + text_of(scene.sliders);
+}
+
+std::string text_of_surface(SurfaceSpec spec) {
+  spec.name.clear();
+  return quoted_text(write_keys(spec)) + text_of(spec.sliders);
 }
 
 }  // namespace
 
-std::vector<std::string> unused_definitions(const Scene& scene) {
-  Words used = words_of(text_without_definitions(scene));
+std::vector<std::string> take_used(std::span<const Definition> definitions, Words& words) {
   std::vector<const Definition*> left;
-  for (const Definition& definition : scene.definitions) left.push_back(&definition);
-  const auto take_used = [&](const Definition* definition) {
-    if (!used.contains(definition->name)) return false;
-    Words words = words_of(definition->text);
-    for (const std::string& argument : definition->arguments) words.erase(argument);
-    used.merge(words);
+  for (const Definition& definition : definitions) left.push_back(&definition);
+  const auto take = [&](const Definition* definition) {
+    if (!words.contains(definition->name)) return false;
+    Words names = names_in(definition->text);
+    for (const std::string& argument : definition->arguments) names.erase(argument);
+    words.merge(names);
     return true;
   };
-  while (std::erase_if(left, take_used) > 0) {
+  while (std::erase_if(left, take) > 0) {
   }
   std::vector<std::string> names;
   for (const Definition* definition : left) names.push_back(definition->name);
   return names;
+}
+
+std::set<std::string> names_used_by(const SurfaceSpec& spec) {
+  Words words = names_in(text_of_surface(spec));
+  take_used(spec.definitions, words);
+  for (const Definition& own : spec.definitions) words.erase(own.name);
+  return words;
+}
+
+std::vector<std::string> unused_definitions(const Scene& scene) {
+  Words used = names_in(text_of_scene(scene));
+  std::vector<std::string> unused;
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    Words words = names_in(text_of_surface(spec));
+    for (const std::string& name : take_used(spec.definitions, words)) {
+      unused.push_back(spec.name + ": " + name);
+    }
+    used.merge(names_used_by(spec));
+  }
+  const std::vector<std::string> shared = take_used(scene.definitions, used);
+  unused.insert(unused.begin(), shared.begin(), shared.end());
+  return unused;
 }
 
 }  // namespace saddle

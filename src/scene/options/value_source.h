@@ -10,9 +10,10 @@ namespace saddle::kinds {
 
 /// An option on the command line.
 struct Given {
-  const Scene* scene;         ///< that it changes; null if it is not known yet
-  const std::string& option;  ///< "--size"
-  const std::string& text;    ///< its value
+  const Scene* scene;                    ///< that it changes; null if it is not known yet
+  const std::string& option;             ///< "--size"
+  const std::string& text;               ///< its value
+  const SurfaceSpec* surface = nullptr;  ///< that it changes; null: none or several
 };
 
 /// Where a value stands in a scene file.

@@ -88,11 +88,11 @@ TEST(Scope, SaysWhatIsNotConstant) {
   }
 }
 
-TEST(Scope, ListsItsParametersWithTheirValues) {
+TEST(Scope, ListsItsConstantsWithTheirValues) {
   Graph graph;
   const Scope scope(graph, {{"a", "2"}, {"b", "a^2"}, {"w", "u*a"}, {"x", "1"}});
-  const std::map<std::string, double> expected = {{"a", 2}, {"b", 4}};
-  EXPECT_EQ(scope.parameters(), expected);
+  const std::unordered_map<Symbol, double> expected = {{graph[scope.node("a")].symbol, 2}};
+  EXPECT_EQ(scope.constants(), expected);
 }
 
 TEST(Scope, BindsTheTime) {
