@@ -77,6 +77,7 @@ struct Node {
   bool there = false;  ///< defined, and in the clip box
   bool open = true;    ///< the chord to the next node is not good yet
   bool cut = false;    ///< there is no chord
+  bool known = false;  ///< a place was found that is too far from the chord
   int halvings = 0;
   double error = 0;  ///< of the chord
 };
@@ -161,7 +162,7 @@ class CurveMesher {
       const std::span<const CurvePoint> inner(&samples[k], 3);
       k += 3;
       Node& node = next.back();
-      node.open = !is_good(node, nodes_[i + 1], inner);
+      node.open = !is_good(node, nodes_[i + 1], inner) || std::exchange(node.known, false);
       const double middle = inner[1].s;
       if (!node.open) continue;
       if (middle == node.point.s || middle == nodes_[i + 1].point.s) {
@@ -264,7 +265,7 @@ class CurveMesher {
       const dvec3& a = node.point.position;
       const dvec3& b = nodes_[part.node + 1].point.position;
       const double off = distance_to_chord(middles[i].position, a, b);
-      node.open = node.open || !is_there(middles[i]) || off > tolerance(a, b);
+      if (!is_there(middles[i]) || off > tolerance(a, b)) node.open = node.known = true;
       if (node.open) continue;
       result.push_back({part.node, part.from, middles[i], std::max(part.off, off)});
       result.push_back({part.node, middles[i], part.to, std::max(part.off, off)});

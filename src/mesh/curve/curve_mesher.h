@@ -18,7 +18,7 @@ struct CurveRequest {
   double radius = 0;  ///< of the tube round the curve, which keeps the tolerance too; 0: a line
   /// The curve is cut along this box.
   std::optional<Bounds> clip = {};
-  std::size_t max_points = 200'000;  ///< refinement stops there
+  std::size_t max_points = 50'000;  ///< refinement stops there
 };
 
 /// Neighbouring points of a curve that chords join.
