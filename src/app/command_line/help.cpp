@@ -25,6 +25,8 @@ constexpr const char* kUsage =
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene;
                                                        - is standard input
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
+  saddle ... + curve x=... y=... z=... s=MIN:MAX       curves and points beside surfaces; with
+  saddle ... + point X,Y,Z [--radius R] [--label TEXT] u=... v=... on the surface before them
   saddle check ...same arguments...                    what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
                                                        this surface: .svg .png .csv
@@ -40,6 +42,7 @@ Examples:
   saddle torus r=0.4 -o torus.ply -o torus.png
   saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
   saddle z='sin(3*u+t)*cos(v)' t=0:tau -o waves.gif
+  saddle torus + curve u='2*s' v='3*s' s=0:tau --radius 0.05 + point u=0 v=0 --label P -o knot.png
 )";
 
 constexpr const char* kScene =
@@ -190,7 +193,8 @@ std::string in_columns(const std::string& heading, const std::vector<std::string
 
 std::string scene_text() {
   std::string text = kScene;
-  for (const Table table : {Table::Scene, Table::Surface, Table::Camera, Table::Animation}) {
+  for (const Table table : {Table::Scene, Table::Surface, Table::Stroke, Table::Curve, Table::Point, Table::Camera,
+                            Table::Animation}) {
     std::vector<std::string> entries;
     for (const Option& option : options()) {
       if (option.table == table) entries.push_back(key_text(option));

@@ -225,6 +225,18 @@ void check_colormap_is_used(const std::vector<GivenOption>& options,
               "--color z colours by height, --color gauss by curvature");
 }
 
+/// Curves or points of an object, with a number after a name that others have.
+template <typename Stroke>
+void add_numbered(const std::vector<Stroke>& added, bool renames, std::vector<Stroke>& strokes) {
+  for (Stroke stroke : added) {
+    const std::string name = stroke.name;
+    for (int number = 2; renames && std::ranges::count(strokes, stroke.name, &Stroke::name) > 0;) {
+      stroke.name = name + " " + std::to_string(number++);
+    }
+    strokes.push_back(std::move(stroke));
+  }
+}
+
 /// The name of a surface, which a number makes different from those of others.
 std::string unique_name(Scene& scene, std::size_t surface) {
   std::string& name = scene.surfaces[surface].name;
@@ -267,8 +279,8 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
       scene.surfaces.push_back(std::move(spec));
     }
     option_names.merge(names);
-    std::ranges::copy(object->scene.curves, std::back_inserter(scene.curves));
-    std::ranges::copy(object->scene.points, std::back_inserter(scene.points));
+    add_numbered(object->scene.curves, object != base, scene.curves);
+    add_numbered(object->scene.points, object != base, scene.points);
   }
   if (apart) scene.definitions.insert(scene.definitions.end(), shared.begin(), shared.end());
   pool.settle(unused_of(scene, shared, option_names, apart), scene.definitions);

@@ -326,6 +326,7 @@ class CurveMesher {
 
   /// Each place once: both sides of a cut may name it.
   void add(double s, std::vector<double>& places) const {
+    if (std::fabs(s) <= kRounding * (high_ - low_)) s = 0;  // a cut beside 0
     if (!places.empty() && s - places.back() <= kSame * (high_ - low_)) return;
     places.push_back(s);
   }
