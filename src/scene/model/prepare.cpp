@@ -124,8 +124,9 @@ std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpe
   return names;
 }
 
-Scope::View surface_view(const Scene&, const SurfaceSpec&) {
-  return {};
+/// Definitions of a scene with curves may use s.
+Scope::View surface_view(const Scene& scene, const SurfaceSpec&) {
+  return {.lazy = !scene.curves.empty()};
 }
 
 NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
@@ -376,7 +377,7 @@ std::vector<Definition> constant_names(const Scene& scene, const SurfaceSpec* sp
 
 Scope::View constant_view(const Scene& scene, const SurfaceSpec* spec) {
   const SurfaceSpec* const seen = seen_surface(scene, spec);
-  Scope::View view = seen == nullptr ? Scope::View{} : surface_view(scene, *seen);
+  Scope::View view = surface_view(scene, seen == nullptr ? SurfaceSpec() : *seen);
   view.of_surface = spec != nullptr;
   return view;
 }

@@ -220,9 +220,13 @@ void apply_option(const Option& option, const std::string& text, const Scene& sc
 }
 
 void set_place(const std::string& text, PointSpec& point) {
-  Vector at;
-  parse_slot(kinds::Point{&at}, {nullptr, "point", text});
-  point.at = at;
+  const std::vector<Span> parts =
+      parse_list("point", text, 3, "a place in space has three numbers", "1,2,3");
+  const auto number = [&](const Span& part) {
+    const std::string word = text.substr(part.begin, part.end - part.begin);
+    return is_toml_number(word) ? Number(parse_number("point", word)) : Number(word);
+  };
+  point.at = {number(parts[0]), number(parts[1]), number(parts[2])};
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {

@@ -39,7 +39,7 @@ CurveRequest within(double tolerance, double radius = 0) {
   return request;
 }
 
-double to_chord(const dvec3& p, const dvec3& a, const dvec3& b) {
+double chord_distance(const dvec3& p, const dvec3& a, const dvec3& b) {
   const double share = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
   return glm::length(p - (a + share * (b - a)));
 }
@@ -57,7 +57,7 @@ TEST(CurveMesher, KeepsAHelixWithinTheTolerance) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     for (int k = 0; k <= 20; ++k) {
       const double s = chain[i - 1].s + (chain[i].s - chain[i - 1].s) * k / 20;
-      worst = std::max(worst, to_chord(helix(s), chain[i - 1].position, chain[i].position));
+      worst = std::max(worst, chord_distance(helix(s), chain[i - 1].position, chain[i].position));
     }
   }
   EXPECT_LE(worst, kTolerance);
@@ -151,7 +151,7 @@ TEST(CurveMesher, LeavesOutWhatIsUndefined) {
 }
 
 /// The volume inside of a closed mesh (divergence theorem).
-double volume(const Mesh& mesh) {
+double volume_inside(const Mesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) {
     sum += glm::dot(mesh.position[t[0]], glm::cross(mesh.position[t[1]], mesh.position[t[2]])) / 6;
@@ -174,7 +174,7 @@ TEST(Tube, RoundACircleIsATorus) {
   EXPECT_TRUE(found.is_closed());
   EXPECT_TRUE(found.orientable);
   EXPECT_EQ(found.euler_number, 0);
-  EXPECT_NEAR(volume(mesh), 4 * kPi * kPi * kRadius * kRadius, 0.02);
+  EXPECT_NEAR(volume_inside(mesh), 4 * kPi * kPi * kRadius * kRadius, 0.02);
 }
 
 TEST(Tube, RoundASegmentIsACapsule) {
@@ -184,12 +184,12 @@ TEST(Tube, RoundASegmentIsACapsule) {
   const Mesh mesh = tube_mesh(line, kRadius, 1e-3);
   const dvec3 end(1, 1, 2);
   for (const dvec3& p : mesh.position) {
-    EXPECT_NEAR(to_chord(p, dvec3(0), end), kRadius, 1e-14);
+    EXPECT_NEAR(chord_distance(p, dvec3(0), end), kRadius, 1e-14);
   }
   EXPECT_TRUE(topology(mesh).is_closed());
   EXPECT_EQ(topology(mesh).euler_number, 2);
   const double true_volume = kPi * kRadius * kRadius * (glm::length(end) + 4 * kRadius / 3);
-  EXPECT_NEAR(volume(mesh) / true_volume, 1, 0.01);
+  EXPECT_NEAR(volume_inside(mesh) / true_volume, 1, 0.01);
 }
 
 /// The Frenet frame flips at an inflection; rings that follow it would be twisted by half a turn.
@@ -220,8 +220,8 @@ TEST(Tube, HasAJointAtACorner) {
   for (const dvec3& p : mesh.position) {
     lowest = std::min(lowest, p.y);
     // A corner of the mesh is on the tube of one of the two sides, or inside of the other one.
-    const double left = to_chord(p, dvec3(-1, 1, 0), dvec3(0));
-    const double right = to_chord(p, dvec3(0), dvec3(1, 1, 0));
+    const double left = chord_distance(p, dvec3(-1, 1, 0), dvec3(0));
+    const double right = chord_distance(p, dvec3(0), dvec3(1, 1, 0));
     EXPECT_NEAR(left, kRadius, left < right + 1e-9 ? 0.11 : 5);
     EXPECT_LE(std::min(left, right), kRadius + 1e-9);
   }
