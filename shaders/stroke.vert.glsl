@@ -14,16 +14,15 @@ flat out vec2 to;
 void main() {
   vec4 a = model_to_clip * vec4(position, 1.0);
   vec4 b = model_to_clip * vec4(far_end, 1.0);
-  // What is before the near plane has no place on the screen.
-  float depth_a = a.z + a.w;
-  float depth_b = b.z + b.w;
-  if (depth_a < 0.0 && depth_b < 0.0) {
+  // What is beside or behind the eye has no place on the screen.
+  float least = 0.01 * max(a.w, b.w);
+  if (least <= 0.0) {
     from = to = vec2(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  if (depth_a < 0.0) a = mix(a, b, depth_a / (depth_a - depth_b));
-  if (depth_b < 0.0) b = mix(b, a, depth_b / (depth_b - depth_a));
+  if (a.w < least) a = mix(a, b, (least - a.w) / (b.w - a.w));
+  if (b.w < least) b = mix(b, a, (least - b.w) / (a.w - b.w));
   from = a.xy / a.w * half_size.xy;
   to = b.xy / b.w * half_size.xy;
   vec2 way = to - from;

@@ -209,7 +209,7 @@ constexpr Row kRows[] = {
      "x='cos(s)' y='sin(s)' z='s/5' s=0:tau",
      "curve x='cos(s)' y='sin(s)' z='s/5' s=0:tau -o a.toml"},
     {"curve x=t t=0:1 -o a.toml", "the curve does not depend on s", "t is time", ""},
-    {"curve x=s u=s v=0 -o a.toml", "u: the curve has two places", "leave one of them out",
+    {"torus + curve x=s u=s v=0 -o a.toml", "u: the curve has two places", "leave one of them out",
      "curve x=s -o a.toml"},
     {"curve -o a.toml", "the curve has no place", "x='cos(s)'", ""},
     {"curve x=s u=0:1 -o a.toml", "u: a curve has a range of s", "write s=0:1",
@@ -227,7 +227,7 @@ constexpr Row kRows[] = {
     {"point x=1 -o a.toml", "x: the place of a point is one word", "point 1,2,3",
      "point 1,2,3 -o a.toml"},
     {"point 1,2,3 4,5,6 -o a.toml", "'4,5,6' is no part of a point", "point u=1 v=2", ""},
-    {"on.toml -o a.toml", "on.toml:3:6: curve 1: on: no surface is called 'tours'",
+    {"on.toml -o a.toml", "on.toml:3:7: on: no surface is called 'tours'",
      "did you mean 'torus'?", ""},
 };
 

@@ -27,6 +27,8 @@ constexpr int kBlindHalvings = 3;
 constexpr int kEvenHalvings = 40;
 /// Samples keep this share of the tolerance, so that bounds can prove the whole of it.
 constexpr double kSampled = 0.75;
+/// A chord of which one step between samples takes more than this share may be a jump.
+constexpr double kMostStep = 0.8;
 /// Radians between the tangents at the ends of a part of a tube: normals between are a blend.
 constexpr double kMostTurn = 0.35;
 /// Cut ends that are so many times as far away as most of the first samples are beside a pole.
@@ -185,9 +187,15 @@ class CurveMesher {
     const dvec3& a = node.point.position;
     const dvec3& b = end.point.position;
     node.error = 0;
+    double longest = 0;  // step from sample to sample
+    dvec3 last = a;
     for (const CurvePoint& p : inner) {
       node.error = std::max(node.error, distance_to_chord(p.position, a, b));
+      longest = std::max(longest, glm::length(p.position - last));
+      last = p.position;
     }
+    longest = std::max(longest, glm::length(b - last));
+    if (longest > std::max(kMostStep * glm::length(b - a), tolerance(a, b))) return false;
     double error = node.error;
     if (request_.radius > 0) {
       const double angle = std::max(turn(node.point.tangent, inner[1].tangent),

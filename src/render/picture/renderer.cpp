@@ -409,7 +409,9 @@ void Renderer::draw_strokes(const Scene& scene, const FittedCamera& camera,
     stroke_program_->set("half_size", dvec3(samples / 2.0, n * half_width));
     stroke_program_->set("line_color", rgb(surface.line_color));
     stroke_program_->check_all_set();
+    glEnable(GL_DEPTH_CLAMP);  // the camera's near plane may touch them
     strokes->draw();
+    glDisable(GL_DEPTH_CLAMP);
   }
 }
 
