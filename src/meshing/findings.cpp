@@ -36,10 +36,11 @@ std::string number(double value) {
 
 std::string place(const dvec2& uv, const Domain& domain) {
   const dvec2 clean = without_rounding(uv, domain, kRoundingOfSums);
-  return "u = " + number(clean.x) + ", v = " + number(clean.y);
+  return domain.names[0] + " = " + number(clean.x) + ", " + domain.names[1] + " = " +
+         number(clean.y);
 }
 
-std::string range(const char* name, double low, double high) {
+std::string range(const std::string& name, double low, double high) {
   return range_text(name, low, high, kDigits);
 }
 
@@ -53,11 +54,12 @@ std::string clipped_range(const char* name, double low, double high) {
 
 /// A mesh that is cut along a box does not show where the surface is defined beyond it.
 std::string undefined_part(const MeshResult& result, const Domain& domain) {
-  const std::string percent = number(100 * result.report.undefined_fraction);
+  const std::string percent = number(100 * result.report.unexpected_fraction());
   const std::string what =
       result.report.exceeds_doubles ? "larger than doubles can hold" : "undefined";
   std::string share = (percent == "100" ? "almost all" : percent + " %") + " of the domain is " +
                       what + " and left out";
+  if (result.report.region) return share + " inside of the region";
   if (result.report.is_clipped) return share;
   return share + ", " + where_defined(result.mesh, domain);
 }
@@ -97,8 +99,8 @@ std::string where_defined(const Mesh& mesh, const Domain& domain) {
   const bool whole_u = is_whole(low.x, high.x, domain.u0, domain.u1);
   const bool whole_v = is_whole(low.y, high.y, domain.v0, domain.v1);
   if (whole_u && whole_v) return "in places across the ranges";
-  const std::string u = whole_u ? "" : range("u", low.x, high.x);
-  const std::string v = whole_v ? "" : range("v", low.y, high.y);
+  const std::string u = whole_u ? "" : range(domain.names[0], low.x, high.x);
+  const std::string v = whole_v ? "" : range(domain.names[1], low.y, high.y);
   return "at least outside of " + u + (u.empty() || v.empty() ? "" : ", ") + v;
 }
 
@@ -134,8 +136,8 @@ class MeshFindings {
   }
 
   void take_missing_parts() {
-    if (report_.undefined_fraction > 0 && !result_.mesh.uv.empty()) {
-      warn(Kind::Undefined, undefined_part(result_, domain_)).share = report_.undefined_fraction;
+    if (report_.unexpected_fraction() > 0 && !result_.mesh.uv.empty()) {
+      warn(Kind::Undefined, undefined_part(result_, domain_)).share = report_.unexpected_fraction();
     }
     if (report_.flat_triangles == 0) return;
     const std::size_t triangles = 2 * report_.cells;
@@ -206,7 +208,7 @@ class MeshFindings {
     if (places.empty()) return;
     const std::vector<PlaceGroup> groups = grouped_places(places, domain_);
     Finding& cut = warn(kind, std::string(what) + " and is cut there: " +
-                                  text_of(groups, number > places.size(), kDigits));
+                                  text_of(groups, number > places.size(), domain_, kDigits));
     dvec2 low = groups.front().low;
     dvec2 high = groups.front().high;
     for (const PlaceGroup& group : groups) {

@@ -96,10 +96,10 @@ std::string range_text(const std::string& name, double low, double high, int dig
   return name + " = " + from + (from == to ? "" : ":" + to);
 }
 
-std::string PlaceGroup::text(int digits) const {
+std::string PlaceGroup::text(const Domain& domain, int digits) const {
   const bool is_box = low.x < high.x && low.y < high.y;
-  return (is_box ? "within " : "") + range_text("u", low.x, high.x, digits) + ", " +
-         range_text("v", low.y, high.y, digits);
+  return (is_box ? "within " : "") + range_text(domain.names[0], low.x, high.x, digits) + ", " +
+         range_text(domain.names[1], low.y, high.y, digits);
 }
 
 Indices indices_of(std::size_t count) {
@@ -166,10 +166,11 @@ std::vector<PlaceGroup> grouped_places(std::span<const dvec2> places, const Doma
   return groups;
 }
 
-std::string text_of(std::span<const PlaceGroup> groups, bool has_others, int digits) {
+std::string text_of(std::span<const PlaceGroup> groups, bool has_others, const Domain& domain,
+                    int digits) {
   std::string text;
   for (const PlaceGroup& group : groups.first(std::min(groups.size(), kToldGroups))) {
-    text += (text.empty() ? "" : "; ") + group.text(digits);
+    text += (text.empty() ? "" : "; ") + group.text(domain, digits);
   }
   return text + (has_others || groups.size() > kToldGroups ? "; and others" : "");
 }

@@ -20,8 +20,8 @@ struct PlaceGroup {
   PlaceGroup(std::span<const dvec2> places, std::vector<std::size_t> indices);
 
   bool is_point() const { return low == high; }
-  /// "u = 1, v = 2:3"; a box that is no line begins with "within".
-  std::string text(int digits) const;
+  /// "u = 1, v = 2:3", by the domain's names; a box that is no line begins with "within".
+  std::string text(const Domain& domain, int digits) const;
 };
 
 /// 0, 1, ... count - 1.
@@ -52,6 +52,7 @@ inline constexpr std::size_t kToldGroups = 6;
 std::vector<PlaceGroup> grouped_places(std::span<const dvec2> places, const Domain& domain);
 
 /// The groups' texts with "; " between them. `has_others`: there are places beside these.
-std::string text_of(std::span<const PlaceGroup> groups, bool has_others, int digits);
+std::string text_of(std::span<const PlaceGroup> groups, bool has_others, const Domain& domain,
+                    int digits);
 
 }  // namespace saddle

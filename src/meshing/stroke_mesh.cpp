@@ -12,6 +12,7 @@
 #include "eval/tape.h"
 #include "mesh/curve/tube.h"
 #include "meshing/clip_box.h"
+#include "scene/model/bind_stroke.h"
 #include "scene/model/prepare.h"
 #include "scene/model/strokes.h"
 #include "scene/model/values.h"

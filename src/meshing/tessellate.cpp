@@ -284,7 +284,7 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
     low = std::min(low, uv.y);
     high = std::max(high, uv.y);
   }
-  return {surface.domain.u0, surface.domain.u1, low, high};
+  return {surface.domain.u0, surface.domain.u1, low, high, surface.domain.names};
 }
 
 }  // namespace
@@ -303,12 +303,21 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   result.prepared = prepare_surface(scene, spec, Order::Second);
   const Surface& surface = result.prepared.surface;
   const auto begin = std::chrono::steady_clock::now();
-  result.mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
+  try {
+    result.mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
+  } catch (const Error& error) {
+    const bool is_empty = error.status() == Status::Nothing && !surface.region.outputs.empty() &&
+                          region_share(surface, threads).outside == 1;
+    if (!is_empty) throw;
+    throw Error(Status::Nothing, "no part of the surface is where this holds",
+                {"where", spec.where, {0, spec.where.size()}}, "leave it out, or widen the ranges");
+  }
   Mesh& mesh = result.mesh.mesh;
   MeshReport& report = result.mesh.report;
   report.orientable = is_orientable(mesh, report);
   report.singular_in_space = singular_in_space(surface, mesh, report);
-  if (report.undefined_fraction > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
+  if (!surface.region.outputs.empty()) report.region = region_share(surface, threads);
+  if (report.unexpected_fraction() > 0) report.exceeds_doubles = exceeds_doubles(surface, threads);
   const bool is_off = report.tolerance && report.max_error > *report.tolerance;
   if (report.certified && is_off && report.worst_place) {
     report.proof_gaps.push_back({GapReason::Off, *report.worst_place, *report.worst_place});

@@ -33,6 +33,7 @@ CheckedSurface check_surface(const Scene& scene, const SurfaceSpec& spec, unsign
   result.facts =
       gather_facts(surface, meshed.mesh.mesh, meshed.mesh.report, meshed.is_clipped, threads);
   result.tessellation = tessellation_of(spec, std::move(meshed));
+  result.facts.where = spec.where;
   name_parameters(surface, spec, result.tessellation.domain, result.facts);
   return result;
 }

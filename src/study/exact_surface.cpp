@@ -43,7 +43,7 @@ std::string unfolded(const std::vector<Token>& formula, const std::string& one,
 /// The texts with a parameter that is 1 in all of their constants. Plain numbers stay: they are
 /// exact, and a name that stands for one can be differentiated by.
 SurfaceTexts unfolded(SurfaceTexts texts) {
-  std::vector<std::string> names;
+  std::vector<std::string> names(texts.view.parameters.begin(), texts.view.parameters.end());
   for (const Definition& definition : texts.definitions) {
     names.push_back(definition.name);
     names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
@@ -57,7 +57,8 @@ SurfaceTexts unfolded(SurfaceTexts texts) {
     }
   };
   for (Definition& definition : texts.definitions) unfold(definition.text);
-  for (std::string& end : texts.ends_of_v) unfold(end);
+  unfold(texts.spec.v.min);
+  unfold(texts.spec.v.max);
   texts.definitions.push_back({one, "1"});
   return texts;
 }
@@ -73,7 +74,7 @@ Real length(const RealVector& a) {
 }
 
 ExactSurface::ExactSurface(const Scene& scene, const SurfaceSpec& spec) {
-  const SurfaceTexts texts = {surface_definitions(scene, spec), {spec.v.min, spec.v.max}};
+  const SurfaceTexts texts = {surface_definitions(scene, spec), surface_view(scene, spec), spec};
   values_[kSymbolT] = scene.t;
   try {
     read(unfolded(texts));
@@ -84,10 +85,11 @@ ExactSurface::ExactSurface(const Scene& scene, const SurfaceSpec& spec) {
 
 void ExactSurface::read(const SurfaceTexts& texts) {
   graph_ = {};
-  Scope scope(graph_, texts.definitions);
-  std::vector<NodeId> position = {scope.node("x"), scope.node("y"), scope.node("z")};
-  const std::array<NodeId, 2> ends = {scope.parse("v", texts.ends_of_v[0]),
-                                      scope.parse("v", texts.ends_of_v[1])};
+  Scope scope(graph_, texts.definitions, texts.view);
+  std::vector<NodeId> position(3);
+  std::ranges::copy(restricted_position(graph_, scope, texts.spec), position.begin());
+  const std::array<NodeId, 2> ends = {scope.parse("v", texts.spec.v.min),
+                                      scope.parse("v", texts.spec.v.max)};
   if (((graph_[ends[0]].depends | graph_[ends[1]].depends) & kDependsU) != 0) {
     position = substitute(graph_, position, {{kSymbolV, between(graph_, ends)}});
   }

@@ -26,7 +26,8 @@ struct ExactPoint {
 /// The texts of a surface.
 struct SurfaceTexts {
   std::vector<Definition> definitions;
-  std::array<std::string, 2> ends_of_v;
+  Scope::View view;
+  SurfaceSpec spec;  ///< for its range of v and its condition
 };
 
 /// Parameters are those of bind_surface(): where the ends of v depend on u, v is the part of the

@@ -26,6 +26,7 @@ enum class Closed { No, Unknown, Yes };
 
 struct Facts {
   Domain domain;
+  std::string where;    ///< the condition, as it was written
   std::string range_v;  ///< as it was written, where its ends depend on u
   DefinedShare defined;
   Topology topology;

@@ -93,7 +93,7 @@ NormalColumns normal_columns(std::size_t count, Evaluate evaluate) {
 Surface make_surface(Graph& graph, const std::array<NodeId, 3>& r, const Domain& domain, bool flip,
                      Order order) {
   const Tangents tangents = tangents_of(graph, r);
-  Surface surface{domain, flip, {}, {}, {}, {}, {}, {}, {}};
+  Surface surface{domain, flip, {}, {}, {}, {}, {}, {}, {}, {}};
   surface.tangents = compile(graph, tangent_outputs(tangents));
   surface.normals = compile(graph, normal_outputs(graph, tangents));
   if (order == Order::Second) {
@@ -162,6 +162,27 @@ std::vector<Curvature> evaluate_curvature(const Surface& surface, std::span<cons
 std::vector<double> evaluate_color(const Surface& surface, std::span<const dvec2> uv,
                                    unsigned threads) {
   return evaluate_records<double>(surface.color, uv, threads);
+}
+
+RegionShare region_share(const Surface& surface, unsigned threads) {
+  constexpr int kPlaces = 256;  // each way: a part of a thousandth of the domain has 65 of them
+  std::vector<dvec2> uv;
+  for (int j = 0; j < kPlaces; ++j) {
+    for (int i = 0; i < kPlaces; ++i)
+      uv.push_back(surface.domain.at((dvec2(i, j) + 0.5) / double(kPlaces)));
+  }
+  struct Record {
+    double condition, x, y, z;
+  };
+  static_assert(sizeof(Record) == kRegionOutputs * sizeof(double));
+  std::size_t outside = 0;
+  std::size_t undefined = 0;
+  for (const Record& at : evaluate_records<Record>(surface.region, uv, threads)) {
+    outside += at.condition == 0 ? 1 : 0;
+    undefined += at.condition != 0 && !is_finite({at.x, at.y, at.z}) ? 1 : 0;
+  }
+  const auto count = static_cast<double>(uv.size());
+  return {static_cast<double>(outside) / count, static_cast<double>(undefined) / count};
 }
 
 std::vector<SurfacePoint> evaluate_on_grid(const Surface& surface, std::span<const double> u,

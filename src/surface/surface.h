@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/array.h"
@@ -16,6 +17,7 @@ namespace saddle {
 struct Domain {
   double u0 = -1, u1 = 1;
   double v0 = -1, v1 = 1;
+  std::array<std::string, 2> names = {"u", "v"};  ///< what the user calls the two parameters
 
   /// The parameters that are these parts of the ranges away from their first ends.
   dvec2 at(const dvec2& part) const { return dvec2(u0, v0) * (1.0 - part) + dvec2(u1, v1) * part; }
@@ -25,6 +27,10 @@ struct Domain {
 inline bool runs_backwards(const Domain& domain) {
   return (domain.u0 > domain.u1) != (domain.v0 > domain.v1);
 }
+
+/// Of a surface that is only where a condition holds: the condition, 1 or 0, then x, y and z as
+/// they are without it.
+inline constexpr int kRegionOutputs = 4;
 
 /// The derivatives that a surface is compiled for.
 enum class Order { First, Second };
@@ -41,6 +47,7 @@ struct Surface {
   Tape bounds;        ///< r, r_u, r_v, r_uu, r_uv, r_vv for enclosures; the same holds
   Tape v;             ///< v at (u, s); without outputs where v is its own
   Tape color;         ///< the number it is coloured by; without outputs where it is not
+  Tape region;        ///< see kRegionOutputs; without outputs where the surface is all of itself
 
   /// The points at which tangents, normals, curvatures or colours were computed so far, for this
   /// surface and its copies.
@@ -103,6 +110,15 @@ struct Curvature {
 /// For a surface of second order.
 std::vector<Curvature> evaluate_curvature(const Surface& surface, std::span<const dvec2> uv,
                                           unsigned threads = 0);
+
+/// Shares of the domain of a surface with a region.
+struct RegionShare {
+  double outside = 0;    ///< the condition is false
+  double undefined = 0;  ///< it holds, and the surface is not finite
+};
+
+/// By samples that are spread over the domain. For a surface with a region.
+RegionShare region_share(const Surface& surface, unsigned threads = 0);
 
 /// The numbers that a coloured surface is coloured by; NaN or infinite where undefined.
 std::vector<double> evaluate_color(const Surface& surface, std::span<const dvec2> uv,

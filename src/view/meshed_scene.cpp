@@ -67,7 +67,8 @@ std::optional<PickedPoint> pick(const Meshed& meshed, const Ray& ray) {
   const dvec3 world(instance.to_world * glm::dvec4(place.position, 1));
   const auto copies = places(meshed.scene, spec);
   const auto copy = std::ranges::find(copies, instance.to_world) - copies.begin();
-  return PickedPoint{spec.name, instance.surface, static_cast<std::size_t>(copy), place, world};
+  return PickedPoint{spec.name, instance.surface, static_cast<std::size_t>(copy), place,
+                     world,     spec.parameters};
 }
 
 PickedPoint pick_again(const Meshed& meshed, const PickedPoint& picked) {
@@ -86,17 +87,19 @@ PickedPoint pick_again(const Meshed& meshed, const PickedPoint& picked) {
   if (picked.copy >= copies.size()) throw gone("its node is");
   const auto place =
       place_at(prepare_surface(meshed.scene, spec, Order::Second).surface, picked.place.uv);
-  if (!place) throw gone("its u and v are not on '" + spec.name + "'");
+  if (!place)
+    throw gone("its " + spec.parameters[0] + " and " + spec.parameters[1] + " are not on '" +
+               spec.name + "'");
   const dvec3 world(copies[picked.copy] * glm::dvec4(place->position, 1));
-  return {spec.name, index, picked.copy, *place, world};
+  return {spec.name, index, picked.copy, *place, world, spec.parameters};
 }
 
 std::string describe(const PickedPoint& picked) {
   const SurfacePlace& p = picked.place;
   std::ostringstream text;
   text.precision(9);
-  text << picked.surface << ": u " << p.uv.x << " v " << p.uv.y << " x " << p.position.x << " y "
-       << p.position.y << " z " << p.position.z;
+  text << picked.surface << ": " << picked.names[0] << ' ' << p.uv.x << ' ' << picked.names[1]
+       << ' ' << p.uv.y << " x " << p.position.x << " y " << p.position.y << " z " << p.position.z;
   if (p.normal) {
     text << " normal " << p.normal->x << ' ' << p.normal->y << ' ' << p.normal->z;
   }

@@ -38,10 +38,11 @@ std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray);
 /// A point that was picked, and the surface it is on.
 struct PickedPoint {
   std::string surface;
-  std::size_t index = 0;  ///< of the surface
-  std::size_t copy = 0;   ///< which of the nodes that the surface is in
-  SurfacePlace place;     ///< in the surface's own coordinates
-  dvec3 world;            ///< where its node has put it
+  std::size_t index = 0;                    ///< of the surface
+  std::size_t copy = 0;                     ///< which of the nodes that the surface is in
+  SurfacePlace place;                       ///< in the surface's own coordinates
+  dvec3 world;                              ///< where its node has put it
+  ParameterNames names = kUsualParameters;  ///< of u and v
 };
 
 /// The point of the first surface on a line of sight.

@@ -66,14 +66,14 @@ void Panel::show_surface(Model& model, std::size_t index) {
     if (text_field(name, text, wrong)) model.edit(scene, spec.name + name);
     if (is_faulty) show_error_of(model, name);
   };
-  formula("x", spec.x);
-  formula("y", spec.y);
-  formula("z", spec.z);
-  const auto range = [&](const char* name, Range& ends) {
+  if (!is_parameter(spec, "x")) formula("x", spec.x);
+  if (!is_parameter(spec, "y")) formula("y", spec.y);
+  if (!is_parameter(spec, "z")) formula("z", spec.z);
+  const auto range = [&](const std::string& name, Range& ends) {
     const float half = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetFontSize()) / 2;
-    ImGui::PushID(name);
+    ImGui::PushID(name.c_str());
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(name);
+    ImGui::TextUnformatted(name.c_str());
     ImGui::SameLine();
     ImGui::SetNextItemWidth(half);
     bool changed = ImGui::InputText("##min", &ends.min);
@@ -86,10 +86,15 @@ void Panel::show_surface(Model& model, std::size_t index) {
     if (changed) model.edit(scene, spec.name + name);
     if (is_faulty) show_error_of(model, name);
   };
-  range("u", spec.u);
-  range("v", spec.v);
+  range(spec.parameters[0], spec.u);
+  range(spec.parameters[1], spec.v);
   formula("color", spec.color);
   if (!spec.color.empty()) show_colormaps(model, scene, spec);
+  for (std::size_t i = 0; i < spec.definitions.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    show_parameter(model, scene, {spec.definitions[i], spec.sliders, spec.name, is_faulty});
+    ImGui::PopID();
+  }
   ImGui::PopID();
 }
 
@@ -105,22 +110,24 @@ void Panel::show_colormaps(Model& model, const Scene& scene, SurfaceSpec& spec) 
 }
 
 /// A definition: a slider if it is a number, its formula otherwise.
-void Panel::show_parameter(Model& model, Scene& scene, std::size_t index) {
-  Definition& definition = scene.definitions[index];
+void Panel::show_parameter(Model& model, const Scene& scene, const Parameter& parameter) {
+  Definition& definition = parameter.definition;
   const std::string name = display_name(definition);
   const auto number = definition.is_function ? std::nullopt : plain_number(definition.text);
-  ImGui::PushID(static_cast<int>(index));
-  const bool wrong = is_about(model.error(), name) || is_about(model.error(), definition.name);
-  if (text_field(name, definition.text, wrong)) model.edit(scene, name);
-  if (number) show_slider(model, scene, definition, *number);
+  const bool wrong = parameter.may_be_wrong &&
+                     (is_about(model.error(), name) || is_about(model.error(), definition.name));
+  if (text_field(name, definition.text, wrong)) model.edit(scene, parameter.owner + name);
+  if (number) show_slider(model, scene, parameter, *number);
+  if (!parameter.may_be_wrong) return;
   show_error_of(model, name);
   if (name != definition.name) show_error_of(model, definition.name);
-  ImGui::PopID();
 }
 
-void Panel::show_slider(Model& model, Scene& scene, Definition& definition, double number) {
-  const auto slider = std::ranges::find(scene.sliders, definition.name, &Slider::name);
-  const bool has_ends = slider != scene.sliders.end();
+void Panel::show_slider(Model& model, const Scene& scene, const Parameter& parameter,
+                        double number) {
+  Definition& definition = parameter.definition;
+  const auto slider = std::ranges::find(parameter.sliders, definition.name, &Slider::name);
+  const bool has_ends = slider != parameter.sliders.end();
   // Without ends of its own, to twice the value on both sides of 0.
   const double reach = std::max(1.0, 2 * std::abs(number));
   const double low = has_ends ? double(slider->min) : -reach;
@@ -130,19 +137,21 @@ void Panel::show_slider(Model& model, Scene& scene, Definition& definition, doub
   if (has_ends) {
     if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &low, &high, "")) {
       definition.text = format_number(value);
-      model.edit(scene, display_name(definition));
+      model.edit(scene, parameter.owner + display_name(definition));
     }
   } else if (ImGui::DragScalar("##slider", ImGuiDataType_Double, &value,
                                static_cast<float>(reach / 500), nullptr, nullptr, "drag")) {
     definition.text = format_number(std::round(value * 1e6) / 1e6);
-    model.edit(scene, display_name(definition));
+    model.edit(scene, parameter.owner + display_name(definition));
   }
 }
 
 void Panel::show_definitions(Model& model) {
   for (std::size_t i = 0; i < model.scene().definitions.size(); ++i) {
     Scene scene = model.scene();
-    show_parameter(model, scene, i);
+    ImGui::PushID(static_cast<int>(i));
+    show_parameter(model, scene, {scene.definitions[i], scene.sliders, "", true});
+    ImGui::PopID();
   }
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##new", "new: name = formula", &new_definition_);
@@ -280,7 +289,9 @@ void Panel::show_picked(const Model& model) {
   if (!model.picked()) return;
   const SurfacePlace& place = model.picked()->place;
   ImGui::Separator();
-  ImGui::TextUnformatted(formatted("u %.6g  v %.6g", place.uv.x, place.uv.y).c_str());
+  const auto& [u, v] = model.picked()->names;
+  ImGui::TextUnformatted(
+      (u + formatted(" %.6g  ", place.uv.x) + v + formatted(" %.6g", place.uv.y)).c_str());
   const dvec3& p = place.position;
   show_wrapped(Tone::Plain, formatted("x %.6g  y %.6g  z %.6g", p.x, p.y, p.z));
   if (place.normal) {

@@ -38,8 +38,15 @@ class Panel {
   void show_surface(Model& model, std::size_t index);
   void show_definitions(Model& model);
   void show_colormaps(Model& model, const Scene& scene, SurfaceSpec& spec);
-  void show_parameter(Model& model, Scene& scene, std::size_t index);
-  void show_slider(Model& model, Scene& scene, Definition& definition, double number);
+  /// A definition of the scene, or one of a surface's own.
+  struct Parameter {
+    Definition& definition;
+    std::vector<Slider>& sliders;
+    std::string owner;  ///< name of the surface
+    bool may_be_wrong;  ///< the error may be about it
+  };
+  void show_parameter(Model& model, const Scene& scene, const Parameter& parameter);
+  void show_slider(Model& model, const Scene& scene, const Parameter& parameter, double number);
   void show_time(Model& model);
   void show_look(Model& model);
   void show_shading(const Model& model);

@@ -24,12 +24,18 @@ double clean(double x, double size) {
 
 std::string domain(const Facts& facts) {
   const Domain& d = facts.domain;
-  return words::range("u", d.u0, d.u1) + ", " +
-         (facts.range_v.empty() ? words::range("v", d.v0, d.v1) : "v = " + facts.range_v);
+  const auto& [u, v] = d.names;
+  return words::range(u, d.u0, d.u1) + ", " +
+         (facts.range_v.empty() ? words::range(v, d.v0, d.v1) : v + " = " + facts.range_v);
 }
 
 std::string defined(const SurfaceReport& s, const Mesh& mesh) {
   const DefinedShare& proved = s.facts->defined;
+  if (s.mesh.region) {
+    const double undefined = s.mesh.region->undefined;
+    return undefined == 0 ? "everywhere in the region that was looked at"
+                          : "not on " + percent(undefined) + " of the domain inside of the region";
+  }
   // A mesh that is cut along a box does not show where the surface is defined beyond it.
   const std::string where = percent(s.mesh.undefined_fraction) + " of the domain" +
                             (s.mesh.is_clipped ? "" : ", " + where_defined(mesh, s.facts->domain));
@@ -59,17 +65,18 @@ std::string edges(const std::string& name, double first, double last, const std:
 
 std::string seams(const SurfaceReport& s) {
   const Domain& d = s.facts->domain;
+  const auto& [u, v] = d.names;
   std::string text;
-  if (!s.mesh.closed_u.empty()) text += edges("u", d.u0, d.u1, s.mesh.closed_u, s.mesh.shift_u);
+  if (!s.mesh.closed_u.empty()) text += edges(u, d.u0, d.u1, s.mesh.closed_u, s.mesh.shift_u);
   if (!s.mesh.closed_v.empty()) {
-    text += (text.empty() ? "" : "; ") + edges("v", d.v0, d.v1, s.mesh.closed_v, s.mesh.shift_v);
+    text += (text.empty() ? "" : "; ") + edges(v, d.v0, d.v1, s.mesh.closed_v, s.mesh.shift_v);
   }
   const auto add_fold = [&text](const std::string& edge) {
     text += (text.empty() ? "" : "; ") + edge + " is folded: its halves join";
   };
   for (std::size_t k = 0; k < 2; ++k) {
-    if (s.mesh.folded_u[k]) add_fold("u = " + words::number(k == 0 ? d.u0 : d.u1));
-    if (s.mesh.folded_v[k]) add_fold("v = " + words::number(k == 0 ? d.v0 : d.v1));
+    if (s.mesh.folded_u[k]) add_fold(u + " = " + words::number(k == 0 ? d.u0 : d.u1));
+    if (s.mesh.folded_v[k]) add_fold(v + " = " + words::number(k == 0 ? d.v0 : d.v1));
   }
   return text.empty() ? "none" : text;
 }
@@ -190,7 +197,7 @@ std::string mesh(const SurfaceReport& s) {
 constexpr double kHundredthPercent = 1e-4;
 
 /// The share that is proved; of each reason against it the first place, and how many others it has.
-std::string proof(const MeshReport& report) {
+std::string proof(const MeshReport& report, const Domain& domain) {
   if (report.certified) return "within 4 tolerances of the mesh everywhere (proved)";
   std::string text;
   for (std::size_t k = 0; k < report.proof_gaps.size();) {
@@ -198,8 +205,8 @@ std::string proof(const MeshReport& report) {
     std::size_t next = k + 1;
     while (next < report.proof_gaps.size() && report.proof_gaps[next].why == place.why) ++next;
     text += (k > 0 ? "; " : "") + words_for(place.why) + ": " +
-            words::range("u", place.low.x, place.high.x) + ", " +
-            words::range("v", place.low.y, place.high.y);
+            words::range(domain.names[0], place.low.x, place.high.x) + ", " +
+            words::range(domain.names[1], place.low.y, place.high.y);
     if (next > k + 1) text += " and " + words::plural(next - k - 1, "other place");
     k = next;
   }
@@ -218,6 +225,9 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
     lines.push_back("  " + what + std::string(12 - what.size(), ' ') + said);
   };
   line("domain", domain(facts));
+  if (s.mesh.region) {
+    line("region", facts.where + ": " + percent(1 - s.mesh.region->outside) + " of the domain");
+  }
   line("defined", defined(s, triangles));
   line("poles", words::cuts(s.mesh.poles, s.mesh.pole_count, facts.domain));
   line("jumps", words::jumps(s.mesh, facts.domain));
@@ -231,7 +241,7 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
   if (encloses_volume(facts)) line("volume", words::measure(facts.measures.volume, size, 3));
   line("curvature", curvatures(facts));
   line("mesh", mesh(s));
-  line("proof", proof(s.mesh));
+  line("proof", proof(s.mesh, facts.domain));
   for (const Finding& finding : s.findings) line("finding", finding.text);
   return lines;
 }

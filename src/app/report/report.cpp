@@ -146,7 +146,8 @@ void add_facts(const SurfaceReport& s, Json& json) {
   json["domain"] = {{"u", ends(facts.domain.u0, facts.domain.u1)},
                     {"v", ends(facts.domain.v0, facts.domain.v1)}};
   json["undefined_fraction"] =
-      finite_or_null(std::max(s.mesh.undefined_fraction, facts.defined.no));
+      finite_or_null(s.mesh.region ? s.mesh.region->undefined
+                                   : std::max(s.mesh.undefined_fraction, facts.defined.no));
   json["undefined_at"] = place_or_null(facts.defined.undefined_at);
   json["proved_defined_fraction"] = finite_or_null(facts.defined.yes);
   json["proved_undefined_fraction"] = finite_or_null(facts.defined.no);
@@ -184,7 +185,8 @@ Json surface(const SurfaceReport& s) {
                {"max_error", finite_or_null(s.mesh.max_error)},
                {"max_error_is", s.mesh.error_is_bound ? "bound" : "search"},
                {"max_normal_error", finite_or_null(s.mesh.max_normal_error)},
-               {"undefined_fraction", finite_or_null(s.mesh.undefined_fraction)},
+               {"undefined_fraction", finite_or_null(s.mesh.unexpected_fraction())},
+               {"outside_fraction", finite_or_null(s.mesh.region ? s.mesh.region->outside : 0)},
                {"efficiency", efficiency(s)},
                {"singular_points", singular_points(s.mesh.singular_in_space)},
                {"singular_points_count", s.mesh.singular_in_space.size()},

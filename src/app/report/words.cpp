@@ -147,9 +147,10 @@ class SingularWords {
 
   /// A place, and others of the same point of space.
   std::string text(const PlaceGroup& group, const Indices& others) const {
-    std::string text = group.text(kDigits);
+    std::string text = group.text(facts_.domain, kDigits);
     for (std::size_t k = 0; k < others.size(); ++k) {
-      text += (k == 0 ? " (also " : "; ") + PlaceGroup(at_, {others[k]}).text(kDigits);
+      text +=
+          (k == 0 ? " (also " : "; ") + PlaceGroup(at_, {others[k]}).text(facts_.domain, kDigits);
     }
     return text + (others.empty() ? "" : ")") + point_and_normal(group);
   }
@@ -239,7 +240,8 @@ std::string range(const std::string& name, double low, double high) {
 
 std::string near(const dvec2& uv, const Domain& domain) {
   const dvec2 place = without_rounding(uv, domain, kSame);
-  return "near " + range("u", place.x, place.x) + ", " + range("v", place.y, place.y);
+  return "near " + range(domain.names[0], place.x, place.x) + ", " +
+         range(domain.names[1], place.y, place.y);
 }
 
 std::string found(const ValueRange& r, double rounding, const Domain& domain) {
@@ -277,14 +279,15 @@ std::string cuts(std::span<const dvec2> listed, std::size_t count, const Domain&
   const bool is_points =
       std::ranges::all_of(groups, [](const PlaceGroup& group) { return group.is_point(); });
   return (is_points ? plural(groups.size(), "place") + ": " : "") +
-         text_of(groups, count > listed.size(), kDigits);
+         text_of(groups, count > listed.size(), domain, kDigits);
 }
 
 std::string jumps(const MeshReport& report, const Domain& domain) {
   const std::size_t torn = report.without_limit.size();
   if (torn == 0) return cuts(report.jumps, report.jump_count, domain);
   const std::string text =
-      "no limit at " + text_of(one_by_one(report.without_limit, indices_of(torn)), false, kDigits);
+      "no limit at " +
+      text_of(one_by_one(report.without_limit, indices_of(torn)), false, domain, kDigits);
   if (report.jump_count == torn) return text;
   const auto others = std::span(report.jumps).subspan(torn);
   return cuts(others, report.jump_count - torn, domain) + "; " + text;

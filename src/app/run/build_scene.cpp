@@ -76,6 +76,7 @@ bool is_common(const Segment& segment) {
 void take_assignments(SceneObject& object, const std::vector<std::string>& assignments,
                       bool alone) {
   const bool has_formulas = object.from == SceneObject::From::Formulas;
+  std::vector<std::string> own;
   for (const std::string& assignment : assignments) {
     const Definition definition = parse_definition(assignment);
     const bool is_shared =
@@ -83,10 +84,11 @@ void take_assignments(SceneObject& object, const std::vector<std::string>& assig
     if (!alone && (is_shared || definition.name == "t")) {
       object.shared.push_back(assignment);
     } else {
-      has_formulas ? assign(object.scene, assignment)
-                   : override_assignment(object.scene, assignment);
+      own.push_back(assignment);
     }
   }
+  if (has_formulas) return assign_all(object.scene, own);
+  for (const std::string& assignment : own) override_assignment(object.scene, assignment);
 }
 
 /// The words after `curve` or `point`.

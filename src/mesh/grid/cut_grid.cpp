@@ -26,28 +26,27 @@ constexpr double kFewDoubles = 1000;
 constexpr std::size_t kFewCells = 1000;
 
 /// Throws if all triangles are thinner than rounding.
-[[noreturn]] void throw_too_long(int axis, double times) {
+[[noreturn]] void throw_too_long(int axis, double times, const Domain& domain) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.0e", times);
   throw Error(Status::Nothing,
               "the surface is " + std::string(text.data()) + " times as long along " + "xyz"[axis] +
                   " as it is wide: in double precision it is a line",
               {},
-              std::string("scale ") + "xyz"[axis] +
-                  " down, or give ranges of u and v in which x, y and z stay in proportion");
+              std::string("scale ") + "xyz"[axis] + " down, or give ranges of " + domain.names[0] +
+                  " and " + domain.names[1] + " in which x, y and z stay in proportion");
 }
 
 /// Throws if a parameter's range holds only a few doubles.
-void require_doubles(const char* name, double first, double last) {
+void require_doubles(const std::string& name, double first, double last) {
   const double step =
       std::numeric_limits<double>::epsilon() * std::max(std::fabs(first), std::fabs(last));
   const double count = std::fabs(last - first) / step;
   if (count > kFewDoubles) return;
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%s = %.17g and %.17g", name, first, last);
-  throw Error(Status::Nothing,
-              std::string("the range of ") + name + " is too short for double precision", {},
-              std::string("between ") + text.data() + " there are about " +
+  std::snprintf(text.data(), text.size(), " = %.17g and %.17g", first, last);
+  throw Error(Status::Nothing, "the range of " + name + " is too short for double precision", {},
+              "between " + name + text.data() + " there are about " +
                   std::to_string(std::lround(count)) + " numbers; " + name +
                   " = 0 is where they are closest to each other");
 }
@@ -86,11 +85,12 @@ void require_triangles(const Surface& surface, const Grid& grid, unsigned thread
   const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
   const double width = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
   // It has no triangles in double precision.
-  if (width > 0 && width < kRoundingOfSums * size[axis]) throw_too_long(axis, size[axis] / width);
+  if (width > 0 && width < kRoundingOfSums * size[axis])
+    throw_too_long(axis, size[axis] / width, surface.domain);
   if (count > 0) return;
   const Domain& d = surface.domain;
-  require_doubles("u", d.u0, d.u1);
-  require_doubles("v", d.v0, d.v1);
+  require_doubles(d.names[0], d.u0, d.u1);
+  require_doubles(d.names[1], d.v0, d.v1);
   throw Error(Status::Nothing, "no cell of the grid has any area", {},
               "the surface is a line in double precision, or repeats itself in step with the " +
                   std::to_string(grid.cells_u) + " x " + std::to_string(grid.cells_v) +

@@ -78,15 +78,18 @@ bool is_straight(const Grid& grid) {
   });
 }
 
-std::string explain(std::span<const SurfacePoint> points) {
+std::string explain(std::span<const SurfacePoint> points, const Domain& domain) {
+  const auto& [u, v] = domain.names;
   const auto all_zero = [&](dvec3 SurfacePoint::*tangent) {
     return std::ranges::all_of(points,
                                [&](const SurfacePoint& p) { return p.*tangent == dvec3(0); });
   };
-  if (all_zero(&SurfacePoint::r_u)) return "the derivatives of x, y and z by u are 0 everywhere";
-  if (all_zero(&SurfacePoint::r_v)) return "the derivatives of x, y and z by v are 0 everywhere";
-  return "the derivatives by u and by v are parallel everywhere: u and v move a point along the "
-         "same curve";
+  if (all_zero(&SurfacePoint::r_u))
+    return "the derivatives of x, y and z by " + u + " are 0 everywhere";
+  if (all_zero(&SurfacePoint::r_v))
+    return "the derivatives of x, y and z by " + v + " are 0 everywhere";
+  return "the derivatives by " + u + " and by " + v + " are parallel everywhere: " + u + " and " +
+         v + " move a point along the same curve";
 }
 
 }  // namespace
@@ -98,7 +101,7 @@ void require_two_dimensional(const Surface& surface, const Grid& grid, unsigned 
   if (any_centre_is_regular(surface, grid, threads)) return;
   throw Error(Status::Nothing,
               is_straight(grid) ? "the surface is a straight line" : "the surface is a curve", {},
-              explain(points));
+              explain(points, surface.domain));
 }
 
 }  // namespace saddle

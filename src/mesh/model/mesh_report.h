@@ -12,6 +12,7 @@
 #include "mesh/model/mesh.h"
 #include "mesh/model/proof_gap.h"
 #include "mesh/model/seam.h"
+#include "surface/surface.h"
 
 namespace saddle {
 
@@ -32,14 +33,18 @@ struct SingularInSpace {
 
 /// Findings, errors and costs of a mesh.
 struct MeshReport {
-  std::size_t cells = 0;            ///< cells of the grid that are covered
-  std::size_t evaluations = 0;      ///< points at which the surface was computed
-  std::size_t boxes = 0;            ///< boxes of parameters in proofs
-  double undefined_fraction = 0;    ///< share of the domain's cells that were left out
-  bool exceeds_doubles = false;     ///< these are defined, with numbers too large for doubles
-  std::size_t flat_triangles = 0;   ///< triangles left out: without area in double precision
-  bool stopped_early = false;       ///< MeshRequest::stop: there is no mesh
-  std::optional<double> tolerance;  ///< the limit of max_error
+  /// The share that was left out although the surface should be there.
+  double unexpected_fraction() const { return region ? region->undefined : undefined_fraction; }
+
+  std::size_t cells = 0;              ///< cells of the grid that are covered
+  std::size_t evaluations = 0;        ///< points at which the surface was computed
+  std::size_t boxes = 0;              ///< boxes of parameters in proofs
+  double undefined_fraction = 0;      ///< share of the domain's cells that were left out
+  std::optional<RegionShare> region;  ///< shares by the surface's condition, if it has one
+  bool exceeds_doubles = false;       ///< these are defined, with numbers too large for doubles
+  std::size_t flat_triangles = 0;     ///< triangles left out: without area in double precision
+  bool stopped_early = false;         ///< MeshRequest::stop: there is no mesh
+  std::optional<double> tolerance;    ///< the limit of max_error
   /// The rounding of positions, where it exceeds the tolerance: it is the limit in its place.
   std::optional<double> rounding;
   double least_triangles = 0;        ///< estimate of the least that any mesh needs; 0: unknown

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
+#include "scene/model/bind_stroke.h"
 #include "scene/model/prepare.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
@@ -77,15 +78,18 @@ void read_definitions(TomlReader& reader, const TomlValue& table, const Definiti
 }
 
 SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
-  std::vector<std::string> keys = keys_of(Table::Surface);
-  keys.insert(keys.end(), {"params", "functions"});
-  reader.source().check_keys("surface", table, keys);
+  TomlValue meant = table;  // a range may be called φ
+  for (TomlEntry& entry : meant.entries) entry.key = meant_name(entry.key);
   SurfaceSpec spec;
-  read_definitions(reader, table, {prefix, spec.definitions, spec.sliders});
-  read_keys(reader, prefix, table, spec);
-  if (spec.z.empty()) {
+  read_definitions(reader, meant, {prefix, spec.definitions, spec.sliders});
+  read_keys(reader, prefix, meant, spec);
+  std::vector<std::string> keys = keys_of(spec);
+  keys.insert(keys.end(), {"params", "functions"});
+  reader.source().check_keys("surface", meant, keys);
+  if (!has_height(spec)) {
+    const auto& [u, v] = spec.parameters;
     throw reader.source().error("surface", "z has no formula", table.span,
-                                "x and y default to u and v, z has no default");
+                                "x and y default to " + u + " and " + v + ", z has no default");
   }
   return spec;
 }

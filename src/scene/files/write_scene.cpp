@@ -21,12 +21,6 @@ std::string parameter(const Definition& d, const std::vector<Slider>& sliders) {
   return table.text();
 }
 
-/// A key without quotes has only letters of ASCII.
-std::string toml_key(const std::string& name) {
-  const bool is_bare = std::ranges::all_of(name, [](char c) { return c > 0; });
-  return is_bare ? name : toml_string(name);
-}
-
 std::string definitions(const Scene& scene) {
   std::string params;
   std::string functions;

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "formula/language.h"
 #include "formula/lexer.h"
 
 namespace saddle {
@@ -118,28 +119,47 @@ SurfaceSpec& last_surface(Scene& scene) {
   return scene.surfaces.back();
 }
 
-/// Ranges are for u, v and t. Another name gets its values by way of u or v.
-void check_range_name(const Definition& definition) {
+/// The parameter of the surface that has this name, 0 or 1.
+std::optional<std::size_t> parameter_of(const SurfaceSpec& spec, const std::string& name) {
+  const auto found = std::ranges::find(spec.parameters, name);
+  if (found == spec.parameters.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - spec.parameters.begin());
+}
+
+/// A range of what is no parameter of the surface.
+Error not_a_parameter(const Definition& definition, const SurfaceSpec& spec, bool is_constant) {
+  const auto& [u, v] = spec.parameters;
   const std::string& name = definition.name;
-  if (definition.is_function || is_parameter(name) || !is_range(definition)) return;
-  const std::string& ends = definition.text;
-  std::string hint = "for example u=" + ends + " " + name + "=u, or v=" + ends + " " + name + "=v";
-  if (name == "x") hint = "write u=" + ends + "; x is u unless it has a formula";
-  if (name == "y") hint = "write v=" + ends + "; y is v unless it has a formula";
-  throw Error(Status::Input, "only u, v and t have a range", {name, ends, {0, ends.size()}}, hint);
+  const std::string ends = definition.text.substr(*range_colon(definition.text) + 1);
+  const Place place{name, definition.text, {0, definition.text.size()}};
+  const std::string parameters = "the parameters of " + spec.name + " are " + u + " and " + v;
+  if (is_constant) {
+    return {Status::Input, "'" + name + "' is a constant of " + spec.name + ", which has no range",
+            place, "write " + name + "=" + ends + "; " + parameters};
+  }
+  return {Status::Input, "'" + name + "' is not a parameter of " + spec.name, place,
+          parameters + ": " + u + "=" + definition.text};
 }
 
 void file(Scene& scene, const Definition& definition) {
-  check_range_name(definition);
   const std::string& name = definition.name;
-  if (is_coordinate(name)) {
+  const bool has_surface = !scene.surfaces.empty();
+  const auto parameter = parameter_of(has_surface ? scene.surfaces.back() : SurfaceSpec(), name);
+  if (!definition.is_function && name != "t" && (parameter || is_range(definition))) {
     SurfaceSpec& spec = last_surface(scene);
-    (name == "x" ? spec.x : name == "y" ? spec.y : spec.z) = definition.text;
+    if (!parameter) {
+      const auto known = std::ranges::find(scene.definitions, name, &Definition::name);
+      throw not_a_parameter(definition, spec, known != scene.definitions.end());
+    }
+    (*parameter == 0 ? spec.u : spec.v) = parse_range(definition);
+  } else if (is_coordinate(name) || name == "where") {
+    SurfaceSpec& spec = last_surface(scene);
+    (name == "x"   ? spec.x
+     : name == "y" ? spec.y
+     : name == "z" ? spec.z
+                   : spec.where) = definition.text;
   } else if (name == "t") {
     set_time(scene, definition);
-  } else if (is_parameter(name)) {
-    SurfaceSpec& spec = last_surface(scene);
-    (name == "u" ? spec.u : spec.v) = parse_range(definition);
   } else {
     const auto found = std::ranges::find(scene.definitions, name, &Definition::name);
     if (found == scene.definitions.end()) {
@@ -158,7 +178,8 @@ bool is_range(const Definition& definition) {
 
 bool is_of_surface(const Definition& definition) {
   const std::string& name = definition.name;
-  return name != "t" && (is_coordinate(name) || is_parameter(name) || is_range(definition));
+  return name != "t" &&
+         (is_coordinate(name) || is_parameter(name) || name == "where" || is_range(definition));
 }
 
 Definition parse_definition(const std::string& assignment) {
@@ -177,7 +198,8 @@ Definition parse_definition(const std::string& assignment) {
   } else {
     result.name = checked_name(assignment, left);
   }
-  if (result.is_function && (is_coordinate(result.name) || is_parameter(result.name))) {
+  if (result.is_function &&
+      (is_coordinate(result.name) || is_parameter(result.name) || result.name == "where")) {
     throw Error(Status::Input, "'" + result.name + "' cannot be a helper function",
                 {"argument", assignment, left}, "give the function another name");
   }
@@ -187,6 +209,14 @@ Definition parse_definition(const std::string& assignment) {
                 "for example " + result.name + (is_parameter(result.name) ? "=0:1" : "=u*v"));
   }
   return result;
+}
+
+std::string fault_of_parameter(const std::string& name) {
+  if (!is_name(name)) return "'" + name + "' is not a name";
+  if (name == "where") return "'where' is the condition of a surface";
+  if (name == "t") return "t is the time, not a parameter of a surface";
+  if (find_built_in(name) != nullptr) return "'" + name + "' is a function of the language";
+  return "";
 }
 
 void assign(Scene& scene, const std::string& assignment) {
@@ -230,10 +260,68 @@ bool assign(PointSpec& point, const Definition& definition) {
 
 namespace {
 
+[[noreturn]] void refuse_third(const std::vector<Definition>& ranges) {
+  std::string names = ranges[0].name;
+  for (std::size_t i = 1; i < ranges.size(); ++i) {
+    names += (i + 1 < ranges.size() ? ", " : " and ") + ranges[i].name;
+  }
+  const Definition& third = ranges[2];
+  throw Error(Status::Input, "a surface has two parameters, and these are more: " + names,
+              {third.name, third.text, {0, third.text.size()}}, "leave one of the ranges out");
+}
+
+/// The names of the two parameters by the ranges that are given.
+ParameterNames parameters_of(const std::vector<Definition>& ranges) {
+  std::array<std::optional<std::string>, 2> places;
+  const auto take = [&](std::size_t place, const std::string& name) {
+    const bool is_free = !places[place];
+    if (is_free) places[place] = name;
+    return is_free;
+  };
+  std::vector<std::string> left;
+  for (const Definition& range : ranges) left.push_back(range.name);
+  for (const auto& [first, second] : {std::pair{"u", "v"}, std::pair{"x", "y"}}) {
+    std::erase_if(left, [&](const std::string& name) {
+      return (name == first && take(0, name)) || (name == second && take(1, name));
+    });
+  }
+  for (const std::string& name : left) take(places[0] ? 1 : 0, name);
+  return {places[0].value_or("u"), places[1].value_or("v")};
+}
+
+}  // namespace
+
+void assign_all(Scene& scene, const std::vector<std::string>& assignments) {
+  std::vector<Definition> all;
+  for (const std::string& assignment : assignments) all.push_back(parse_definition(assignment));
+  std::vector<Definition> ranges;
+  for (const Definition& definition : all) {
+    const bool is_of_time = definition.name == "t";
+    if (definition.is_function || is_of_time || !is_range(definition)) continue;
+    ranges.push_back(definition);
+    const std::string fault = fault_of_parameter(definition.name);
+    if (fault.empty()) continue;
+    throw Error(Status::Input, fault,
+                {definition.name, definition.text, {0, definition.text.size()}},
+                "choose another name");
+  }
+  if (ranges.size() > 2) refuse_third(ranges);
+  if (!ranges.empty()) last_surface(scene).parameters = parameters_of(ranges);
+  for (const Definition& definition : all) file(scene, definition);
+}
+
+namespace {
+
 std::vector<std::string> names_of(const Scene& scene) {
   std::vector<std::string> names;
   for (const Definition& known : scene.definitions) names.push_back(known.name);
-  for (const char* name : {"x", "y", "z", "u", "v", "t"}) names.emplace_back(name);
+  const bool is_one = scene.surfaces.size() == 1;
+  const ParameterNames parameters = is_one ? scene.surfaces[0].parameters : kUsualParameters;
+  for (const char* name : {"x", "y", "z"}) {
+    if (std::ranges::find(parameters, name) == parameters.end()) names.emplace_back(name);
+  }
+  names.insert(names.end(), parameters.begin(), parameters.end());
+  names.insert(names.end(), {"t", "where"});
   return names;
 }
 
@@ -264,7 +352,7 @@ void override_assignment(Scene& scene, const std::string& assignment) {
   const Definition definition = parse_definition(assignment);
   const std::string& name = definition.name;
   if (!has_name(scene, name)) throw unknown_override(scene, assignment);
-  if (scene.surfaces.size() > 1 && (is_coordinate(name) || name == "u" || name == "v")) {
+  if (scene.surfaces.size() > 1 && is_of_surface(definition)) {
     throw Error(Status::Input, "each of the scene's surfaces has its own '" + name + "'",
                 {"argument", assignment, name_span(assignment)},
                 "change a parameter, or the scene file");

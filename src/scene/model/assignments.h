@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "scene/model/scene.h"
@@ -16,15 +17,25 @@ Definition parse_definition(const std::string& assignment);
 /// It is `NAME=MIN:MAX`.
 bool is_range(const Definition& definition);
 
-/// It is a surface's, not the scene's: the formula of a coordinate, or a range but that of t.
+/// It is a surface's, not the scene's: the formula of a coordinate, a range but that of t, or its
+/// condition.
 bool is_of_surface(const Definition& definition);
 
-/// Puts one assignment into `scene`: `x=`, `y=`, `z=` and the ranges `u=MIN:MAX`, `v=MIN:MAX` into
-/// its (last) surface, `t=VALUE` and `t=MIN:MAX` into its time, anything else into its definitions;
-/// a name that is there already is replaced. The text splits at its first `=`, a range at its first
+/// What speaks against a name of a surface's parameter; empty: nothing.
+std::string fault_of_parameter(const std::string& name);
+
+/// Puts one assignment into `scene`: `x=`, `y=`, `z=`, `where=` and ranges of the parameters,
+/// `u=MIN:MAX` unless they have other names, into its (last) surface, `t=VALUE` and `t=MIN:MAX`
+/// into its time, anything else into its definitions; a name that is there already is replaced. The
+/// text splits at its first `=`, a range at its first
 /// `:` outside of brackets that no `?` owns. Throws Error (Input): no `=`, an invalid name, `u=`
 /// without a `:`, an empty expression.
 void assign(Scene& scene, const std::string& assignment);
+
+/// Puts all of them into `scene`, whose (last) surface takes the names of its parameters from the
+/// ranges: u and x name the first, v and y the second, other names what is left, in their order.
+/// Throws Error (Input), as assign() does; for a third range.
+void assign_all(Scene& scene, const std::vector<std::string>& assignments);
 
 /// Puts the assignment into a curve, if it is one of its own: `x=`, `y=`, `z=`, `u=`, `v=`, all
 /// formulas of s, and the range `s=MIN:MAX`. Returns whether it was. Throws Error (Input): another

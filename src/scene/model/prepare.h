@@ -8,56 +8,19 @@
 
 #include "formula/scope.h"
 #include "scene/model/scene.h"
+#include "scene/model/surface_scope.h"
 #include "surface/surface.h"
 
 namespace saddle {
-
-/// All that has a name in the formulas: the scene's definitions, the surface's own, and its x, y
-/// and z; and how the surface sees them.
-std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec);
-Scope::View surface_view(const Scene& scene, const SurfaceSpec& spec);
 
 /// v between ends that depend on u, from the lower one (s = 0) to the upper one (s = 1), both
 /// exact. The part s takes the place of v as a variable of the surface.
 NodeId between(Graph& graph, const std::array<NodeId, 2>& ends);
 
-/// The formulas of a surface in u and v alone, and where they are drawn. Where the ends of v depend
-/// on u, the part of the way between them, 0 to 1, takes the place of v.
-struct BoundSurface {
-  Graph graph;
-  std::array<NodeId, 3> r = {};      ///< x, y, z
-  std::optional<NodeId> v = {};      ///< v itself, where it is not the variable
-  std::optional<NodeId> color = {};  ///< the number that it is coloured by
-  Domain domain;
-  bool flip = false;   ///< the front is where r_v x r_u points
-  bool moves = false;  ///< it is another one at another time
-};
-
 /// Parses surface `spec` of `scene` at the scene's time; also one that stands for a curve, which is
 /// its r(u), or a point, with the ball round it. Throws Error (Input): anything wrong with
 /// a formula, a range that is empty, not finite or circular, a surface without a z.
 BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec);
-
-/// The formulas of a curve, with u in place of s.
-struct BoundCurve {
-  Graph graph;
-  std::array<NodeId, 3> r = {};
-  double from = 0, to = 1;  ///< the range of s
-  bool moves = false;       ///< it is another one at another time
-};
-
-/// Parses a curve at the scene's time. The formulas of one on a surface are that surface's, with
-/// u(s) and v(s) put in. Throws Error (Input): anything wrong with a formula or the range, a curve
-/// that does not depend on s, a surface that the scene does not have.
-BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec);
-
-/// The same for a point, as the sphere of its radius round it, 0 without one. Throws Error (Input)
-/// as bind_curve() does.
-BoundSurface bind_point(const Scene& scene, const PointSpec& spec);
-
-/// The surface that a curve or point is on. Throws Error (Input) if there is none of that name, or
-/// no name and several.
-const SurfaceSpec& surface_under(const Scene& scene, const StrokeSpec& spec);
 
 struct PreparedSurface {
   Surface surface;

@@ -83,9 +83,11 @@ struct Slider {
 
 struct SurfaceSpec {
   std::string name = "surface";
-  std::string x = "u";
+  std::string x = "u";  ///< of the usual names; a coordinate that is a parameter has no formula
   std::string y = "v";
   std::string z;
+  std::string where;  ///< a condition: the part of the surface that is there; empty: all
+  ParameterNames parameters = kUsualParameters;  ///< what u and v are called
   Range u;
   Range v;
   int grid_u = 16;  ///< lines of constant u and of constant v; 0 and 0: no lines

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/model/prepare.h"
+#include "scene/model/bind_stroke.h"
 
 namespace saddle {
 namespace {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
+#include "scene/model/assignments.h"
 #include "scene/model/values.h"
 #include "scene/options/options.h"
 #include "scene/toml/scene_file.h"
@@ -24,54 +26,53 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-/// The scene that the command's assignments make. Title and sliders change nothing about the
+/// The scene that the command's assignments make. Title, name and sliders change nothing about the
 /// picture.
-Scene assigned(const Scene& scene) {
+Scene assigned(const std::vector<std::string>& assignments, const Scene& scene) {
   Scene result;
-  const SurfaceSpec& spec = scene.surfaces[0];
-  SurfaceSpec& plain = result.surfaces.emplace_back();
-  plain.name = spec.name;
-  plain.x = spec.x;
-  plain.y = spec.y;
-  plain.z = spec.z;
-  plain.u = spec.u;
-  plain.v = spec.v;
-  result.definitions = scene.definitions;
-  if (scene.animation) set_time_range(result, scene.animation->from, scene.animation->to);
+  assign_all(result, assignments);
+  result.surfaces.resize(1);
+  result.surfaces[0].name = scene.surfaces[0].name;
   result.title = scene.title;
   result.sliders = scene.sliders;
   return result;
 }
 
 /// The assignments and options make this very scene, but for the rounding of their texts.
-bool make_the_scene(const std::vector<Setting>& settings, const Scene& scene) {
-  Scene made = assigned(scene);
+bool make_the_scene(const std::vector<std::string>& assignments,
+                    const std::vector<Setting>& settings, const Scene& scene) {
   Scene rounded = scene;
   try {
+    Scene made = assigned(assignments, scene);
     for (const auto& [option, text] : settings) {
       apply_option(*option, text, made);
       if (!option->is_flag()) apply_option(*option, text, rounded);
     }
+    return write_scene(made) == write_scene(rounded);
   } catch (const Error&) {
-    return false;  // an expression that only a scene file can have
+    return false;  // an expression or a name that only a scene file can have
   }
-  return write_scene(made) == write_scene(rounded);
 }
 
-std::vector<std::pair<std::string, std::string>> assignments(const Scene& scene) {
+std::vector<std::string> assignments(const Scene& scene) {
   const SurfaceSpec& spec = scene.surfaces[0];
-  std::vector<std::pair<std::string, std::string>> result;
-  if (spec.x != SurfaceSpec{}.x) result.emplace_back("x", spec.x);
-  if (spec.y != SurfaceSpec{}.y) result.emplace_back("y", spec.y);
-  result.emplace_back("z", spec.z);
-  for (const auto& [name, ends] : {std::pair{"u", spec.u}, std::pair{"v", spec.v}}) {
-    if (ends.min != Range{}.min || ends.max != Range{}.max) {
-      result.emplace_back(name, ends.min + ":" + ends.max);
-    }
+  std::vector<std::string> result;
+  const auto add = [&](const std::string& name, const std::string& text) {
+    result.push_back(name + "=" + text);
+  };
+  if (spec.x != SurfaceSpec{}.x) add("x", spec.x);
+  if (spec.y != SurfaceSpec{}.y) add("y", spec.y);
+  if (!spec.z.empty()) add("z", spec.z);
+  if (!spec.where.empty()) add("where", spec.where);
+  const bool has_usual_names = spec.parameters == kUsualParameters;
+  for (const auto& [name, ends] :
+       {std::pair{spec.parameters[0], spec.u}, std::pair{spec.parameters[1], spec.v}}) {
+    const bool is_usual = ends.min == Range{}.min && ends.max == Range{}.max;
+    if (!is_usual || !has_usual_names) add(name, ends.min + ":" + ends.max);
   }
-  for (const Definition& d : scene.definitions) result.emplace_back(display_name(d), d.text);
+  for (const Definition& d : scene.definitions) add(display_name(d), d.text);
   if (const auto& a = scene.animation) {
-    result.emplace_back("t", expression_of(a->from) + ":" + expression_of(a->to));
+    add("t", expression_of(a->from) + ":" + expression_of(a->to));
   }
   return result;
 }
@@ -81,11 +82,10 @@ std::vector<std::pair<std::string, std::string>> assignments(const Scene& scene)
 std::optional<std::string> command_text(const Scene& scene) {
   if (scene.surfaces.size() != 1) return std::nullopt;
   const std::vector<Setting> settings = settings_of(scene);
-  if (!make_the_scene(settings, scene)) return std::nullopt;
+  const std::vector<std::string> assigned = assignments(scene);
+  if (!make_the_scene(assigned, settings, scene)) return std::nullopt;
   std::string command = "saddle";
-  for (const auto& [name, value] : assignments(scene)) {
-    command += " " + quoted(name + "=" + value);
-  }
+  for (const std::string& assignment : assigned) command += " " + quoted(assignment);
   for (const auto& [option, text] : settings) {
     command += " " + dashed(*option);
     if (!option->is_flag()) command += " " + quoted(text);

@@ -55,8 +55,8 @@ struct Maybe {
   }
 };
 
-using Slot = std::variant<Flag, Text, Texts, Formula, Ends, Times, Moment, Names, Real, Plain,
-                          Whole, Point, ViewDirection, ViewAngles, Paint, Side, ColormapName,
+using Slot = std::variant<Flag, Text, Texts, Formula, Ends, Times, Moment, Names, Parameters, Real,
+                          Plain, Whole, Point, ViewDirection, ViewAngles, Paint, Side, ColormapName,
                           Choice, PictureSize, GridLines, Cells, Length, ClipBox, Frames,
                           Maybe<Real, Number>, Maybe<Point, Vector>, Maybe<Whole, int>>;
 

@@ -4,6 +4,8 @@
 #include <type_traits>
 
 #include "scene/model/colormap.h"
+#include "scene/model/prepare.h"
+#include "scene/toml/toml_writer.h"
 
 namespace saddle {
 namespace {
@@ -82,11 +84,19 @@ std::string key_of(const Option& option) {
   return std::string(option.name);
 }
 
+/// The key in the table of a surface: ranges have the names of its parameters; empty for a
+/// coordinate that is a parameter.
+std::string key_of(const Option& option, const SurfaceSpec& surface) {
+  if (option.name == "u") return surface.parameters[0];
+  if (option.name == "v") return surface.parameters[1];
+  return is_parameter(surface, key_of(option)) ? "" : key_of(option);
+}
+
 /// `key = value`, or nothing for the default.
-std::string line(const Option& option, const kinds::Slot& slot, const kinds::Slot& standard) {
+std::string line(const std::string& key, const kinds::Slot& slot, const kinds::Slot& standard) {
   const std::string text = write_slot(slot);
-  if (text.empty() || text == write_slot(standard)) return "";
-  return key_of(option) + " = " + text + "\n";
+  if (key.empty() || text.empty() || text == write_slot(standard)) return "";
+  return toml_key(key) + " = " + text + "\n";
 }
 
 /// Calls `visit` with each key of a curve or point, and its value.
@@ -114,7 +124,7 @@ std::string stroke_lines(const Stroke& stroke) {
   std::string text;
   std::size_t k = 0;
   each_stroke_slot(written, [&](const Option& option, const kinds::Slot& slot) {
-    text += line(option, slot, defaults[k++]);
+    text += line(key_of(option), slot, defaults[k++]);
   });
   return text;
 }
@@ -195,6 +205,15 @@ std::vector<std::string> keys_of(Table table) {
   return keys;
 }
 
+std::vector<std::string> keys_of(const SurfaceSpec& surface) {
+  std::vector<std::string> keys;
+  each_row(Table::Surface, [&](const Option& option) {
+    const std::string key = key_of(option, surface);
+    if (!key.empty()) keys.push_back(key);
+  });
+  return keys;
+}
+
 void check_value(const Option& option, const std::string& text) {
   Owners owners;
   const kinds::Slot slot = slot_of(option, owners);
@@ -250,8 +269,9 @@ void read_keys(Table table, TomlReader& reader, const std::string& prefix, const
 void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
                SurfaceSpec& surface) {
   each_row(Table::Surface, [&](const Option& option) {
-    with(value, key_of(option), [&](const TomlValue& v) {
-      read_slot(option.surface(surface), {reader, prefix + key_of(option), v});
+    const std::string key = key_of(option, surface);  // by the parameters, which stand first
+    with(value, key, [&](const TomlValue& v) {
+      read_slot(option.surface(surface), {reader, prefix + key, v});
     });
   });
 }
@@ -279,7 +299,7 @@ std::string write_keys(Table table, const Scene& scene) {
   Scene standard;
   std::string text;
   each_row(table, [&](const Option& option) {
-    text += line(option, option.scene(written), option.scene(standard));
+    text += line(key_of(option), option.scene(written), option.scene(standard));
   });
   return text;
 }
@@ -289,7 +309,7 @@ std::string write_keys(const SurfaceSpec& surface) {
   SurfaceSpec standard;
   std::string text;
   each_row(Table::Surface, [&](const Option& option) {
-    text += line(option, option.surface(written), option.surface(standard));
+    text += line(key_of(option, surface), option.surface(written), option.surface(standard));
   });
   return text;
 }

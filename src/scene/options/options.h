@@ -86,6 +86,9 @@ std::vector<std::string> choices(const Option& option);
 /// The keys of a table of scene files that are rows.
 std::vector<std::string> keys_of(Table table);
 
+/// Those of a surface: its ranges have the names of its parameters.
+std::vector<std::string> keys_of(const SurfaceSpec& surface);
+
 /// Throws Error (Input) for a value that is wrong whatever the scene has.
 void check_value(const Option& option, const std::string& text);
 

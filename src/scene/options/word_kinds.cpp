@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "formula/lexer.h"
+#include "scene/model/assignments.h"
 #include "scene/model/values.h"
 #include "scene/toml/toml_writer.h"
 
@@ -69,6 +71,27 @@ void Names::read(const InFile& in) const {
 
 std::string Names::write() const {
   return value->empty() ? "" : toml_names(*value);
+}
+
+void Parameters::read(const InFile& in) const {
+  constexpr const char* kWanted = "two names, such as [\"theta\", \"phi\"]";
+  if (in.value.kind != TomlValue::Kind::Array || in.value.items.size() != 2) {
+    throw in.reader.source().wrong_type(in.subject, in.value, kWanted);
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TomlValue& item = in.value.items[k];
+    (*value)[k] = meant_name(in.reader.text(in.subject, item, kWanted));
+    const std::string fault = fault_of_parameter((*value)[k]);
+    if (fault.empty()) continue;
+    throw in.reader.source().error(in.subject, fault, item.span, "choose another name");
+  }
+  if ((*value)[0] != (*value)[1]) return;
+  throw in.reader.source().error(in.subject, "both parameters are called '" + (*value)[0] + "'",
+                                 in.value.span, "give each its own name");
+}
+
+std::string Parameters::write() const {
+  return "[" + toml_string((*value)[0]) + ", " + toml_string((*value)[1]) + "]";
 }
 
 void Choice::parse(const Given& given) const {

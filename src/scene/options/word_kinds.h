@@ -64,6 +64,14 @@ struct Names {
   std::string write() const;
 };
 
+/// The names of a surface's two parameters.
+struct Parameters {
+  ParameterNames* value;
+
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
 /// One of a few words.
 struct Choice {
   std::vector<std::string> words;

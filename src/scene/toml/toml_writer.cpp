@@ -64,6 +64,11 @@ std::string toml_color(const Color& color) {
                               : toml_numbers({color.r, color.g, color.b, color.a});
 }
 
+std::string toml_key(const std::string& name) {
+  const bool is_bare = std::ranges::all_of(name, [](char c) { return c > 0; });
+  return is_bare ? name : toml_string(name);
+}
+
 std::string toml_names(const std::vector<std::string>& names) {
   if (names.size() == 1) return toml_string(names[0]);
   std::string text;

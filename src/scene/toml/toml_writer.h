@@ -23,6 +23,9 @@ std::string toml_vector(const Vector& vector);
 /// A string where eight bits per channel hold the colour, numbers where they don't.
 std::string toml_color(const Color& color);
 
+/// A key, in quotes where it has other letters than those of ASCII.
+std::string toml_key(const std::string& name);
+
 /// One name alone, several as an array.
 std::string toml_names(const std::vector<std::string>& names);
 

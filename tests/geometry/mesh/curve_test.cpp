@@ -10,7 +10,7 @@
 #include "mesh/curve/curve_mesher.h"
 #include "mesh/curve/tube.h"
 #include "mesh/model/topology.h"
-#include "scene/model/prepare.h"
+#include "scene/model/bind_stroke.h"
 
 namespace saddle {
 namespace {

@@ -37,6 +37,7 @@ const std::map<std::string_view, std::string> kSamples = {
     {"front", "#ff8000"},
     {"back", "#008040"},
     {"flip", "true"},
+    {"name", "wheel"},
     {"opacity", "0.5"},
     {"tolerance", "0.25px"},
     {"normal-tolerance", "5"},
