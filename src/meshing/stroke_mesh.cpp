@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "base/error.h"
 #include "eval/batch.h"
 #include "eval/tape.h"
@@ -76,17 +78,18 @@ std::vector<Finding> findings_of(const CurveMesh& mesh, const std::optional<Boun
     findings.back().share = mesh.undefined_fraction;
   }
   if (mesh.reached_limit) {
-    findings.push_back(finding(
-        Kind::OffTolerance, "the limit of points stopped refinement, the curve is off by at least " +
-                                format_number(mesh.max_error) + "; a smaller range of s shows more"));
+    findings.push_back(
+        finding(Kind::OffTolerance,
+                "the limit of points stopped refinement, the curve is off by at least " +
+                    format_number(mesh.max_error) + "; a smaller range of s shows more"));
     findings.back().value = mesh.max_error;
     findings.back().unit = "length";
   }
   add_places(Kind::Pole, "the curve goes to infinity and is cut there: ", mesh.poles);
   add_places(Kind::Jump, "the curve jumps and is cut there: ", mesh.jumps);
   if (clip) {
-    findings.push_back(finding(Kind::Clipped,
-                               "clipped to the box that most of it is in; --clip off shows all"));
+    findings.push_back(
+        finding(Kind::Clipped, "clipped to the box that most of it is in; --clip off shows all"));
   }
   return findings;
 }
@@ -187,6 +190,16 @@ dvec3 place_of_point(const Scene& scene, const SurfaceSpec& spec) {
               "its x, y and z must be finite numbers");
 }
 
+std::optional<dvec3> middle_of(const Surface& surface, const Mesh& mesh, const std::string& label) {
+  if (label.empty()) return std::nullopt;
+  const Domain& d = surface.domain;
+  const dvec2 length(d.u1 - d.u0, d.v1 - d.v0);
+  const auto off = [&](const dvec2& uv) { return glm::length((uv - d.at({0.5, 0.5})) / length); };
+  const auto nearest = std::ranges::min_element(mesh.uv, {}, off);
+  if (nearest == mesh.uv.end()) return std::nullopt;
+  return mesh.position[static_cast<std::size_t>(nearest - mesh.uv.begin())];
+}
+
 Mesh dot_mesh(const dvec3& place) {
   Mesh mesh;
   mesh.position.push_back(dvec3(place));
@@ -196,6 +209,7 @@ Mesh dot_mesh(const dvec3& place) {
   mesh.point_count = 1;
   mesh.lines = {{0}};
   mesh.bounds.add(place);
+  mesh.anchor = place;
   return mesh;
 }
 

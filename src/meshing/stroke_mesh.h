@@ -1,6 +1,7 @@
 // Curves and points of a scene as meshes: lines and tubes, dots.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "meshing/findings.h"
 #include "meshing/tolerance.h"
 #include "scene/model/scene.h"
+#include "surface/surface.h"
 
 namespace saddle {
 
@@ -30,6 +32,10 @@ MeshedCurve mesh_stroke_curve(const Scene& scene, const SurfaceSpec& spec, const
 /// The place of the point that `spec` stands for. Throws Error: as bind_surface() does; Nothing if
 /// it is undefined.
 dvec3 place_of_point(const Scene& scene, const SurfaceSpec& spec);
+
+/// The place of a surface's label: the corner that is nearest to the middle of the ranges. Nothing
+/// without a label.
+std::optional<dvec3> middle_of(const Surface& surface, const Mesh& mesh, const std::string& label);
 
 /// A mesh of one corner, without triangles.
 Mesh dot_mesh(const dvec3& place);

@@ -360,8 +360,7 @@ Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
 
 namespace {
 
-Tessellation tessellate_curve(const Scene& scene, const SurfaceSpec& spec,
-                              const Purpose& purpose) {
+Tessellation tessellate_curve(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose) {
   MeshedCurve meshed = mesh_stroke_curve(scene, spec, purpose);
   Tessellation result;
   result.mesh = std::move(meshed.mesh);
@@ -378,19 +377,8 @@ Tessellation tessellate_dot(const Scene& scene, const SurfaceSpec& spec) {
   Tessellation result;
   result.place = place_of_point(scene, spec);
   result.mesh = dot_mesh(*result.place);
-  result.mesh.anchor = result.place;
   result.moves = bind_surface(scene, spec).moves;
   return result;
-}
-
-/// The corner that is nearest to the middle of the ranges.
-std::optional<dvec3> middle_of(const Surface& surface, const Mesh& mesh) {
-  const Domain& d = surface.domain;
-  const dvec2 length(d.u1 - d.u0, d.v1 - d.v0);
-  const auto off = [&](const dvec2& uv) { return glm::length((uv - d.at({0.5, 0.5})) / length); };
-  const auto nearest = std::ranges::min_element(mesh.uv, {}, off);
-  if (nearest == mesh.uv.end()) return std::nullopt;
-  return mesh.position[static_cast<std::size_t>(nearest - mesh.uv.begin())];
 }
 
 }  // namespace
@@ -400,12 +388,9 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
   if (spec.curve) return tessellate_curve(scene, spec, purpose);
   if (spec.point && stroke_radius(scene, spec) == 0) return tessellate_dot(scene, spec);
   MeshedSurface meshed = mesh_surface(scene, spec, purpose, threads);
-  std::optional<dvec3> anchor;
-  if (spec.point) {
-    anchor = place_of_point(scene, spec);
-  } else if (!spec.label.empty()) {
-    anchor = middle_of(meshed.prepared.surface, meshed.mesh.mesh);
-  }
+  const std::optional<dvec3> anchor =
+      spec.point ? place_of_point(scene, spec)
+                 : middle_of(meshed.prepared.surface, meshed.mesh.mesh, spec.label);
   Tessellation result = tessellation_of(spec, std::move(meshed));
   result.mesh.anchor = anchor;
   if (spec.point) result.place = anchor;

@@ -10,9 +10,10 @@ namespace {
 class Strokes : public ProgramTest {};
 
 TEST_F(Strokes, BecomeASceneThatIsReadAgain) {
-  const Outcome outcome = saddle({"torus", "+", "curve", "u=3*s", "v=w", "w=2*s", "s=0:tau",
-                                  "--radius", "0.05", "--color", "red", "+", "point", "-1,2,3",
-                                  "--label", "P", "--line-width", "9", "-o", "a.toml"});
+  const Outcome outcome =
+      saddle({"torus",    "+",    "curve",        "u=3*s", "v=w", "w=2*s", "s=0:tau",
+              "--radius", "0.05", "--color",      "red",   "+",   "point", "-1,2,3",
+              "--label",  "P",    "--line-width", "9",     "-o",  "a.toml"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string scene = read_file(path("a.toml"));
   EXPECT_TRUE(contains(scene,
@@ -35,8 +36,8 @@ TEST_F(Strokes, AreOnTheNearestSurfaceBefore) {
 }
 
 TEST_F(Strokes, TubesAndBallsArePartOfMeshesAndLinesAreNot) {
-  const Outcome tube = saddle({"curve", "x=s", "--radius", "0.1", "+", "point", "0,3,0",
-                               "--radius", "0.5", "-o", "a.ply"});
+  const Outcome tube = saddle(
+      {"curve", "x=s", "--radius", "0.1", "+", "point", "0,3,0", "--radius", "0.5", "-o", "a.ply"});
   EXPECT_EQ(tube.status, 0) << tube.err;
   EXPECT_EQ(tube.err, "");
   EXPECT_GT(read_file(path("a.ply")).size(), 10'000U);
@@ -51,9 +52,9 @@ TEST_F(Strokes, TubesAndBallsArePartOfMeshesAndLinesAreNot) {
 }
 
 TEST_F(Strokes, MoveWithTime) {
-  const Outcome outcome = saddle({"curve", "x=s", "y=t*s", "t=0:1", "+", "point", "0,0,t",
-                                  "--radius", "0.1", "--frames", "3", "-s", "60x40", "-o",
-                                  "f%d.png", "--report", "r.json"});
+  const Outcome outcome =
+      saddle({"curve", "x=s", "y=t*s", "t=0:1", "+", "point", "0,0,t", "--radius", "0.1",
+              "--frames", "3", "-s", "60x40", "-o", "f%d.png", "--report", "r.json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(read_file(path("f0.png")), read_file(path("f2.png")));

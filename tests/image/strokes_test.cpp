@@ -65,8 +65,7 @@ TEST(Strokes, AreHiddenBehindOtherSurfaces) {
 }
 
 TEST(Strokes, PointsAreRoundDots) {
-  const Image image =
-      picture_of("[[point]]\nat = [0, 0, 0]\ncolor = \"red\"\nwidth = 21\n");
+  const Image image = picture_of("[[point]]\nat = [0, 0, 0]\ncolor = \"red\"\nwidth = 21\n");
   const int middle = kSide / 2;
   EXPECT_EQ(red_in_column(image, middle), 21);
   EXPECT_TRUE(is_red(image, middle + 10, middle));

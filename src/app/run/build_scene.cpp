@@ -179,8 +179,8 @@ SceneObject read_object(const Segment& segment, const Segment* common, bool alon
     object.options = common->given;
   }
   take_assignments(object, assignments, alone);
-  const bool is_empty = object.scene.surfaces.empty() && object.scene.curves.empty() &&
-                        object.scene.points.empty();
+  const bool is_empty =
+      object.scene.surfaces.empty() && object.scene.curves.empty() && object.scene.points.empty();
   if (is_empty) object.scene.surfaces.emplace_back();
   object.options.insert(object.options.end(), segment.given.begin(), segment.given.end());
   return object;

@@ -220,7 +220,8 @@ void check_colormap_is_used(const std::vector<GivenOption>& options,
   const auto given = std::ranges::find(options, std::string_view("colormap"),
                                        [](const GivenOption& g) { return g.option->name; });
   const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
-  if (given == options.end() || surfaces.empty() || !std::ranges::all_of(surfaces, has_no_color)) return;
+  if (given == options.end() || surfaces.empty() || !std::ranges::all_of(surfaces, has_no_color))
+    return;
   throw Error(Status::Input, "there is nothing to colour", {dashed(*given->option), "", {}},
               "--color z colours by height, --color gauss by curvature");
 }

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -13,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "eval/enclose.h"
+#include "mesh/curve/between.h"
 #include "mesh/model/tolerances.h"
 
 namespace saddle {
@@ -22,9 +21,6 @@ namespace {
 constexpr int kFirstChords = 128;
 /// Halvings of a chord both of whose ends are undefined: a part between them that is defined.
 constexpr int kBlindHalvings = 3;
-/// Halvings by which the middle is that of the numbers; from there on by that of their bits, which
-/// comes to the neighbours of 0, too, in 64 more.
-constexpr int kEvenHalvings = 40;
 /// Samples keep this share of the tolerance, so that bounds can prove the whole of it.
 constexpr double kSampled = 0.75;
 /// A chord of which one step between samples takes more than this share may be a jump.
@@ -38,26 +34,6 @@ constexpr double kHuge = 1e100;
 /// Boxes of a proof for each chord, and at least.
 constexpr std::size_t kBoxesPerChord = 32;
 constexpr std::size_t kLeastBoxes = 10'000;
-
-/// Doubles in their order as whole numbers.
-std::int64_t ordinal(double x) {
-  const auto bits = std::bit_cast<std::int64_t>(x);
-  return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
-}
-
-double from_ordinal(std::int64_t n) {
-  return std::bit_cast<double>(n < 0 ? std::numeric_limits<std::int64_t>::min() - n : n);
-}
-
-/// A number between two others, in the middle for a share of 0.5; one of them if they are
-/// neighbours.
-double between(double a, double b, double share, int halvings) {
-  if (halvings < kEvenHalvings) return a + (b - a) * share;
-  const std::int64_t low = ordinal(a);
-  const auto gap = static_cast<double>(static_cast<std::uint64_t>(ordinal(b)) -
-                                       static_cast<std::uint64_t>(low));
-  return from_ordinal(low + static_cast<std::int64_t>(gap * share));
-}
 
 double distance_to_chord(const dvec3& p, const dvec3& a, const dvec3& b) {
   const dvec3 way = b - a;
@@ -87,7 +63,9 @@ struct Node {
 class CurveMesher {
  public:
   CurveMesher(const ParametricCurve& curve, const CurveRequest& request)
-      : curve_(curve), request_(request), low_(std::min(curve.from, curve.to)),
+      : curve_(curve),
+        request_(request),
+        low_(std::min(curve.from, curve.to)),
         high_(std::max(curve.from, curve.to)) {}
 
   CurveMesh run() {
@@ -109,7 +87,8 @@ class CurveMesher {
 
   bool is_there(const CurvePoint& p) const {
     const dvec3 size = glm::abs(p.position);
-    return size.x < kHuge && size.y < kHuge && size.z < kHuge && (!request_.clip || request_.clip->contains(p.position));
+    return size.x < kHuge && size.y < kHuge && size.z < kHuge &&
+           (!request_.clip || request_.clip->contains(p.position));
   }
 
   double tolerance(const dvec3& a, const dvec3& b) {
@@ -256,8 +235,7 @@ class CurveMesher {
     }
     const double bend = glm::length(spread) * (part.to.s - part.from.s) / 4;
     const Node& node = nodes_[part.node];
-    return part.off + bend <=
-           tolerance(node.point.position, nodes_[part.node + 1].point.position);
+    return part.off + bend <= tolerance(node.point.position, nodes_[part.node + 1].point.position);
   }
 
   /// Both halves of each part; opens the chords that a middle is too far from.

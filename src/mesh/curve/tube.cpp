@@ -26,9 +26,9 @@ constexpr double kJoint = 1e-3;
 struct Ring {
   double s = 0;
   dvec3 centre;
-  dvec3 tangent;                ///< unit
-  dvec3 side{0, 0, 0};          ///< unit, across the tangent: where the angle is 0
-  double latitude = 0;          ///< radians toward the tangent: of a cap
+  dvec3 tangent;        ///< unit
+  dvec3 side{0, 0, 0};  ///< unit, across the tangent: where the angle is 0
+  double latitude = 0;  ///< radians toward the tangent: of a cap
 };
 
 dvec3 unit_across(const dvec3& v) {

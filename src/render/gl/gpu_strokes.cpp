@@ -13,7 +13,8 @@
 namespace saddle {
 
 GpuStrokes::GpuStrokes(const Mesh& mesh)
-    : array_(make_name<GlVertexArray>(glGenVertexArrays)), pieces_(make_name<GlBuffer>(glGenBuffers)) {
+    : array_(make_name<GlVertexArray>(glGenVertexArrays)),
+      pieces_(make_name<GlBuffer>(glGenBuffers)) {
   const ModelFrame frame = model_frame(mesh.bounds);
   const auto model = [&](std::uint32_t corner) {
     return glm::vec3((mesh.position[corner] - frame.centre) / frame.size);

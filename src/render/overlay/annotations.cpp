@@ -16,8 +16,8 @@ namespace {
 
 // Lengths in ems, the size of the letters.
 constexpr double kTickLength = 0.45;
-constexpr double kGap = 0.35;   // of tick and label, of labels and name
-constexpr double kApart = 0.5;  // of labels on the same axis, at least
+constexpr double kGap = 0.35;       // of tick and label, of labels and name
+constexpr double kApart = 0.5;      // of labels on the same axis, at least
 constexpr double kLabelGap = 0.25;  // of a point and its label
 constexpr double kTitleSize = 1.25;
 constexpr double kTitleGap = 0.8;  // above it
@@ -91,9 +91,9 @@ class Annotator {
   void add_label(const SpaceLabel& label) {
     const std::string text = one_line(label.text);
     const double slant = std::sqrt(0.5);
-    const std::array<dvec2, 8> ways = {dvec2(slant, -slant), dvec2(1, 0),  dvec2(slant, slant),
-                                       dvec2(0, -1),         dvec2(0, 1),  dvec2(-slant, -slant),
-                                       dvec2(-1, 0),         dvec2(-slant, slant)};
+    const std::array<dvec2, 8> ways = {
+        dvec2(slant, -slant), dvec2(1, 0),           dvec2(slant, slant), dvec2(0, -1),
+        dvec2(0, 1),          dvec2(-slant, -slant), dvec2(-1, 0),        dvec2(-slant, slant)};
     const Rect place{label.at - dvec2(label.clear), label.at + dvec2(label.clear)};
     for (const dvec2& way : ways) {
       if (writer_.write(text, label.at + (label.clear + kLabelGap * em_) * way, way, em_)) return;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "base/error.h"
 #include "render/picture/tiles.h"
@@ -25,12 +24,6 @@ namespace {
 constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
 /// The box around the surfaces is less conspicuous than its labels.
 constexpr double kBoxInk = 0.3;
-
-/// Strokes are drawn nearer to the eye by so many half widths, and pixels, so that they win over the
-/// surface that they lie on, also where that is inclined by 60 degrees, and where both are within
-/// their tolerance.
-constexpr double kHalfWidthsNearer = 2;
-constexpr double kPixelsNearer = 2;
 
 /// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
 /// it any longer.
@@ -49,20 +42,6 @@ void clear(const Color& background) {
 
 dvec3 rgb(const Color& color) {
   return {color.r, color.g, color.b};
-}
-
-/// A camera that shows all in the same place, but nearer by this share of half the picture's height
-/// there.
-FittedCamera camera_nearer(FittedCamera camera, bool ortho, double share) {
-  glm::dmat4 toward(1);
-  if (ortho) {
-    toward[3][2] = share * camera.half_height;
-  } else {
-    const double factor = 1 - share * camera.half_height / camera.distance;
-    for (int k = 0; k < 3; ++k) toward[k][k] = factor;
-  }
-  camera.eye_to_clip = camera.eye_to_clip * toward;
-  return camera;
 }
 
 void check_gl() {
@@ -85,11 +64,7 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
   }
   normals_.resize(meshes_.size());
   normals_[surface] = {};
-  strokes_.resize(meshes_.size());
-  strokes_[surface].reset();
-  if (mesh.triangles.empty() && !mesh.lines.empty()) strokes_[surface].emplace(mesh);
-  anchors_.resize(meshes_.size());
-  anchors_[surface] = mesh.anchor;
+  stroke_drawer_.set_mesh(surface, mesh);
 }
 
 void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
@@ -117,8 +92,7 @@ void Renderer::keep_meshes(std::size_t count) {
   if (count >= meshes_.size()) return;
   meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(count), meshes_.end());
   normals_.resize(count);
-  strokes_.resize(count);
-  anchors_.resize(count);
+  stroke_drawer_.keep_meshes(count);
 }
 
 std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
@@ -159,7 +133,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   if (scene.box) bounds.add(*scene.box);
   const dvec2 size(viewport.width, viewport.height);
   const Annotations annotations =
-      annotate(scene, camera, bounds, scales_, size, labels_of(scene, camera, size));
+      annotate(scene, camera, bounds, scales_, size, stroke_drawer_.labels(scene, camera, size));
   unknown_letters_ = annotations.unknown;
   const dvec3 ink = ink_on(scene.background);
   Color background = scene.background;
@@ -170,7 +144,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, n, look);
   if (look.lines) draw_lines(scene, items, n);
-  draw_strokes(scene, camera, viewport, unit);
+  stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
@@ -241,9 +215,7 @@ Program& Renderer::line_program() {
 }
 
 bool Renderer::has_lines() const {
-  const auto is_there = [](const auto& strokes) { return strokes.has_value(); };
-  return std::ranges::any_of(meshes_, &GpuMesh::has_lines) ||
-         std::ranges::any_of(strokes_, is_there);
+  return std::ranges::any_of(meshes_, &GpuMesh::has_lines) || stroke_drawer_.has_strokes();
 }
 
 std::size_t Renderer::lights_at_once() {
@@ -380,63 +352,6 @@ void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
     program.check_all_set();
     meshes_[item.surface].draw_lines();
   }
-}
-
-void Renderer::draw_strokes(const Scene& scene, const FittedCamera& camera,
-                            const Viewport& viewport, double unit) {
-  const int n = viewport.per_side;
-  const PixelRect& rect = viewport.rect;
-  const double margin = 2.0 * viewport.margin;
-  const dvec2 samples = static_cast<double>(n) * dvec2(rect.width + margin, rect.height + margin);
-  for (const Instance& instance : instances(scene)) {
-    const auto& strokes = strokes_[instance.surface];
-    const SurfaceSpec& surface = scene.surfaces[instance.surface];
-    if (!strokes || !surface.is_stroke()) continue;
-    if (!stroke_program_) {
-      stroke_program_.emplace(std::string(shader_source("stroke.vert.glsl")),
-                              std::string(shader_source("stroke.frag.glsl")));
-    }
-    const double half_width = line_width(scene, surface) / 2;
-    const FittedCamera nearer = camera_nearer(
-        camera, scene.camera.ortho,
-        (kHalfWidthsNearer * half_width + kPixelsNearer) * 2 / viewport.height);
-    const PlacedMesh item(instance, meshes_[instance.surface], nearer, unit);
-    if (!item.is_visible()) continue;
-    stroke_program_->use();
-    stroke_program_->set("model_to_clip",
-                         clip_to_rect(viewport.width, viewport.height, rect, viewport.margin) *
-                             item.model_to_clip);
-    stroke_program_->set("half_size", dvec3(samples / 2.0, n * half_width));
-    stroke_program_->set("line_color", rgb(surface.line_color));
-    stroke_program_->check_all_set();
-    glEnable(GL_DEPTH_CLAMP);  // the camera's near plane may touch them
-    strokes->draw();
-    glDisable(GL_DEPTH_CLAMP);
-  }
-}
-
-/// The labels where the surfaces' nodes have them.
-std::vector<SpaceLabel> Renderer::labels_of(const Scene& scene, const FittedCamera& camera,
-                                            const dvec2& size) const {
-  std::vector<SpaceLabel> labels;
-  for (const Instance& instance : instances(scene)) {
-    const SurfaceSpec& surface = scene.surfaces[instance.surface];
-    const auto& anchor = anchors_[instance.surface];
-    if (surface.label.empty() || !anchor) continue;
-    const dvec3 place(instance.to_world * glm::dvec4(*anchor, 1));
-    const auto at = pixel_of(camera, place, size);
-    if (!at) continue;
-    double clear = surface.is_stroke() ? line_width(scene, surface) / 2 : 0;
-    const double radius = stroke_radius(scene, surface) * largest_stretch(instance.to_world);
-    if (radius > 0) {
-      const dvec3 up(camera.world_to_eye[0][1], camera.world_to_eye[1][1],
-                     camera.world_to_eye[2][1]);
-      const auto rim = pixel_of(camera, place + radius * up, size);
-      if (rim) clear = glm::length(*rim - *at);
-    }
-    labels.push_back({surface.label, *at, clear});
-  }
-  return labels;
 }
 
 /// Fainter than its labels.

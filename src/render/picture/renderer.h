@@ -11,12 +11,12 @@
 
 #include "mesh/model/mesh.h"
 #include "render/gl/gpu_mesh.h"
-#include "render/gl/gpu_strokes.h"
 #include "render/gl/program.h"
 #include "render/gl/viewport.h"
 #include "render/overlay/overlay_drawer.h"
 #include "render/picture/layers.h"
 #include "render/picture/placed_mesh.h"
+#include "render/picture/stroke_drawer.h"
 #include "render/shading/colormap_textures.h"
 #include "render/shading/shader_lights.h"
 #include "render/shading/shader_text.h"
@@ -93,21 +93,14 @@ class Renderer {
                 const Viewport& viewport, const dvec3& ink);
 
   std::size_t lights_at_once_ = 0;
-  void draw_strokes(const Scene& scene, const FittedCamera& camera, const Viewport& viewport,
-                    double unit);
-  std::vector<SpaceLabel> labels_of(const Scene& scene, const FittedCamera& camera,
-                                    const dvec2& size) const;
-
   std::vector<GpuMesh> meshes_;
-  std::vector<std::optional<GpuStrokes>> strokes_;  // of those without triangles
-  std::vector<std::optional<dvec3>> anchors_;       // of each
+  StrokeDrawer stroke_drawer_;
   std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
   std::map<std::string, Program> programs_;  // for surfaces, by their text
   ColormapTextures colormaps_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Program> line_program_;
-  std::optional<Program> stroke_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
   std::string unknown_letters_;

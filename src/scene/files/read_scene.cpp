@@ -176,8 +176,8 @@ void read_table(TomlReader& reader, const TomlValue& root, const char* name, Tab
 
 Scene read_tables(TomlReader& reader, const TomlValue& root) {
   std::vector<std::string> keys = keys_of(Table::Scene);
-  for (const char* table :
-       {"params", "functions", "surface", "curve", "point", "node", "light", "camera", "animation"}) {
+  for (const char* table : {"params", "functions", "surface", "curve", "point", "node", "light",
+                            "camera", "animation"}) {
     keys.emplace_back(table);
   }
   reader.source().check_keys("scene", root, keys);
@@ -195,15 +195,13 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
   with(root, "curve", [&](const TomlValue& v) {
     for (const TomlValue& table : reader.tables("curve", v)) {
       const std::string prefix = curve_prefix(scene.curves.size());
-      scene.curves.push_back(
-          read_stroke<CurveSpec>(reader, "curve", Table::Curve, prefix, table));
+      scene.curves.push_back(read_stroke<CurveSpec>(reader, "curve", Table::Curve, prefix, table));
     }
   });
   with(root, "point", [&](const TomlValue& v) {
     for (const TomlValue& table : reader.tables("point", v)) {
       const std::string prefix = point_prefix(scene.points.size());
-      scene.points.push_back(
-          read_stroke<PointSpec>(reader, "point", Table::Point, prefix, table));
+      scene.points.push_back(read_stroke<PointSpec>(reader, "point", Table::Point, prefix, table));
     }
   });
   with(root, "node", [&](const TomlValue& v) {
@@ -227,8 +225,7 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
 /// Checks what depends on the whole scene: formulas, ranges, nodes.
 void check_scene(const TomlReader& reader, const Scene& scene) {
   // Numbers may use x, y and z of the last surface.
-  const std::string last =
-      scene.surfaces.empty() ? "" : surface_prefix(scene.surfaces.size() - 1);
+  const std::string last = scene.surfaces.empty() ? "" : surface_prefix(scene.surfaces.size() - 1);
   const Scene resolved = reader.in_place([&] { return resolve(scene); }, last);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     reader.in_place([&] { bind_surface(resolved, resolved.surfaces[i]); }, surface_prefix(i));

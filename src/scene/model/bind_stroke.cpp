@@ -77,8 +77,7 @@ class StrokeParser {
       const SurfaceSpec& surface = surface_under(scene_, spec);
       const NodeId u = parse("u", spec.u);
       const NodeId v = parse("v", spec.v);
-      Scope of_surface(graph_, surface_definitions(scene_, surface),
-                       surface_view(scene_, surface));
+      Scope of_surface(graph_, surface_definitions(scene_, surface), surface_view(scene_, surface));
       const std::array<NodeId, 3> there = restricted_position(graph_, of_surface, surface);
       result.assign(there.begin(), there.end());
       roots_.insert(roots_.end(), result.begin(), result.end());
@@ -146,7 +145,8 @@ BoundSurface bind_point(const Scene& scene, const PointSpec& spec) {
 }
 
 BoundCurve bind_curve(const Scene& scene, const CurveSpec& spec) {
-  check_place(spec, !(spec.x.empty() && spec.y.empty() && spec.z.empty()), "curve", kExampleOfCurve);
+  check_place(spec, !(spec.x.empty() && spec.y.empty() && spec.z.empty()), "curve",
+              kExampleOfCurve);
   BoundCurve result;
   Graph& graph = result.graph;
   StrokeParser parser(graph, scene, "s");

@@ -64,7 +64,7 @@ struct Material {
 inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
 inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
 
-/// Of grid lines, and of curves and points.
+/// The colour of grid lines, and that of curves and points.
 inline const Color kLineColor{0.2, 0.2, 0.2};
 inline const Color kStrokeColor{1, 0.25, 0.2};
 
@@ -102,8 +102,8 @@ struct SurfaceSpec {
   bool flip = false;
   std::vector<Definition> definitions;  ///< of its own: they hide the scene's of the same name
   std::vector<Slider> sliders;          ///< for these
-  Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
-  std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: grows with the picture
+  Number opacity = 1;                   ///< 0 to 1; less than 1: one sees what is behind it
+  std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: line_width()
   Color line_color = kLineColor;
   std::string label;            ///< text beside it; empty: none
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
@@ -113,7 +113,7 @@ struct SurfaceSpec {
   bool is_stroke() const { return curve || point; }
 };
 
-/// What curves and points have in common.
+/// The part that curves and points have in common.
 struct StrokeSpec {
   std::string name;
   std::string label;  ///< text beside it; empty: none

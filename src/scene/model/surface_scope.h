@@ -1,5 +1,5 @@
-// The formulas of a surface as nodes of a graph: which names they see, where the surface is, and the
-// ends of ranges.
+// The formulas of a surface as nodes of a graph: which names they see, where the surface is, and
+// the ends of ranges.
 #pragma once
 
 #include <array>

@@ -118,9 +118,8 @@ std::string stroke_lines(const Stroke& stroke) {
   Stroke written = stroke;
   Stroke standard;
   std::vector<kinds::Slot> defaults;
-  each_stroke_slot(standard, [&](const Option&, const kinds::Slot& slot) {
-    defaults.push_back(slot);
-  });
+  each_stroke_slot(standard,
+                   [&](const Option&, const kinds::Slot& slot) { defaults.push_back(slot); });
   std::string text;
   std::size_t k = 0;
   each_stroke_slot(written, [&](const Option& option, const kinds::Slot& slot) {

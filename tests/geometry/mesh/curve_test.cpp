@@ -132,8 +132,8 @@ TEST(CurveMesher, BeginsWhereABackwardRangeBegins) {
 
 /// No sample comes near the needle: its half width is 1e-4 of the first chords'.
 TEST(CurveMesher, FindsANeedleByBounds) {
-  const CurveMesh mesh = mesh_curve(
-      curve_in_space("s", "exp(-1e13*(s-0.1234567)^2)", "0", {"-1", "1"}), within(1e-3));
+  const CurveMesh mesh =
+      mesh_curve(curve_in_space("s", "exp(-1e13*(s-0.1234567)^2)", "0", {"-1", "1"}), within(1e-3));
   double highest = 0;
   for (const CurvePoint& p : mesh.chains.at(0)) highest = std::max(highest, p.position.y);
   EXPECT_GT(highest, 0.998);
@@ -145,7 +145,8 @@ TEST(CurveMesher, LeavesOutWhatIsUndefined) {
   EXPECT_EQ(root.chains[0].front().s, 0);
   EXPECT_NEAR(root.undefined_fraction, 0.25, 1e-12);
   EXPECT_TRUE(root.jumps.empty());
-  const CurveMesh sinc = mesh_curve(curve_in_space("s", "sin(s)/s", "0", {"-1", "1"}), within(1e-3));
+  const CurveMesh sinc =
+      mesh_curve(curve_in_space("s", "sin(s)/s", "0", {"-1", "1"}), within(1e-3));
   EXPECT_EQ(sinc.chains.size(), 1U) << "a point without a value, but with a limit";
   EXPECT_TRUE(sinc.jumps.empty());
 }
@@ -161,8 +162,8 @@ double volume_inside(const Mesh& mesh) {
 
 TEST(Tube, RoundACircleIsATorus) {
   constexpr double kRadius = 0.3;
-  const CurveMesh circle = mesh_curve(curve_in_space("2*cos(s)", "2*sin(s)", "0", {"0", "2*pi"}),
-                                      within(5e-4, kRadius));
+  const CurveMesh circle =
+      mesh_curve(curve_in_space("2*cos(s)", "2*sin(s)", "0", {"0", "2*pi"}), within(5e-4, kRadius));
   const Mesh mesh = tube_mesh(circle, kRadius, 5e-4);
   for (std::size_t i = 0; i < mesh.position.size(); ++i) {
     const dvec3& p = mesh.position[i];

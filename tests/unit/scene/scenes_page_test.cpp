@@ -70,7 +70,9 @@ std::string scene_with(const std::string& heading, const std::string& line) {
     const std::string in_space = heading == "[[curve]]" ? "x = \"s\"\n" : "at = [0, 0, 0]\n";
     const bool is_own = line.starts_with(in_space.substr(0, 2));
     const std::string u = line.starts_with("u ") ? "" : "u = \"0.5\"\n";
-    const std::string v = line.starts_with("v ") ? "" : heading == "[[curve]]" ? "v = \"s\"\n" : "v = 0\n";
+    const std::string v = line.starts_with("v ")   ? ""
+                          : heading == "[[curve]]" ? "v = \"s\"\n"
+                                                   : "v = 0\n";
     return surface + node + heading + "\n" + (is_on ? u + v : is_own ? "" : in_space) + line + "\n";
   }
   if (heading == "Materials") return surface + "front = { " + line + " }\n";
