@@ -244,8 +244,9 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "color",
      .value = "EXPR",
      .section = Section::Look,
-     .help = "colour by an expression of u, v, x, y, z, gauss or mean (curvature), with a bar; of a "
-             "curve or point: COLOR",
+     .help =
+         "colour by an expression of u, v, x, y, z, gauss or mean (curvature), with a bar; of a "
+         "curve or point: COLOR",
      .usual = "off",
      .commands = kGraphCheck,
      .object = true,
