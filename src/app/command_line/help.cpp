@@ -193,8 +193,7 @@ std::string in_columns(const std::string& heading, const std::vector<std::string
 
 std::string scene_text() {
   std::string text = kScene;
-  for (const Table table : {Table::Scene, Table::Surface, Table::Stroke, Table::Curve, Table::Point, Table::Camera,
-                            Table::Animation}) {
+  for (const Table table : {Table::Scene, Table::Surface, Table::Camera, Table::Animation}) {
     std::vector<std::string> entries;
     for (const Option& option : options()) {
       if (option.table == table) entries.push_back(key_text(option));
@@ -206,6 +205,9 @@ std::string scene_text() {
     for (const std::string& key : keys) names += (names.empty() ? "" : ", ") + key;
     return names;
   };
+  text += "\n[[curve]] and [[point]]\n" + entry("  keys", listed(keys_of(Table::Stroke)));
+  text += entry("  of curve", listed(keys_of(Table::Curve)));
+  text += entry("  of point", listed(keys_of(Table::Point)));
   text += "\n[[light]]\n" + entry("  keys", listed(light_keys()));
   text += entry("  of spot", listed(spot_keys()));
   text += "\n[[node]]\n" + entry("  keys", "name, in, transform");
