@@ -9,9 +9,14 @@
 
 namespace saddle {
 
+bool is_line(const Scene& scene, std::span<const Mesh> meshes, std::size_t surface) {
+  return scene.surfaces[surface].is_stroke() && meshes[surface].triangles.empty();
+}
+
 std::vector<Mesh> placed_meshes(const Scene& scene, std::span<const Mesh> meshes) {
   std::vector<Mesh> result;
   for (const Instance& instance : instances(scene)) {
+    if (is_line(scene, meshes, instance.surface)) continue;
     result.push_back(transformed(meshes[instance.surface], instance.to_world));
   }
   return result;
@@ -24,6 +29,7 @@ std::vector<std::vector<Rgb>> placed_colors(const Scene& scene, std::span<const 
   if (scales.empty()) return {};
   std::vector<std::vector<Rgb>> result;
   for (const Instance& instance : instances(scene)) {
+    if (is_line(scene, meshes, instance.surface)) continue;
     std::vector<Rgb>& colors = result.emplace_back();
     const SurfaceSpec& spec = scene.surfaces[instance.surface];
     for (const double number : meshes[instance.surface].color) {

@@ -11,6 +11,9 @@
 
 namespace saddle {
 
+/// It stands for a curve or point without a radius, which has no triangles.
+bool is_line(const Scene& scene, std::span<const Mesh> meshes, std::size_t surface);
+
 using Rgb = std::array<std::uint8_t, 3>;
 
 /// The meshes of the scene's instances, in their order; meshes[i] is that of scene.surfaces[i].

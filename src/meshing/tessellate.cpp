@@ -20,7 +20,9 @@
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
 #include "meshing/findings.h"
+#include "meshing/stroke_mesh.h"
 #include "meshing/tolerance.h"
+#include "scene/model/strokes.h"
 #include "surface/defined_share.h"
 
 namespace saddle {
@@ -357,9 +359,43 @@ Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
   return result;
 }
 
+namespace {
+
+Tessellation tessellate_curve(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose) {
+  MeshedCurve meshed = mesh_stroke_curve(scene, spec, purpose);
+  Tessellation result;
+  result.mesh = std::move(meshed.mesh);
+  result.findings = std::move(meshed.findings);
+  result.warnings = warnings_of(spec.name, result.findings);
+  result.curve = std::move(meshed.curve);
+  result.moves = meshed.moves;
+  result.parse_ms = meshed.parse_ms;
+  result.tessellate_ms = meshed.tessellate_ms;
+  return result;
+}
+
+Tessellation tessellate_dot(const Scene& scene, const SurfaceSpec& spec) {
+  Tessellation result;
+  result.place = place_of_point(scene, spec);
+  result.mesh = dot_mesh(*result.place);
+  result.moves = bind_surface(scene, spec).moves;
+  return result;
+}
+
+}  // namespace
+
 Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                         unsigned threads) {
-  return tessellation_of(spec, mesh_surface(scene, spec, purpose, threads));
+  if (spec.curve) return tessellate_curve(scene, spec, purpose);
+  if (spec.point && stroke_radius(scene, spec) == 0) return tessellate_dot(scene, spec);
+  MeshedSurface meshed = mesh_surface(scene, spec, purpose, threads);
+  const std::optional<dvec3> anchor =
+      spec.point ? place_of_point(scene, spec)
+                 : middle_of(meshed.prepared.surface, meshed.mesh.mesh, spec.label);
+  Tessellation result = tessellation_of(spec, std::move(meshed));
+  result.mesh.anchor = anchor;
+  if (spec.point) result.place = anchor;
+  return result;
 }
 
 }  // namespace saddle

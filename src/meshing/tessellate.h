@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/color/color_mesh.h"
+#include "mesh/curve/curve_mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/findings.h"
 #include "meshing/tolerance.h"
@@ -31,6 +32,8 @@ struct Tessellation {
   Domain domain;  ///< where v depends on u: the box around the mesh's parameters
   std::vector<Finding> findings;
   std::vector<std::string> warnings;  ///< sentences of findings
+  std::optional<CurveMesh> curve;     ///< of a curve, without its chains
+  std::optional<dvec3> place;         ///< of a point
   bool moves = false;                 ///< at another time it is another mesh
   double parse_ms = 0;                ///< text to graph
   double compile_ms = 0;              ///< derivatives and tapes
@@ -51,7 +54,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
 /// The mesh of `spec` and what was found about it, for the user.
 Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed);
 
-/// Both in one call.
+/// Both in one call; also of a surface that stands for a curve or a point.
 Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                         unsigned threads);
 

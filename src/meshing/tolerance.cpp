@@ -165,12 +165,9 @@ std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpo
   return result;
 }
 
-}  // namespace
-
-Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                       const Probe& probe, const std::optional<Bounds>& clip) {
-  if (probe.bounds().empty()) return kInfinity;
-  const double diagonal = visible(probe, clip).diagonal();
+Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                            const VisiblePart& part) {
+  const double diagonal = part.bounds.diagonal();
   double length = kInfinity;
   double pixels = kInfinity;
   for (const auto& [value, is_in_pixels] : asked(scene, purpose)) {
@@ -180,7 +177,6 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
   if (pixels == kInfinity) return length;
   double same_everywhere = kInfinity;
   std::vector<PixelSize> sizes;  // that are not
-  const VisiblePart part = visible_part(probe, clip);
   for (const auto& [camera, place] : views(scene, spec, purpose)) {
     if (largest_stretch(place) == 0) continue;  // drawn as nothing
     PixelSize size(camera, scene.picture, place, part);
@@ -197,6 +193,19 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
     for (const PixelSize& size : sizes) pixel = std::min(pixel, size(p, reach));
     return std::min(length, pixels * pixel);
   };
+}
+
+}  // namespace
+
+Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                       const Probe& probe, const std::optional<Bounds>& clip) {
+  if (probe.bounds().empty()) return kInfinity;
+  return tolerance_of_part(scene, spec, purpose, visible_part(probe, clip));
+}
+
+Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                       const Bounds& bounds, std::vector<dvec3> positions) {
+  return tolerance_of_part(scene, spec, purpose, {bounds, std::move(positions)});
 }
 
 double tolerance_share(const Scene& scene, const Purpose& purpose) {

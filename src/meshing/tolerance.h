@@ -34,6 +34,10 @@ struct Purpose {
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
 
+/// The same for what has a box and samples, and nothing else.
+Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                       const Bounds& bounds, std::vector<dvec3> positions);
+
 /// The tolerance for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.
 double tolerance_share(const Scene& scene, const Purpose& purpose);

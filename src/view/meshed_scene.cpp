@@ -46,6 +46,7 @@ FittedCamera fit_to(const Meshed& meshed, const PictureSettings& picture) {
 std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray) {
   std::optional<SightedPoint> nearest;
   for (const Instance& instance : instances(meshed.scene)) {
+    if (meshed.scene.surfaces[instance.surface].curve) continue;  // it has no u and v
     const glm::dmat4 to_surface = glm::inverse(instance.to_world);
     const Ray own{dvec3(to_surface * glm::dvec4(ray.origin, 1)),
                   glm::dmat3(to_surface) * ray.direction};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/picture/framing.h"
+#include "scene/model/strokes.h"
 #include "scene/options/resolve.h"
 
 namespace saddle {
@@ -85,7 +86,7 @@ void Model::frame() {
 }
 
 Scene Model::drawn_scene() const {
-  Scene drawn = scene_;
+  Scene drawn = with_strokes(scene_);
   if (drawn.surfaces.size() != good_.surfaces.size()) drawn.surfaces = good_.scene.surfaces;
   drawn.surfaces.resize(good_.surfaces.size());  // to none before the first mesh is there
   return drawn;
@@ -229,7 +230,7 @@ void Model::request_meshes(Manner manner) {
   }
   meshed_camera_ = scene_.camera;
   refine_at_.reset();
-  worker_.request(scene_, manner);
+  worker_.request(with_strokes(scene_), manner);
 }
 
 bool Model::take_result() {

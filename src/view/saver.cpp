@@ -8,6 +8,7 @@
 #include "export/scene_png.h"
 #include "render/picture/picture_in_tiles.h"
 #include "render/picture/renderer.h"
+#include "scene/model/strokes.h"
 #include "scene/options/resolve.h"
 #include "scene/toml/scene_file.h"
 #include "view/model.h"
@@ -66,7 +67,7 @@ Saver::Saver(Tessellate tessellate, std::function<void()> wake)
 
 void Saver::save_picture(Scene scene) {
   const bool is_free = !is_busy();
-  waiting_.push_back(resolve(std::move(scene)));
+  waiting_.push_back(with_strokes(resolve(std::move(scene))));
   if (is_free) mesh_next();
 }
 

@@ -236,8 +236,8 @@ constexpr Row kRows[] = {
     {"key.toml -o a.toml", "key.toml:1:1: unknown key 'grif'", "known keys:", ""},
     {"type.toml -o a.toml", "type.toml:1:7: title: must be", "", ""},
     {"toml.toml -o a.toml", "toml.toml:1:", "saddle show torus", "show torus"},
-    {"empty.toml -o a.toml", "empty.toml:1:1: the scene has no [[surface]]", "saddle show torus",
-     "show torus"},
+    {"empty.toml -o a.toml", "empty.toml:1:1: the scene has no [[surface]], [[curve]] or [[point]]",
+     "saddle show torus", "show torus"},
     {"node.toml -o a.toml", "node.toml:3:7: surface 1: in: no node is called 'wheel'",
      "the scene has no [[node]]", ""},
     {"twice.toml -o a.toml",
@@ -245,6 +245,36 @@ constexpr Row kRows[] = {
      "give each its own name", ""},
     {"other.toml -o a.toml", "other.toml:4:1: unknown key 'u'", "p q", ""},
     {"plain.png -o a.toml", "plain.png is not a PNG file", "", ""},
+    // curves and points
+    {"curve u=s v=s -o a.toml", "u: there is no surface for u and v", "a surface stands before",
+     "torus + curve u=s v=s -o a.toml"},
+    {"torus + curve u=s -o a.toml", "u: v is missing", "has u and v",
+     "torus + curve u=s v=0 -o a.toml"},
+    {"curve x=3 -o a.toml", "the curve does not depend on s",
+     "x='cos(s)' y='sin(s)' z='s/5' s=0:tau",
+     "curve x='cos(s)' y='sin(s)' z='s/5' s=0:tau -o a.toml"},
+    {"curve x=t t=0:1 -o a.toml", "the curve does not depend on s", "t is time", ""},
+    {"torus + curve x=s u=s v=0 -o a.toml", "u: the curve has two places", "leave one of them out",
+     "curve x=s -o a.toml"},
+    {"curve -o a.toml", "the curve has no place", "x='cos(s)'", ""},
+    {"curve x=s u=0:1 -o a.toml", "u: a curve has a range of s", "write s=0:1",
+     "curve x=s s=0:1 -o a.toml"},
+    {"curve x=s s=3 -o a.toml", "s: a range is MIN:MAX", "s=0:2*pi",
+     "curve x=s s=0:2*pi -o a.toml"},
+    {"curve x=s foo -o a.toml", "'foo' is no part of a curve", "curve x='cos(s)'", ""},
+    {"curve x=s --front red -o a.toml", "--front: a curve takes no such option", "--color",
+     "curve x=s --color red -o a.toml"},
+    {"curve x=s --color z -o a.toml", "--color: unknown colour 'z'", "CSS colour name",
+     "curve x=s --color tomato -o a.toml"},
+    {"curve x=s --radius 0 -o a.toml", "--radius: must be more than 0", "", ""},
+    {"point -o a.toml", "the point has no place", "point 1,2,3", "point 1,2,3 -o a.toml"},
+    {"point 4,5 -o a.toml", "point: a place in space has three numbers, this one has 2", "1,2,3",
+     "point 1,2,3 -o a.toml"},
+    {"point x=1 -o a.toml", "x: the place of a point is one word", "point 1,2,3",
+     "point 1,2,3 -o a.toml"},
+    {"point 1,2,3 4,5,6 -o a.toml", "'4,5,6' is no part of a point", "point u=1 v=2", ""},
+    {"on.toml -o a.toml", "on.toml:3:7: on: no surface is called 'tours'", "did you mean 'torus'?",
+     ""},
 };
 
 TEST_F(Messages, NameTheMistakeAndAWayOutThatWorks) {
@@ -258,6 +288,8 @@ TEST_F(Messages, NameTheMistakeAndAWayOutThatWorks) {
   std::ofstream(path("twice.toml")) << "[[surface]]\nparameters = [\"p\", \"p\"]\nz = \"p\"\n";
   std::ofstream(path("other.toml"))
       << "[[surface]]\nparameters = [\"p\", \"q\"]\nz = \"p\"\nu = [0, 1]\n";
+  std::ofstream(path("on.toml")) << "[[curve]]\nu = \"s\"\non = \"tours\"\nv = 0\n"
+                                    "[[surface]]\nname = \"torus\"\nz = \"u\"\n";
   std::ofstream(path("plain.png")) << "no picture";
   for (const Row& row : kRows) {
     const std::string text = error_of(run(row.command), 2);
@@ -289,6 +321,16 @@ constexpr Row kWarnings[] = {
     {"z=u u=1:0", "surface: a range runs backwards, which swaps front and back", "", ""},
     {"sphere --max-triangles 100", "sphere: the limit of triangles stopped refinement",
      "--max-triangles allows more", "sphere --max-triangles 100000"},
+    {"curve x=s y=1/s s=-1:1 --radius 0.1",
+     "curve: the curve goes to infinity and is cut there: s = 0", "", ""},
+    {"curve x=s y=1/s s=-1:1 --radius 0.1", "curve: clipped to the box that most of it is in",
+     "--clip off shows all", "curve x=s y=1/s s=-1:1 --radius 0.1 --clip off"},
+    {"curve x=s y=sign(s) s=-1:1 --radius 0.1", "curve: the curve jumps and is cut there: s = 0",
+     "", ""},
+    {"curve x=s y=sqrt(s) s=-1:1 --radius 0.1", "curve: undefined over 50 % of the range of s", "",
+     ""},
+    {"sphere + point 1,2,3", "point: a mesh has no lines and dots", "--radius",
+     "sphere + point 1,2,3 --radius 0.1"},
     {"z=u --color 1/u", "surface: the colour goes to infinity; its range is cut to ", "", ""},
 };
 

@@ -44,6 +44,11 @@ std::vector<Golden> golden_pictures() {
        "monkey-saddle --axes --ortho --view 1,0,0 --background white -s 320x240"},
       {"axes-from-below", "z='u*v^2+1e6' --axes --view -2,1,-1.5 -s 320x240"},
       {"color-height", "z='sin(u)*cos(v)' u=-3:3 v=-3:3 --axes --color z -s 320x240"},
+      {"curves-and-points",
+       "curve x=s y='abs(s)' s=-1:1 --radius 0.1 + curve x='2+cos(s)' y='sin(s)' s=0:tau "
+       "--radius 0.1 --color gold + curve x=s y=1/s z=0.5 s=-2:2 --color lime --line-width 2 "
+       "+ point 0,-1,0 --radius 0.2 --color white --label ball + point 1,-1,0 --label dot "
+       "--clip -1:3.5,-2:2,-1:1"},
       {"color-undefined", "z='u*v' --color 'sqrt(u)+floor(2*v)' --colormap plasma -s 320x240"},
   };
   for (const auto& [name, arguments] :
@@ -55,6 +60,7 @@ std::vector<Golden> golden_pictures() {
                                                         {"planets", "--t 2"},
                                                         {"axes", ""},
                                                         {"curvature", ""},
+                                                        {"torus-knot", ""},
                                                         {"color", ""},
                                                         {"colonnade", ""}}) {
     pictures.push_back({"example-" + name, source_folder() + "/examples/" + name + ".toml " +

@@ -18,6 +18,8 @@ RUNS = [
     ["z=1/u+sign(v-0.1)", "-s", "40x30", "-o", "picture.png"],
     ["z=u*v*t", "t=0:1", "-s", "40x30", "--frames", "2", "-o", "frame-%d.png"],
     ["check", "sphere"],
+    ["torus", "+", "curve", "u=s", "v=1", "s=0:tau", "+", "curve", "x=s", "y=1/s+sign(s-0.5)", "s=-1:1",
+     "+", "point", "1,2,3", "-s", "40x30", "-o", "curves.png"],
     ["check", "cone-double"],
     ["check", "whitney-umbrella"],
     ["check", "pillow"],

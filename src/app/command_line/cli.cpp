@@ -63,7 +63,9 @@ class Splitter {
     bool only_arguments = false;
     while (at_ < rest_.size()) {
       const std::string argument = rest_[at_++];
-      if (argument == "+") {
+      if (is_place(argument)) {
+        line_.segments.back().arguments.push_back(argument);
+      } else if (argument == "+") {
         line_.segments.emplace_back();
       } else if (only_arguments || argument.size() < 2 || argument[0] != '-') {
         line_.segments.back().arguments.push_back(argument);
@@ -78,6 +80,13 @@ class Splitter {
   }
 
  private:
+  /// The word after `point` is three numbers, of which the first may have a minus.
+  bool is_place(const std::string& word) const {
+    const std::vector<std::string>& before = line_.segments.back().arguments;
+    return before == std::vector<std::string>{"point"} && !word.starts_with("--") &&
+           word.find(',') != std::string::npos;
+  }
+
   /// `--name`, `--name=VALUE`
   void split_name(const std::string& argument) {
     const std::size_t equals = argument.find('=');

@@ -26,6 +26,8 @@ constexpr const char* kUsage =
                                                        - is standard input
   saddle GALLERY-NAME [NAME=EXPRESSION...] [options]   graph a built-in surface
   saddle OBJECT + OBJECT ... [options]                 several objects in one scene
+  saddle ... + curve x=... y=... z=... s=MIN:MAX       curves and points beside surfaces; with
+  saddle ... + point X,Y,Z [--radius R] [--label TEXT] u=... v=... on the surface before them
   saddle check ...same arguments...                    what is true of the surface, no picture
   saddle chart ...same arguments... -o FILE            speed against accuracy of the methods, for
                                                        this surface: .svg .png .csv
@@ -44,6 +46,7 @@ Examples:
   saddle x='(2+cos(v))*cos(u)' y='(2+cos(v))*sin(u)' z='sin(v)' u=0:tau v=0:tau -o ring.png
   saddle torus r=0.4 + torus r=0.6 R=3 --front red + z='x^2+y^2' where='x^2+y^2<1' -o three.png
   saddle z='sin(3*u+t)*cos(v)' t=0:tau -o waves.gif
+  saddle torus + curve u='2*s' v='3*s' s=0:tau --radius 0.05 + point u=0 v=0 --label P -o knot.png
 )";
 
 constexpr const char* kScene =
@@ -149,6 +152,12 @@ const char* table_name(Table table) {
       return "at the top of the file";
     case Table::Surface:
       return "[[surface]]";
+    case Table::Stroke:
+      return "[[curve]] and [[point]]";
+    case Table::Curve:
+      return "[[curve]]";
+    case Table::Point:
+      return "[[point]]";
     case Table::Camera:
       return "[camera]";
     case Table::Animation:
@@ -201,6 +210,9 @@ std::string scene_text() {
     for (const std::string& key : keys) names += (names.empty() ? "" : ", ") + key;
     return names;
   };
+  text += "\n[[curve]] and [[point]]\n" + entry("  keys", listed(keys_of(Table::Stroke)));
+  text += entry("  of curve", listed(keys_of(Table::Curve)));
+  text += entry("  of point", listed(keys_of(Table::Point)));
   text += "\n[[light]]\n" + entry("  keys", listed(light_keys()));
   text += entry("  of spot", listed(spot_keys()));
   text += "\n[[node]]\n" + entry("  keys", "name, in, transform");

@@ -10,6 +10,8 @@
 #include "app/report/run_report.h"
 #include "app/run/build_scene.h"
 #include "base/standard_streams.h"
+#include "meshing/tessellate.h"
+#include "scene/model/strokes.h"
 #include "study/check_surface.h"
 
 namespace saddle {
@@ -27,6 +29,15 @@ void run_check(const CommandLine& line, Clock::time_point start) {
         report.surfaces.emplace_back(report_of(spec.name, checked.tessellation));
     surface.facts = std::move(checked.facts);
     std::ranges::move(describe(surface, checked.tessellation.mesh), std::back_inserter(words));
+  }
+  const Scene drawn = with_strokes(scene);
+  for (const SurfaceSpec& spec : drawn.surfaces) {
+    if (!spec.is_stroke()) continue;
+    Tessellation made = tessellate(drawn, spec, {.picture = true}, line.run.threads);
+    add_times(made, report.times);
+    std::ranges::move(made.warnings, std::back_inserter(report.warnings));
+    report.surfaces.push_back(report_of(spec.name, made));
+    std::ranges::move(describe_stroke(report.surfaces.back()), std::back_inserter(words));
   }
   print_warnings(line, report.warnings);
   report.times.total = milliseconds_since(start);

@@ -15,7 +15,9 @@
 #include "app/run/plan.h"
 #include "app/run/scene_meshes.h"
 #include "base/standard_streams.h"
+#include "export/placed_meshes.h"
 #include "render/picture/framing.h"
+#include "scene/model/strokes.h"
 
 namespace saddle {
 namespace {
@@ -96,11 +98,12 @@ class Run {
   }
 
   void take(const Shot& shot) {
-    const Scene scene = plan_.timeline.at(shot.t);
+    const Scene scene = with_strokes(plan_.timeline.at(shot.t));
     Scene seen = scene;
     framing_.apply(seen);
     const std::vector<std::size_t> updated = meshes_.update(seen, name_of(shot));
     if (line_.run.strict && meshes_.warn()) warn_and_fail();
+    note_lines(scene);
     writer_.write_meshes_of(shot, scene, meshes_.meshes());
     if (!drawer_) return;
     Image image = drawer_->draw(seen, meshes_.meshes(), updated);
@@ -110,12 +113,33 @@ class Run {
     writer_.start_writing(shot, scene, std::move(image));
   }
 
+  /// A mesh has no lines. Throws Error (Nothing) if the scene has nothing else.
+  void note_lines(const Scene& scene) {
+    const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
+    const auto output = std::ranges::find_if(plan_.outputs, is_mesh);
+    if (output == plan_.outputs.end()) return;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+      if (!is_line(scene, meshes_.meshes(), i)) continue;
+      const std::string& name = scene.surfaces[i].name;
+      ++count;
+      if (std::ranges::find(left_out_, name) == left_out_.end()) left_out_.push_back(name);
+    }
+    if (count < scene.surfaces.size()) return;
+    throw Error(Status::Nothing, "a mesh has no lines and dots, and there is nothing else",
+                {"--output", output->path, {0, output->path.size()}},
+                "--radius makes a tube of a curve and a ball of a point");
+  }
+
   void gather_warnings() {
     const auto add = [this](const std::vector<std::string>& warnings) {
       std::ranges::copy(warnings, std::back_inserter(report_.warnings));
     };
     add(warnings_of(plan_.scene()));
     meshes_.report(report_);
+    for (const std::string& name : left_out_) {
+      add({name + ": a mesh has no lines and dots, it is left out there; with --radius it is in"});
+    }
     if (drawer_) add(drawer_->warnings());
     if (report_.frames > 1 && !meshes_.move() && !plan_.timeline.moves()) {
       add({"nothing depends on t: all frames are the same"});
@@ -157,6 +181,7 @@ class Run {
   Framing framing_;
   SceneMeshes meshes_;
   RunReport report_;
+  std::vector<std::string> left_out_;  ///< curves and points that meshes do not have
 };
 
 }  // namespace

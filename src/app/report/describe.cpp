@@ -246,4 +246,22 @@ std::vector<std::string> describe(const SurfaceReport& s, const Mesh& triangles)
   return lines;
 }
 
+std::vector<std::string> describe_stroke(const SurfaceReport& report) {
+  std::vector<std::string> lines = {report.name};
+  if (report.place) {
+    const dvec3& p = *report.place;
+    lines.push_back("  point at " + words::number(p.x) + ", " + words::number(p.y) + ", " +
+                    words::number(p.z));
+    return lines;
+  }
+  const CurveMesh& curve = *report.curve;
+  lines.push_back("  curve of length " + words::number(curve.length) +
+                  (curve.closed ? ", closed" : ""));
+  lines.push_back("  undefined over " + percent(curve.undefined_fraction) + " of the range of s");
+  lines.push_back("  " + percent(curve.proved_fraction) + " of it proved to be within " +
+                  words::number(curve.tolerance) + " of its chords");
+  for (const Finding& finding : report.findings) lines.push_back("  " + finding.text);
+  return lines;
+}
+
 }  // namespace saddle

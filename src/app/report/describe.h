@@ -12,4 +12,7 @@ namespace saddle {
 /// mesh.
 std::vector<std::string> describe(const SurfaceReport& surface, const Mesh& mesh);
 
+/// A curve or a point in words.
+std::vector<std::string> describe_stroke(const SurfaceReport& report);
+
 }  // namespace saddle

@@ -206,6 +206,29 @@ Json surface(const SurfaceReport& s) {
   return json;
 }
 
+/// A curve, its tube or line.
+Json curve(const SurfaceReport& s) {
+  const CurveMesh& c = *s.curve;
+  return {{"name", s.name},
+          {"triangles", s.triangles},
+          {"vertices", s.vertices},
+          {"evaluations", c.evaluations},
+          {"bounds", Json::array({vector(s.bounds.low), vector(s.bounds.high)})},
+          {"length", finite_or_null(c.length)},
+          {"closed", c.closed},
+          {"tolerance", finite_or_null(c.tolerance)},
+          {"max_error", finite_or_null(c.max_error)},
+          {"proved_fraction", finite_or_null(c.proved_fraction)},
+          {"undefined_fraction", finite_or_null(c.undefined_fraction)},
+          {"poles", c.poles},
+          {"jumps", c.jumps}};
+}
+
+/// A point, its ball or dot.
+Json point(const SurfaceReport& s) {
+  return {{"name", s.name}, {"position", vector(*s.place)}, {"triangles", s.triangles}};
+}
+
 Json finding(const std::string& surface, const Finding& f) {
   Json json = {{"kind", name_of(f.kind)}, {"surface", surface}};
   if (f.value) {
@@ -259,8 +282,9 @@ bool encloses_volume(const Facts& facts) {
 void write_report(std::ostream& out, const RunReport& report) {
   Json json = {{"version", version()}, {"surfaces", Json::array()}};
   for (const SurfaceReport& s : report.surfaces) {
-    json["surfaces"].push_back(surface(s));
-    if (report.frames > 0) json["surfaces"].back()["meshes"] = s.meshes;
+    Json& list = json[s.curve ? "curves" : s.place ? "points" : "surfaces"];
+    list.push_back(s.curve ? curve(s) : s.place ? point(s) : surface(s));
+    if (report.frames > 0) list.back()["meshes"] = s.meshes;
   }
   if (report.image) {
     json["image"] = {{"width", report.image->width},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/curve/curve_mesher.h"
 #include "mesh/model/mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/findings.h"
@@ -23,6 +24,8 @@ struct SurfaceReport {
   std::vector<Finding> findings;
   int meshes = 1;              ///< that an animation has made of it: several if t moves it
   std::optional<Facts> facts;  ///< of `saddle check`
+  std::optional<CurveMesh> curve;  ///< of a curve, without its chains
+  std::optional<dvec3> place;      ///< of a point
 };
 
 /// Whether the mesh has an inside.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 
 #include "app/run/combine_objects.h"
@@ -89,9 +91,72 @@ void take_assignments(SceneObject& object, const std::vector<std::string>& assig
   for (const std::string& assignment : own) override_assignment(object.scene, assignment);
 }
 
+/// The words after `curve` or `point`.
+template <typename Stroke>
+void read_stroke(const Segment& segment, Stroke stroke, std::vector<Stroke>& strokes,
+                 SceneObject& object, bool alone) {
+  constexpr bool kIsPoint = std::is_same_v<Stroke, PointSpec>;
+  const std::string& word = segment.arguments[0];
+  std::vector<std::string> assignments;
+  for (std::size_t i = 1; i < segment.arguments.size(); ++i) {
+    const std::string& argument = segment.arguments[i];
+    if (is_assignment(argument)) {
+      assignments.push_back(argument);
+      const bool is_own = assign(stroke, parse_definition(argument));
+      if (!is_own && alone) assign(object.scene, argument);
+      if (!is_own && !alone) object.shared.push_back(argument);
+      continue;
+    }
+    if constexpr (kIsPoint) {
+      if (!stroke.at) {
+        set_place(argument, stroke);
+        continue;
+      }
+    }
+    throw Error(Status::Input, "'" + argument + "' is no part of a " + word, {},
+                kIsPoint ? "for example point 1,2,3 or point u=1 v=2"
+                         : "for example curve x='cos(s)' y='sin(s)' z='s/5' s=0:tau");
+  }
+  check_given_once(assignments);
+  strokes.push_back(std::move(stroke));
+}
+
+/// An option of the segment that says nothing of a curve or point.
+void check_stroke_options(const Segment& segment) {
+  for (const auto& [option, text] : segment.given) {
+    if (option->stroke != nullptr) continue;
+    throw Error(Status::Input, "a " + segment.arguments[0] + " takes no such option",
+                {dashed(*option), "", {}},
+                "it takes --color, --line-width, --radius, --label and --name");
+  }
+}
+
+/// The object of a segment that begins with `curve` or `point`.
+SceneObject read_stroke_object(const Segment& segment, const Segment* common, bool alone) {
+  SceneObject object;
+  check_stroke_options(segment);
+  if (segment.arguments[0] == "curve") {
+    read_stroke(segment, CurveSpec(), object.scene.curves, object, alone);
+  } else {
+    read_stroke(segment, PointSpec(), object.scene.points, object, alone);
+  }
+  if (common != nullptr) {
+    // There --color is a formula, for surfaces.
+    std::ranges::copy_if(common->given, std::back_inserter(object.options),
+                         [](const GivenOption& g) { return g.option->name != "color"; });
+  }
+  std::ranges::copy(segment.given, std::back_inserter(object.options));
+  return object;
+}
+
+bool is_stroke(const Segment& segment) {
+  return !segment.arguments.empty() &&
+         (segment.arguments[0] == "curve" || segment.arguments[0] == "point");
+}
+
 /// `common`: the segment that holds for all objects, or nullptr; `alone`: there is one object.
-/// Another kind of object would begin with a word of its own here.
 SceneObject read_object(const Segment& segment, const Segment* common, bool alone) {
+  if (is_stroke(segment)) return read_stroke_object(segment, common, alone);
   std::vector<std::string> names;
   std::vector<std::string> assignments;
   for (const std::string& argument : segment.arguments) {
@@ -114,7 +179,9 @@ SceneObject read_object(const Segment& segment, const Segment* common, bool alon
     object.options = common->given;
   }
   take_assignments(object, assignments, alone);
-  if (object.scene.surfaces.empty()) object.scene.surfaces.emplace_back();
+  const bool is_empty =
+      object.scene.surfaces.empty() && object.scene.curves.empty() && object.scene.points.empty();
+  if (is_empty) object.scene.surfaces.emplace_back();
   object.options.insert(object.options.end(), segment.given.begin(), segment.given.end());
   return object;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <span>
@@ -215,6 +216,31 @@ std::vector<std::string> unused_of(const Scene& scene, const std::vector<Definit
   return unused;
 }
 
+/// Curves or points of an object, with a number after a name that others have.
+template <typename Stroke>
+void add_numbered(const std::vector<Stroke>& added, bool renames, std::vector<Stroke>& strokes) {
+  for (Stroke stroke : added) {
+    const std::string name = stroke.name;
+    for (int number = 2; renames && std::ranges::count(strokes, stroke.name, &Stroke::name) > 0;) {
+      stroke.name = name + " " + std::to_string(number++);
+    }
+    strokes.push_back(std::move(stroke));
+  }
+}
+
+/// The name of a surface, which a number makes different from those of others.
+std::string unique_name(Scene& scene, std::size_t surface) {
+  std::string& name = scene.surfaces[surface].name;
+  const auto is_taken = [&](const std::string& text) {
+    return std::ranges::count(scene.surfaces, text, &SurfaceSpec::name) > 0;
+  };
+  if (std::ranges::count(scene.surfaces, name, &SurfaceSpec::name) == 1) return name;
+  int number = 2;
+  while (is_taken(name + " " + std::to_string(number))) ++number;
+  name += " " + std::to_string(number);
+  return name;
+}
+
 }  // namespace
 
 Scene combine_objects(const std::vector<SceneObject>& objects,
@@ -225,6 +251,8 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
   if (objects.size() == 1) base = objects.begin();
   Scene scene = base == objects.end() ? Scene() : base->scene;
   scene.surfaces.clear();
+  scene.curves.clear();
+  scene.points.clear();
   pool.set_time(scene);
   const std::vector<Definition> shared = pool.definitions();
   const bool apart = are_apart(scene.definitions, shared);
@@ -242,6 +270,8 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
       scene.surfaces.push_back(std::move(spec));
     }
     option_names.merge(names);
+    add_numbered(object->scene.curves, object != base, scene.curves);
+    add_numbered(object->scene.points, object != base, scene.points);
   }
   if (apart) scene.definitions.insert(scene.definitions.end(), shared.begin(), shared.end());
   pool.settle(unused_of(scene, shared, option_names, apart), scene.definitions);
@@ -253,13 +283,33 @@ void check_colormap_is_used(const std::vector<GivenOption>& options,
   const auto given = std::ranges::find(options, std::string_view("colormap"),
                                        [](const GivenOption& g) { return g.option->name; });
   const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
-  if (given == options.end() || !std::ranges::all_of(surfaces, has_no_color)) return;
+  if (given == options.end() || surfaces.empty() || !std::ranges::all_of(surfaces, has_no_color))
+    return;
   throw Error(Status::Input, "there is nothing to colour", {dashed(*given->option), "", {}},
               "--color z colours by height, --color gauss by curvature");
 }
 
+namespace {
+
+/// Lets an object's options change the curves or points that it has in the scene, and puts those
+/// with u and v on the last surface before them. `surfaces`: those before and of the object.
+template <typename Stroke>
+void finish_strokes(const SceneObject& object, std::size_t surfaces, std::span<Stroke> strokes,
+                    Scene& scene) {
+  for (Stroke& stroke : strokes) {
+    for (const auto& [option, text] : object.options) apply_option(*option, text, scene, stroke);
+    const bool is_on_surface = !stroke.u.empty() || !stroke.v.empty();
+    if (!is_on_surface || !stroke.on.empty()) continue;
+    if (surfaces > 0) stroke.on = unique_name(scene, surfaces - 1);
+  }
+}
+
+}  // namespace
+
 void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene) {
   std::size_t begin = 0;
+  std::size_t curves = 0;
+  std::size_t points = 0;
   for (const SceneObject& object : objects) {
     const std::span surfaces =
         std::span(scene.surfaces).subspan(begin, object.scene.surfaces.size());
@@ -270,6 +320,12 @@ void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene)
     }
     check_colormap_is_used(object.options, surfaces);
     begin += surfaces.size();
+    const std::size_t own_curves = object.scene.curves.size();
+    const std::size_t own_points = object.scene.points.size();
+    finish_strokes(object, begin, std::span(scene.curves).subspan(curves, own_curves), scene);
+    finish_strokes(object, begin, std::span(scene.points).subspan(points, own_points), scene);
+    curves += own_curves;
+    points += own_points;
   }
 }
 

@@ -12,7 +12,7 @@ namespace saddle {
 
 /// A scene with only what one segment of the command line draws.
 struct SceneObject {
-  enum class From { Formulas, Gallery, File };
+  enum class From { Formulas, Gallery, File };  ///< a curve and a point are formulas
   From from = From::Formulas;
   Scene scene;
   std::vector<std::string> shared;   ///< assignments of names that are not the object's

@@ -42,6 +42,7 @@ struct Mesh {
   std::vector<std::vector<std::uint32_t>> lines;
 
   Bounds bounds;
+  std::optional<dvec3> anchor;  ///< where its label stands, if there is one
 };
 
 /// Empty if the mesh is not coloured.

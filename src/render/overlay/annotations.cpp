@@ -1,6 +1,7 @@
 #include "render/overlay/annotations.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,8 +16,9 @@ namespace {
 
 // Lengths in ems, the size of the letters.
 constexpr double kTickLength = 0.45;
-constexpr double kGap = 0.35;   // of tick and label, of labels and name
-constexpr double kApart = 0.5;  // of labels on the same axis, at least
+constexpr double kGap = 0.35;       // of tick and label, of labels and name
+constexpr double kApart = 0.5;      // of labels on the same axis, at least
+constexpr double kLabelGap = 0.25;  // of a point and its label
 constexpr double kTitleSize = 1.25;
 constexpr double kTitleGap = 0.8;  // above it
 constexpr double kBarWidth = 1.1;
@@ -77,6 +79,27 @@ class Annotator {
     }
     if (scene_.title != Scene{}.title) add_title();
     for (const Edge& edge : edges) add_ticks(edge);
+  }
+
+  /// No text hides what a label is of.
+  void keep_places_clear(std::span<const SpaceLabel> labels) {
+    for (const SpaceLabel& label : labels) {
+      writer_.keep_clear({label.at - dvec2(label.clear), label.at + dvec2(label.clear)});
+    }
+  }
+
+  void add_label(const SpaceLabel& label) {
+    const std::string text = one_line(label.text);
+    const double slant = std::sqrt(0.5);
+    const std::array<dvec2, 8> ways = {
+        dvec2(slant, -slant), dvec2(1, 0),           dvec2(slant, slant), dvec2(0, -1),
+        dvec2(0, 1),          dvec2(-slant, -slant), dvec2(-1, 0),        dvec2(-slant, slant)};
+    const Rect place{label.at - dvec2(label.clear), label.at + dvec2(label.clear)};
+    for (const dvec2& way : ways) {
+      if (writer_.write(text, label.at + (label.clear + kLabelGap * em_) * way, way, em_)) return;
+    }
+    writer_.write_near(text, label.at + (label.clear + kLabelGap * em_) * ways[0], ways[0], em_,
+                       place);
   }
 
   /// Its letters are larger than others if there is room for it so.
@@ -323,9 +346,12 @@ class Annotator {
 }  // namespace
 
 Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
-                     std::span<const ColorScale> scales, const dvec2& size) {
-  if (!scene.axes && scales.empty()) return {};
+                     std::span<const ColorScale> scales, const dvec2& size,
+                     std::span<const SpaceLabel> labels) {
+  if (!scene.axes && scales.empty() && labels.empty()) return {};
   Annotator annotator(scene, camera, box, size);
+  annotator.keep_places_clear(labels);
+  for (const SpaceLabel& label : labels) annotator.add_label(label);
   double right = size.x;
   for (const ColorScale& scale : scales) right = annotator.add_bar(scale, right);
   if (scene.axes && !box.empty()) annotator.add_axes();

@@ -32,14 +32,23 @@ struct Annotations {
   bool empty() const { return edges.empty() && bars.empty() && texts.empty(); }
 };
 
+/// A text beside a place.
+struct SpaceLabel {
+  std::string text;
+  dvec2 at;          ///< pixels
+  double clear = 0;  ///< pixels around it that the text keeps off
+};
+
 /// The annotations of a scene in a picture of this size: the box with its ticks and the title if it
 /// has `axes`, a bar for each of `scales`. Ticks and labels are outside of the box's outline, so
 /// that they never hide a surface; labels keep clear of each other and of the picture's border, or
 /// are left out. The offset and the power of ten that ticks leave out of their numbers are always
 /// written: an axis without room for them has no labels. A title or a formula that is too long ends
-/// in an ellipsis.
+/// in an ellipsis. Labels are written first, to the right of their places and above, or where there
+/// is room.
 Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
-                     std::span<const ColorScale> scales, const dvec2& size);
+                     std::span<const ColorScale> scales, const dvec2& size,
+                     std::span<const SpaceLabel> labels = {});
 
 /// A pyramid along the camera's view into which what is seen goes, so that there is room for all
 /// that. It holds `box` if the scene has axes, else nothing yet.

@@ -21,6 +21,7 @@
 #include "scene/model/color_scale.h"
 #include "scene/model/instances.h"
 #include "scene/model/prepare.h"
+#include "scene/model/strokes.h"
 #include "scene/model/values.h"
 #include "surface/parameter_box.h"
 
@@ -81,6 +82,20 @@ void clip_automatically(const Bounds& coarse, Sampled& surface) {
   if (box) surface.keep_to(*box);
 }
 
+/// The corners of octahedra round a curve's points in place of the balls that make its tube.
+void add_tube(double radius, Sampled& curve) {
+  if (radius == 0) return;
+  const std::vector<dvec3> middles = std::exchange(curve.positions, {});
+  for (const dvec3& middle : middles) {
+    for (int k = 0; k < 6; ++k) {
+      dvec3 p = middle;
+      p[k / 2] += k % 2 == 0 ? radius : -radius;
+      curve.positions.push_back(p);
+      curve.bounds.add(p);
+    }
+  }
+}
+
 Sampled sample(const Scene& scene, const SurfaceSpec& spec, std::size_t cells, unsigned threads) {
   BoundSurface bound = bind_surface(scene, spec);
   const Domain& d = bound.domain;
@@ -100,11 +115,12 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, std::size_t cells, u
     result.bounds.add(p);
     if (i / u.size() % 2 == 0 && i % u.size() % 2 == 0) coarse.add(p);
   }
-  if (scene.clip.box) {
+  if (scene.clip.box && !spec.point) {
     result.keep_to(*scene.clip.box);
   } else if (scene.clip.automatic) {
     clip_automatically(coarse, result);
   }
+  if (spec.curve) add_tube(stroke_radius(scene, spec), result);
   return result;
 }
 
@@ -281,7 +297,7 @@ Framing frame_scene(Timeline& timeline, unsigned threads) {
   std::vector<Scene> scenes;
   for (const double t : moments_of(*written.animation)) {
     try {
-      scenes.push_back(timeline.at(t));
+      scenes.push_back(with_strokes(timeline.at(t)));
     } catch (const Error& error) {
       throw with_hint_line(error, "this is at t = " + format_number(t));
     }

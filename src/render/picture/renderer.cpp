@@ -16,11 +16,11 @@
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
+#include "scene/model/strokes.h"
 
 namespace saddle {
 namespace {
 
-constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
 constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
 /// The box around the surfaces is less conspicuous than its labels.
 constexpr double kBoxInk = 0.3;
@@ -38,6 +38,10 @@ void clear(const Color& background) {
   glClearColor(channel(background.r), channel(background.g), channel(background.b),
                channel(background.a));
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+dvec3 rgb(const Color& color) {
+  return {color.r, color.g, color.b};
 }
 
 void check_gl() {
@@ -60,6 +64,7 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
   }
   normals_.resize(meshes_.size());
   normals_[surface] = {};
+  stroke_drawer_.set_mesh(surface, mesh);
 }
 
 void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
@@ -88,6 +93,7 @@ void Renderer::keep_meshes(std::size_t count) {
   if (count >= meshes_.size()) return;
   meshes_.erase(meshes_.begin() + static_cast<std::ptrdiff_t>(count), meshes_.end());
   normals_.resize(count);
+  stroke_drawer_.keep_meshes(count);
 }
 
 std::vector<PlacedMesh> Renderer::items_of(const Scene& scene, const FittedCamera& camera,
@@ -126,8 +132,9 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
   if (scene.box) bounds.add(*scene.box);
+  const dvec2 size(viewport.width, viewport.height);
   const Annotations annotations =
-      annotate(scene, camera, bounds, scales_, dvec2(viewport.width, viewport.height));
+      annotate(scene, camera, bounds, scales_, size, stroke_drawer_.labels(scene, camera, size));
   unknown_letters_ = annotations.unknown;
   const dvec3 ink = ink_on(scene.background);
   Color background = scene.background;
@@ -137,7 +144,8 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   clear(background);
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, n, look);
-  if (look.lines) draw_lines(items, n);
+  if (look.lines) draw_lines(scene, items, n);
+  stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
@@ -208,7 +216,7 @@ Program& Renderer::line_program() {
 }
 
 bool Renderer::has_lines() const {
-  return std::ranges::any_of(meshes_, &GpuMesh::has_lines);
+  return std::ranges::any_of(meshes_, &GpuMesh::has_lines) || stroke_drawer_.has_strokes();
 }
 
 std::size_t Renderer::lights_at_once() {
@@ -331,15 +339,16 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   glDisable(GL_CULL_FACE);
 }
 
-/// `line_width` in samples.
-void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
+/// `per_side`: samples per pixel.
+void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side) {
   if (!has_lines()) return;
   Program& program = line_program();
   program.use();
-  program.set("line_color", kLineColor);
-  glLineWidth(static_cast<float>(line_width));
   for (const PlacedMesh& item : items) {
-    if (!meshes_[item.surface].has_lines()) continue;
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    if (!meshes_[item.surface].has_lines() || surface.is_stroke()) continue;
+    program.set("line_color", rgb(surface.line_color));
+    glLineWidth(static_cast<float>(per_side * line_width(scene, surface)));
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
     meshes_[item.surface].draw_lines();

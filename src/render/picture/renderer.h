@@ -16,6 +16,7 @@
 #include "render/overlay/overlay_drawer.h"
 #include "render/picture/layers.h"
 #include "render/picture/placed_mesh.h"
+#include "render/picture/stroke_drawer.h"
 #include "render/shading/colormap_textures.h"
 #include "render/shading/shader_lights.h"
 #include "render/shading/shader_text.h"
@@ -86,13 +87,14 @@ class Renderer {
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                      int line_width, const Look& look);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
-  void draw_lines(std::span<const PlacedMesh> items, int line_width);
+  void draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side);
   void draw_marks(const PlacedMesh& item, int line_width);
   void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                 const Viewport& viewport, const dvec3& ink);
 
   std::size_t lights_at_once_ = 0;
   std::vector<GpuMesh> meshes_;
+  StrokeDrawer stroke_drawer_;
   std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
   std::map<std::string, Program> programs_;  // for surfaces, by their text

@@ -14,8 +14,8 @@ namespace saddle {
 inline constexpr int kTileSamples = 4096;
 
 /// Pixels drawn around each tile and thrown away: GL drops a wide line whose middle is outside, and
-/// lines are a pixel wide.
-inline constexpr int kTileMargin = 1;
+/// lines are at most twice as wide.
+inline constexpr int kTileMargin = 16;
 
 struct Tiling {
   int tile_width = 0;  ///< of the largest tile in pixels, without margin

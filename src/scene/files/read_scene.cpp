@@ -1,7 +1,11 @@
 // TOML to Scene, a function per table. Each says first which keys the table may have.
+#include <algorithm>
+#include <iterator>
+
 #include "base/error.h"
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
+#include "scene/model/bind_stroke.h"
 #include "scene/model/prepare.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
@@ -90,6 +94,19 @@ SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const To
   return spec;
 }
 
+/// A [[curve]] or a [[point]].
+template <typename Stroke>
+Stroke read_stroke(TomlReader& reader, const char* name, Table table, const std::string& prefix,
+                   const TomlValue& value) {
+  std::vector<std::string> keys = keys_of(Table::Stroke);
+  std::ranges::copy(keys_of(table), std::back_inserter(keys));
+  reader.source().check_keys(name, value, keys);
+  Stroke stroke;
+  read_keys(reader, prefix, value, stroke);
+  reader.note(prefix, "", value.span);
+  return stroke;
+}
+
 /// One of { translate = [..] }, { rotate = [ANGLE, X, Y, Z] }, { scale = .. }.
 Transform read_transform(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
   reader.source().check_keys("transform", table, {"translate", "rotate", "scale"});
@@ -159,8 +176,8 @@ void read_table(TomlReader& reader, const TomlValue& root, const char* name, Tab
 
 Scene read_tables(TomlReader& reader, const TomlValue& root) {
   std::vector<std::string> keys = keys_of(Table::Scene);
-  for (const char* table :
-       {"params", "functions", "surface", "node", "light", "camera", "animation"}) {
+  for (const char* table : {"params", "functions", "surface", "curve", "point", "node", "light",
+                            "camera", "animation"}) {
     keys.emplace_back(table);
   }
   reader.source().check_keys("scene", root, keys);
@@ -175,6 +192,18 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
       scene.surfaces.push_back(read_surface(reader, prefix, table));
     }
   });
+  with(root, "curve", [&](const TomlValue& v) {
+    for (const TomlValue& table : reader.tables("curve", v)) {
+      const std::string prefix = curve_prefix(scene.curves.size());
+      scene.curves.push_back(read_stroke<CurveSpec>(reader, "curve", Table::Curve, prefix, table));
+    }
+  });
+  with(root, "point", [&](const TomlValue& v) {
+    for (const TomlValue& table : reader.tables("point", v)) {
+      const std::string prefix = point_prefix(scene.points.size());
+      scene.points.push_back(read_stroke<PointSpec>(reader, "point", Table::Point, prefix, table));
+    }
+  });
   with(root, "node", [&](const TomlValue& v) {
     for (const TomlValue& table : reader.tables("node", v)) {
       scene.nodes.push_back(read_node(reader, table));
@@ -186,8 +215,8 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
       scene.lights.push_back(read_light(reader, light_prefix(scene.lights.size()), table));
     }
   });
-  if (scene.surfaces.empty()) {
-    throw reader.source().error("", "the scene has no [[surface]]", {0, 0},
+  if (scene.surfaces.empty() && scene.curves.empty() && scene.points.empty()) {
+    throw reader.source().error("", "the scene has no [[surface]], [[curve]] or [[point]]", {0, 0},
                                 "saddle show torus prints a scene");
   }
   return scene;
@@ -196,10 +225,16 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
 /// Checks what depends on the whole scene: formulas, ranges, nodes.
 void check_scene(const TomlReader& reader, const Scene& scene) {
   // Numbers may use x, y and z of the last surface.
-  const std::string last = surface_prefix(scene.surfaces.size() - 1);
+  const std::string last = scene.surfaces.empty() ? "" : surface_prefix(scene.surfaces.size() - 1);
   const Scene resolved = reader.in_place([&] { return resolve(scene); }, last);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     reader.in_place([&] { bind_surface(resolved, resolved.surfaces[i]); }, surface_prefix(i));
+  }
+  for (std::size_t i = 0; i < scene.curves.size(); ++i) {
+    reader.in_place([&] { bind_curve(resolved, resolved.curves[i]); }, curve_prefix(i));
+  }
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    reader.in_place([&] { bind_point(resolved, resolved.points[i]); }, point_prefix(i));
   }
 }
 

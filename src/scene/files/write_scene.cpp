@@ -83,8 +83,10 @@ std::string write_scene(const Scene& scene) {
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
   for (const SurfaceSpec& spec : scene.surfaces) {
-    text += "\n[[surface]]\n" + write_keys(spec) + definitions(spec);
+    if (!spec.is_stroke()) text += "\n[[surface]]\n" + write_keys(spec) + definitions(spec);
   }
+  for (const CurveSpec& curve : scene.curves) text += "\n[[curve]]\n" + write_keys(curve);
+  for (const PointSpec& point : scene.points) text += "\n[[point]]\n" + write_keys(point);
   for (const SceneNode& n : scene.nodes) text += node(n);
   text += write_lights(scene.lights);
   const std::string camera = write_keys(Table::Camera, scene);

@@ -223,6 +223,41 @@ void assign(Scene& scene, const std::string& assignment) {
   file(scene, parse_definition(assignment));
 }
 
+bool assign(CurveSpec& curve, const Definition& definition) {
+  const std::string& name = definition.name;
+  if (definition.is_function || name == "t") return false;
+  if (name == "s") {
+    curve.s = parse_range(definition);
+    return true;
+  }
+  if (is_range(definition)) {
+    throw Error(Status::Input, "a curve has a range of s, and of t",
+                {name, definition.text, {0, definition.text.size()}}, "write s=" + definition.text);
+  }
+  const auto own = std::to_array<std::pair<const char*, std::string*>>(
+      {{"x", &curve.x}, {"y", &curve.y}, {"z", &curve.z}, {"u", &curve.u}, {"v", &curve.v}});
+  const auto found = std::ranges::find(own, name, &std::pair<const char*, std::string*>::first);
+  if (found == own.end()) return false;
+  *found->second = definition.text;
+  return true;
+}
+
+bool assign(PointSpec& point, const Definition& definition) {
+  const std::string& name = definition.name;
+  if (definition.is_function || name == "t") return false;
+  const Place place{name, definition.text, {0, definition.text.size()}};
+  if (is_range(definition)) {
+    throw Error(Status::Input, "a point has no ranges", place, "for example point u=1 v=2");
+  }
+  if (is_coordinate(name)) {
+    throw Error(Status::Input, "the place of a point is one word", place,
+                "for example point 1,2,3");
+  }
+  if (name != "u" && name != "v") return false;
+  (name == "u" ? point.u : point.v) = definition.text;
+  return true;
+}
+
 namespace {
 
 [[noreturn]] void refuse_third(const std::vector<Definition>& ranges) {

@@ -15,6 +15,7 @@
 #include "formula/expression.h"
 #include "formula/graph.h"
 #include "formula/scope.h"
+#include "scene/model/bind_stroke.h"
 #include "surface/forms.h"
 
 namespace saddle {
@@ -24,31 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
-}
-
-/// The text of a range, so that carets point into all of it, and its ends.
-struct RangeText {
-  std::string name;
-  std::string text;
-  std::array<Span, 2> ends;
-
-  RangeText(std::string parameter, const Range& range)
-      : name(std::move(parameter)), text(range.min + ":" + range.max) {
-    const std::size_t colon = range.min.size();
-    ends = {Span{0, colon}, Span{colon + 1, text.size()}};
-  }
-  Place place(Span part) const { return {name, text, part}; }
-  Place place() const { return place({0, text.size()}); }
-};
-
-/// Both ends of a range as nodes.
-std::array<NodeId, 2> parse_ends(Scope& scope, const RangeText& range) {
-  return {scope.parse(range.name, range.text, range.ends[0]),
-          scope.parse(range.name, range.text, range.ends[1])};
-}
-
-bool depends(const Graph& graph, NodeId node, Depends on) {
-  return (graph[node].depends & on) != 0;
 }
 
 /// The ends of the first range depend on nothing, those of the second on the first at the most.
@@ -72,33 +48,6 @@ void check_dependence(const Graph& graph, const RangeText& range, const std::arr
   }
 }
 
-struct Ends {
-  double min = 0;
-  double max = 0;
-};
-
-/// They may depend on t.
-Ends constant_ends(Scope& scope, const RangeText& range, double t) {
-  std::array<double, 2> values{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    values[k] = scope.constant(range.name, range.text, range.ends[k], t);
-    if (!std::isfinite(values[k])) {
-      throw Error(Status::Input, "this end of the range is not a finite number",
-                  range.place(range.ends[k]));
-    }
-  }
-  if (values[0] == values[1]) {
-    throw Error(Status::Input, "the range of " + range.name + " is empty", range.place(),
-                "its ends must differ, for example " + range.name + "=0:2*pi");
-  }
-  if (!std::isfinite(values[1] - values[0])) {
-    throw Error(Status::Input,
-                "the range of " + range.name + " is too wide for its length to be a number",
-                range.place());
-  }
-  return {values[0], values[1]};
-}
-
 /// A formula of u, v, x, y, z and the curvatures.
 NodeId parse_color_formula(Graph& graph, Scope& scope, const std::string& text, bool flip) {
   const auto curvature = [&](std::size_t which) {
@@ -114,91 +63,7 @@ NodeId parse_color_formula(Graph& graph, Scope& scope, const std::string& text, 
   return scope.parse_with(curvatures, "color", text);
 }
 
-/// It is 1 or 0, as comparisons are.
-bool is_condition(const Graph& graph, NodeId id) {
-  const Node& node = graph[id];
-  switch (node.op) {
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Greater:
-    case Op::GreaterEqual:
-    case Op::Equal:
-    case Op::NotEqual:
-    case Op::And:
-    case Op::Or:
-      return true;
-    case Op::Select:
-      return is_condition(graph, node.args[1]) && is_condition(graph, node.args[2]);
-    case Op::Constant:
-      return node.value == 0 || node.value == 1;
-    default:
-      return false;
-  }
-}
-
-NodeId parse_condition(const Graph& graph, Scope& scope, const std::string& text) {
-  const NodeId condition = scope.parse("where", text);
-  if (is_condition(graph, condition)) return condition;
-  throw Error(Status::Input, "this is a number, not a condition", {"where", text, {0, text.size()}},
-              "compare it: " + text + " < 1");
-}
-
-std::array<NodeId, 3> position(const Scope& scope) {
-  return {scope.node("x"), scope.node("y"), scope.node("z")};
-}
-
 }  // namespace
-
-std::array<NodeId, 3> restricted_position(Graph& graph, Scope& scope, const SurfaceSpec& spec) {
-  std::array<NodeId, 3> r = position(scope);
-  if (spec.where.empty()) return r;
-  const Expression condition{&graph, parse_condition(graph, scope, spec.where)};
-  // It has derivatives by u and v, which are undefined, too: those of a constant are 0.
-  const Expression either =
-      Expression{&graph, graph.variable(kSymbolU)} + Expression{&graph, graph.variable(kSymbolV)};
-  const Expression nowhere =
-      Expression{&graph, graph.constant(std::numeric_limits<double>::quiet_NaN())} * either;
-  for (NodeId& coordinate : r) {
-    coordinate = select(condition, Expression{&graph, coordinate}, nowhere).id;
-  }
-  return r;
-}
-
-std::string coordinate_formula(const SurfaceSpec& spec, std::size_t axis) {
-  if (is_parameter(spec, std::string(1, "xyz"[axis]))) return "";
-  const auto& [u, v] = spec.parameters;
-  if (axis == 0 && spec.x == SurfaceSpec{}.x) return u == "y" ? v : u;
-  if (axis == 1 && spec.y == SurfaceSpec{}.y) return v == "x" ? u : v;
-  return std::array{spec.x, spec.y, spec.z}[axis];
-}
-
-bool is_parameter(const SurfaceSpec& spec, const std::string& name) {
-  return std::ranges::find(spec.parameters, name) != spec.parameters.end();
-}
-
-bool has_height(const SurfaceSpec& spec) {
-  return !spec.z.empty() || is_parameter(spec, "z");
-}
-
-std::vector<Definition> surface_definitions(const Scene& scene, const SurfaceSpec& spec) {
-  std::vector<Definition> names = scene.definitions;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::string name(1, "xyz"[axis]);
-    if (!is_parameter(spec, name)) names.push_back({name, coordinate_formula(spec, axis)});
-  }
-  for (Definition own : spec.definitions) {
-    own.own = true;
-    names.push_back(std::move(own));
-  }
-  return names;
-}
-
-Scope::View surface_view(const Scene& scene, const SurfaceSpec& spec) {
-  const auto has_other_names = [&](const SurfaceSpec& other) {
-    return other.parameters != spec.parameters;
-  };
-  return {spec.parameters, std::ranges::any_of(scene.surfaces, has_other_names)};
-}
 
 NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
   const Expression s{&graph, graph.variable(kSymbolV)};
@@ -209,6 +74,8 @@ NodeId between(Graph& graph, const std::array<NodeId, 2>& ends) {
 }
 
 BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
+  if (spec.curve) return bind_as_surface(scene, scene.curves[*spec.curve]);
+  if (spec.point) return bind_point(scene, scene.points[*spec.point]);
   const auto& [name_u, name_v] = spec.parameters;
   if (!has_height(spec)) {
     throw Error(Status::Input, "z has no formula", {},
@@ -224,13 +91,13 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   check_dependence(graph, range_u, ends_u, spec.parameters);
   const std::array<NodeId, 2> ends = parse_ends(scope, range_v);
   check_dependence(graph, range_v, ends, spec.parameters);
-  const Ends u = constant_ends(scope, range_u, scene.t);
+  const RangeEnds u = constant_ends(scope, range_u, scene.t);
   const bool leans = depends(graph, ends[0], kDependsU) || depends(graph, ends[1], kDependsU);
   if (leans && ends[0] == ends[1]) {
     throw Error(Status::Input, "the range of " + name_v + " is empty", range_v.place(),
                 "its ends must differ");
   }
-  const Ends v = leans ? Ends{0, 1} : constant_ends(scope, range_v, scene.t);
+  const RangeEnds v = leans ? RangeEnds{0, 1} : constant_ends(scope, range_v, scene.t);
   result.domain = {u.min, u.max, v.min, v.max, spec.parameters};
   result.flip = spec.flip != runs_backwards(result.domain);
   const std::array<NodeId, 3> restricted = restricted_position(graph, scope, spec);
@@ -292,7 +159,7 @@ std::vector<Definition> constant_names(const Scene& scene, const SurfaceSpec* sp
 
 Scope::View constant_view(const Scene& scene, const SurfaceSpec* spec) {
   const SurfaceSpec* const seen = seen_surface(scene, spec);
-  Scope::View view = seen == nullptr ? Scope::View{} : surface_view(scene, *seen);
+  Scope::View view = surface_view(scene, seen == nullptr ? SurfaceSpec() : *seen);
   view.of_surface = spec != nullptr;
   return view;
 }

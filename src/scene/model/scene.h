@@ -2,6 +2,7 @@
 // Scene; meshing, rendering and writing consume it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -63,6 +64,10 @@ struct Material {
 inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
 inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
 
+/// The colour of grid lines, and that of curves and points.
+inline const Color kLineColor{0.2, 0.2, 0.2};
+inline const Color kStrokeColor{1, 0.25, 0.2};
+
 /// `u = MIN:MAX`, both constant expressions; those of v may depend on u.
 struct Range {
   std::string min = "-1";
@@ -114,8 +119,39 @@ struct SurfaceSpec {
   std::optional<Shading> shading = {};
   std::optional<Specular> specular = {};
   std::optional<GridSize> samples = {};
-  Number opacity = 1;           ///< 0 to 1; less than 1: one sees what is behind it
+  Number opacity = 1;                   ///< 0 to 1; less than 1: one sees what is behind it
+  std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: line_width()
+  Color line_color = kLineColor;
+  std::string label;            ///< text beside it; empty: none
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
+  /// It stands for this curve or point of the scene: see with_strokes() of scene/model/strokes.h.
+  std::optional<std::size_t> curve = {}, point = {};
+
+  bool is_stroke() const { return curve || point; }
+};
+
+/// The part that curves and points have in common.
+struct StrokeSpec {
+  std::string name;
+  std::string label;  ///< text beside it; empty: none
+  Color color = kStrokeColor;
+  /// Pixels: of a line; of a point's dot across. Default: grows with the picture.
+  std::optional<Number> width = {};
+  std::optional<Number> radius = {};  ///< of a tube or ball, in the scene's units; none: no surface
+  std::vector<std::string> in;        ///< nodes; none: those of the surface it is on, or the world
+  std::string on;                     ///< the name of the surface it is on; empty: the only one
+  std::string u, v;                   ///< where on the surface; empty: it is on none
+};
+
+struct CurveSpec : StrokeSpec {
+  CurveSpec() { name = "curve"; }
+  std::string x, y, z;  ///< of s, without a surface; empty: 0
+  Range s{"0", "1"};
+};
+
+struct PointSpec : StrokeSpec {
+  PointSpec() { name = "point"; }
+  std::optional<Vector> at = {};  ///< without a surface
 };
 
 /// One step of a node's transform.
@@ -238,6 +274,8 @@ struct Scene {
   std::vector<Definition> definitions;  ///< parameters, shared sub-expressions, helper functions
   std::vector<Slider> sliders;
   std::vector<SurfaceSpec> surfaces;
+  std::vector<CurveSpec> curves;
+  std::vector<PointSpec> points;
   std::vector<SceneNode> nodes;
   std::vector<Light> lights = default_lights();
   Camera camera;

@@ -38,6 +38,7 @@ inline constexpr Limits kAny = {};
 inline constexpr Limits kNotNegative = {.low = 0};
 inline constexpr Limits kPositive = {.low = 0, .open = true};
 inline constexpr Limits kShare = {0, 1};
+inline constexpr Limits kLineWidth = {0.1, 32};  ///< pixels
 inline constexpr Limits kHalfTurn = {0, 180};  ///< degrees
 inline constexpr Limits kFieldOfView = {0, 180, true};
 inline constexpr Limits kFramesPerSecond = {kMinFps, kMaxFps, true};

@@ -1,6 +1,7 @@
 #include "scene/options/options.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "scene/model/colormap.h"
 #include "scene/model/prepare.h"
@@ -54,9 +55,21 @@ void resolve_slot(const kinds::Slot& slot, Resolver& resolver, const std::string
       slot);
 }
 
-kinds::Slot slot_of(const Option& option, Scene& scene, SurfaceSpec& surface, RunSettings& run) {
-  if (option.scene) return option.scene(scene);
-  return option.surface ? option.surface(surface) : option.run(run);
+/// One of each thing that has values, as it begins.
+struct Owners {
+  Scene scene;
+  SurfaceSpec surface;
+  CurveSpec curve;
+  PointSpec point;
+  RunSettings run;
+};
+
+kinds::Slot slot_of(const Option& option, Owners& owners) {
+  if (option.scene) return option.scene(owners.scene);
+  if (option.surface) return option.surface(owners.surface);
+  if (option.stroke) return option.stroke(owners.curve);
+  if (option.curve) return option.curve(owners.curve);
+  return option.point ? option.point(owners.point) : option.run(owners.run);
 }
 
 /// Calls `visit` with each row of a table of scene files.
@@ -84,6 +97,35 @@ std::string line(const std::string& key, const kinds::Slot& slot, const kinds::S
   const std::string text = write_slot(slot);
   if (key.empty() || text.empty() || text == write_slot(standard)) return "";
   return toml_key(key) + " = " + text + "\n";
+}
+
+/// Calls `visit` with each key of a curve or point, and its value.
+template <typename Stroke, typename Visit>
+void each_stroke_slot(Stroke& stroke, const Visit& visit) {
+  each_row(Table::Stroke, [&](const Option& row) { visit(row, row.stroke(stroke)); });
+  constexpr bool kIsCurve = std::is_same_v<Stroke, CurveSpec>;
+  each_row(kIsCurve ? Table::Curve : Table::Point, [&](const Option& row) {
+    if constexpr (kIsCurve) {
+      visit(row, row.curve(stroke));
+    } else {
+      visit(row, row.point(stroke));
+    }
+  });
+}
+
+template <typename Stroke>
+std::string stroke_lines(const Stroke& stroke) {
+  Stroke written = stroke;
+  Stroke standard;
+  std::vector<kinds::Slot> defaults;
+  each_stroke_slot(standard,
+                   [&](const Option&, const kinds::Slot& slot) { defaults.push_back(slot); });
+  std::string text;
+  std::size_t k = 0;
+  each_stroke_slot(written, [&](const Option& option, const kinds::Slot& slot) {
+    text += line(key_of(option), slot, defaults[k++]);
+  });
+  return text;
 }
 
 /// The name of a key in messages.
@@ -129,36 +171,28 @@ std::string dashed(const Option& option) {
 std::string default_text(const Option& option) {
   if (!option.usual.empty()) return std::string(option.usual);
   if (option.is_flag()) return option.run ? "" : "off";
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
-  return format_slot(slot_of(option, scene, surface, run));
+  Owners owners;
+  return format_slot(slot_of(option, owners));
 }
 
 std::string default_toml(const Option& option) {
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
-  return write_slot(slot_of(option, scene, surface, run));
+  Owners owners;
+  return write_slot(slot_of(option, owners));
 }
 
 std::string limits_text(const Option& option) {
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
+  Owners owners;
   return std::visit(
       [](const auto& kind) -> std::string {
         if constexpr (requires { limits_of(kind); }) return limits_of(kind);
         return "";
       },
-      slot_of(option, scene, surface, run));
+      slot_of(option, owners));
 }
 
 std::vector<std::string> choices(const Option& option) {
-  Scene scene;
-  SurfaceSpec surface;
-  RunSettings run;
-  const kinds::Slot slot = slot_of(option, scene, surface, run);
+  Owners owners;
+  const kinds::Slot slot = slot_of(option, owners);
   if (std::holds_alternative<kinds::ColormapName>(slot)) return colormap_names();
   const auto* const choice = std::get_if<kinds::Choice>(&slot);
   return choice == nullptr ? std::vector<std::string>{} : choice->words;
@@ -180,10 +214,8 @@ std::vector<std::string> keys_of(const SurfaceSpec& surface) {
 }
 
 void check_value(const Option& option, const std::string& text) {
-  Scene scene;
-  scene.surfaces.resize(1);
-  RunSettings run;
-  const kinds::Slot slot = slot_of(option, scene, scene.surfaces[0], run);
+  Owners owners;
+  const kinds::Slot slot = slot_of(option, owners);
   if (std::holds_alternative<kinds::Moment>(slot)) return;  // it may use the scene's parameters
   parse_slot(slot, {nullptr, dashed(option), text});
 }
@@ -192,6 +224,8 @@ void apply_option(const Option& option, const std::string& text, Scene& scene) {
   if (option.scene) parse_slot(option.scene(scene), {&scene, dashed(option), text});
   if (!option.surface) return;
   for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
+  for (CurveSpec& curve : scene.curves) apply_option(option, text, scene, curve);
+  for (PointSpec& point : scene.points) apply_option(option, text, scene, point);
 }
 
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
@@ -199,6 +233,21 @@ void apply_option(const Option& option, const std::string& text, const Scene& sc
   const auto is_key = [&](const Option& row) { return row.surface && row.name == option.name; };
   const auto row = std::ranges::find_if(options(), is_key);
   parse_slot(row->surface(surface), {&scene, dashed(option), text, &surface});
+}
+
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  StrokeSpec& stroke) {
+  if (option.stroke) parse_slot(option.stroke(stroke), {&scene, dashed(option), text});
+}
+
+void set_place(const std::string& text, PointSpec& point) {
+  const std::vector<Span> parts =
+      parse_list("point", text, 3, "a place in space has three numbers", "1,2,3");
+  const auto number = [&](const Span& part) {
+    const std::string word = text.substr(part.begin, part.end - part.begin);
+    return is_toml_number(word) ? Number(parse_number("point", word)) : Number(word);
+  };
+  point.at = {number(parts[0]), number(parts[1]), number(parts[2])};
 }
 
 void apply_option(const Option& option, const std::string& text, RunSettings& run) {
@@ -229,6 +278,24 @@ void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& v
   });
 }
 
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               CurveSpec& curve) {
+  each_stroke_slot(curve, [&](const Option& option, const kinds::Slot& slot) {
+    with(value, key_of(option), [&](const TomlValue& v) {
+      read_slot(slot, {reader, prefix + key_of(option), v});
+    });
+  });
+}
+
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               PointSpec& point) {
+  each_stroke_slot(point, [&](const Option& option, const kinds::Slot& slot) {
+    with(value, key_of(option), [&](const TomlValue& v) {
+      read_slot(slot, {reader, prefix + key_of(option), v});
+    });
+  });
+}
+
 std::string write_keys(Table table, const Scene& scene) {
   Scene written = scene;
   Scene standard;
@@ -249,6 +316,14 @@ std::string write_keys(const SurfaceSpec& surface) {
   return text;
 }
 
+std::string write_keys(const CurveSpec& curve) {
+  return stroke_lines(curve);
+}
+
+std::string write_keys(const PointSpec& point) {
+  return stroke_lines(point);
+}
+
 void resolve_keys(Resolver& resolver, Table table, Scene& scene) {
   each_row(table, [&](const Option& option) {
     resolve_slot(option.scene(scene), resolver, subject(option));
@@ -258,6 +333,18 @@ void resolve_keys(Resolver& resolver, Table table, Scene& scene) {
 void resolve_keys(Resolver& resolver, const std::string& prefix, SurfaceSpec& surface) {
   each_row(Table::Surface, [&](const Option& option) {
     resolve_slot(option.surface(surface), resolver, prefix + key_of(option));
+  });
+}
+
+void resolve_keys(Resolver& resolver, const std::string& prefix, CurveSpec& curve) {
+  each_stroke_slot(curve, [&](const Option& option, const kinds::Slot& slot) {
+    resolve_slot(slot, resolver, prefix + key_of(option));
+  });
+}
+
+void resolve_keys(Resolver& resolver, const std::string& prefix, PointSpec& point) {
+  each_stroke_slot(point, [&](const Option& option, const kinds::Slot& slot) {
+    resolve_slot(slot, resolver, prefix + key_of(option));
   });
 }
 
@@ -271,7 +358,7 @@ std::vector<Setting> settings_of(const Scene& scene) {
   }
   std::vector<Setting> settings;
   for (const Option& option : options()) {
-    if (!option.is_option() || option.run) continue;
+    if (!option.is_option() || !(option.scene || option.surface)) continue;
     if (option.table == Table::Animation && !said.animation) continue;
     const auto text = [&](Scene& of) {
       return format_slot(option.scene ? option.scene(of) : option.surface(of.surfaces[0]));

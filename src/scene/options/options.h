@@ -15,8 +15,8 @@ namespace saddle {
 /// Headings of --help, in its order.
 enum class Section { Output, Camera, Look, Mesh, Time, Run };
 
-/// Where a key stands in a scene file.
-enum class Table { None, Scene, Surface, Camera, Animation };
+/// Where a key stands in a scene file. Stroke: curves and points have it.
+enum class Table { None, Scene, Surface, Stroke, Curve, Point, Camera, Animation };
 
 /// The command that the first word of a command line names.
 enum class Command { Graph, Check, Chart, List, Show };
@@ -33,8 +33,8 @@ inline constexpr unsigned kSurfaceCommands = kGraphCheck | kGraphChart;
 inline constexpr unsigned kAllCommands = kSurfaceCommands | bit(Command::List) | bit(Command::Show);
 
 /// A row. In `help` and `more`, --help fills in {choices}, {limits} and {formats}. Exactly one of
-/// `scene`, `surface` and `run` is there: whose value it is. An option of a surface is for each
-/// surface of the scene.
+/// `scene`, `surface`, `stroke`, `curve`, `point` and `run` is there: whose value it is; an option of
+/// surfaces may be one of curves and points, too. It is for each of them in the scene.
 struct Option {
   std::string_view name;           ///< without "--"; also the key
   char letter = 0;                 ///< of "-s"; 0: none
@@ -52,6 +52,9 @@ struct Option {
   std::string_view subject = {};         ///< what messages call the key; empty: its name
   kinds::Slot (*scene)(Scene&) = nullptr;
   kinds::Slot (*surface)(SurfaceSpec&) = nullptr;
+  kinds::Slot (*stroke)(StrokeSpec&) = nullptr;
+  kinds::Slot (*curve)(CurveSpec&) = nullptr;
+  kinds::Slot (*point)(PointSpec&) = nullptr;
   kinds::Slot (*run)(RunSettings&) = nullptr;
 
   bool is_option() const { return commands != kKeyOnly; }
@@ -92,10 +95,15 @@ void check_value(const Option& option, const std::string& text);
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
 
-/// Changes what an object's option is about, for one surface of the scene: in place of what the
-/// scene says, if that has the option, too. Throws Error (Input).
+/// Changes what an object's option is about, for one surface, curve or point of the scene: in place
+/// of what the scene says, if that has the option, too. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
                   SurfaceSpec& surface);
+void apply_option(const Option& option, const std::string& text, const Scene& scene,
+                  StrokeSpec& stroke);
+
+/// Sets the place of a point, X,Y,Z. Throws Error (Input).
+void set_place(const std::string& text, PointSpec& point);
 
 /// Changes what an option of the run is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, RunSettings& run);
@@ -106,14 +114,22 @@ void read_keys(Table table, TomlReader& reader, const std::string& prefix, const
                Scene& scene);
 void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
                SurfaceSpec& surface);
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               CurveSpec& curve);
+void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
+               PointSpec& point);
 
 /// Lines `key = value` for what differs from the defaults.
 std::string write_keys(Table table, const Scene& scene);
 std::string write_keys(const SurfaceSpec& surface);
+std::string write_keys(const CurveSpec& curve);
+std::string write_keys(const PointSpec& point);
 
 /// Expressions become numbers. Throws Error (Input).
 void resolve_keys(Resolver& resolver, Table table, Scene& scene);
 void resolve_keys(Resolver& resolver, const std::string& prefix, SurfaceSpec& surface);
+void resolve_keys(Resolver& resolver, const std::string& prefix, CurveSpec& curve);
+void resolve_keys(Resolver& resolver, const std::string& prefix, PointSpec& point);
 
 /// An option with the text that sets it to the value of a scene of one surface.
 struct Setting {

@@ -86,6 +86,12 @@ void resolve_at(Resolvers& resolvers, Scene& scene) {
     resolve_keys(resolvers.of_surface(i), surface_prefix(i), spec);
     resolve_sliders(resolvers.of_surface(i), surface_prefix(i), spec.sliders);
   }
+  for (std::size_t i = 0; i < scene.curves.size(); ++i) {
+    resolve_keys(resolver, curve_prefix(i), scene.curves[i]);
+  }
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    resolve_keys(resolver, point_prefix(i), scene.points[i]);
+  }
   for (SceneNode& node : scene.nodes) resolve_node(resolver, node);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     resolve_light(resolver, light_prefix(i), scene.lights[i]);
@@ -144,11 +150,14 @@ class NodeNames {
 
 void check_nodes(const Scene& scene) {
   const NodeNames names(scene.nodes);
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    for (const std::string& name : scene.surfaces[i].in) {
-      names.check(surface_prefix(i) + "in", name);
+  const auto check_all = [&](const auto& things, const auto& prefix_of) {
+    for (std::size_t i = 0; i < things.size(); ++i) {
+      for (const std::string& name : things[i].in) names.check(prefix_of(i) + "in", name);
     }
-  }
+  };
+  check_all(scene.surfaces, surface_prefix);
+  check_all(scene.curves, curve_prefix);
+  check_all(scene.points, point_prefix);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const std::string& frame = scene.lights[i].frame;
     if (frame != "eye" && frame != "world") {
@@ -161,6 +170,14 @@ void check_nodes(const Scene& scene) {
 
 std::string surface_prefix(std::size_t index) {
   return "surface " + std::to_string(index + 1) + ": ";
+}
+
+std::string curve_prefix(std::size_t index) {
+  return "curve " + std::to_string(index + 1) + ": ";
+}
+
+std::string point_prefix(std::size_t index) {
+  return "point " + std::to_string(index + 1) + ": ";
 }
 
 std::string light_prefix(std::size_t index) {

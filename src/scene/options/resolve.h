@@ -38,6 +38,8 @@ class Timeline {
 
 /// The name of a part of the scene in messages, before the name of each of its numbers.
 std::string surface_prefix(std::size_t index);   // "surface 1: "
+std::string curve_prefix(std::size_t index);     // "curve 1: "
+std::string point_prefix(std::size_t index);     // "point 1: "
 std::string light_prefix(std::size_t index);     // "light 1: "
 std::string node_prefix(const SceneNode& node);  // "node wheel: "
 

@@ -39,6 +39,9 @@ const std::map<std::string_view, std::string> kSamples = {
     {"flip", "true"},
     {"name", "wheel"},
     {"opacity", "0.5"},
+    {"line-width", "2.5"},
+    {"line-color", "#102030"},
+    {"label", "S"},
     {"tolerance", "0.25px"},
     {"normal-tolerance", "5"},
     {"max-triangles", "1000"},
@@ -65,7 +68,9 @@ TEST(Options, EachHaveOneOwnerAndOneNameAndALine) {
   std::set<std::string_view> names;
   std::set<char> letters;
   for (const Option& option : options()) {
-    const int owners = (option.scene ? 1 : 0) + (option.surface ? 1 : 0) + (option.run ? 1 : 0);
+    const bool is_of_objects = option.surface || option.stroke;  // an option may be of both
+    const int owners = (option.scene ? 1 : 0) + (is_of_objects ? 1 : 0) + (option.curve ? 1 : 0) +
+                       (option.point ? 1 : 0) + (option.run ? 1 : 0);
     EXPECT_EQ(owners, 1) << option.name;
     EXPECT_FALSE(option.help.empty()) << option.name;
     EXPECT_EQ(option.table == Table::Surface, option.surface != nullptr) << option.name;
@@ -83,7 +88,9 @@ TEST(Options, EachHaveOneOwnerAndOneNameAndALine) {
 
 TEST(Options, ChangeTheSceneAndAreToldAsTheyWereGiven) {
   for (const Option& option : options()) {
-    if (!option.is_option() || option.run || option.name == "angles") continue;
+    if (!option.is_option() || !(option.scene || option.surface) || option.name == "angles") {
+      continue;
+    }
     ASSERT_TRUE(kSamples.contains(option.name)) << option.name << " needs a sample here";
     const std::string& sample = kSamples.at(option.name);
     Scene scene = plain_scene();
@@ -96,7 +103,9 @@ TEST(Options, ChangeTheSceneAndAreToldAsTheyWereGiven) {
 
 TEST(Options, SurviveASceneFile) {
   for (const Option& option : options()) {
-    if (!option.is_option() || option.run || option.name == "angles") continue;
+    if (!option.is_option() || !(option.scene || option.surface) || option.name == "angles") {
+      continue;
+    }
     Scene scene = plain_scene();
     if (option.name == "colormap") scene.surfaces[0].color = "z";
     apply_option(option, kSamples.at(option.name), scene);

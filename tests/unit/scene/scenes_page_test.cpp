@@ -65,6 +65,16 @@ std::string scene_with(const std::string& heading, const std::string& line) {
     const std::string color = line.starts_with("color =") ? "" : "color = \"z\"\n";
     return "[[surface]]\n" + z + color + line + "\n" + node;
   }
+  if (heading == "[[curve]]" || heading == "[[point]]") {
+    const bool is_on = line.starts_with("on ") || line.starts_with("u ") || line.starts_with("v ");
+    const std::string in_space = heading == "[[curve]]" ? "x = \"s\"\n" : "at = [0, 0, 0]\n";
+    const bool is_own = line.starts_with(in_space.substr(0, 2));
+    const std::string u = line.starts_with("u ") ? "" : "u = \"0.5\"\n";
+    const std::string v = line.starts_with("v ")   ? ""
+                          : heading == "[[curve]]" ? "v = \"s\"\n"
+                                                   : "v = 0\n";
+    return surface + node + heading + "\n" + (is_on ? u + v : is_own ? "" : in_space) + line + "\n";
+  }
   if (heading == "Materials") return surface + "front = { " + line + " }\n";
   if (heading == "Spot lights") return surface + "[[light]]\nspot = { " + line + " }\n";
   const bool has_name = line.starts_with("name =");
@@ -80,6 +90,13 @@ std::string written(const std::string& scene) {
 TEST(ScenesPage, HasTheKeysOfTheReader) {
   EXPECT_EQ(keys_under("Top of the file"), keys_of(Table::Scene));
   EXPECT_EQ(keys_under("[[surface]]"), keys_of(Table::Surface));
+  const auto stroke_keys = [](Table own) {
+    Names keys = keys_of(Table::Stroke);
+    std::ranges::copy(keys_of(own), std::back_inserter(keys));
+    return keys;
+  };
+  EXPECT_EQ(keys_under("[[curve]]"), stroke_keys(Table::Curve));
+  EXPECT_EQ(keys_under("[[point]]"), stroke_keys(Table::Point));
   EXPECT_EQ(keys_under("[camera]"), keys_of(Table::Camera));
   EXPECT_EQ(keys_under("[animation]"), keys_of(Table::Animation));
   EXPECT_EQ(keys_under("[[light]]"), light_keys());
