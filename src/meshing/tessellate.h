@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/color/color_mesh.h"
+#include "mesh/color/contours.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/findings.h"
 #include "meshing/tolerance.h"
@@ -19,8 +20,9 @@ namespace saddle {
 struct MeshedSurface {
   PreparedSurface prepared;
   MeshResult mesh;
-  std::optional<ColorReport> color;  ///< of a coloured surface
-  bool is_clipped = false;           ///< a box may hide part of the surface
+  std::optional<ColorReport> color;     ///< of a coloured surface
+  std::vector<ContourReport> contours;  ///< of each of its level lines' expressions
+  bool is_clipped = false;              ///< a box may hide part of the surface
   double tessellate_ms = 0;
 };
 

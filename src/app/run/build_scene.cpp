@@ -49,9 +49,9 @@ void check_given_once(const std::vector<std::string>& assignments) {
   }
 }
 
-/// A colormap without anything to colour would do nothing.
-void check_colormap_is_used(const CommandLine& line, const Scene& scene) {
-  const Option* const option = line.last_given({"colormap"});
+/// Colours of a scale without anything to colour would do nothing.
+void check_colors_are_used(const CommandLine& line, const Scene& scene) {
+  const Option* const option = line.last_given({"colormap", "color-range"});
   const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
   if (option == nullptr || !std::ranges::all_of(scene.surfaces, has_no_color)) return;
   throw Error(Status::Input, "there is nothing to colour", {dashed(*option), "", {}},
@@ -83,7 +83,7 @@ Scene build_scene(const CommandLine& line) {
   }
   if (scene.surfaces.empty()) scene.surfaces.emplace_back();
   for (const auto& [option, text] : line.given) apply_option(*option, text, scene);
-  check_colormap_is_used(line, scene);
+  check_colors_are_used(line, scene);
   return resolve(std::move(scene));
 }
 

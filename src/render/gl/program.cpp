@@ -81,7 +81,8 @@ void Program::check_attributes() const {
                                                   {"corner_normal", kNormal},
                                                   {"parameters", kParameters},
                                                   {"corner_color", kColor},
-                                                  {"trust", kTrust}};
+                                                  {"trust", kTrust},
+                                                  {"on_mesh", kOnMesh}};
   GLint count = 0;
   glGetProgramiv(program_.get(), GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {

@@ -15,7 +15,14 @@
 namespace saddle {
 
 /// Attribute locations, as the shaders' layout(location = ...) have them.
-enum Attribute : GLuint { kPosition = 0, kNormal = 1, kParameters = 2, kColor = 3, kTrust = 4 };
+enum Attribute : GLuint {
+  kPosition = 0,
+  kNormal = 1,
+  kParameters = 2,
+  kColor = 3,
+  kTrust = 4,
+  kOnMesh = 5
+};
 
 class Program {
  public:

@@ -113,7 +113,9 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
   std::vector<PlacedMesh> items = items_of(scene, camera, unit, look);
   for (PlacedMesh& item : items) item.model_to_clip = to_rect * item.model_to_clip;
-  const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
+  const std::vector<ShaderLight> lights = scene.picture.shading == Shading::Unlit
+                                              ? std::vector<ShaderLight>()
+                                              : shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
 
   const int n = viewport.per_side;
@@ -137,6 +139,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, n, look);
   if (look.lines) draw_lines(items, n);
+  draw_contours(items, n);
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
@@ -206,8 +209,20 @@ Program& Renderer::line_program() {
   return *line_program_;
 }
 
+Program& Renderer::contour_program() {
+  if (!contour_program_) {
+    contour_program_.emplace(std::string(shader_source("contour.vert.glsl")),
+                             std::string(shader_source("line.frag.glsl")));
+  }
+  return *contour_program_;
+}
+
 bool Renderer::has_lines() const {
   return std::ranges::any_of(meshes_, &GpuMesh::has_lines);
+}
+
+bool Renderer::has_contours() const {
+  return std::ranges::any_of(meshes_, &GpuMesh::has_contours);
 }
 
 std::size_t Renderer::lights_at_once() {
@@ -240,11 +255,13 @@ void Renderer::set_color(Program& program, const Scene& scene, std::size_t surfa
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
-/// the line may lie from the line itself, and half a sample more.
+/// the line may lie from the line itself, and half a sample more. Contours are beside their place
+/// on the mesh by as much as its error, half a pixel.
 void Renderer::start_faces(int line_width, const Look& look) const {
-  if (has_lines()) {
+  if (has_lines() || has_contours()) {
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(0.5F * static_cast<float>(line_width + 1), 1);
+    const int across = (has_contours() ? 2 : 1) * line_width + 1;
+    glPolygonOffset(0.5F * static_cast<float>(across), 1);
   }
   if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glLineWidth(static_cast<float>(line_width));
@@ -293,6 +310,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   needs.blinn = scene.picture.specular == Specular::Blinn;
   needs.per_vertex = scene.picture.shading == Shading::Vertex;
   needs.orthographic = scene.camera.ortho;
+  needs.unlit = scene.picture.shading == Shading::Unlit;
   const bool exact = scene.picture.shading == Shading::Exact;
   add_light_needs(lights, needs);
   Program* program = nullptr;
@@ -342,6 +360,21 @@ void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
     meshes_[item.surface].draw_lines();
+  }
+}
+
+/// Like grid lines.
+void Renderer::draw_contours(std::span<const PlacedMesh> items, int line_width) {
+  if (!has_contours()) return;
+  Program& program = contour_program();
+  program.use();
+  program.set("line_color", kLineColor);
+  glLineWidth(static_cast<float>(line_width));
+  for (const PlacedMesh& item : items) {
+    if (!meshes_[item.surface].has_contours()) continue;
+    program.set("model_to_clip", item.model_to_clip);
+    program.check_all_set();
+    meshes_[item.surface].draw_contours();
   }
 }
 

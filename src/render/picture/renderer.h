@@ -74,8 +74,10 @@ class Renderer {
                                    const Look& look) const;
   Program& program(const ShaderText& text, const std::string& captured = "");
   Program& line_program();
+  Program& contour_program();
   Layers& layers(const Viewport& viewport);
   bool has_lines() const;
+  bool has_contours() const;
   std::size_t lights_at_once();
   void start_faces(int line_width, const Look& look) const;
   static void end_faces();
@@ -87,6 +89,7 @@ class Renderer {
                      int line_width, const Look& look);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
   void draw_lines(std::span<const PlacedMesh> items, int line_width);
+  void draw_contours(std::span<const PlacedMesh> items, int line_width);
   void draw_marks(const PlacedMesh& item, int line_width);
   void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                 const Viewport& viewport, const dvec3& ink);
@@ -99,6 +102,7 @@ class Renderer {
   ColormapTextures colormaps_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Program> line_program_;
+  std::optional<Program> contour_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
   std::string unknown_letters_;

@@ -165,15 +165,17 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "shading",
      .value = "HOW",
      .section = Section::Look,
-     .help = "vertex, pixel, or exact: with the formula's normal at each pixel",
+     .help = "vertex, pixel, exact: with the formula's normal at each pixel, or unlit: plain colours",
      .more = "vertex: lit at the mesh's vertices, colours interpolated.\npixel: lit at each pixel, "
-             "normals interpolated.\nexact: lit at each pixel, with the normal of the formula.",
+             "normals interpolated.\nexact: lit at each pixel, with the normal of the formula.\n"
+             "unlit: the plain colour, which can be read off the colour bar.",
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot {
        return kinds::choice<Shading>(
            &s.picture.shading,
-           {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact}});
+           {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact},
+            {"unlit", Shading::Unlit}});
      }},
     {.name = "specular",
      .value = "HOW",
@@ -239,6 +241,28 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::ColormapName{&s}; }},
+    {.name = "color-range",
+     .value = "A:B",
+     .section = Section::Look,
+     .help = "ends of the colour bar, or symmetric: as far both ways from 0",
+     .usual = "all that is drawn",
+     .more = "Numbers outside have the colours of the ends, which the bar marks with \u2264 and "
+             "\u2265.\nThe ends may be expressions of the parameters and t.",
+     .commands = kGraphCheck,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::ColorEndsOf{&s}; }},
+    {.name = "contours",
+     .value = "EXPR",
+     .section = Section::Look,
+     .help = "level lines of an expression as of --color: EXPR at round levels, or EXPR=A,B,...; "
+             "may be repeated",
+     .usual = "off",
+     .more = "--contours z draws about ten round levels, --contours gauss=0 the parabolic lines.\n"
+             "The levels may be expressions of the parameters and t.",
+     .commands = kGraphCheck,
+     .repeats = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Contours{&s.contours}; }},
     {.name = "grid",
      .value = "MxN",
      .section = Section::Look,
