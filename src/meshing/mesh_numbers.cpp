@@ -72,6 +72,7 @@ std::vector<ContourReport> contour_as_asked(const Scene& scene, const SurfaceSpe
     surface.color = prepared.contours[i];
     ContourOptions options;
     options.tolerance = least_length(scene, purpose, mesh);
+    options.mesh_error = mesh.report.max_error;
     options.rounding = rounding_of(contour.expression, mesh.mesh.bounds.diagonal());
     options.levels = [&](const ColorRange& drawn) {
       return levels_in(contour, contour.range.value_or(drawn));

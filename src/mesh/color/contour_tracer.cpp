@@ -16,6 +16,9 @@ constexpr double kChordShare = 0.5;
 /// A chord longer than this in tolerances gets one vertex more unasked, so that an arc that crosses
 /// its chord in the middle is seen.
 constexpr double kLongChord = 8;
+/// In the mesh's errors, besides the length of a side: a place is no farther from where the mesh has
+/// its parameters, unless it is beyond a cut. The error is that to the nearest place.
+constexpr double kAside = 8;
 /// Halvings of a line in a triangle: each makes the distance a quarter.
 constexpr int kMostHalvings = 12;
 
@@ -93,7 +96,7 @@ std::vector<std::size_t> ContourTracer::cross_sides() {
 std::uint32_t ContourTracer::add_vertex(const dvec2& uv, const dvec3& on_mesh, double reach) {
   uv_.push_back(uv);
   on_mesh_.push_back(on_mesh);
-  reach_.push_back(reach);
+  reach_.push_back(reach + kAside * mesh_error_);
   return static_cast<std::uint32_t>(uv_.size() - 1);
 }
 

@@ -29,12 +29,14 @@ struct Levels {
 class ContourTracer {
  public:
   /// All stay where they are. `mesh` has numbers; no side of it has a level twice.
+  /// `mesh_error`: the distance of mesh and surface.
   ContourTracer(const Surface& surface, const Mesh& mesh, const Levels& levels, double tolerance,
-                unsigned threads)
+                double mesh_error, unsigned threads)
       : surface_(surface),
         mesh_(mesh),
         levels_(levels),
         tolerance_(tolerance),
+        mesh_error_(mesh_error),
         threads_(threads) {}
 
   /// Finds where the levels cross sides. Returns the triangles in which a line ends because the
@@ -68,6 +70,7 @@ class ContourTracer {
   const Mesh& mesh_;
   const Levels& levels_;
   double tolerance_;
+  double mesh_error_;
   unsigned threads_;
   std::vector<PairTable> known_;  // crossings of the sides, for each level
   std::vector<LevelBracket> crossings_;

@@ -167,17 +167,19 @@ std::vector<double> levels_on_areas(const NumberedMesh& numbered, const Mesh& me
                                     const Levels& levels) {
   std::vector<double> areas(levels.levels.size());
   double whole = 0;
+  const double on_level = 2 * kInward * levels.rounding;
   for (const Triangle& triangle : mesh.triangles) {
     const auto [a, b, c] = triangle;
     const double area = glm::length(glm::cross(mesh.position[b] - mesh.position[a],
                                                mesh.position[c] - mesh.position[a]));
     whole += area;
-    const std::size_t reached = levels.reached_by(mesh.color[a]);
-    if (std::isnan(mesh.color[a]) || reached == 0) continue;
-    const auto is_on = [&](double number) { return levels.above(number, reached - 1) == 0; };
+    const auto level = std::ranges::lower_bound(levels.levels, mesh.color[a] - on_level);
+    if (level == levels.levels.end()) continue;
+    const auto is_on = [&](double number) { return std::abs(number - *level) <= on_level; };
     if (!is_on(mesh.color[a]) || !is_on(mesh.color[b]) || !is_on(mesh.color[c])) continue;
     const dvec2 middle = (mesh.uv[a] + mesh.uv[b] + mesh.uv[c]) / 3.0;
-    if (is_on(numbered.numbers(std::span(&middle, 1))[0])) areas[reached - 1] += area;
+    if (!is_on(numbered.numbers(std::span(&middle, 1))[0])) continue;
+    areas[static_cast<std::size_t>(level - levels.levels.begin())] += area;
   }
   std::vector<double> result;
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -209,7 +211,8 @@ ContourReport add_contours(const Surface& surface, const ContourOptions& options
   refiner.separate(levels);
   report.on_areas = levels_on_areas(refiner.numbered(), halved, levels);
   for (int i = 0;; ++i) {
-    ContourTracer tracer(surface, halved, levels, options.tolerance, options.threads);
+    ContourTracer tracer(surface, halved, levels, options.tolerance, options.mesh_error,
+                         options.threads);
     const std::vector<std::size_t> ends = tracer.cross_sides();
     if (i < kHalvingsToNearly && !ends.empty() && refiner.split(ends)) continue;
     const std::size_t before = mesh.contours.lines.size();

@@ -15,6 +15,7 @@ namespace saddle {
 
 struct ContourOptions {
   double tolerance = 0;  ///< largest distance of a line from the true one
+  double mesh_error = 0;  ///< distance of mesh and surface
   double rounding = 0;   ///< numbers that differ by no more are equal
   /// The levels, given the range of the numbers that are drawn.
   std::function<std::vector<double>(const ColorRange&)> levels;

@@ -82,8 +82,8 @@ TEST(Colormaps, ThatAreCyclicMeetAndHaveEqualStepsOfLightness) {
 TEST(Colormaps, ConvertColoursToCielabAndBack) {
   const dvec3 red = lab_of({1, 0, 0});  // the published values of sRGB's red
   EXPECT_NEAR(red.x, 53.24, 0.01);
-  EXPECT_NEAR(red.y, 80.09, 0.01);
-  EXPECT_NEAR(red.z, 67.20, 0.01);
+  EXPECT_NEAR(red.y, 80.09, 0.03);  // by matrices of more or fewer digits
+  EXPECT_NEAR(red.z, 67.20, 0.03);
   for (const dvec3& color : {dvec3(0.2, 0.5, 0.9), dvec3(0.01, 0.02, 0), dvec3(1)}) {
     EXPECT_LT(glm::distance(srgb_of(lab_of(color)), color), 1e-12);
   }

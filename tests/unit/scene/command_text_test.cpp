@@ -45,6 +45,13 @@ TEST(CommandText, SaysCameraLookAndSettings) {
             "--opacity 0.5 --tolerance 0.25px");
 }
 
+TEST(CommandText, RepeatsWhatMayBeRepeated) {
+  Scene scene;
+  assign(scene, "z=u");
+  scene.surfaces[0].contours = {{"z", {}}, {"gauss", {0, Number("2*e")}}};
+  EXPECT_EQ(command_text(scene), "saddle z=u --contours z --contours 'gauss=0,2*e'");
+}
+
 TEST(CommandText, SaysTheRangeOfTime) {
   Scene scene;
   assign(scene, "z=u*t");

@@ -33,6 +33,8 @@ const std::map<std::string_view, std::string> kSamples = {
     {"specular", "blinn"},
     {"color", "u*v"},
     {"colormap", "magma"},
+    {"color-range", "0:2*t+1"},
+    {"contours", "u*v=0,0.5"},
     {"grid", "8x4"},
     {"front", "#ff8000"},
     {"back", "#008040"},
@@ -86,7 +88,7 @@ TEST(Options, ChangeTheSceneAndAreToldAsTheyWereGiven) {
     ASSERT_TRUE(kSamples.contains(option.name)) << option.name << " needs a sample here";
     const std::string& sample = kSamples.at(option.name);
     Scene scene = plain_scene();
-    if (option.name == "colormap") scene.surfaces[0].color = "z";
+    if (option.name.starts_with("color")) scene.surfaces[0].color = "z";
     EXPECT_EQ(text_of(settings_of(scene), option.name), "") << option.name;
     apply_option(option, sample, scene);
     EXPECT_EQ(text_of(settings_of(scene), option.name), sample) << option.name;
@@ -97,7 +99,7 @@ TEST(Options, SurviveASceneFile) {
   for (const Option& option : options()) {
     if (!option.is_option() || option.run || option.name == "angles") continue;
     Scene scene = plain_scene();
-    if (option.name == "colormap") scene.surfaces[0].color = "z";
+    if (option.name.starts_with("color")) scene.surfaces[0].color = "z";
     apply_option(option, kSamples.at(option.name), scene);
     const std::string file = write_scene(scene);
     EXPECT_NE(file, write_scene(plain_scene())) << option.name;
