@@ -334,12 +334,25 @@ class MeshFindings {
 }  // namespace
 
 std::string name_of(Kind kind) {
-  static constexpr std::array kNames = {
-      "undefined",      "flat",         "off-tolerance", "normals-turn",
-      "pole",           "jump",         "no-limit",      "clipped",
-      "one-sided",      "backwards",    "no-normal",     "color-undefined",
-      "color-infinite", "color-coarse", "contours-none", "contours-on-area",
-      "contours-coarse", "unproved",     "nothing"};
+  static constexpr std::array kNames = {"undefined",
+                                        "flat",
+                                        "off-tolerance",
+                                        "normals-turn",
+                                        "pole",
+                                        "jump",
+                                        "no-limit",
+                                        "clipped",
+                                        "one-sided",
+                                        "backwards",
+                                        "no-normal",
+                                        "color-undefined",
+                                        "color-infinite",
+                                        "color-coarse",
+                                        "contours-none",
+                                        "contours-on-area",
+                                        "contours-coarse",
+                                        "unproved",
+                                        "nothing"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -7,7 +7,6 @@
 #include "base/format.h"
 #include "mesh/model/tolerances.h"
 #include "meshing/place_groups.h"
-#include "meshing/tessellate.h"
 #include "scene/model/ticks.h"
 
 namespace saddle {
@@ -62,9 +61,8 @@ std::vector<double> levels_in(const ContourSpec& contour, const ColorRange& rang
 }
 
 std::vector<ContourReport> contour_as_asked(const Scene& scene, const SurfaceSpec& spec,
-                                            const Purpose& purpose,
-                                            const PreparedSurface& prepared, MeshResult& mesh,
-                                            unsigned threads) {
+                                            const Purpose& purpose, const PreparedSurface& prepared,
+                                            MeshResult& mesh, unsigned threads) {
   std::vector<ContourReport> reports;
   for (std::size_t i = 0; i < spec.contours.size(); ++i) {
     const ContourSpec& contour = spec.contours[i];
@@ -121,10 +119,10 @@ std::vector<Finding> contour_findings(const SurfaceSpec& spec,
     const std::string lines = "the contours of " + spec.contours[i].expression;
     const ContourReport& report = reports[i];
     if (!report.on_areas.empty()) {
-      findings.push_back({Finding::Kind::ContoursOnArea,
-                          lines + ": it is " + list(report.on_areas) +
-                              " on a whole area, which has no line",
-                          true});
+      findings.push_back(
+          {Finding::Kind::ContoursOnArea,
+           lines + ": it is " + list(report.on_areas) + " on a whole area, which has no line",
+           true});
     } else if (report.lines == 0) {
       const auto end = [&](double number_at_end) {  // without the rounding of a zero
         const bool is_zero =
@@ -136,7 +134,8 @@ std::vector<Finding> contour_findings(const SurfaceSpec& spec,
           : report.range->low == report.range->high
               ? "it is " + number(report.range->low) + " everywhere"
               : "it runs from " + end(report.range->low) + " to " + end(report.range->high);
-      const std::string none = report.levels.empty() ? "no level" : "none at " + list(report.levels);
+      const std::string none =
+          report.levels.empty() ? "no level" : "none at " + list(report.levels);
       findings.push_back({Finding::Kind::ContoursNone, lines + ": " + none + "; " + range, true});
     }
     if (report.reached_limit) {

@@ -23,9 +23,8 @@ ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Pu
 
 /// Gives the mesh the level lines that the surface has. Returns a report for each expression.
 std::vector<ContourReport> contour_as_asked(const Scene& scene, const SurfaceSpec& spec,
-                                            const Purpose& purpose,
-                                            const PreparedSurface& prepared, MeshResult& mesh,
-                                            unsigned threads);
+                                            const Purpose& purpose, const PreparedSurface& prepared,
+                                            MeshResult& mesh, unsigned threads);
 
 /// The findings about its colour.
 std::vector<Finding> color_findings(const Mesh& mesh, const ColorReport& report);

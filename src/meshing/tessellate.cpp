@@ -26,10 +26,6 @@
 namespace saddle {
 namespace {
 
-/// Triangles at most; and where no tolerance is asked for, unless the picture has more pixels. Each
-/// takes 3 to 7 microseconds and 1 kB.
-constexpr std::size_t kMostTriangles = 4'000'000;
-constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// A first mesh, which finds poles or the faces of the box that they need, leaves the next mesh at
 /// least this share of the triangles that are allowed.
 constexpr double kLeastShare = 0.25;
@@ -271,14 +267,6 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
 
 }  // namespace
 
-std::size_t most_triangles(const Scene& scene) {
-  if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
-  if (scene.mesh.tolerance || scene.mesh.samples) return kMostTriangles;
-  const auto pixels = static_cast<std::size_t>(scene.picture.width) *
-                      static_cast<std::size_t>(scene.picture.height);
-  return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
-}
-
 MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                            unsigned threads) {
   MeshedSurface result;
@@ -304,8 +292,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   if (!spec.color.empty()) {
     result.color = color_as_asked(scene, spec, purpose, surface, result.mesh, threads);
   }
-  result.contours =
-      contour_as_asked(scene, spec, purpose, result.prepared, result.mesh, threads);
+  result.contours = contour_as_asked(scene, spec, purpose, result.prepared, result.mesh, threads);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   report.evaluations = surface.evaluations();
   result.tessellate_ms = passed.count();

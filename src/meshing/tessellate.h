@@ -39,10 +39,6 @@ struct Tessellation {
   double tessellate_ms = 0;
 };
 
-/// Triangles at most: the value of --max-triangles; 4000000 with --tolerance or --samples; else
-/// about one per pixel of the picture, from 1000000 to 4000000, more than can be told apart in it.
-std::size_t most_triangles(const Scene& scene);
-
 /// Prepares and tessellates surface `spec` of `scene`: on the grid of --samples, or with the fewest
 /// triangles that keep the tolerance of `purpose`. Throws Error as prepare_surface() and
 /// mesh_on_grid() do.

@@ -152,8 +152,7 @@ TEST(Unlit, SurfacesHaveTheColoursOfTheirSides) {
   expect_color(square.draw(), 60, 150, {1, 1, 0.5});
   square.scene.camera.view = {0, 0, -1};
   expect_color(square.draw(), 60, 150, {0.5, 0.5, 1});
-  const std::string shaders =
-      render(square.scene, std::span(&square.mesh, 1), {8, 8, 1}).shaders;
+  const std::string shaders = render(square.scene, std::span(&square.mesh, 1), {8, 8, 1}).shaders;
   EXPECT_EQ(shaders.find("light_"), std::string::npos) << shaders;
   square.scene.picture.shading = Shading::Pixel;
   square.scene.lights = three_lights();
@@ -167,8 +166,8 @@ TEST(ContourLines, AreSeenAlsoWhereTheMeshIsInFrontOfThem) {
     Square square;
     square.scene.surfaces[0].color.clear();
     square.mesh.color.clear();
-    square.mesh.contours = {{{-1, 0.5, height}, {1, 0.5, height}}, {{-1, 0.5, 0}, {1, 0.5, 0}},
-                            {{0, 1}}};
+    square.mesh.contours = {
+        {{-1, 0.5, height}, {1, 0.5, height}}, {{-1, 0.5, 0}, {1, 0.5, 0}}, {{0, 1}}};
     const Image image = square.draw();
     int lines = 0;
     for (int y = 0; y < 200; ++y) lines += image.pixel(100, y)[0] < 80 ? 1 : 0;

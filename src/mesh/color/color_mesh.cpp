@@ -96,7 +96,8 @@ class ColorMesher {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = triangle[k];
         const std::uint32_t b = next_corner(triangle, k);
-        if (numbered_.may_be_split(a, b) && seen.insert(pair_of(a, b)).second) sides.push_back({a, b});
+        if (numbered_.may_be_split(a, b) && seen.insert(pair_of(a, b)).second)
+          sides.push_back({a, b});
       }
       triangles.push_back(t);
     }

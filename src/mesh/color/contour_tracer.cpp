@@ -16,8 +16,8 @@ constexpr double kChordShare = 0.5;
 /// A chord longer than this in tolerances gets one vertex more unasked, so that an arc that crosses
 /// its chord in the middle is seen.
 constexpr double kLongChord = 8;
-/// In the mesh's errors, besides the length of a side: a place is no farther from where the mesh has
-/// its parameters, unless it is beyond a cut. The error is that to the nearest place.
+/// In the mesh's errors, besides the length of a side: a place is no farther from where the mesh
+/// has its parameters, unless it is beyond a cut. The error is that to the nearest place.
 constexpr double kAside = 8;
 /// Halvings of a line in a triangle: each makes the distance a quarter.
 constexpr int kMostHalvings = 12;
@@ -122,8 +122,7 @@ void ContourTracer::trace(MeshContours& contours) {
     const auto& [from, to, at_from, at_to, level, part, is_jump] = crossings_[i];
     const dvec3& a = mesh_.position[sides_[i][0]];
     const dvec3& b = mesh_.position[sides_[i][1]];
-    vertex[i] =
-        add_vertex(glm::mix(from, to, part), glm::mix(a, b, part), glm::distance(a, b));
+    vertex[i] = add_vertex(glm::mix(from, to, part), glm::mix(a, b, part), glm::distance(a, b));
   }
   place_vertices(base, contours);
   std::vector<Part> parts;
@@ -159,8 +158,8 @@ void ContourTracer::halve_parts(std::vector<Part>& parts, bool always, MeshConto
     const double here = levels_.above(mesh_.color[piece.alone], piece.level);
     const double there = levels_.above(numbers[i], piece.level);
     if (std::isnan(there) || (here >= 0) == (there >= 0)) continue;
-    brackets.push_back({mesh_.uv[piece.alone], across[i], here, there,
-                        levels_.levels[piece.level]});
+    brackets.push_back(
+        {mesh_.uv[piece.alone], across[i], here, there, levels_.levels[piece.level]});
     bracketed.push_back(parts[i]);
   }
   find_level_roots(surface_, brackets, threads_);

@@ -23,8 +23,7 @@ constexpr std::size_t kSamples = 3 * kOnContourSide.size() + 1;
 /// A level that is an extreme is met where rounding allows it: it is moved inward by this many
 /// roundings, less than a line's width by far.
 constexpr double kInward = 4;
-/// Of the area: that a number has a level at the corners and in the middle of so many triangles is
-/// no chance.
+/// Share of the area: so many triangles whose corners and middles have a level are no chance.
 constexpr double kLeastArea = 1e-6;
 
 /// The extreme of a parabola through 0, 1/2 and 1, if it is between; else the value at 0.
@@ -170,8 +169,8 @@ std::vector<double> levels_on_areas(const NumberedMesh& numbered, const Mesh& me
   const double on_level = 2 * kInward * levels.rounding;
   for (const Triangle& triangle : mesh.triangles) {
     const auto [a, b, c] = triangle;
-    const double area = glm::length(glm::cross(mesh.position[b] - mesh.position[a],
-                                               mesh.position[c] - mesh.position[a]));
+    const double area = glm::length(
+        glm::cross(mesh.position[b] - mesh.position[a], mesh.position[c] - mesh.position[a]));
     whole += area;
     const auto level = std::ranges::lower_bound(levels.levels, mesh.color[a] - on_level);
     if (level == levels.levels.end()) continue;

@@ -14,9 +14,9 @@
 namespace saddle {
 
 struct ContourOptions {
-  double tolerance = 0;  ///< largest distance of a line from the true one
+  double tolerance = 0;   ///< largest distance of a line from the true one
   double mesh_error = 0;  ///< distance of mesh and surface
-  double rounding = 0;   ///< numbers that differ by no more are equal
+  double rounding = 0;    ///< numbers that differ by no more are equal
   /// The levels, given the range of the numbers that are drawn.
   std::function<std::vector<double>(const ColorRange&)> levels;
   std::optional<Bounds> clip = {};  ///< the box that the mesh was cut along
@@ -35,8 +35,8 @@ struct ContourReport {
 /// Adds the level lines of the surface's colour tape to `mesh`, which stays as it is otherwise. A
 /// copy of its triangles is halved until no side is longer than kFirstSide of the ranges and none
 /// has a level twice, by its samples and their parabola, or its sides are as short as the
-/// tolerance. A closed line that is smaller, and is met by no sample, is missed. Lines end where the
-/// mesh does, and where the number jumps over the level or is not defined.
+/// tolerance. A closed line that is smaller, and is met by no sample, is missed. Lines end where
+/// the mesh does, and where the number jumps over the level or is not defined.
 ContourReport add_contours(const Surface& surface, const ContourOptions& options, Mesh& mesh);
 
 }  // namespace saddle

@@ -16,8 +16,8 @@ struct LevelBracket {
   double at_from = 0;  ///< the number minus the level there
   double at_to = 0;
   double level = 0;
-  double part = 0;         ///< the result: where on the way, 0 to 1
-  bool is_jump = false;    ///< the number jumps over the level there, or is not defined
+  double part = 0;       ///< the result: where on the way, 0 to 1
+  bool is_jump = false;  ///< the number jumps over the level there, or is not defined
 };
 
 /// Finds a root in each bracket to the last digits of the parameters, all together. Source: the

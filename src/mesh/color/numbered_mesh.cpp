@@ -65,8 +65,7 @@ void NumberedMesh::take_limits(std::size_t first) {
   if (corners.empty()) return;
   const std::vector<double> values = numbers(paths);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const auto limit =
-        extrapolated_limit(std::span(values).subspan(k * kLimitSteps, kLimitSteps));
+    const auto limit = extrapolated_limit(std::span(values).subspan(k * kLimitSteps, kLimitSteps));
     if (limit) mesh_.color[corners[k]] = *limit;
   }
 }
@@ -199,7 +198,7 @@ double NumberedMesh::separate_undefined() {
 
 /// A copy of a corner without a number.
 std::uint32_t NumberedMesh::twin(std::uint32_t corner,
-                   std::unordered_map<std::uint32_t, std::uint32_t>& twins) {
+                                 std::unordered_map<std::uint32_t, std::uint32_t>& twins) {
   if (std::isnan(mesh_.color[corner])) return corner;
   const auto fresh = static_cast<std::uint32_t>(mesh_.position.size());
   const auto [known, is_first] = twins.try_emplace(corner, fresh);

@@ -64,8 +64,7 @@ class NumberedMesh {
   void split(std::size_t t);
   void replace(std::size_t t, const std::vector<Triangle>& parts);
   void split_line(std::vector<std::uint32_t>& line) const;
-  std::uint32_t twin(std::uint32_t corner,
-                     std::unordered_map<std::uint32_t, std::uint32_t>& twins);
+  std::uint32_t twin(std::uint32_t corner, std::unordered_map<std::uint32_t, std::uint32_t>& twins);
 
   const Surface& surface_;
   HalvingLimits limits_;

@@ -304,7 +304,7 @@ class Annotator {
     return ticks(scale.range.low, scale.range.high, std::clamp(count, 1, kMostTicks));
   }
 
-  /// Those of a bar. An end beyond which there are numbers, in its colour, says so, and comes first.
+  /// A bar's ticks. An end beyond which there are numbers, in its colour, says so, and comes first.
   std::vector<Tick> bar_ticks(const ColorScale& scale, const Ticks& marks) const {
     const double apart = em_ / (kBarHeight * size_.y) * (scale.range.high - scale.range.low);
     std::vector<Tick> inner = marks.ticks;

@@ -28,7 +28,7 @@ struct Framing {
   std::map<std::size_t, ColorRange> colors;  ///< of surfaces whose colours another moment changes
   /// The same for round levels, of a surface and one of its contours.
   std::map<std::pair<std::size_t, std::size_t>, ColorRange> contours;
-  std::vector<Moment> moments;               ///< cameras and nodes, none twice
+  std::vector<Moment> moments;  ///< cameras and nodes, none twice
 
   /// Puts the camera, the box and the colours where they are. A scene without an animation keeps
   /// its own.

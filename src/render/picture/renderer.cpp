@@ -113,9 +113,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
   std::vector<PlacedMesh> items = items_of(scene, camera, unit, look);
   for (PlacedMesh& item : items) item.model_to_clip = to_rect * item.model_to_clip;
-  const std::vector<ShaderLight> lights = scene.picture.shading == Shading::Unlit
-                                              ? std::vector<ShaderLight>()
-                                              : shader_lights(scene, camera, unit);
+  const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
 
   const int n = viewport.per_side;
@@ -138,8 +136,14 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   clear(background);
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, n, look);
-  if (look.lines) draw_lines(items, n);
-  draw_contours(items, n);
+  if (look.lines && has_lines()) {
+    draw_lines(items, line_program(), n, &GpuMesh::has_lines, &GpuMesh::draw_lines);
+  }
+  if (has_contours()) {
+    glEnable(GL_DEPTH_CLAMP);  // they may stand out of the box that holds the triangles
+    draw_lines(items, contour_program(), n, &GpuMesh::has_contours, &GpuMesh::draw_contours);
+    glDisable(GL_DEPTH_CLAMP);
+  }
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
@@ -348,33 +352,18 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   glDisable(GL_CULL_FACE);
 }
 
-/// `line_width` in samples.
-void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
-  if (!has_lines()) return;
-  Program& program = line_program();
+/// Lines of one kind; `line_width` in samples.
+void Renderer::draw_lines(std::span<const PlacedMesh> items, Program& program, int line_width,
+                          bool (GpuMesh::*has)() const, void (GpuMesh::*draw)() const) {
   program.use();
   program.set("line_color", kLineColor);
   glLineWidth(static_cast<float>(line_width));
   for (const PlacedMesh& item : items) {
-    if (!meshes_[item.surface].has_lines()) continue;
+    const GpuMesh& mesh = meshes_[item.surface];
+    if (!(mesh.*has)()) continue;
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
-    meshes_[item.surface].draw_lines();
-  }
-}
-
-/// Like grid lines.
-void Renderer::draw_contours(std::span<const PlacedMesh> items, int line_width) {
-  if (!has_contours()) return;
-  Program& program = contour_program();
-  program.use();
-  program.set("line_color", kLineColor);
-  glLineWidth(static_cast<float>(line_width));
-  for (const PlacedMesh& item : items) {
-    if (!meshes_[item.surface].has_contours()) continue;
-    program.set("model_to_clip", item.model_to_clip);
-    program.check_all_set();
-    meshes_[item.surface].draw_contours();
+    (mesh.*draw)();
   }
 }
 

@@ -88,8 +88,8 @@ class Renderer {
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                      int line_width, const Look& look);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
-  void draw_lines(std::span<const PlacedMesh> items, int line_width);
-  void draw_contours(std::span<const PlacedMesh> items, int line_width);
+  void draw_lines(std::span<const PlacedMesh> items, Program& program, int line_width,
+                  bool (GpuMesh::*has)() const, void (GpuMesh::*draw)() const);
   void draw_marks(const PlacedMesh& item, int line_width);
   void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                 const Viewport& viewport, const dvec3& ink);

@@ -15,7 +15,7 @@
 
 namespace saddle {
 
-/// The lights of a resolved scene that shine, sorted by kind. `unit`: what the shaders' lengths are
+/// The lights of a resolved scene that shine, sorted by kind; none if it is unlit. `unit`: what the shaders' lengths are
 /// measured in.
 std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& camera, double unit);
 

@@ -48,8 +48,8 @@ void set_material(Program& program, const std::string& side, const Material& mat
 
 void add_material_needs(const SurfaceSpec& surface, bool emission, ShaderNeeds& needs) {
   if (needs.unlit) {
-    needs.two_materials = needs.two_sided && !needs.colored &&
-                          !same(surface.front.diffuse, surface.back.diffuse);
+    needs.two_materials =
+        needs.two_sided && !needs.colored && !same(surface.front.diffuse, surface.back.diffuse);
     return;
   }
   needs.specular =

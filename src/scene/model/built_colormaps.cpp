@@ -22,8 +22,7 @@ glm::dmat3 to_xyz() {
   glm::dmat3 m;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      m[column][row] =
-          kToXyz[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+      m[column][row] = kToXyz[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
     }
   }
   return m;
@@ -92,8 +91,7 @@ dvec3 srgb_of(const dvec3& lab) {
   const glm::dmat3 m = to_xyz();
   const double y = (lab.x + 16) / 116;
   const dvec3 f(y + lab.y / 500, y, y - lab.z / 200);
-  const dvec3 rgb =
-      glm::inverse(m) * (m * dvec3(1) * dvec3(cube(f.x), cube(f.y), cube(f.z)));
+  const dvec3 rgb = glm::inverse(m) * (m * dvec3(1) * dvec3(cube(f.x), cube(f.y), cube(f.z)));
   const dvec3 kept = glm::clamp(rgb, 0.0, 1.0);
   return {encoded(kept.x), encoded(kept.y), encoded(kept.z)};
 }
@@ -127,8 +125,8 @@ BuiltColormap built_twilight() {
     const double end = x <= 1 ? kBlueHue : kRoseHue;
     const double hue = degrees(end + (kDarkHue - end) * depth);
     const double chroma = kDarkChroma * depth + kSideChroma * std::sin(kPi * depth);
-    map[i] = srgb_of({kLight + (kDark - kLight) * depth, chroma * std::cos(hue),
-                      chroma * std::sin(hue)});
+    map[i] = srgb_of(
+        {kLight + (kDark - kLight) * depth, chroma * std::cos(hue), chroma * std::sin(hue)});
   }
   return map;
 }

@@ -1,5 +1,5 @@
-// Colormaps that are computed in the colour space CIELAB: evenly spaced to the eye. White is that of
-// sRGB, D65.
+// Colormaps that are computed in the colour space CIELAB: evenly spaced to the eye. White is that
+// of sRGB, D65.
 #pragma once
 
 #include <array>

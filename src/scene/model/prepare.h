@@ -23,9 +23,9 @@ NodeId between(Graph& graph, const std::array<NodeId, 2>& ends);
 /// on u, the part of the way between them, 0 to 1, takes the place of v.
 struct BoundSurface {
   Graph graph;
-  std::array<NodeId, 3> r = {};      ///< x, y, z
-  std::optional<NodeId> v = {};      ///< v itself, where it is not the variable
-  std::optional<NodeId> color = {};  ///< the number that it is coloured by
+  std::array<NodeId, 3> r = {};       ///< x, y, z
+  std::optional<NodeId> v = {};       ///< v itself, where it is not the variable
+  std::optional<NodeId> color = {};   ///< the number that it is coloured by
   std::vector<NodeId> contours = {};  ///< the numbers that its level lines are of
   Domain domain;
   bool flip = false;   ///< the front is where r_v x r_u points
@@ -39,9 +39,9 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec);
 struct PreparedSurface {
   Surface surface;
   std::vector<Tape> contours;  ///< the numbers that its level lines are of, each an output
-  bool moves = false;     ///< it is another one at another time
-  double parse_ms = 0;    ///< text to graph
-  double compile_ms = 0;  ///< derivatives and tapes
+  bool moves = false;          ///< it is another one at another time
+  double parse_ms = 0;         ///< text to graph
+  double compile_ms = 0;       ///< derivatives and tapes
 };
 
 /// bind_surface() and make_surface().

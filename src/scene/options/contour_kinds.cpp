@@ -77,7 +77,8 @@ void add_contour(ContourSpec contour, std::vector<ContourSpec>& contours) {
   if (known == contours.end()) return contours.push_back(std::move(contour));
   if (contour.levels.empty()) known->levels.clear();
   for (Number& level : contour.levels) {
-    if (std::ranges::find(known->levels, level) == known->levels.end()) {
+    if (std::ranges::find(known->levels, expression_of(level), expression_of) ==
+        known->levels.end()) {
       known->levels.push_back(std::move(level));
     }
   }
@@ -146,10 +147,9 @@ void ColorEndsOf::resolve(Resolver& resolver, const std::string& name) const {
     return;
   const std::string text = expression_of(ends.low) + ":" + expression_of(ends.high);
   const bool swapped = ends.low > double(ends.high);
-  throw Error(Status::Input, "the first end must be less than the second",
-              {name, text, {0, text.size()}},
-              swapped ? "write " + expression_of(ends.high) + ":" + expression_of(ends.low)
-                      : kEndsForm);
+  throw Error(
+      Status::Input, "the first end must be less than the second", {name, text, {0, text.size()}},
+      swapped ? "write " + expression_of(ends.high) + ":" + expression_of(ends.low) : kEndsForm);
 }
 
 void Contours::parse(const Given& given) const {
@@ -167,8 +167,9 @@ void Contours::read(const InFile& in) const {
   constexpr const char* kWanted = "\"z\", \"gauss=0\", or an array of such texts";
   const auto read_one = [&](const TomlValue& item) {
     const std::string text = in.reader.text(in.subject, item, kWanted);
-    ContourSpec contour =
-        in.reader.in_place([&] { return parse_contour({nullptr, in.subject, text}); });
+    ContourSpec contour = in.reader.in_place([&] {
+      return parse_contour({nullptr, in.subject, text});
+    });
     in.reader.note(in.subject, contour.expression, item.span);
     for (const Number& level : contour.levels) {
       in.reader.note(in.subject, expression_of(level), item.span);

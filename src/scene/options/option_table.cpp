@@ -165,17 +165,18 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "shading",
      .value = "HOW",
      .section = Section::Look,
-     .help = "vertex, pixel, exact: with the formula's normal at each pixel, or unlit: plain colours",
+     .help =
+         "vertex, pixel, exact: with the formula's normal at each pixel, or unlit: plain colours",
      .more = "vertex: lit at the mesh's vertices, colours interpolated.\npixel: lit at each pixel, "
              "normals interpolated.\nexact: lit at each pixel, with the normal of the formula.\n"
              "unlit: the plain colour, which can be read off the colour bar.",
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot {
-       return kinds::choice<Shading>(
-           &s.picture.shading,
-           {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact},
-            {"unlit", Shading::Unlit}});
+       return kinds::choice<Shading>(&s.picture.shading, {{"vertex", Shading::Vertex},
+                                                          {"pixel", Shading::Pixel},
+                                                          {"exact", Shading::Exact},
+                                                          {"unlit", Shading::Unlit}});
      }},
     {.name = "specular",
      .value = "HOW",

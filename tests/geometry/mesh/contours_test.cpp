@@ -121,8 +121,7 @@ TEST(Contours, OfSmallLevelsAreFoundOnALargeSurface) {
 }
 
 TEST(Contours, OfZeroCurvatureAreTheTopAndBottomCirclesOfATorus) {
-  const Tessellation t =
-      with_contours(gallery_scene(*find_gallery_entry("torus")), "gauss", {0});
+  const Tessellation t = with_contours(gallery_scene(*find_gallery_entry("torus")), "gauss", {0});
   const auto circle = [](const dvec3& p) {
     return std::hypot(std::hypot(p.x, p.y) - 2, std::abs(p.z) - 0.8);
   };

@@ -48,8 +48,9 @@ TEST(CommandText, SaysCameraLookAndSettings) {
 TEST(CommandText, RepeatsWhatMayBeRepeated) {
   Scene scene;
   assign(scene, "z=u");
-  scene.surfaces[0].contours = {{"z", {}}, {"gauss", {0, Number("2*e")}}};
-  EXPECT_EQ(command_text(scene), "saddle z=u --contours z --contours 'gauss=0,2*e'");
+  assign(scene, "k=3");
+  scene.surfaces[0].contours = {{"z", {}}, {"gauss", {0, Number("2*k")}}};
+  EXPECT_EQ(command_text(resolve(scene)), "saddle z=u k=3 --contours z --contours 'gauss=0,2*k'");
 }
 
 TEST(CommandText, SaysTheRangeOfTime) {
