@@ -44,6 +44,13 @@ std::vector<Golden> golden_pictures() {
        "monkey-saddle --axes --ortho --view 1,0,0 --background white -s 320x240"},
       {"axes-from-below", "z='u*v^2+1e6' --axes --view -2,1,-1.5 -s 320x240"},
       {"color-height", "z='sin(u)*cos(v)' u=-3:3 v=-3:3 --axes --color z -s 320x240"},
+      {"contours-peak", "z='exp(-(u^2+v^2))' u=-2:2 v=-2:2 --contours z --grid off -s 320x240"},
+      {"contours-gauss",
+       "torus --color gauss --colormap coolwarm --color-range symmetric --contours gauss=0 "
+       "--shading unlit --grid off -s 320x240"},
+      {"color-cyclic",
+       "z='u*v' --color 'atan2(v,u)' --colormap twilight --shading unlit --view 0,-1,3 -s 320x240"},
+      {"color-range", "torus --color z --color-range -0.2:0.5 --contours z -s 320x240"},
       {"color-undefined", "z='u*v' --color 'sqrt(u)+floor(2*v)' --colormap plasma -s 320x240"},
   };
   for (const auto& [name, arguments] :

@@ -259,8 +259,7 @@ void Renderer::set_color(Program& program, const Scene& scene, std::size_t surfa
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
-/// the line may lie from the line itself, and half a sample more. Contours are beside their place
-/// on the mesh by as much as its error, half a pixel.
+/// the line may be, and half a sample more. Contours are half a pixel beside the mesh.
 void Renderer::start_faces(int line_width, const Look& look) const {
   if (has_lines() || has_contours()) {
     glEnable(GL_POLYGON_OFFSET_FILL);
