@@ -123,8 +123,8 @@ std::vector<Finding> contour_findings(const SurfaceSpec& spec,
           {Finding::Kind::ContoursOnArea,
            lines + ": it is " + list(report.on_areas) + " on a whole area, which has no line",
            true});
-    } else if (report.lines == 0) {
-      const auto end = [&](double number_at_end) {  // without the rounding of a zero
+    } else if (report.lines == 0 && !spec.contours[i].range) {  // other moments may have lines
+      const auto end = [&](double number_at_end) {              // without the rounding of a zero
         const bool is_zero =
             std::abs(number_at_end) < kSame * (report.range->high - report.range->low);
         return number(is_zero ? 0 : number_at_end);
