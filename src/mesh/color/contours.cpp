@@ -148,10 +148,10 @@ class ContourRefiner {
 };
 
 /// Sorted, and moved inward from the ends of the range.
-Levels working_levels(std::vector<double> levels, const ColorRange& all) {
-  Levels result{std::move(levels), 0};
+Levels working_levels(std::vector<double> levels, const ColorRange& all, double rounding) {
+  Levels result{std::move(levels), rounding};
   const double size = std::max(std::abs(all.low), std::abs(all.high));
-  if (std::isfinite(size)) result.rounding = kRounding * size;
+  if (std::isfinite(size)) result.rounding = std::max(rounding, kRounding * size);
   const double inward = kInward * result.rounding;
   for (double& level : result.levels) {
     if (std::abs(level - all.low) <= inward) level = all.low + inward;
@@ -164,9 +164,10 @@ Levels working_levels(std::vector<double> levels, const ColorRange& all) {
 /// The levels that the number has all over triangles of a notable area.
 std::vector<double> levels_on_areas(const NumberedMesh& numbered, const Mesh& mesh,
                                     const Levels& levels) {
-  std::vector<double> areas(levels.levels.size());
-  double whole = 0;
   const double on_level = 2 * kInward * levels.rounding;
+  std::vector<std::pair<std::size_t, double>> found;  // a level, and the area of a triangle
+  std::vector<dvec2> middles;
+  double whole = 0;
   for (const Triangle& triangle : mesh.triangles) {
     const auto [a, b, c] = triangle;
     const double area = glm::length(
@@ -174,11 +175,18 @@ std::vector<double> levels_on_areas(const NumberedMesh& numbered, const Mesh& me
     whole += area;
     const auto level = std::ranges::lower_bound(levels.levels, mesh.color[a] - on_level);
     if (level == levels.levels.end()) continue;
-    const auto is_on = [&](double number) { return std::abs(number - *level) <= on_level; };
-    if (!is_on(mesh.color[a]) || !is_on(mesh.color[b]) || !is_on(mesh.color[c])) continue;
-    const dvec2 middle = (mesh.uv[a] + mesh.uv[b] + mesh.uv[c]) / 3.0;
-    if (!is_on(numbered.numbers(std::span(&middle, 1))[0])) continue;
-    areas[static_cast<std::size_t>(level - levels.levels.begin())] += area;
+    const auto is_on = [&](std::uint32_t k) {
+      return std::abs(mesh.color[k] - *level) <= on_level;
+    };
+    if (!is_on(a) || !is_on(b) || !is_on(c)) continue;
+    found.emplace_back(static_cast<std::size_t>(level - levels.levels.begin()), area);
+    middles.push_back((mesh.uv[a] + mesh.uv[b] + mesh.uv[c]) / 3.0);
+  }
+  const std::vector<double> numbers = numbered.numbers(middles);
+  std::vector<double> areas(levels.levels.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& [level, area] = found[i];
+    if (std::abs(numbers[i] - levels.levels[level]) <= on_level) areas[level] += area;
   }
   std::vector<double> result;
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -206,7 +214,7 @@ ContourReport add_contours(const Surface& surface, const ContourOptions& options
     }
     return report;
   }
-  const Levels levels = working_levels(report.levels, drawn->all);
+  const Levels levels = working_levels(report.levels, drawn->all, options.rounding);
   refiner.separate(levels);
   report.on_areas = levels_on_areas(refiner.numbered(), halved, levels);
   for (int i = 0;; ++i) {
