@@ -11,6 +11,7 @@
 //   SPECULAR     some material mirrors; HIGHLIGHTS: light has a colour of its own for that; BLINN
 //   POWERS       SPECULAR or FOCUS
 //   EMISSION     some material shines by itself
+//   UNLIT        there is no light: the colour as it is
 //   COLORED      the surface has a colour of its own at each point, in place of its materials'
 //   TWO_SIDED    back faces are seen; TWO_MATERIALS: they look different
 // Those of the default scene follow, so that this file is valid on its own.
@@ -254,6 +255,17 @@ void smooth_spot_light(int i) {
 // What the front or the back sends to the eye; `n` is the unit normal of that side.
 vec3 shade(bool front, vec3 at, vec3 n, vec3 eye_direction) {
   vec3 color = vec3(0.0);
+#ifdef UNLIT
+#ifdef COLORED
+  color = tint;
+#else
+#ifdef TWO_MATERIALS
+  color = front ? front_diffuse : back_diffuse;
+#else
+  color = front_diffuse;
+#endif
+#endif
+#endif
 #ifdef EMISSION
 #ifdef TWO_MATERIALS
   color += front ? front_emission : back_emission;

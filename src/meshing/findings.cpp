@@ -336,40 +336,30 @@ class MeshFindings {
 }  // namespace
 
 std::string name_of(Kind kind) {
-  static constexpr std::array kNames = {
-      "undefined",      "flat",         "off-tolerance", "normals-turn",
-      "pole",           "jump",         "no-limit",      "clipped",
-      "one-sided",      "backwards",    "no-normal",     "color-undefined",
-      "color-infinite", "color-coarse", "unproved",      "nothing"};
+  static constexpr std::array kNames = {"undefined",
+                                        "flat",
+                                        "off-tolerance",
+                                        "normals-turn",
+                                        "pole",
+                                        "jump",
+                                        "no-limit",
+                                        "clipped",
+                                        "one-sided",
+                                        "backwards",
+                                        "no-normal",
+                                        "color-undefined",
+                                        "color-infinite",
+                                        "color-coarse",
+                                        "contours-none",
+                                        "contours-on-area",
+                                        "contours-coarse",
+                                        "unproved",
+                                        "nothing"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Finding> mesh_findings(const MeshResult& mesh, const Domain& domain) {
   return MeshFindings(mesh, domain).all();
-}
-
-std::vector<Finding> color_findings(const Mesh& mesh, const ColorReport& report) {
-  std::vector<Finding> findings;
-  if (report.undefined_share > 0) {
-    findings.push_back({Kind::ColorUndefined,
-                        "the colour is undefined on " + number(100 * report.undefined_share) +
-                            " % of the surface, which is grey",
-                        true});
-    findings.back().share = report.undefined_share;
-  }
-  if (report.is_clamped) {
-    findings.push_back({Kind::ColorInfinite,
-                        "the colour goes to infinity; its range is cut to " +
-                            number(mesh.color_range.low) + ":" + number(mesh.color_range.high),
-                        true});
-  }
-  if (report.reached_limit) {
-    findings.push_back({Kind::ColorCoarse,
-                        "the limit of triangles stopped refinement for the colour, which is "
-                        "blurred; --max-triangles allows more",
-                        true});
-  }
-  return findings;
 }
 
 std::vector<std::string> warnings_of(const std::string& name, std::span<const Finding> findings) {

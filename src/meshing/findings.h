@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "mesh/color/color_mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "surface/surface.h"
 
@@ -30,6 +29,9 @@ struct Finding {
     ColorUndefined,  ///< part of the surface has no colour
     ColorInfinite,   ///< the colour's range is cut
     ColorCoarse,     ///< triangles are too large for the colour
+    ContoursNone,    ///< an expression has no level line
+    ContoursOnArea,  ///< it has a level on a whole area
+    ContoursCoarse,  ///< triangles are too large for its lines
     Unproved,        ///< a feature could hide between the samples
     Nothing,         ///< a frame of an animation has no surface
   };
@@ -52,9 +54,6 @@ std::string name_of(Finding::Kind kind);
 
 /// At most one finding of each kind, with its count; one of Unproved for each reason.
 std::vector<Finding> mesh_findings(const MeshResult& mesh, const Domain& domain);
-
-/// The findings about its colour.
-std::vector<Finding> color_findings(const Mesh& mesh, const ColorReport& report);
 
 /// The sentences of the findings that warn, each after the surface's name.
 std::vector<std::string> warnings_of(const std::string& name, std::span<const Finding> findings);

@@ -11,7 +11,6 @@
 #include <span>
 #include <utility>
 
-#include "mesh/color/color_mesh.h"
 #include "mesh/features/robust_box.h"
 #include "mesh/features/singular_in_space.h"
 #include "mesh/mesher/mesher.h"
@@ -20,6 +19,7 @@
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
 #include "meshing/findings.h"
+#include "meshing/mesh_numbers.h"
 #include "meshing/stroke_mesh.h"
 #include "meshing/tolerance.h"
 #include "scene/model/strokes.h"
@@ -28,10 +28,6 @@
 namespace saddle {
 namespace {
 
-/// Triangles at most; and where no tolerance is asked for, unless the picture has more pixels. Each
-/// takes 3 to 7 microseconds and 1 kB.
-constexpr std::size_t kMostTriangles = 4'000'000;
-constexpr std::size_t kEnoughTriangles = 1'000'000;
 /// A first mesh, which finds poles or the faces of the box that they need, leaves the next mesh at
 /// least this share of the triangles that are allowed.
 constexpr double kLeastShare = 0.25;
@@ -234,22 +230,6 @@ MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purp
   return mesh ? std::move(*mesh) : mesh_uniformly(surface, fallback);
 }
 
-ColorReport color_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
-                           const Surface& surface, MeshResult& mesh, unsigned threads) {
-  const double diagonal = mesh.mesh.bounds.diagonal();
-  ColorOptions options;
-  options.least_edge = mesh.report.tolerance.value_or(tolerance_share(scene, purpose) * diagonal);
-  // Curvatures are compared with that of a sphere around the surface.
-  if (spec.color == "mean") options.rounding = kSame / diagonal;
-  if (spec.color == "gauss") options.rounding = kSame / (diagonal * diagonal);
-  options.range = spec.color_range;
-  options.clip = scene.clip.box ? scene.clip.box : mesh.report.clip;
-  options.max_triangles = most_triangles(scene, spec);
-  options.threads = threads;
-  const ColorReport report = color_mesh(surface, options, mesh.mesh);
-  return report;
-}
-
 /// Puts the user's (u, v) in place of the surface's parameters wherever a place is named. Returns
 /// the domain in them; the box around the mesh's where v depends on u.
 Domain name_parameters(const Surface& surface, MeshResult& mesh) {
@@ -290,14 +270,6 @@ Domain name_parameters(const Surface& surface, MeshResult& mesh) {
 
 }  // namespace
 
-std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec) {
-  if (scene.mesh.max_triangles) return static_cast<std::size_t>(*scene.mesh.max_triangles);
-  if (scene.mesh.tolerance || samples_of(scene, spec)) return kMostTriangles;
-  const auto pixels = static_cast<std::size_t>(scene.picture.width) *
-                      static_cast<std::size_t>(scene.picture.height);
-  return std::clamp(pixels, kEnoughTriangles, kMostTriangles);
-}
-
 MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                            unsigned threads) {
   MeshedSurface result;
@@ -332,6 +304,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   if (!spec.color.empty()) {
     result.color = color_as_asked(scene, spec, purpose, surface, result.mesh, threads);
   }
+  result.contours = contour_as_asked(scene, spec, purpose, result.prepared, result.mesh, threads);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
   report.evaluations = surface.evaluations();
   result.tessellate_ms = passed.count();
@@ -353,6 +326,7 @@ Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
     std::ranges::move(color_findings(mesh.mesh, *meshed.color),
                       std::back_inserter(result.findings));
   }
+  std::ranges::move(contour_findings(spec, meshed.contours), std::back_inserter(result.findings));
   result.warnings = warnings_of(spec.name, result.findings);
   result.report = std::move(mesh.report);
   result.mesh = std::move(mesh.mesh);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/color/color_mesh.h"
+#include "mesh/color/contours.h"
 #include "mesh/curve/curve_mesher.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/findings.h"
@@ -20,8 +21,9 @@ namespace saddle {
 struct MeshedSurface {
   PreparedSurface prepared;
   MeshResult mesh;
-  std::optional<ColorReport> color;  ///< of a coloured surface
-  bool is_clipped = false;           ///< a box may hide part of the surface
+  std::optional<ColorReport> color;     ///< of a coloured surface
+  std::vector<ContourReport> contours;  ///< of each of its level lines' expressions
+  bool is_clipped = false;              ///< a box may hide part of the surface
   double tessellate_ms = 0;
 };
 
@@ -39,11 +41,6 @@ struct Tessellation {
   double compile_ms = 0;              ///< derivatives and tapes
   double tessellate_ms = 0;
 };
-
-/// Triangles of a surface at most: the value of --max-triangles; 4000000 with --tolerance or
-/// --samples; else about one per pixel of the picture, from 1000000 to 4000000, more than can be
-/// told apart in it.
-std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec);
 
 /// Prepares and tessellates surface `spec` of `scene`: on the grid of --samples, or with the fewest
 /// triangles that keep the tolerance of `purpose`. Throws Error as prepare_surface() and

@@ -1,6 +1,7 @@
 // How far the mesh may be from the surface: what --tolerance or the outputs ask for, as a length.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -41,5 +42,9 @@ Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpos
 /// The tolerance for a mesh that knows only its box, as a share of the box's diagonal, which the
 /// picture's larger side shows about.
 double tolerance_share(const Scene& scene, const Purpose& purpose);
+
+/// Triangles at most: the value of --max-triangles; 4000000 with --tolerance or --samples; else
+/// about one per pixel of the picture, from 1000000 to 4000000, more than can be told apart in it.
+std::size_t most_triangles(const Scene& scene, const SurfaceSpec& spec);
 
 }  // namespace saddle

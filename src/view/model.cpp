@@ -50,6 +50,7 @@ void frame_animation(Scene& scene, unsigned threads) {
     Framing framing = frame_scene(timeline, threads);
     framing.box.reset();  // what is edited has other ones soon
     framing.colors.clear();
+    framing.contours.clear();
     framing.apply(scene);
   } catch (const std::exception&) {
   }

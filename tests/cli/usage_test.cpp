@@ -53,7 +53,7 @@ TEST_F(Usage, HelpExplainsOneOption) {
     EXPECT_TRUE(contains(run.out, dashed(option))) << run.out;
   }
   const Outcome shading = saddle({"--help", "shading"});
-  EXPECT_TRUE(contains(shading.out, "Values: vertex pixel exact\n")) << shading.out;
+  EXPECT_TRUE(contains(shading.out, "Values: vertex pixel exact unlit\n")) << shading.out;
   EXPECT_TRUE(contains(shading.out, "Default: pixel\n")) << shading.out;
   EXPECT_TRUE(contains(shading.out, "Scene files: shading")) << shading.out;
   EXPECT_TRUE(contains(refusal({"--help", "shadnig"}), "did you mean 'shading'?"));

@@ -124,6 +124,76 @@ TEST(ColouredSurface, ShowsItsHighlights) {
   EXPECT_EQ(image.pixel(60, 150)[0], 255);
 }
 
+TEST(ColouredSurface, HasTheColourOfItsBarIfItIsUnlit) {
+  for (const char* name : {"viridis", "coolwarm", "twilight"}) {
+    Square square(name);
+    square.scene.picture.shading = Shading::Unlit;
+    square.scene.lights = three_lights();
+    square.scene.surfaces[0].front.emission = {1, 0, 0};
+    const Image image = square.draw(400);
+    const std::vector<ColorScale> scales = {{"x", name, {-1, 1}}};
+    const ColorBar bar = annotate(square.scene, {}, {}, scales, dvec2(400)).bars.at(0);
+    for (int x = 2; x < 2 * kColumns; x += 3) {
+      const double from_top = 1 - (x + 0.5) / 400;  // the same number on the bar
+      const auto y = static_cast<int>(bar.upper_left.y + from_top * bar.size.y);
+      const auto* on_bar = image.pixel(static_cast<int>(bar.upper_left.x) + 3, y);
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(image.pixel(x, 300)[k], on_bar[k], 2) << name << x;
+      expect_color(image, x, 300, colormap_at(name, (x + 0.5) / 400));
+    }
+  }
+}
+
+TEST(Unlit, SurfacesHaveTheColoursOfTheirSides) {
+  Square square;
+  square.scene.surfaces[0].color.clear();
+  square.mesh.color.clear();
+  square.scene.picture.shading = Shading::Unlit;
+  square.scene.lights = {};
+  expect_color(square.draw(), 60, 150, {1, 1, 0.5});
+  square.scene.camera.view = {0, 0, -1};
+  expect_color(square.draw(), 60, 150, {0.5, 0.5, 1});
+  const std::string shaders = render(square.scene, std::span(&square.mesh, 1), {8, 8, 1}).shaders;
+  EXPECT_EQ(shaders.find("light_"), std::string::npos) << shaders;
+  square.scene.picture.shading = Shading::Pixel;
+  square.scene.lights = three_lights();
+  const std::string lit = render(square.scene, std::span(&square.mesh, 1), {8, 8, 1}).shaders;
+  EXPECT_EQ(lit.find("color = front"), std::string::npos) << lit;
+}
+
+/// A square with a line from left to right whose true place is 0.2 behind or before the mesh.
+TEST(ContourLines, AreSeenAlsoWhereTheMeshIsInFrontOfThem) {
+  for (const double height : {-0.2, 0.0, 0.2}) {
+    Square square;
+    square.scene.surfaces[0].color.clear();
+    square.mesh.color.clear();
+    square.mesh.contours = {
+        {{-1, 0.5, height}, {1, 0.5, height}}, {{-1, 0.5, 0}, {1, 0.5, 0}}, {{0, 1}}};
+    const Image image = square.draw();
+    int lines = 0;
+    for (int y = 0; y < 200; ++y) lines += image.pixel(100, y)[0] < 80 ? 1 : 0;
+    EXPECT_EQ(lines, 1) << height;
+    // half of the height from the middle: the eye is at distance 1 with an angle of 90 degrees
+    EXPECT_LT(std::min(image.pixel(100, 49)[0], image.pixel(100, 50)[0]), 80) << height;
+  }
+}
+
+TEST(ColourBar, MarksEndsBeyondWhichThereAreNumbers) {
+  Square square;
+  const auto labels = [&](const ColorRange& range) {
+    const std::vector<ColorScale> scales = {{"x", "viridis", range}};
+    std::string all;
+    for (const WrittenText& text : annotate(square.scene, {}, {}, scales, dvec2(400)).texts) {
+      all += text.text + ";";
+    }
+    return all;
+  };
+  EXPECT_EQ(labels({-1, 1}).find("\u2264"), std::string::npos);
+  EXPECT_NE(labels({-1, 1, true, false}).find("\u2264 \u22121.0;"), std::string::npos)
+      << labels({-1, 1, true, false});
+  EXPECT_EQ(labels({-1, 1, true, false}).find("\u2265"), std::string::npos);
+  EXPECT_NE(labels({-1, 0.7777, true, true}).find("\u2265 0.7777;"), std::string::npos);
+}
+
 TEST(ColouredSurface, TakesOnlyWhatItNeedsOfTheShader) {
   Square square;
   const auto text = [&] {

@@ -49,6 +49,13 @@ std::vector<Golden> golden_pictures() {
        "--radius 0.1 --color gold + curve x=s y=1/s z=0.5 s=-2:2 --color lime --line-width 2 "
        "+ point 0,-1,0 --radius 0.2 --color white --label ball + point 1,-1,0 --label dot "
        "--clip -1:3.5,-2:2,-1:1"},
+      {"contours-peak", "z='exp(-(u^2+v^2))' u=-2:2 v=-2:2 --contours z --grid off -s 320x240"},
+      {"contours-gauss",
+       "torus --color gauss --colormap coolwarm --color-range symmetric --contours gauss=0 "
+       "--shading unlit --grid off -s 320x240"},
+      {"color-cyclic",
+       "z='u*v' --color 'atan2(v,u)' --colormap twilight --shading unlit --view 0,-1,3 -s 320x240"},
+      {"color-range", "torus --color z --color-range -0.2:0.5 --contours z -s 320x240"},
       {"color-undefined", "z='u*v' --color 'sqrt(u)+floor(2*v)' --colormap plasma -s 320x240"},
   };
   for (const auto& [name, arguments] :

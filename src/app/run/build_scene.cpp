@@ -208,7 +208,7 @@ Scene build_scene(const CommandLine& line) {
   for (const auto& [option, text] : line.given) apply_option(*option, text, scene);
   if (alone) {
     for (const auto& [option, text] : segments[0].given) apply_option(*option, text, scene);
-    check_colormap_is_used(segments[0].given, scene.surfaces);
+    check_colors_are_used(segments[0].given, scene.surfaces);
   } else {
     apply_object_options(objects, scene);
   }

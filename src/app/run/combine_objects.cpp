@@ -278,10 +278,11 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
   return scene;
 }
 
-void check_colormap_is_used(const std::vector<GivenOption>& options,
+void check_colors_are_used(const std::vector<GivenOption>& options,
                             std::span<const SurfaceSpec> surfaces) {
-  const auto given = std::ranges::find(options, std::string_view("colormap"),
-                                       [](const GivenOption& g) { return g.option->name; });
+  const auto given = std::ranges::find_if(options, [](const GivenOption& g) {
+    return g.option->name == "colormap" || g.option->name == "color-range";
+  });
   const auto has_no_color = [](const SurfaceSpec& spec) { return spec.color.empty(); };
   if (given == options.end() || surfaces.empty() || !std::ranges::all_of(surfaces, has_no_color))
     return;
@@ -318,7 +319,7 @@ void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene)
         apply_option(*option, text, scene, surface);
       }
     }
-    check_colormap_is_used(object.options, surfaces);
+    check_colors_are_used(object.options, surfaces);
     begin += surfaces.size();
     const std::size_t own_curves = object.scene.curves.size();
     const std::size_t own_points = object.scene.points.size();

@@ -28,8 +28,8 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
                       const std::vector<std::string>& common,
                       const std::vector<GivenOption>& options);
 
-/// A colormap without anything to colour would do nothing: throws Error (Input).
-void check_colormap_is_used(const std::vector<GivenOption>& options,
+/// Colours of a scale without anything to colour would do nothing: throws Error (Input).
+void check_colors_are_used(const std::vector<GivenOption>& options,
                             std::span<const SurfaceSpec> surfaces);
 
 /// Lets the objects' options change their surfaces, which stand in the scene in their order. Throws

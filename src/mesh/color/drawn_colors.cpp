@@ -188,7 +188,7 @@ std::optional<DrawnColors> drawn_colors(const Surface& surface, const Mesh& mesh
   const ColorRange most{sample_quantile(samples, kLeftOut), sample_quantile(samples, 1 - kLeftOut)};
   if (are_one_number(ends.range, most, rounding)) {
     const double middle = sample_quantile(samples, 0.5);
-    return DrawnColors{{middle, middle}};
+    return DrawnColors{{middle, middle}, {middle, middle}};
   }
   const double spread = samples.back().first - samples.front().first;  // finite
   const auto top = [&](std::size_t corner, double sign) -> std::optional<double> {
@@ -198,10 +198,11 @@ std::optional<DrawnColors> drawn_colors(const Surface& surface, const Mesh& mesh
   };
   const std::optional<double> low = top(ends.lowest, -1);
   const std::optional<double> high = top(ends.highest, 1);
-  if (low && high) return DrawnColors{{*low, *high}};
+  if (low && high) return DrawnColors{{*low, *high}, {*low, *high}};
   const std::vector<Sample> fine = fine_samples_of(surface, mesh);
   return DrawnColors{{low ? *low : sample_quantile(fine, kLeftOut),
                       high ? *high : sample_quantile(fine, 1 - kLeftOut)},
+                     {low.value_or(-kInfinity), high.value_or(kInfinity)},
                      true};
 }
 

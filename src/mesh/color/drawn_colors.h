@@ -18,6 +18,7 @@ struct Surface;
 
 struct DrawnColors {
   ColorRange range;
+  ColorRange all;           ///< the same with infinite ends where the numbers go to infinity
   bool is_clamped = false;  ///< the numbers go to infinity
 };
 

@@ -7,6 +7,8 @@ namespace saddle {
 struct ColorRange {
   double low = 0;
   double high = 0;
+  bool below = false;  ///< some numbers are less than `low`
+  bool above = false;  ///< some numbers are more than `high`
 };
 
 }  // namespace saddle

@@ -22,6 +22,14 @@ namespace saddle {
 /// Three corners.
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Level lines. Each vertex has two places: the true one, and that of the same parameters on the
+/// triangles, which may be above it by the mesh's error.
+struct MeshContours {
+  std::vector<dvec3> position;
+  std::vector<dvec3> on_mesh;
+  std::vector<std::vector<std::uint32_t>> lines;  ///< chains of vertices
+};
+
 struct Mesh {
   // One entry per corner.
   Array<dvec3> position;
@@ -40,6 +48,8 @@ struct Mesh {
 
   /// The scene's grid lines, each a chain of corners along edges of the mesh.
   std::vector<std::vector<std::uint32_t>> lines;
+
+  MeshContours contours;
 
   Bounds bounds;
   std::optional<dvec3> anchor;  ///< where its label stands, if there is one

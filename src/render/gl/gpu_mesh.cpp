@@ -45,7 +45,8 @@ void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
   glUnmapBuffer(GL_ARRAY_BUFFER);
 }
 
-void describe_vertices() {
+/// `second`: the attribute beside the position.
+void describe_vertices(GLuint second = kNormal) {
   const auto attribute = [](GLuint location, std::size_t offset) {
     glEnableVertexAttribArray(location);
     // GL takes an offset into the buffer as a pointer.
@@ -53,12 +54,13 @@ void describe_vertices() {
     glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), start);
   };
   attribute(kPosition, offsetof(Vertex, position));
-  attribute(kNormal, offsetof(Vertex, normal));
+  attribute(second, offsetof(Vertex, normal));
 }
 
 /// The numbers of the corners as a share of their range.
 void upload_colors(const Mesh& mesh) {
-  const auto [low, high] = mesh.color_range;
+  const double low = mesh.color_range.low;
+  const double high = mesh.color_range.high;
   std::vector<float> shares;
   shares.reserve(mesh.color.size());
   for (const double number : mesh.color) {
@@ -73,15 +75,22 @@ void upload_colors(const Mesh& mesh) {
 
 /// All chains in one list, a restart after each. GL leaves out the last pixel of a line, so that
 /// the next one may begin there: each chain goes back one step at its end.
-std::vector<GLuint> strip_indices(const Mesh& mesh) {
+std::vector<GLuint> strip_indices(std::span<const std::vector<std::uint32_t>> lines) {
   std::vector<GLuint> indices;
-  for (const auto& chain : mesh.lines) {
+  for (const auto& chain : lines) {
     if (chain.size() < 2) continue;
     indices.insert(indices.end(), chain.begin(), chain.end());
     indices.push_back(chain[chain.size() - 2]);
     indices.push_back(kRestart);
   }
   return indices;
+}
+
+void draw_strips(const GlVertexArray& array, GLsizei indices) {
+  glBindVertexArray(array.get());
+  glEnable(GL_PRIMITIVE_RESTART);
+  glPrimitiveRestartIndex(kRestart);
+  glDrawElements(GL_LINE_STRIP, indices, GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace
@@ -138,13 +147,36 @@ GpuMesh::GpuMesh(const Mesh& mesh)
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
   }
 
-  const std::vector<GLuint> indices = strip_indices(mesh);
+  const std::vector<GLuint> indices = strip_indices(mesh.lines);
   line_indices_ = static_cast<GLsizei>(indices.size());
   glBindVertexArray(line_array_.get());
   describe_vertices();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, lines_.get());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
                indices.data(), GL_STATIC_DRAW);
+  if (!mesh.contours.lines.empty()) contours_.emplace(mesh.contours, frame_);
+}
+
+GpuMesh::Contours::Contours(const MeshContours& contours, const ModelFrame& frame)
+    : array(make_name<GlVertexArray>(glGenVertexArrays)),
+      vertices(make_name<GlBuffer>(glGenBuffers)),
+      lines(make_name<GlBuffer>(glGenBuffers)) {
+  std::vector<Vertex> places;
+  places.reserve(contours.position.size());
+  for (std::size_t i = 0; i < contours.position.size(); ++i) {
+    places.push_back({glm::vec3((contours.position[i] - frame.centre) / frame.size),
+                      glm::vec3((contours.on_mesh[i] - frame.centre) / frame.size)});
+  }
+  const std::vector<GLuint> strips = strip_indices(contours.lines);
+  indices = static_cast<GLsizei>(strips.size());
+  glBindVertexArray(array.get());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.get());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(Vertex)),
+               places.data(), GL_STATIC_DRAW);
+  describe_vertices(kOnMesh);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, lines.get());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(strips.size() * sizeof(GLuint)),
+               strips.data(), GL_STATIC_DRAW);
 }
 
 double GpuMesh::measure_trust(Program& program, std::span<const dvec2> uv) {
@@ -184,10 +216,11 @@ void GpuMesh::draw_triangles() const {
 }
 
 void GpuMesh::draw_lines() const {
-  glBindVertexArray(line_array_.get());
-  glEnable(GL_PRIMITIVE_RESTART);
-  glPrimitiveRestartIndex(kRestart);
-  glDrawElements(GL_LINE_STRIP, line_indices_, GL_UNSIGNED_INT, nullptr);
+  draw_strips(line_array_, line_indices_);
+}
+
+void GpuMesh::draw_contours() const {
+  if (contours_) draw_strips(contours_->array, contours_->indices);
 }
 
 }  // namespace saddle

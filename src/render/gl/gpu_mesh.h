@@ -35,13 +35,24 @@ class GpuMesh {
   /// The range of the numbers that it is coloured by; nothing if it is not.
   const std::optional<ColorRange>& color_range() const { return color_range_; }
   bool has_lines() const { return line_indices_ > 0; }
+  bool has_contours() const { return contours_ && contours_->indices > 0; }
   /// Gives its corners their u and v, and what the program of trust_shader() finds out about each
   /// of them. Returns the share of corners that it trusts.
   double measure_trust(Program& program, std::span<const dvec2> uv);
   void draw_triangles() const;
   void draw_lines() const;
+  /// Its level lines; the second attribute of a vertex is its place on the triangles.
+  void draw_contours() const;
 
  private:
+  struct Contours {
+    explicit Contours(const MeshContours& contours, const ModelFrame& frame);
+    GlVertexArray array;
+    GlBuffer vertices;
+    GlBuffer lines;
+    GLsizei indices = 0;
+  };
+
   Bounds bounds_;
   ModelFrame frame_;  ///< of the bounds
   bool hides_its_back_;
@@ -54,6 +65,7 @@ class GpuMesh {
   std::optional<GlBuffer> colors_;  ///< of the corners, 0 to 1 in that range, -1: undefined
   std::optional<GlBuffer> parameters_;
   std::optional<GlBuffer> trust_;
+  std::optional<Contours> contours_;
   GLsizei triangle_indices_ = 0;
   GLsizei line_indices_ = 0;
 };

@@ -77,12 +77,10 @@ void Program::find_uniforms() {
 }
 
 void Program::check_attributes() const {
-  static const std::map<std::string, GLint> known{{"position", kPosition},
-                                                  {"corner_normal", kNormal},
-                                                  {"parameters", kParameters},
-                                                  {"corner_color", kColor},
-                                                  {"trust", kTrust},
-                                                  {"far_end", kFarEnd}};
+  static const std::map<std::string, GLint> known{
+      {"position", kPosition}, {"corner_normal", kNormal}, {"parameters", kParameters},
+      {"corner_color", kColor}, {"trust", kTrust},          {"far_end", kFarEnd},
+      {"on_mesh", kOnMesh}};
   GLint count = 0;
   glGetProgramiv(program_.get(), GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {

@@ -15,7 +15,15 @@
 namespace saddle {
 
 /// Attribute locations, as the shaders' layout(location = ...) have them.
-enum Attribute : GLuint { kPosition = 0, kNormal = 1, kParameters = 2, kColor = 3, kTrust = 4, kFarEnd = 5 };
+enum Attribute : GLuint {
+  kPosition = 0,
+  kNormal = 1,
+  kParameters = 2,
+  kColor = 3,
+  kTrust = 4,
+  kFarEnd = 5,
+  kOnMesh = 6
+};
 
 class Program {
  public:

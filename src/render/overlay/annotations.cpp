@@ -24,6 +24,7 @@ constexpr double kTitleGap = 0.8;  // above it
 constexpr double kBarWidth = 1.1;
 constexpr double kBarMargin = 1.2;    // beside a bar
 constexpr double kBarNameGap = 0.75;  // half a label that stands at the bar's end, and some
+constexpr double kOnBarEnd = 1e-6;    // a tick that is the end but for rounding
 constexpr double kBarStep = 2.5;      // of a bar's ticks, at least
 
 /// Letters are this share of the picture's height, or of three quarters of its width, and no
@@ -133,7 +134,7 @@ class Annotator {
         std::min(std::max(corner.x + extent.x / 2, half + kGap * em_), right - half - kGap * em_);
     const bool is_named =
         writer_.write_near(name, {middle, corner.y - kBarNameGap * em_}, {0, -1}, em_);
-    for (const Tick& tick : marks.ticks) {
+    for (const Tick& tick : bar_ticks(scale, marks)) {
       const double y = end.y - extent.y * place_on(scale, tick.value);
       result_.strokes.push_back({dvec2(end.x, y), dvec2(end.x + kTickLength * em_, y)});
       if (!is_named && !marks.note.empty()) continue;  // without it the numbers are wrong
@@ -149,7 +150,7 @@ class Annotator {
   /// The width of a bar with its numbers, at the picture's right side.
   double bar_zone(const ColorScale& scale) const {
     double widest = 0;
-    for (const Tick& tick : ticks_of(scale).ticks) {
+    for (const Tick& tick : bar_ticks(scale, ticks_of(scale))) {
       widest = std::max(widest, writer_.width(tick.text, em_));
     }
     return widest + (2 * kBarMargin + kBarWidth + kTickLength + kGap) * em_;
@@ -324,6 +325,27 @@ class Annotator {
   Ticks ticks_of(const ColorScale& scale) const {
     const auto count = static_cast<int>(kBarHeight * size_.y / (kBarStep * em_));
     return ticks(scale.range.low, scale.range.high, std::clamp(count, 1, kMostTicks));
+  }
+
+  /// A bar's ticks. An end beyond which there are numbers, in its colour, says so, and comes first.
+  std::vector<Tick> bar_ticks(const ColorScale& scale, const Ticks& marks) const {
+    const double apart = em_ / (kBarHeight * size_.y) * (scale.range.high - scale.range.low);
+    std::vector<Tick> inner = marks.ticks;
+    std::vector<Tick> all;
+    const auto mark_end = [&](double end, const char* sign) {
+      Tick mark{end, ""};
+      if (marks.note.empty()) mark.text = ticks(end, end, 1).ticks[0].text;
+      std::erase_if(inner, [&](const Tick& tick) {
+        if (std::abs(tick.value - end) <= kOnBarEnd * apart) mark.text = tick.text;
+        return std::abs(tick.value - end) < apart;
+      });
+      mark.text = sign + mark.text;
+      all.push_back(std::move(mark));
+    };
+    if (scale.range.below) mark_end(scale.range.low, "\u2264 ");
+    if (scale.range.above) mark_end(scale.range.high, "\u2265 ");
+    all.insert(all.end(), inner.begin(), inner.end());
+    return all;
   }
 
   /// The formula, shortened to the room for it, and in full the offset and power of ten that the

@@ -206,16 +206,37 @@ std::optional<ColorRange> colors_of(const Scene& scene, const SurfaceSpec& spec)
   }
 }
 
-/// Finds the range of colours that change. `samples` are of the scenes.
-void find_colors(const std::vector<Scene>& scenes, const Samples& samples, Framing& framing) {
+/// The range of an expression on a surface over all moments; nothing if it has no numbers.
+std::optional<ColorRange> range_over(const std::vector<Scene>& scenes, std::size_t surface,
+                                     const std::string& expression) {
+  std::optional<ColorRange> all;
+  for (const Scene& scene : scenes) {
+    SurfaceSpec spec = scene.surfaces[surface];
+    spec.color = expression;
+    spec.contours.clear();
+    const auto range = colors_of(scene, spec);
+    if (!range) continue;
+    if (!all) all = range;
+    all->low = std::min(all->low, range->low);
+    all->high = std::max(all->high, range->high);
+    all->below = all->below || range->below;
+    all->above = all->above || range->above;
+  }
+  return all;
+}
+
+/// Finds the ranges of colours and of round levels that change. `samples` are of the scenes.
+void find_ranges(const std::vector<Scene>& scenes, const Samples& samples, Framing& framing) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!samples[i]->moves || scenes[0].surfaces[i].color.empty()) continue;
-    for (const Scene& scene : scenes) {
-      const auto range = colors_of(scene, scene.surfaces[i]);
-      if (!range) continue;
-      ColorRange& all = framing.colors.try_emplace(i, *range).first->second;
-      all.low = std::min(all.low, range->low);
-      all.high = std::max(all.high, range->high);
+    const SurfaceSpec& spec = scenes[0].surfaces[i];
+    if (!samples[i]->moves) continue;
+    if (!spec.color.empty()) {
+      if (const auto range = range_over(scenes, i, spec.color)) framing.colors[i] = *range;
+    }
+    for (std::size_t k = 0; k < spec.contours.size(); ++k) {
+      if (!spec.contours[k].levels.empty()) continue;
+      const auto range = range_over(scenes, i, spec.contours[k].expression);
+      if (range) framing.contours[{i, k}] = *range;
     }
   }
 }
@@ -265,7 +286,7 @@ void fit(const std::vector<Scene>& scenes, std::size_t cells, Framing& framing, 
     if (!box.empty()) boxes.push_back(box);
   }
   if (boxes.empty()) return;  // nothing but background
-  find_colors(scenes, samples[0], framing);
+  find_ranges(scenes, samples[0], framing);
   Bounds bounds;
   for (const Bounds& box : boxes) bounds.add(box);
   if (scenes[0].axes) framing.box = around_all(boxes);
@@ -288,6 +309,9 @@ void Framing::apply(Scene& scene) const {
   if (distance) scene.camera.distance = Number(*distance);
   scene.box = box;
   for (const auto& [surface, range] : colors) scene.surfaces[surface].color_range = range;
+  for (const auto& [place, range] : contours) {
+    scene.surfaces[place.first].contours[place.second].range = range;
+  }
 }
 
 Framing frame_scene(Timeline& timeline, unsigned threads) {

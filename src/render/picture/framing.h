@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "meshing/tolerance.h"
@@ -18,14 +19,16 @@ namespace saddle {
 /// of time alone: frames that are drawn apart fit together, and a frame that is opened again is the
 /// same.
 ///
-/// The box of the axes and the range of the numbers that colours stand for are those of all
-/// moments, too.
+/// The box of the axes, the range of the numbers that colours stand for and the levels of contours
+/// are those of all moments, too.
 struct Framing {
   std::optional<dvec3> target;
   std::optional<double> distance;
   std::optional<Bounds> box;                 ///< of a scene with axes
   std::map<std::size_t, ColorRange> colors;  ///< of surfaces whose colours another moment changes
-  std::vector<Moment> moments;               ///< cameras and nodes, none twice
+  /// The same for round levels, of a surface and one of its contours.
+  std::map<std::pair<std::size_t, std::size_t>, ColorRange> contours;
+  std::vector<Moment> moments;  ///< cameras and nodes, none twice
 
   /// Puts the camera, the box and the colours where they are. A scene without an animation keeps
   /// its own.

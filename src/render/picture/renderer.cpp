@@ -145,6 +145,11 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, n, look);
   if (look.lines) draw_lines(scene, items, n);
+  if (has_contours()) {
+    glEnable(GL_DEPTH_CLAMP);  // they may stand out of the box that holds the triangles
+    draw_contours(scene, items, n);
+    glDisable(GL_DEPTH_CLAMP);
+  }
   stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
@@ -215,8 +220,20 @@ Program& Renderer::line_program() {
   return *line_program_;
 }
 
+Program& Renderer::contour_program() {
+  if (!contour_program_) {
+    contour_program_.emplace(std::string(shader_source("contour.vert.glsl")),
+                             std::string(shader_source("line.frag.glsl")));
+  }
+  return *contour_program_;
+}
+
 bool Renderer::has_lines() const {
   return std::ranges::any_of(meshes_, &GpuMesh::has_lines) || stroke_drawer_.has_strokes();
+}
+
+bool Renderer::has_contours() const {
+  return std::ranges::any_of(meshes_, &GpuMesh::has_contours);
 }
 
 std::size_t Renderer::lights_at_once() {
@@ -249,11 +266,12 @@ void Renderer::set_color(Program& program, const Scene& scene, std::size_t surfa
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
-/// the line may lie from the line itself, and half a sample more.
+/// the line may be, and half a sample more. Contours are half a pixel beside the mesh.
 void Renderer::start_faces(int line_width, const Look& look) const {
-  if (has_lines()) {
+  if (has_lines() || has_contours()) {
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(0.5F * static_cast<float>(line_width + 1), 1);
+    const int across = (has_contours() ? 2 : 1) * line_width + 1;
+    glPolygonOffset(0.5F * static_cast<float>(across), 1);
   }
   if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glLineWidth(static_cast<float>(line_width));
@@ -298,14 +316,20 @@ void Renderer::draw_surfaces(const Scene& scene, std::span<const PlacedMesh> ite
 
 void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                          bool first) {
-  ShaderNeeds needs;
-  needs.orthographic = scene.camera.ortho;
-  add_light_needs(lights, needs);
+  ShaderNeeds unlit;
+  unlit.orthographic = scene.camera.ortho;
+  unlit.unlit = true;
+  ShaderNeeds lit;
+  lit.orthographic = scene.camera.ortho;
+  add_light_needs(lights, lit);
   Program* program = nullptr;
   ShaderNeeds made_for;
   for (const PlacedMesh& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
     const Shading shading = shading_of(scene, surface);
+    const bool is_unlit = shading == Shading::Unlit;
+    if (is_unlit && !first) continue;
+    ShaderNeeds needs = is_unlit ? unlit : lit;
     needs.blinn = specular_of(scene, surface) == Specular::Blinn;
     needs.per_vertex = shading == Shading::Vertex;
     needs.two_sided = item.two_sided;
@@ -318,7 +342,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     if (program == nullptr || needs != made_for) {
       program = &this->program(assemble_surface_shader(needs));
       program->use();
-      set_lights(*program, lights, needs);
+      set_lights(*program, is_unlit ? Lights() : lights, needs);
       made_for = needs;
     }
     program->set("model_to_clip", item.model_to_clip);
@@ -342,16 +366,28 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
 /// `per_side`: samples per pixel.
 void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side) {
   if (!has_lines()) return;
-  Program& program = line_program();
+  draw_lines_of(scene, items, line_program(), per_side, &GpuMesh::has_lines, &GpuMesh::draw_lines);
+}
+
+void Renderer::draw_contours(const Scene& scene, std::span<const PlacedMesh> items, int per_side) {
+  draw_lines_of(scene, items, contour_program(), per_side, &GpuMesh::has_contours,
+                &GpuMesh::draw_contours);
+}
+
+/// Lines of one kind.
+void Renderer::draw_lines_of(const Scene& scene, std::span<const PlacedMesh> items,
+                             Program& program, int per_side, bool (GpuMesh::*has)() const,
+                             void (GpuMesh::*draw)() const) {
   program.use();
   for (const PlacedMesh& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
-    if (!meshes_[item.surface].has_lines() || surface.is_stroke()) continue;
+    const GpuMesh& mesh = meshes_[item.surface];
+    if (!(mesh.*has)() || surface.is_stroke()) continue;
     program.set("line_color", rgb(surface.line_color));
     glLineWidth(static_cast<float>(per_side * line_width(scene, surface)));
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
-    meshes_[item.surface].draw_lines();
+    (mesh.*draw)();
   }
 }
 

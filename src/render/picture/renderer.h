@@ -75,8 +75,10 @@ class Renderer {
                                    const Look& look) const;
   Program& program(const ShaderText& text, const std::string& captured = "");
   Program& line_program();
+  Program& contour_program();
   Layers& layers(const Viewport& viewport);
   bool has_lines() const;
+  bool has_contours() const;
   std::size_t lights_at_once();
   void start_faces(int line_width, const Look& look) const;
   static void end_faces();
@@ -88,6 +90,9 @@ class Renderer {
                      int line_width, const Look& look);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
   void draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side);
+  void draw_contours(const Scene& scene, std::span<const PlacedMesh> items, int per_side);
+  void draw_lines_of(const Scene& scene, std::span<const PlacedMesh> items, Program& program,
+                     int per_side, bool (GpuMesh::*has)() const, void (GpuMesh::*draw)() const);
   void draw_marks(const PlacedMesh& item, int line_width);
   void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                 const Viewport& viewport, const dvec3& ink);
@@ -101,6 +106,7 @@ class Renderer {
   ColormapTextures colormaps_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
   std::optional<Program> line_program_;
+  std::optional<Program> contour_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
   std::string unknown_letters_;

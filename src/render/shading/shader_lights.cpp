@@ -163,6 +163,7 @@ std::vector<ShaderLight> shader_lights(const Scene& scene, const FittedCamera& c
                                        double unit) {
   const Frames frames(scene, camera);
   std::vector<ShaderLight> result;
+  if (scene.picture.shading == Shading::Unlit) return result;
   for (const Light& light : scene.lights) {
     if (light.enabled == 0) continue;
     const ShaderLight values = shader_light(light, frames, unit, !scene.camera.ortho);

@@ -47,6 +47,11 @@ void set_material(Program& program, const std::string& side, const Material& mat
 }  // namespace
 
 void add_material_needs(const SurfaceSpec& surface, bool emission, ShaderNeeds& needs) {
+  if (needs.unlit) {
+    needs.two_materials =
+        needs.two_sided && !needs.colored && !same(surface.front.diffuse, surface.back.diffuse);
+    return;
+  }
   needs.specular =
       !is_black(surface.front.specular) || (needs.two_sided && !is_black(surface.back.specular));
   needs.emission =

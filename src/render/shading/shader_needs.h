@@ -22,6 +22,7 @@ struct ShaderNeeds {
   bool two_sided = true;       ///< back faces can be seen
   bool two_materials = false;  ///< and look different
   bool per_vertex = false;
+  bool unlit = false;  ///< the colour as it is: no light, no emission
   bool orthographic = false;
   bool colored = false;        ///< each point has a colour of its own, in place of the materials'
   bool normal_matrix = false;  ///< the model is not only turned, moved and scaled evenly

@@ -37,6 +37,7 @@ std::vector<std::string> names_of(const ShaderNeeds& needs) {
   add(lit && needs.specular, "SPECULAR");
   add(lit && needs.specular && needs.highlights, "HIGHLIGHTS");
   add(lit && (needs.specular || (cone && needs.focus)), "POWERS");
+  add(needs.unlit, "UNLIT");
   add(needs.blinn, "BLINN");
   add(needs.emission, "EMISSION");
   add(needs.two_sided, "TWO_SIDED");

@@ -68,21 +68,6 @@ std::vector<std::string> argument_names(const std::string& assignment, Span insi
   return names;
 }
 
-/// The first `:` from `begin` on that is outside of brackets and belongs to no `?`.
-std::optional<std::size_t> range_colon(const std::string& text, std::size_t begin = 0) {
-  int depth = 0;
-  int questions = 0;
-  for (std::size_t i = begin; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '(') ++depth;
-    if (c == ')') --depth;
-    if (depth != 0) continue;
-    if (c == '?') ++questions;
-    if (c == ':' && questions-- == 0) return i;
-  }
-  return std::nullopt;
-}
-
 [[noreturn]] void throw_bad_range(const Definition& definition, const std::string& message,
                                   Span span) {
   throw Error(Status::Input, message, {definition.name, definition.text, span},
@@ -171,6 +156,20 @@ void file(Scene& scene, const Definition& definition) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> range_colon(const std::string& text, std::size_t begin) {
+  int depth = 0;
+  int questions = 0;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (depth != 0) continue;
+    if (c == '?') ++questions;
+    if (c == ':' && questions-- == 0) return i;
+  }
+  return std::nullopt;
+}
 
 bool is_range(const Definition& definition) {
   return range_colon(definition.text).has_value();

@@ -1,6 +1,8 @@
 // NAME=EXPRESSION: what a user types becomes part of a Scene.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,9 @@ namespace saddle {
 /// place "argument": no `=`, an invalid name or one that cannot be a function's, an empty
 /// expression.
 Definition parse_definition(const std::string& assignment);
+
+/// The first `:` from `begin` on that is outside of brackets and belongs to no `?`.
+std::optional<std::size_t> range_colon(const std::string& text, std::size_t begin = 0);
 
 /// It is `NAME=MIN:MAX`.
 bool is_range(const Definition& definition);

@@ -11,7 +11,8 @@ namespace {
 
 auto find_scale(const SurfaceSpec& spec, auto& scales) {
   return std::ranges::find_if(scales, [&](const ColorScale& scale) {
-    return scale.formula == spec.color && scale.colormap == spec.colormap;
+    return scale.formula == spec.color && scale.colormap == spec.colormap &&
+           scale.ends == spec.color_ends;
   });
 }
 
@@ -26,16 +27,20 @@ std::vector<ColorScale> color_scales(const Scene& scene,
     if (!ranges[i] || spec.color.empty()) continue;
     const auto known = find_scale(spec, scales);
     if (known == scales.end()) {
-      scales.push_back({spec.color, spec.colormap, *ranges[i]});
+      scales.push_back({spec.color, spec.colormap, *ranges[i], spec.color_ends});
     } else {
       known->range.low = std::min(known->range.low, ranges[i]->low);
       known->range.high = std::max(known->range.high, ranges[i]->high);
+      known->range.below = known->range.below || ranges[i]->below;
+      known->range.above = known->range.above || ranges[i]->above;
     }
   }
   for (ColorScale& scale : scales) {
-    if (!is_diverging(scale.colormap)) continue;
-    const double most = std::max(std::abs(scale.range.low), std::abs(scale.range.high));
-    scale.range = {-most, most};
+    if (scale.ends ? !scale.ends->symmetric : !is_diverging(scale.colormap)) continue;
+    ColorRange& range = scale.range;
+    // Numbers beyond one end may go to infinity: beyond the other one are none where it is moved.
+    const double most = std::max(std::abs(range.low), std::abs(range.high));
+    range = {-most, most, range.below && range.low == -most, range.above && range.high == most};
   }
   return scales;
 }

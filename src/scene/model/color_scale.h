@@ -1,4 +1,5 @@
-// Scales from numbers to colours. Surfaces with the same formula and colormap share a scale.
+// Scales from numbers to colours. Surfaces with the same formula, colormap and ends
+// share a scale.
 #pragma once
 
 #include <optional>
@@ -15,10 +16,11 @@ struct ColorScale {
   std::string formula;  ///< what the colours show
   std::string colormap;
   ColorRange range;
+  std::optional<ColorEnds> ends = {};  ///< that are asked for
 };
 
 /// The scales of a scene in the order of their surfaces; ranges[i] is that of surface i's mesh, if
-/// that has one. A diverging colormap has its middle at 0.
+/// that has one. Without ends that are asked for, a diverging colormap has its middle at 0.
 std::vector<ColorScale> color_scales(const Scene& scene,
                                      std::span<const std::optional<ColorRange>> ranges);
 

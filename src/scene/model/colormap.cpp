@@ -3,7 +3,7 @@
 // cividis: J. Nunez, C. Anderton, R. Renslow, "Optimizing colormaps with consideration for color
 // vision deficiency to enable accurate interpretation of scientific data", 2018;
 // turbo: A. Mikhailov, "Turbo, an improved rainbow colormap for visualization", 2019;
-// coolwarm: K. Moreland, "Diverging color maps for scientific visualization", 2009.
+// coolwarm and twilight are computed: scene/model/built_colormaps.
 #include "scene/model/colormap.h"
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/nearest.h"
+#include "scene/model/built_colormaps.h"
 
 namespace saddle {
 namespace {
@@ -137,25 +138,23 @@ constexpr std::string_view kTurbo =
     "a91601a71401a41301a112019e10019b0f01980e01950d01920b018e0a018b09028808028507028106027e0502"
     "7a0403";
 
-constexpr std::string_view kCoolwarm =
-    "3b4cc0445acc4d68d75775e16282ea6c8ef1779af782a5fb8db0fe98b9ffa3c2ffaec9fdb8d0f9c2d5f4ccd9ee"
-    "d5dbe6dddddde5d8d1ecd3c5f1ccb9f5c4adf7bba0f7b194f7a687f49a7bf18d6fec7f63e57058de604dd55042"
-    "cb3e38c0282fb40426";
 constexpr std::string_view kGray = "000000ffffff";
 
 struct Map {
   std::string_view name;
   std::string_view table;
+  BuiltColormap (*build)() = nullptr;  ///< in place of a table
   bool diverging = false;
 };
 
-constexpr std::array<Map, 8> kMaps = {{{"viridis", kViridis},
+constexpr std::array<Map, 9> kMaps = {{{"viridis", kViridis},
                                        {"plasma", kPlasma},
                                        {"inferno", kInferno},
                                        {"magma", kMagma},
                                        {"cividis", kCividis},
                                        {"turbo", kTurbo},
-                                       {"coolwarm", kCoolwarm, true},
+                                       {"coolwarm", "", built_coolwarm, true},
+                                       {"twilight", "", built_twilight},
                                        {"gray", kGray}}};
 
 const Map* find(std::string_view name) {
@@ -169,13 +168,29 @@ int digit(char c) {
   return c <= '9' ? c - '0' : c - 'a' + 10;
 }
 
-dvec3 entry(std::string_view table, std::size_t index) {
-  dvec3 color;
-  for (int k = 0; k < 3; ++k) {
-    const std::string_view two = table.substr(kDigits * index + 2 * static_cast<std::size_t>(k), 2);
-    color[k] = (16 * digit(two[0]) + digit(two[1])) / 255.0;
+std::vector<dvec3> colors_of(const Map& map) {
+  if (map.build != nullptr) {
+    const BuiltColormap built = map.build();
+    return {built.begin(), built.end()};
   }
-  return color;
+  std::vector<dvec3> colors(map.table.size() / kDigits);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view two = map.table.substr(kDigits * i + 2 * static_cast<std::size_t>(k));
+      colors[i][k] = (16 * digit(two[0]) + digit(two[1])) / 255.0;
+    }
+  }
+  return colors;
+}
+
+/// The colours of a known map, evenly spaced.
+const std::vector<dvec3>& colors_of(const std::string& name) {
+  static const std::array<std::vector<dvec3>, kMaps.size()> all = [] {
+    std::array<std::vector<dvec3>, kMaps.size()> made;
+    for (std::size_t i = 0; i < made.size(); ++i) made[i] = colors_of(kMaps[i]);
+    return made;
+  }();
+  return all[static_cast<std::size_t>(find(name) - kMaps.data())];
 }
 
 }  // namespace
@@ -202,11 +217,11 @@ std::string parse_colormap(const std::string& option, const std::string& text) {
 }
 
 dvec3 colormap_at(const std::string& name, double x) {
-  const std::string_view table = find(name)->table;
-  const std::size_t last = table.size() / kDigits - 1;
+  const std::vector<dvec3>& colors = colors_of(name);
+  const std::size_t last = colors.size() - 1;
   const double place = std::clamp(x, 0.0, 1.0) * static_cast<double>(last);
   const auto below = std::min(static_cast<std::size_t>(place), last - 1);
-  return glm::mix(entry(table, below), entry(table, below + 1), place - static_cast<double>(below));
+  return glm::mix(colors[below], colors[below + 1], place - static_cast<double>(below));
 }
 
 bool is_diverging(const std::string& name) {

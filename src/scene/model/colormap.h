@@ -15,7 +15,7 @@ const std::vector<std::string>& colormap_names();
 std::string parse_colormap(const std::string& option, const std::string& text);
 
 /// Red, green, blue, each 0 to 1, of a known map at `x`, which is clamped to 0..1: tables of
-/// colours of eight bits, evenly spaced and linear in between.
+/// colours, evenly spaced and linear in between.
 dvec3 colormap_at(const std::string& name, double x);
 
 /// The map has a middle that is to stand for zero.

@@ -88,6 +88,9 @@ Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world) {
     const double length = glm::length(n);
     if (length > 0) n /= length;
   }
+  for (auto* const places : {&result.contours.position, &result.contours.on_mesh}) {
+    for (dvec3& p : *places) p = dvec3(to_world * glm::dvec4(p, 1));
+  }
   if (glm::determinant(glm::dmat3(to_world)) < 0) {
     for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
   }

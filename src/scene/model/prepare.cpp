@@ -48,8 +48,9 @@ void check_dependence(const Graph& graph, const RangeText& range, const std::arr
   }
 }
 
-/// A formula of u, v, x, y, z and the curvatures.
-NodeId parse_color_formula(Graph& graph, Scope& scope, const std::string& text, bool flip) {
+/// A formula of u, v, x, y, z and the curvatures; `name` stands for it in messages.
+NodeId parse_number_formula(Graph& graph, Scope& scope, const std::string& name,
+                            const std::string& text, bool flip) {
   const auto curvature = [&](std::size_t which) {
     const Coordinates r = {scope.node("x"), scope.node("y"), scope.node("z")};
     return curvature_outputs(graph, tangents_of(graph, r))[which];
@@ -60,7 +61,20 @@ NodeId parse_color_formula(Graph& graph, Scope& scope, const std::string& text, 
   };
   const Scope::LocalNames curvatures = {{"gauss", [&] { return curvature(kGaussCurvature); }},
                                         {"mean", mean}};
-  return scope.parse_with(curvatures, "color", text);
+  return scope.parse_with(curvatures, name, text);
+}
+
+/// Levels and the ends of colours are the mesh's, too: where they use t, another time has another.
+bool levels_move(Scope& scope, const SurfaceSpec& spec, double t) {
+  std::vector<const Number*> numbers;
+  if (spec.color_ends) numbers = {&spec.color_ends->low, &spec.color_ends->high};
+  for (const ContourSpec& contour : spec.contours) {
+    for (const Number& level : contour.levels) numbers.push_back(&level);
+  }
+  for (const Number* number : numbers) {
+    if (!number->text.empty()) scope.constant("contours", number->text, {}, t);
+  }
+  return scope.has_used_time();
 }
 
 }  // namespace
@@ -103,7 +117,11 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   const std::array<NodeId, 3> restricted = restricted_position(graph, scope, spec);
   std::vector<NodeId> roots(restricted.begin(), restricted.end());
   if (!spec.color.empty())
-    roots.push_back(parse_color_formula(graph, scope, spec.color, result.flip));
+    roots.push_back(parse_number_formula(graph, scope, "color", spec.color, result.flip));
+  for (const ContourSpec& contour : spec.contours) {
+    roots.push_back(
+        parse_number_formula(graph, scope, "contours", contour.expression, result.flip));
+  }
   if (!spec.where.empty()) {
     roots.push_back(parse_condition(graph, scope, spec.where));
     std::ranges::copy(position(scope), std::back_inserter(roots));
@@ -111,7 +129,7 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   const auto depends_on_t = [&](NodeId node) { return depends(graph, node, kDependsT); };
   result.moves = std::ranges::any_of(roots, depends_on_t) ||
                  std::ranges::any_of(ends_u, depends_on_t) ||
-                 std::ranges::any_of(ends, depends_on_t);
+                 std::ranges::any_of(ends, depends_on_t) || levels_move(scope, spec, scene.t);
   std::vector<NodeId> r = scope.bind(roots, scene.t);
   if (leans) {
     const std::vector<NodeId> bound = scope.bind(ends, scene.t);
@@ -119,8 +137,11 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
     r = substitute(graph, r, {{kSymbolV, *result.v}});
   }
   result.r = {r[0], r[1], r[2]};
-  if (!spec.color.empty()) result.color = r[3];
-  if (!spec.where.empty()) result.region.assign(r.end() - kRegionOutputs, r.end());
+  auto next = r.begin() + 3;
+  if (!spec.color.empty()) result.color = *next++;
+  const auto contours_end = next + static_cast<std::ptrdiff_t>(spec.contours.size());
+  result.contours.assign(next, contours_end);
+  if (!spec.where.empty()) result.region.assign(contours_end, r.end());
   return result;
 }
 
@@ -136,6 +157,10 @@ PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Ord
     result.surface.color.count = result.surface.tangents.count;
   }
   if (!bound.region.empty()) result.surface.region = compile(bound.graph, bound.region);
+  for (const NodeId contour : bound.contours) {
+    Tape& tape = result.contours.emplace_back(compile(bound.graph, std::array{contour}));
+    tape.count = result.surface.tangents.count;
+  }
   if (bound.v) result.surface.v = compile(bound.graph, std::array{*bound.v});
   result.parse_ms = milliseconds(start, parsed);
   result.compile_ms = milliseconds(parsed, Clock::now());

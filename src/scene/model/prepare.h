@@ -24,9 +24,10 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec);
 
 struct PreparedSurface {
   Surface surface;
-  bool moves = false;     ///< it is another one at another time
-  double parse_ms = 0;    ///< text to graph
-  double compile_ms = 0;  ///< derivatives and tapes
+  std::vector<Tape> contours;  ///< the numbers that its level lines are of, each an output
+  bool moves = false;          ///< it is another one at another time
+  double parse_ms = 0;         ///< text to graph
+  double compile_ms = 0;       ///< derivatives and tapes
 };
 
 /// bind_surface() and make_surface().

@@ -88,11 +88,30 @@ struct GridSize {
 };
 
 /// Where the lighting equation is computed: at corners; at pixels, with the normal that is blended
-/// from the corners'; or there with the formula's.
-enum class Shading { Vertex, Pixel, Exact };
+/// from the corners'; or there with the formula's. Unlit: nowhere, the colour is the material's or
+/// the colour map's.
+enum class Shading { Vertex, Pixel, Exact, Unlit };
 
 /// The direction that a highlight's angle is measured from: the mirrored light, or the half vector.
 enum class Specular { Phong, Blinn };
+
+/// The ends of a colour bar that the user asks for.
+struct ColorEnds {
+  bool symmetric = false;  ///< -M:M, M the largest absolute value drawn; else low:high
+  Number low = -1;
+  Number high = 1;
+
+  bool operator==(const ColorEnds&) const = default;
+};
+
+/// Level lines of an expression on a surface.
+struct ContourSpec {
+  std::string expression;      ///< of u, v, x, y, z, gauss, mean
+  std::vector<Number> levels;  ///< none: about ten round ones
+  /// Round levels are chosen in this range; default: of what is drawn. An animation has one for all
+  /// of its time, which is computed: scene files have none.
+  std::optional<ColorRange> range = {};
+};
 
 struct SurfaceSpec {
   std::string name = "surface";
@@ -112,6 +131,8 @@ struct SurfaceSpec {
   /// From the first to the last colour; default: of what is drawn. An animation has one for all of
   /// its time, which is computed: scene files have none.
   std::optional<ColorRange> color_range = {};
+  std::optional<ColorEnds> color_ends = {};  ///< in place of that range
+  std::vector<ContourSpec> contours;
   bool flip = false;
   std::vector<Definition> definitions;  ///< of its own: they hide the scene's of the same name
   std::vector<Slider> sliders;          ///< for these

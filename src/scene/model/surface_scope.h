@@ -71,6 +71,7 @@ struct BoundSurface {
   std::array<NodeId, 3> r = {};      ///< x, y, z
   std::optional<NodeId> v = {};      ///< v itself, where it is not the variable
   std::optional<NodeId> color = {};  ///< the number that it is coloured by
+  std::vector<NodeId> contours = {};  ///< the numbers that its level lines are of
   std::vector<NodeId> region = {};   ///< region_outputs() of a surface with a condition
   Domain domain;
   bool flip = false;   ///< the front is where r_v x r_u points

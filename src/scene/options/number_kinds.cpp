@@ -16,10 +16,6 @@
 
 namespace saddle::kinds {
 
-namespace {
-
-/// The number that a part of the text is, or an expression that resolve() of the scene will make
-/// one. An error in it is found at once if the scene is known.
 Number parse_expression(const Given& given, Span part) {
   try {
     return number_in(given.option, given.text, part);
@@ -34,8 +30,6 @@ Number parse_expression(const Given& given, Span part) {
     return Number(given.text.substr(part.begin, part.end - part.begin));
   }
 }
-
-}  // namespace
 
 void Real::parse(const Given& given) const {
   const Number number = parse_expression(given, {0, given.text.size()});

@@ -11,6 +11,10 @@
 
 namespace saddle::kinds {
 
+/// The number that a part of the text is, or an expression that resolve() of the scene will make
+/// one. Throws Error (Input) at once for an error in it if the scene is known.
+Number parse_expression(const Given& given, Span part);
+
 /// A number, or an expression of the parameters and t. No value: an `optional` that has none.
 struct Real {
   Number* value;

@@ -18,6 +18,7 @@
 #include "scene/model/resolver.h"
 #include "scene/model/scene.h"
 #include "scene/options/color_kinds.h"
+#include "scene/options/contour_kinds.h"
 #include "scene/options/number_kinds.h"
 #include "scene/options/size_kinds.h"
 #include "scene/options/value_source.h"
@@ -56,7 +57,7 @@ struct Maybe {
 };
 
 using Slot = std::variant<Flag, Text, Texts, Formula, Ends, Times, Moment, Names, Parameters, Real,
-                          Plain, Whole, Point, ViewDirection, ViewAngles, Paint, Side, ColormapName,
+                          Plain, Whole, Point, ViewDirection, ViewAngles, Paint, Side, ColormapName, ColorEndsOf, Contours,
                           Choice, PictureSize, GridLines, Cells, Length, ClipBox, Frames,
                           Maybe<Real, Number>, Maybe<Point, Vector>, Maybe<Whole, int>>;
 

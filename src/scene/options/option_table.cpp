@@ -16,7 +16,8 @@ Animation& animation(Scene& scene) {
 
 kinds::Choice shading(auto* value) {
   return kinds::choice<std::remove_pointer_t<decltype(value)>, Shading>(
-      value, {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact}});
+      value, {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact},
+                                     {"unlit", Shading::Unlit}});
 }
 
 kinds::Choice specular(auto* value) {
@@ -176,9 +177,11 @@ constexpr auto kRows = std::to_array<Option>({
     {.name = "shading",
      .value = "HOW",
      .section = Section::Look,
-     .help = "vertex, pixel, or exact: with the formula's normal at each pixel",
+     .help =
+         "vertex, pixel, exact: with the formula's normal at each pixel, or unlit: plain colours",
      .more = "vertex: lit at the mesh's vertices, colours interpolated.\npixel: lit at each pixel, "
-             "normals interpolated.\nexact: lit at each pixel, with the normal of the formula.",
+             "normals interpolated.\nexact: lit at each pixel, with the normal of the formula.\n"
+             "unlit: the plain colour, which can be read off the colour bar.",
      .commands = kGraphCheck,
      .object = true,
      .table = Table::Scene,
@@ -268,6 +271,30 @@ constexpr auto kRows = std::to_array<Option>({
      .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::ColormapName{&s}; }},
+    {.name = "color-range",
+     .value = "A:B",
+     .section = Section::Look,
+     .help = "ends of the colour bar, or symmetric: as far both ways from 0",
+     .usual = "all that is drawn",
+     .more = "Numbers outside have the colours of the ends, which the bar marks with \u2264 and "
+             "\u2265.\nThe ends may be expressions of the parameters and t.",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::ColorEndsOf{&s}; }},
+    {.name = "contours",
+     .value = "EXPR",
+     .section = Section::Look,
+     .help = "level lines of an expression as of --color: EXPR at round levels, or EXPR=A,B,...; "
+             "may be repeated",
+     .usual = "off",
+     .more = "--contours z draws about ten round levels, --contours gauss=0 the parabolic lines.\n"
+             "The levels may be expressions of the parameters and t.",
+     .commands = kGraphCheck,
+     .repeats = true,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Contours{&s.contours}; }},
     {.name = "grid",
      .value = "MxN",
      .section = Section::Look,

@@ -30,6 +30,18 @@ std::string format_slot(const kinds::Slot& slot) {
       slot);
 }
 
+/// The texts that set it, one after the other.
+std::vector<std::string> texts_of(const kinds::Slot& slot) {
+  const auto texts = std::visit(
+      [](const auto& kind) {
+        if constexpr (requires { kind.texts(); }) return kind.texts();
+        return std::vector<std::string>();
+      },
+      slot);
+  const std::string text = format_slot(slot);
+  return text.empty() ? texts : std::vector{text};
+}
+
 void read_slot(const kinds::Slot& slot, const kinds::InFile& in) {
   std::visit(
       [&](const auto& kind) {
@@ -360,11 +372,12 @@ std::vector<Setting> settings_of(const Scene& scene) {
   for (const Option& option : options()) {
     if (!option.is_option() || !(option.scene || option.surface)) continue;
     if (option.table == Table::Animation && !said.animation) continue;
-    const auto text = [&](Scene& of) {
-      return format_slot(option.scene ? option.scene(of) : option.surface(of.surfaces[0]));
+    const auto texts = [&](Scene& of) {
+      return texts_of(option.scene ? option.scene(of) : option.surface(of.surfaces[0]));
     };
-    std::string is = text(said);
-    if (!is.empty() && is != text(standard)) settings.push_back({&option, std::move(is)});
+    std::vector<std::string> is = texts(said);
+    if (is == texts(standard)) continue;
+    for (std::string& text : is) settings.push_back({&option, std::move(text)});
   }
   return settings;
 }

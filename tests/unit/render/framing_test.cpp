@@ -156,6 +156,19 @@ TEST(Framing, HasOneRangeOfColoursAtAllTimes) {
   EXPECT_TRUE(colors_of("u", "z=0").empty());                            // it is on the mesh itself
 }
 
+TEST(Framing, HasOneRangeOfRoundLevelsAtAllTimes) {
+  Scene scene;
+  for (const char* text : {"z=t*u", "t=0:2"}) assign(scene, text);
+  scene.surfaces[0].contours = {{"v", {}}, {"z", {0.5}}, {"z+1", {}}};
+  Timeline timeline(scene);
+  const Framing framing = frame_scene(timeline, 1);
+  framing.apply(scene);
+  EXPECT_FALSE(scene.surfaces[0].contours[1].range);  // its levels are given
+  const ColorRange range = scene.surfaces[0].contours[2].range.value();
+  EXPECT_EQ(range.low, -1);
+  EXPECT_EQ(range.high, 3);
+}
+
 TEST(Framing, KeepsToWhatIsClippedWhileAPoleIsJustOutside) {
   // At t = 1.01 the surface is 100 high, and nothing of it goes to infinity.
   const Framing moving = framing_of({"z=1/(u+t)", "t=-2:2"});

@@ -47,6 +47,29 @@ TEST(ColorScales, HaveZeroInTheMiddleOfDivergingMaps) {
   EXPECT_EQ(place_on(scales[0], 0), 0.5);
 }
 
+TEST(ColorScales, HaveTheEndsThatAreAskedFor) {
+  Scene scene = coloured({{"z", "coolwarm"}, {"z", "viridis"}, {"z", "viridis"}});
+  scene.surfaces[0].color_ends = ColorEnds{false, 0, 5};
+  scene.surfaces[1].color_ends = ColorEnds{.symmetric = true};
+  const auto scales =
+      color_scales(scene, Ranges{ColorRange{0, 5}, ColorRange{-1, 3}, ColorRange{-1, 3}});
+  ASSERT_EQ(scales.size(), 3U);
+  EXPECT_EQ(scales[0].range.low, 0);
+  EXPECT_EQ(scales[1].range.low, -3);
+  EXPECT_EQ(scales[1].range.high, 3);
+  EXPECT_EQ(scales[2].range.low, -1);
+}
+
+TEST(ColorScales, SayBeyondWhichEndsThereAreNumbers) {
+  const Scene scene = coloured({{"z", "viridis"}, {"z", "viridis"}, {"x", "coolwarm"}});
+  const auto scales = color_scales(scene, Ranges{ColorRange{0, 1, false, true}, ColorRange{0, 1},
+                                                 ColorRange{-1, 3, true, true}});
+  EXPECT_FALSE(scales[0].range.below);
+  EXPECT_TRUE(scales[0].range.above);
+  EXPECT_FALSE(scales[1].range.below);  // its end is -3 now
+  EXPECT_TRUE(scales[1].range.above);
+}
+
 TEST(ColorScales, HaveOneNumberInTheMiddle) {
   const Scene scene = coloured({{"1", "viridis"}});
   const auto scales = color_scales(scene, Ranges{ColorRange{1, 1}});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "scene/model/built_colormaps.h"
 
 namespace saddle {
 namespace {
@@ -46,6 +47,45 @@ TEST(Colormaps, GrowLighterAllTheWayIfTheyAreSequential) {
       return glm::dot(colormap_at(name, x), dvec3(0.2126, 0.7152, 0.0722));
     };
     for (double x = 0; x < 0.99; x += 0.02) EXPECT_LT(luma(x), luma(x + 0.02)) << name << x;
+  }
+}
+
+TEST(Colormaps, AreBuiltAsTheirAuthorDescribesThem) {
+  constexpr double kStep = 1.01 / 255;  // the author's table has eight bits
+  expect_color("coolwarm", 0, dvec3(59, 76, 192) / 255.0, kStep);
+  expect_color("coolwarm", 0.25, dvec3(141, 176, 254) / 255.0, kStep);
+  expect_color("coolwarm", 0.75, dvec3(244, 154, 123) / 255.0, kStep);
+  expect_color("coolwarm", 1, dvec3(180, 4, 38) / 255.0, kStep);
+}
+
+double lightness(const std::string& name, double x) {
+  return lab_of(colormap_at(name, x)).x;
+}
+
+TEST(Colormaps, ThatDivergeAreLightestInTheMiddle) {
+  for (double x = 0; x < 0.49; x += 0.01) {
+    EXPECT_LT(lightness("coolwarm", x), lightness("coolwarm", x + 0.01)) << x;
+    EXPECT_GT(lightness("coolwarm", 0.5 + x), lightness("coolwarm", 0.51 + x)) << x;
+  }
+}
+
+TEST(Colormaps, ThatAreCyclicMeetAndHaveEqualStepsOfLightness) {
+  EXPECT_LT(glm::distance(colormap_at("twilight", 0), colormap_at("twilight", 1)), 1e-12);
+  const double step = lightness("twilight", 0) - lightness("twilight", 0.01);
+  EXPECT_GT(step, 1);
+  for (double x = 0; x < 0.49; x += 0.01) {
+    EXPECT_NEAR(lightness("twilight", x) - lightness("twilight", x + 0.01), step, 1e-2) << x;
+    EXPECT_NEAR(lightness("twilight", x), lightness("twilight", 1 - x), 1e-2) << x;
+  }
+}
+
+TEST(Colormaps, ConvertColoursToCielabAndBack) {
+  const dvec3 red = lab_of({1, 0, 0});  // the published values of sRGB's red
+  EXPECT_NEAR(red.x, 53.24, 0.01);
+  EXPECT_NEAR(red.y, 80.09, 0.03);  // by matrices of more or fewer digits
+  EXPECT_NEAR(red.z, 67.20, 0.03);
+  for (const dvec3& color : {dvec3(0.2, 0.5, 0.9), dvec3(0.01, 0.02, 0), dvec3(1)}) {
+    EXPECT_LT(glm::distance(srgb_of(lab_of(color)), color), 1e-12);
   }
 }
 

@@ -45,6 +45,14 @@ TEST(CommandText, SaysCameraLookAndSettings) {
             "--opacity 0.5 --tolerance 0.25px");
 }
 
+TEST(CommandText, RepeatsWhatMayBeRepeated) {
+  Scene scene;
+  assign(scene, "z=u");
+  assign(scene, "k=3");
+  scene.surfaces[0].contours = {{"z", {}}, {"gauss", {0, Number("2*k")}}};
+  EXPECT_EQ(command_text(resolve(scene)), "saddle z=u k=3 --contours z --contours 'gauss=0,2*k'");
+}
+
 TEST(CommandText, SaysTheRangeOfTime) {
   Scene scene;
   assign(scene, "z=u*t");

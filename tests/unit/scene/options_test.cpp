@@ -33,6 +33,8 @@ const std::map<std::string_view, std::string> kSamples = {
     {"specular", "blinn"},
     {"color", "u*v"},
     {"colormap", "magma"},
+    {"color-range", "0:2*t+1"},
+    {"contours", "u*v=0,0.5"},
     {"grid", "8x4"},
     {"front", "#ff8000"},
     {"back", "#008040"},
@@ -94,7 +96,7 @@ TEST(Options, ChangeTheSceneAndAreToldAsTheyWereGiven) {
     ASSERT_TRUE(kSamples.contains(option.name)) << option.name << " needs a sample here";
     const std::string& sample = kSamples.at(option.name);
     Scene scene = plain_scene();
-    if (option.name == "colormap") scene.surfaces[0].color = "z";
+    if (option.name.starts_with("color") && option.name != "color") scene.surfaces[0].color = "z";
     EXPECT_EQ(text_of(settings_of(scene), option.name), "") << option.name;
     apply_option(option, sample, scene);
     EXPECT_EQ(text_of(settings_of(scene), option.name), sample) << option.name;
@@ -107,7 +109,7 @@ TEST(Options, SurviveASceneFile) {
       continue;
     }
     Scene scene = plain_scene();
-    if (option.name == "colormap") scene.surfaces[0].color = "z";
+    if (option.name.starts_with("color") && option.name != "color") scene.surfaces[0].color = "z";
     apply_option(option, kSamples.at(option.name), scene);
     const std::string file = write_scene(scene);
     EXPECT_NE(file, write_scene(plain_scene())) << option.name;
@@ -196,7 +198,7 @@ TEST(Options, TellTheirDefaultsLimitsAndChoices) {
   EXPECT_EQ(limits_text(*find_option("antialias")), "1 to 16");
   EXPECT_EQ(limits_text(*find_option("size")), "");
   EXPECT_EQ(choices(*find_option("shading")),
-            (std::vector<std::string>{"vertex", "pixel", "exact"}));
+            (std::vector<std::string>{"vertex", "pixel", "exact", "unlit"}));
   EXPECT_FALSE(choices(*find_option("colormap")).empty());
   EXPECT_EQ(find_option("title"), nullptr) << "a key alone is no option";
 }
