@@ -11,7 +11,7 @@ namespace saddle {
 
 std::vector<Mesh> placed_meshes(const Scene& scene, std::span<const Mesh> meshes) {
   std::vector<Mesh> result;
-  for (const Instance& instance : instances(scene)) {
+  for (const Instance& instance : instances(scene, World::True)) {
     result.push_back(transformed(meshes[instance.surface], instance.to_world));
   }
   return result;
@@ -23,7 +23,7 @@ std::vector<std::vector<Rgb>> placed_colors(const Scene& scene, std::span<const 
   const std::vector<ColorScale> scales = color_scales(scene, ranges);
   if (scales.empty()) return {};
   std::vector<std::vector<Rgb>> result;
-  for (const Instance& instance : instances(scene)) {
+  for (const Instance& instance : instances(scene, World::True)) {
     std::vector<Rgb>& colors = result.emplace_back();
     const SurfaceSpec& spec = scene.surfaces[instance.surface];
     for (const double number : meshes[instance.surface].color) {

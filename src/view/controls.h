@@ -13,6 +13,7 @@ struct Grip {
   Camera camera;
   FittedCamera fitted;  ///< of that camera
   dvec2 size{1, 1};     ///< of the picture, in pixels
+  dvec3 scale{1, 1, 1};  ///< of the picture along the axes
 };
 
 /// A straight line of sight; `direction` has length 1 in the coordinates of the world.

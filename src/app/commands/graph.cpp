@@ -14,11 +14,15 @@
 #include "app/run/picture_drawer.h"
 #include "app/run/plan.h"
 #include "app/run/scene_meshes.h"
+#include "base/format.h"
 #include "base/standard_streams.h"
 #include "render/picture/framing.h"
 
 namespace saddle {
 namespace {
+
+/// Digits of a factor in a notice.
+constexpr int kScaleDigits = 2;
 
 /// Adds the moment to an error of the scene at a moment of an animation.
 Error located(const Error& error, const Shot& shot) {
@@ -62,6 +66,7 @@ class Run {
         meshes_(purpose_of(plan_, framing_), line.run.threads) {}
 
   void go() {
+    notice();
     const auto begin = Clock::now();
     take_shots(begin);
     report_.frames = plan_.frames();
@@ -78,6 +83,13 @@ class Run {
   }
 
  private:
+  /// What is no warning, but a picture does not say by itself.
+  void notice() const {
+    if (!framing_.scale || line_.run.quiet) return;
+    tell("saddle: z is compressed to " + rounded(framing_.scale->z, kScaleDigits) +
+         " of its height in the picture; --scale equal leaves it as it is");
+  }
+
   void take_shots(Clock::time_point begin) {
     std::optional<Progress> progress;
     if (plan_.frames() > 1) progress.emplace(!line_.run.quiet);

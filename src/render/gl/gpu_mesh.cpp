@@ -26,6 +26,10 @@ struct Vertex {
 /// Stands for no number.
 constexpr float kUndefined = -1;
 
+/// A side that is less than this part of a mesh has its own unit: 16 of a float's 24 bits are left
+/// for it in the common one, a quarter of a pixel where it fills the largest picture.
+constexpr double kSlender = 1.0 / 256;
+
 /// Ends a strip; no mesh has that many corners.
 constexpr GLuint kRestart = std::numeric_limits<GLuint>::max();
 
@@ -39,7 +43,7 @@ void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
       glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
   if (vertices == nullptr) throw std::bad_alloc();
   for (std::size_t i = 0; i < count; ++i) {
-    vertices[i].position = glm::vec3((mesh.position[i] - frame.centre) / frame.size);
+    vertices[i].position = glm::vec3((mesh.position[i] - frame.centre) / frame.sides);
     vertices[i].normal = glm::vec3(mesh.normal[i]);
   }
   glUnmapBuffer(GL_ARRAY_BUFFER);
@@ -89,8 +93,13 @@ std::vector<GLuint> strip_indices(const Mesh& mesh) {
 ModelFrame model_frame(const Bounds& bounds) {
   if (bounds.empty()) return {};
   const dvec3 half = 0.5 * bounds.size();
-  const double size = std::hypot(half.x, half.y, half.z);
-  return {bounds.centre(), size > 0 ? size : 1};
+  const double length = std::hypot(half.x, half.y, half.z);
+  const double size = length > 0 ? length : 1;
+  ModelFrame frame{bounds.centre(), size, dvec3(size)};
+  for (int k = 0; k < 3; ++k) {
+    if (std::isnormal(1 / half[k]) && half[k] < kSlender * size) frame.sides[k] = half[k];
+  }
+  return frame;
 }
 
 Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines) {

@@ -57,6 +57,7 @@ class Annotator {
       : scene_(scene),
         camera_(camera),
         box_(box),
+        scale_(scene.scale.factors),
         size_(size),
         em_(letters_for(size)),
         writer_(size) {}
@@ -136,7 +137,7 @@ class Annotator {
   dvec2 axes_margin() const {
     double widest = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      for (const Tick& tick : ticks(box_.low[axis], box_.high[axis], kMostTicks).ticks) {
+      for (const Tick& tick : ticks_along(axis, kMostTicks).ticks) {
         widest = std::max(widest, writer_.width(tick.text, em_));
       }
     }
@@ -230,11 +231,16 @@ class Annotator {
     std::string text;
   };
 
+  /// The box is stretched as the picture is, the numbers of ticks are not.
+  Ticks ticks_along(int axis, int count) const {
+    return ticks(box_.low[axis] / scale_[axis], box_.high[axis] / scale_[axis], count);
+  }
+
   std::vector<Mark> marks_on(const Edge& edge, const Ticks& all) const {
     std::vector<Mark> marks;
     for (const Tick& tick : all.ticks) {
       dvec3 place = edge.begin;
-      place[edge.axis] = tick.value;
+      place[edge.axis] = tick.value * scale_[edge.axis];
       if (const auto at = pixel_of(place)) marks.push_back({*at, tick.text});
     }
     return marks;
@@ -268,13 +274,11 @@ class Annotator {
   }
 
   void add_ticks(const Edge& edge) {
-    const double low = box_.low[edge.axis];
-    const double high = box_.high[edge.axis];
     int count = kMostTicks;
-    Ticks chosen = ticks(low, high, count);
+    Ticks chosen = ticks_along(edge.axis, count);
     std::vector<Mark> marks = marks_on(edge, chosen);
     while (!have_room(edge, marks) && --count > 0) {
-      chosen = ticks(low, high, count);
+      chosen = ticks_along(edge.axis, count);
       marks = marks_on(edge, chosen);
     }
     double reach = 0;  // of the labels, outward
@@ -314,6 +318,7 @@ class Annotator {
   const Scene& scene_;
   const FittedCamera& camera_;
   const Bounds& box_;
+  dvec3 scale_;  ///< of the picture along the axes
   dvec2 size_;
   double em_;
   LabelWriter writer_;

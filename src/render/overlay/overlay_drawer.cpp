@@ -87,7 +87,7 @@ void OverlayDrawer::draw_strokes(const Annotations& annotations, const Viewport&
   const GpuMesh strokes(mesh_of_lines(lines_in_space));
   glm::dmat4 model_to_clip = pixels_to_clip(viewport);
   model_to_clip[3] = model_to_clip * glm::dvec4(strokes.frame().centre, 1);
-  for (int column = 0; column < 3; ++column) model_to_clip[column] *= strokes.frame().size;
+  for (int column = 0; column < 3; ++column) model_to_clip[column] *= strokes.frame().sides[column];
   lines.use();
   lines.set("model_to_clip", model_to_clip);
   lines.check_all_set();

@@ -18,17 +18,20 @@ namespace saddle {
 /// of time alone: frames that are drawn apart fit together, and a frame that is opened again is the
 /// same.
 ///
+/// An automatic scale is found for scenes without an animation, too.
+///
 /// The box of the axes and the range of the numbers that colours stand for are those of all
 /// moments, too.
 struct Framing {
-  std::optional<dvec3> target;
+  std::optional<dvec3> target;  ///< in the picture, which the scale stretches
   std::optional<double> distance;
   std::optional<Bounds> box;                 ///< of a scene with axes
   std::map<std::size_t, ColorRange> colors;  ///< of surfaces whose colours another moment changes
   std::vector<Moment> moments;               ///< cameras and nodes, none twice
+  std::optional<dvec3> scale;                ///< where the scene's is automatic
 
-  /// Puts the camera, the box and the colours where they are. A scene without an animation keeps
-  /// its own.
+  /// Puts the camera, the scale, the box and the colours where they are. A scene without an
+  /// animation keeps its own camera.
   void apply(Scene& scene) const;
 };
 

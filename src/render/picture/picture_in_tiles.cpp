@@ -36,7 +36,7 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
     const Mesh& mesh = meshes[instance.surface];
     add_points(mesh.position, mesh.bounds, instance.to_world, seen);
   }
-  return fit_camera(scene.camera, bounds, size.x / size.y, &seen);
+  return fit_camera(drawn_camera(scene), bounds, size.x / size.y, &seen);
 }
 
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,

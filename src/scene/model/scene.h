@@ -139,6 +139,8 @@ struct Light {
 /// The three lights of a scene that names none.
 std::vector<Light> default_lights();
 
+/// Directions and lengths are those of the picture, the target is a point of the scene: they differ
+/// where the picture is stretched along an axis.
 struct Camera {
   Vector view{2, -3, 1.5};  ///< from the target toward the eye, any length but 0
   Vector up{0, 0, 1};
@@ -152,6 +154,14 @@ struct Camera {
   double turn = 0;
 
   bool operator==(const Camera&) const = default;
+};
+
+/// How the picture is stretched along the axes of the world. Meshes, ticks and reports keep the
+/// scene's own units.
+struct AxisScale {
+  /// Equal, but high height fields are compressed: frame_scene() finds the factors.
+  bool automatic = true;
+  Vector factors{1, 1, 1};  ///< more than 0
 };
 
 /// The box that surfaces are cut along.
@@ -233,11 +243,12 @@ struct Scene {
   std::vector<SceneNode> nodes;
   std::vector<Light> lights = default_lights();
   Camera camera;
+  AxisScale scale;
   Color background{0, 0, 0, 1};
   Clip clip;
   bool axes = false;  ///< a box with ticks and labels around all of it, and the title
-  std::optional<Bounds> box =
-      {};  ///< that box; computed, as color_range is; default: just around it
+  /// That box, stretched as the picture is; computed, as color_range is; default: just around it.
+  std::optional<Bounds> box = {};
   MeshSettings mesh;
   PictureSettings picture;
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another

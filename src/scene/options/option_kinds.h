@@ -56,7 +56,7 @@ struct Maybe {
 };
 
 using Slot = std::variant<Flag, Text, Texts, Formula, Ends, Times, Moment, Names, Real, Plain,
-                          Whole, Point, ViewDirection, ViewAngles, Paint, Side, ColormapName,
+                          Whole, Point, ViewDirection, ViewAngles, Stretch, Paint, Side, ColormapName,
                           Choice, PictureSize, GridLines, Cells, Length, ClipBox, Frames,
                           Maybe<Real, Number>, Maybe<Point, Vector>, Maybe<Whole, int>>;
 

@@ -133,6 +133,17 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kKeyOnly,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Text{&s.title}; }},
+    {.name = "scale",
+     .value = "X,Y,Z",
+     .section = Section::Look,
+     .help = "stretch the picture along the axes: factors, equal, or auto: high height fields are "
+             "compressed",
+     .usual = "auto",
+     .more = "auto: where all surfaces are height fields and more than 8 times as high as their base "
+             "is wide,\nthe picture is compressed along z. Ticks, meshes and reports keep true units.",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Stretch{&s.scale}; }},
     {.name = "background",
      .value = "COLOR",
      .section = Section::Look,
