@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
@@ -10,6 +11,7 @@
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"
+#include "scene/model/theme.h"
 #include "scene/options/resolve.h"
 
 namespace saddle {
@@ -21,12 +23,25 @@ bool is_scene_file(const std::string& name) {
 }
 
 /// The scene of the argument without a `=`.
-Scene named_scene(const std::string& name) {
-  if (name == "-") return load_standard_input();
-  if (is_scene_file(name)) return load_scene(name);
+Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
+  if (name == "-") return load_standard_input(theme);
+  if (is_scene_file(name)) return load_scene(name, theme);
   const GalleryEntry* const entry = find_gallery_entry(name);
   if (entry == nullptr) throw unknown_gallery_name(name);
   return gallery_scene(*entry);
+}
+
+/// The theme that the command line asks for. What else it says, in whatever order, is about this
+/// theme's scene.
+std::optional<Theme> theme_of(const CommandLine& line) {
+  std::optional<Theme> theme;
+  for (const auto& [option, text] : line.given) {
+    if (option->name != "theme") continue;
+    Scene scene;
+    apply_option(*option, text, scene);
+    theme = scene.theme;
+  }
+  return theme;
 }
 
 /// The name before the `=`, without arguments and spaces.
@@ -77,12 +92,16 @@ Scene build_scene(const CommandLine& line) {
                  "saddle --help says more"});
   }
   check_given_once(assignments);
-  Scene scene = names.empty() ? Scene{} : named_scene(names[0]);
+  const std::optional<Theme> theme = theme_of(line);
+  Scene scene = names.empty() ? Scene{} : named_scene(names[0], theme);
   for (const std::string& assignment : assignments) {
     names.empty() ? assign(scene, assignment) : override_assignment(scene, assignment);
   }
   if (scene.surfaces.empty()) scene.surfaces.emplace_back();
-  for (const auto& [option, text] : line.given) apply_option(*option, text, scene);
+  if (theme) change_theme(scene, *theme);
+  for (const auto& [option, text] : line.given) {
+    if (option->name != "theme") apply_option(*option, text, scene);
+  }
   check_colormap_is_used(line, scene);
   return resolve(std::move(scene));
 }

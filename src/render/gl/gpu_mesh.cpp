@@ -116,6 +116,14 @@ Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines) {
   return mesh;
 }
 
+bool set_line_width(int samples) {
+  std::array<GLfloat, 2> range{};
+  glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
+  const auto wanted = static_cast<GLfloat>(samples);
+  glLineWidth(std::min(wanted, std::max(range[1], 1.0F)));
+  return wanted <= range[1];
+}
+
 GpuMesh::GpuMesh(const Mesh& mesh)
     : bounds_(mesh.bounds),
       frame_(model_frame(mesh.bounds)),

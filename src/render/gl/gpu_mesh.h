@@ -27,6 +27,9 @@ ModelFrame model_frame(const Bounds& bounds);
 /// A mesh that has only these lines.
 Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines);
 
+/// Lines are so many samples wide from now on; returns false if the driver draws only thinner ones.
+bool set_line_width(int samples);
+
 /// Positions, normals, triangles and lines of one mesh. Needs a current context.
 class GpuMesh {
  public:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <new>
 #include <utility>
@@ -16,11 +17,11 @@
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
 
-constexpr dvec3 kLineColor{0.2, 0.2, 0.2};
 constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
 /// The box around the surfaces is less conspicuous than its labels.
 constexpr double kBoxInk = 0.3;
@@ -38,6 +39,11 @@ void clear(const Color& background) {
   glClearColor(channel(background.r), channel(background.g), channel(background.b),
                channel(background.a));
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+/// Samples across a line of so many pixels.
+int samples_across(double pixels, const Viewport& viewport) {
+  return std::max(1, static_cast<int>(std::lround(pixels * viewport.per_side)));
 }
 
 void check_gl() {
@@ -117,6 +123,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   scales_ = scales_of(scene);
 
   const int n = viewport.per_side;
+  const int line = samples_across(widest_line(scene, viewport.size()), viewport);
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;
@@ -126,28 +133,28 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   }
   if (scene.box) bounds.add(*scene.box);
   const Annotations annotations =
-      annotate(scene, camera, bounds, scales_, dvec2(viewport.width, viewport.height));
+      annotate(scene, camera, bounds, scales_, viewport.size());
   unknown_letters_ = annotations.unknown;
-  const dvec3 ink = ink_on(scene.background);
+  const dvec3 ink = ink_of(scene);
   Color background = scene.background;
   // Letters blend into what is there: on nothing at all that must not darken them.
   const bool is_bare = background.a == 0 && see_through.empty() && !annotations.empty();
   if (is_bare) background = {ink.r, ink.g, ink.b, 0};
   clear(background);
   glEnable(GL_DEPTH_TEST);
-  draw_surfaces(scene, hiding, lights, n, look);
-  if (look.lines) draw_lines(items, n);
+  draw_surfaces(scene, hiding, lights, line, look);
+  if (look.lines) draw_lines(scene, items, viewport);
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
-    draw_marks(item, n);
+    draw_marks(item, samples_across(fit_line_width(viewport.size()), viewport));
   }
   if (!annotations.edges.empty()) draw_box(annotations.edges, camera, viewport, ink);
   if (!see_through.empty()) {
     const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
     left_out_layers_ |= !layers(viewport).draw(
-        {[&](Program& peel) { draw_depths(see_through, peel, n, look); },
-         [&] { draw_surfaces(scene, see_through, lights, n, look); }, least});
+        {[&](Program& peel) { draw_depths(see_through, peel, line, look); },
+         [&] { draw_surfaces(scene, see_through, lights, line, look); }, least});
   }
   if (!annotations.empty()) {
     line_program().use();
@@ -184,6 +191,9 @@ std::vector<std::string> Renderer::warnings() const {
   if (!unknown_letters_.empty()) {
     all.push_back("the font of pictures has no letters for " + unknown_letters_ +
                   ": boxes stand for them");
+  }
+  if (has_thinner_lines_) {
+    all.emplace_back("the OpenGL driver draws no lines as wide as these: they are thinner");
   }
   if (left_out_layers_) {
     all.push_back("more than " + std::to_string(kMostLayers) +
@@ -246,8 +256,9 @@ void Renderer::start_faces(int line_width, const Look& look) const {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0.5F * static_cast<float>(line_width + 1), 1);
   }
-  if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  glLineWidth(static_cast<float>(line_width));
+  if (!look.wireframe) return;
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  set_line_width(line_width);
 }
 
 void Renderer::end_faces() {
@@ -330,15 +341,18 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   glDisable(GL_CULL_FACE);
 }
 
-/// `line_width` in samples.
-void Renderer::draw_lines(std::span<const PlacedMesh> items, int line_width) {
+void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
+                          const Viewport& viewport) {
   if (!has_lines()) return;
   Program& program = line_program();
   program.use();
-  program.set("line_color", kLineColor);
-  glLineWidth(static_cast<float>(line_width));
   for (const PlacedMesh& item : items) {
     if (!meshes_[item.surface].has_lines()) continue;
+    const SurfaceSpec& surface = scene.surfaces[item.surface];
+    const Color& color = surface.line_color;
+    program.set("line_color", dvec3(color.r, color.g, color.b));
+    const double width = line_width_of(surface, viewport.size());
+    has_thinner_lines_ |= !set_line_width(samples_across(width, viewport));
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
     meshes_[item.surface].draw_lines();
@@ -357,7 +371,7 @@ void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const Fitte
               clip_to_rect(viewport.width, viewport.height, viewport.rect, viewport.margin) *
                   item.model_to_clip);
   program.check_all_set();
-  glLineWidth(static_cast<float>(viewport.per_side));
+  set_line_width(samples_across(fit_line_width(viewport.size()), viewport));
   glEnable(GL_DEPTH_CLAMP);
   box.draw_lines();
   glDisable(GL_DEPTH_CLAMP);
@@ -370,7 +384,7 @@ void Renderer::draw_marks(const PlacedMesh& item, int line_width) {
   program.set("line_color", kMarkColor);
   program.set("model_to_clip", item.model_to_clip);
   program.check_all_set();
-  glLineWidth(static_cast<float>(line_width));
+  set_line_width(line_width);
   glEnable(GL_DEPTH_CLAMP);
   marks_->draw_lines();
   glDisable(GL_DEPTH_CLAMP);

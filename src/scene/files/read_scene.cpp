@@ -3,6 +3,7 @@
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/prepare.h"
+#include "scene/model/theme.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
 #include "scene/options/resolve.h"
@@ -60,9 +61,10 @@ void read_functions(TomlReader& reader, const TomlValue& table, Scene& scene) {
   }
 }
 
-SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
+SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table,
+                         Theme theme) {
   reader.source().check_keys("surface", table, keys_of(Table::Surface));
-  SurfaceSpec spec;
+  SurfaceSpec spec = themed_surface(theme);
   read_keys(reader, prefix, table, spec);
   if (spec.z.empty()) {
     throw reader.source().error("surface", "z has no formula", table.span,
@@ -138,7 +140,15 @@ void read_table(TomlReader& reader, const TomlValue& root, const char* name, Tab
   });
 }
 
-Scene read_tables(TomlReader& reader, const TomlValue& root) {
+/// The theme in place of the file's. What the file says by itself stays.
+void take_theme(const std::optional<Theme>& theme, const TomlValue& root, Scene& scene) {
+  if (!theme) return;
+  const Color background = scene.background;
+  change_theme(scene, *theme);
+  if (root.find("background") != nullptr) scene.background = background;
+}
+
+Scene read_tables(TomlReader& reader, const TomlValue& root, const std::optional<Theme>& theme) {
   std::vector<std::string> keys = keys_of(Table::Scene);
   for (const char* table :
        {"params", "functions", "surface", "node", "light", "camera", "animation"}) {
@@ -148,13 +158,14 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
   Scene scene;
   read_table(reader, root, "animation", Table::Animation, scene);
   read_keys(Table::Scene, reader, "", root, scene);  // the moment may be another than its start
+  take_theme(theme, root, scene);
   read_table(reader, root, "camera", Table::Camera, scene);
   with(root, "params", [&](const TomlValue& v) { read_params(reader, v, scene); });
   with(root, "functions", [&](const TomlValue& v) { read_functions(reader, v, scene); });
   with(root, "surface", [&](const TomlValue& v) {
     for (const TomlValue& table : reader.tables("surface", v)) {
       const std::string prefix = surface_prefix(scene.surfaces.size());
-      scene.surfaces.push_back(read_surface(reader, prefix, table));
+      scene.surfaces.push_back(read_surface(reader, prefix, table, scene.theme));
     }
   });
   with(root, "node", [&](const TomlValue& v) {
@@ -187,11 +198,11 @@ void check_scene(const TomlReader& reader, const Scene& scene) {
 
 }  // namespace
 
-Scene read_scene(const SourceText& source) {
+Scene read_scene(const SourceText& source, const std::optional<Theme>& theme) {
   const TomlValue root = parse_toml(source);
   TomlPlaces places(source);
   TomlReader reader(places);
-  Scene scene = read_tables(reader, root);
+  Scene scene = read_tables(reader, root, theme);
   check_scene(reader, scene);
   return scene;
 }

@@ -2,6 +2,7 @@
 // Scene; meshing, rendering and writing consume it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -58,10 +59,18 @@ struct Material {
   Number shininess = 32;              ///< exponent of the specular term, at least 0
   std::optional<Color> ambient = {};  ///< default: the diffuse colour
   Color emission = {};                ///< light of its own
+
+  bool operator==(const Material&) const = default;
 };
 
 inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
 inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
+
+/// Of the lines on a surface.
+inline const Color kLineColor{0.2, 0.2, 0.2};
+
+/// Which background, lines, letters and materials a scene has that names none: scene/model/theme.h.
+enum class Theme { Dark, Light, Paper };
 
 /// `u = MIN:MAX`, both constant expressions; those of v may depend on u.
 struct Range {
@@ -80,6 +89,8 @@ struct SurfaceSpec {
   int grid_v = 16;
   Material front = kFrontMaterial;
   Material back = kBackMaterial;
+  Color line_color = kLineColor;
+  std::optional<Number> line_width = {};  ///< pixels; default: it grows with the picture
   std::string color;  ///< in place of the materials': of u, v, x, y, z, gauss, mean; empty: none
   std::string colormap = "viridis";
   /// From the first to the last colour; default: of what is drawn. An animation has one for all of
@@ -237,6 +248,8 @@ inline constexpr double kMaxFps = 1000;
 
 struct Scene {
   std::string title = "saddle";
+  bool show_title = false;  ///< also in a picture without axes; never an empty one
+  Theme theme = Theme::Dark;
   std::vector<Definition> definitions;  ///< parameters, shared sub-expressions, helper functions
   std::vector<Slider> sliders;
   std::vector<SurfaceSpec> surfaces;
@@ -247,6 +260,7 @@ struct Scene {
   Color background{0, 0, 0, 1};
   Clip clip;
   bool axes = false;  ///< a box with ticks and labels around all of it, and the title
+  std::array<std::string, 3> labels = {"x", "y", "z"};  ///< of the axes
   /// That box, stretched as the picture is; computed, as color_range is; default: just around it.
   std::optional<Bounds> box = {};
   MeshSettings mesh;

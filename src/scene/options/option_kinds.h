@@ -55,7 +55,7 @@ struct Maybe {
   }
 };
 
-using Slot = std::variant<Flag, Text, Texts, Formula, Ends, Times, Moment, Names, Real, Plain,
+using Slot = std::variant<Flag, Text, Title, Labels, Texts, Formula, Ends, Times, Moment, Names, Real, Plain,
                           Whole, Point, ViewDirection, ViewAngles, Stretch, Paint, Side, ColormapName,
                           Choice, PictureSize, GridLines, Cells, Length, ClipBox, Frames,
                           Maybe<Real, Number>, Maybe<Point, Vector>, Maybe<Whole, int>>;

@@ -2,6 +2,7 @@
 // keys; those of a section of --help stand together.
 #include <array>
 
+#include "scene/model/theme.h"
 #include "scene/options/options.h"
 
 namespace saddle {
@@ -11,6 +12,14 @@ constexpr int kMaxThreads = 1024;
 
 Animation& animation(Scene& scene) {
   return scene.animation ? *scene.animation : scene.animation.emplace();
+}
+
+/// In the order of Theme. Another theme changes what the last one gave.
+kinds::Choice theme_of(Scene& scene) {
+  kinds::Choice choice = kinds::choice<Theme>(
+      &scene.theme, {{"dark", Theme::Dark}, {"light", Theme::Light}, {"paper", Theme::Paper}});
+  choice.set = [&scene](std::size_t i) { change_theme(scene, static_cast<Theme>(i)); };
+  return choice;
 }
 
 constexpr auto kRows = std::to_array<Option>({
@@ -129,10 +138,28 @@ constexpr auto kRows = std::to_array<Option>({
     // --- look -----------------------------------------------------------------------------------
     {.name = "title",
      .value = "TEXT",
-     .help = "name of the scene: of the window, and above axes",
+     .section = Section::Look,
+     .help = "name of the scene, drawn above it: without axes, too",
+     .usual = "none",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Title{&s}; }},
+    {.name = "show_title",
+     .value = "BOOLEAN",
+     .section = Section::Look,
+     .help = "draws the title, without axes, too; an empty title is never drawn",
      .commands = kKeyOnly,
      .table = Table::Scene,
-     .scene = [](Scene& s) -> kinds::Slot { return kinds::Text{&s.title}; }},
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Flag{&s.show_title}; }},
+    {.name = "theme",
+     .value = "NAME",
+     .section = Section::Look,
+     .help = "background, lines, text and materials that suit each other: {choices}",
+     .more = "dark: on black. light: on nearly white. paper: on white, with black lines, readable in "
+             "grey.\nOther options, and keys of a scene file, win over it.",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return theme_of(s); }},
     {.name = "scale",
      .value = "X,Y,Z",
      .section = Section::Look,
@@ -148,7 +175,7 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "COLOR",
      .section = Section::Look,
      .help = "#rrggbb, #rrggbbaa, a CSS colour name or transparent",
-     .usual = "black",
+     .usual = "the theme's, black",
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Paint{&s.background}; }},
@@ -158,6 +185,13 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Flag{&s.axes}; }},
+    {.name = "labels",
+     .value = "X,Y,Z",
+     .section = Section::Look,
+     .help = "texts of the axes",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Labels{&s.labels}; }},
     {.name = "size",
      .letter = 's',
      .value = "WxH",
@@ -257,6 +291,26 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::GridLines{&s}; }},
+    {.name = "line-width",
+     .value = "PX",
+     .section = Section::Look,
+     .help = "width of the lines on surfaces in pixels, {limits}",
+     .usual = "1 in pictures up to 800x600, more in larger ones",
+     .commands = kGraphCheck,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot {
+       return kinds::Maybe<kinds::Real, Number>{&s.line_width, {nullptr, kLineWidths}};
+     }},
+    {.name = "line-color",
+     .value = "COLOR",
+     .section = Section::Look,
+     .help = "colour of these lines",
+     .usual = "the theme's, #333333",
+     .commands = kGraphCheck,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot {
+       return kinds::Paint{&s.line_color, true};
+     }},
     {.name = "front",
      .value = "COLOR",
      .section = Section::Look,
@@ -264,7 +318,7 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Side{&s.front, &kFrontMaterial};
+       return kinds::Side{&s.front};
      }},
     {.name = "back",
      .value = "COLOR",
@@ -273,7 +327,7 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Side{&s.back, &kBackMaterial};
+       return kinds::Side{&s.back};
      }},
     {.name = "flip",
      .section = Section::Look,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/model/colormap.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
@@ -44,6 +45,20 @@ std::string write_slot(const kinds::Slot& slot) {
       slot);
 }
 
+/// What a slot of a row has otherwise than another slot of that row; empty: nothing.
+std::string write_beside(const kinds::Slot& slot, const kinds::Slot& standard) {
+  return std::visit(
+      [&](const auto& kind) {
+        using Kind = std::decay_t<decltype(kind)>;
+        if constexpr (requires { kind.write_beside(kind); }) {
+          return kind.write_beside(std::get<Kind>(standard));
+        }
+        std::string text = write_slot(slot);
+        return text == write_slot(standard) ? std::string() : text;
+      },
+      slot);
+}
+
 void resolve_slot(const kinds::Slot& slot, Resolver& resolver, const std::string& name) {
   std::visit(
       [&](const auto& kind) {
@@ -71,9 +86,16 @@ std::string key_of(const Option& option) {
 
 /// `key = value`, or nothing for the default.
 std::string line(const Option& option, const kinds::Slot& slot, const kinds::Slot& standard) {
-  const std::string text = write_slot(slot);
-  if (text.empty() || text == write_slot(standard)) return "";
-  return key_of(option) + " = " + text + "\n";
+  const std::string text = write_beside(slot, standard);
+  return text.empty() ? "" : key_of(option) + " = " + text + "\n";
+}
+
+/// A scene that says nothing, not even its theme.
+Scene standard_scene(Theme theme) {
+  Scene scene;
+  change_theme(scene, theme);
+  scene.theme = Scene{}.theme;
+  return scene;
 }
 
 /// The name of a key in messages.
@@ -205,7 +227,7 @@ void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& v
 
 std::string write_keys(Table table, const Scene& scene) {
   Scene written = scene;
-  Scene standard;
+  Scene standard = standard_scene(scene.theme);
   std::string text;
   each_row(table, [&](const Option& option) {
     text += line(option, option.scene(written), option.scene(standard));
@@ -213,9 +235,9 @@ std::string write_keys(Table table, const Scene& scene) {
   return text;
 }
 
-std::string write_keys(const SurfaceSpec& surface) {
+std::string write_keys(const SurfaceSpec& surface, Theme theme) {
   SurfaceSpec written = surface;
-  SurfaceSpec standard;
+  SurfaceSpec standard = themed_surface(theme);
   std::string text;
   each_row(Table::Surface, [&](const Option& option) {
     text += line(option, option.surface(written), option.surface(standard));
@@ -237,8 +259,8 @@ void resolve_keys(Resolver& resolver, const std::string& prefix, SurfaceSpec& su
 
 std::vector<Setting> settings_of(const Scene& scene) {
   Scene said = scene;
-  Scene standard;
-  standard.surfaces.resize(1);
+  Scene standard = standard_scene(scene.theme);
+  standard.surfaces = {themed_surface(scene.theme)};
   if (said.animation) {
     standard.animation.emplace();
     standard.animation->from = said.animation->from;

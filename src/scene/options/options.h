@@ -98,9 +98,9 @@ void read_keys(Table table, TomlReader& reader, const std::string& prefix, const
 void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
                SurfaceSpec& surface);
 
-/// Lines `key = value` for what differs from the defaults.
+/// Lines `key = value` for what differs from the defaults, which are the theme's.
 std::string write_keys(Table table, const Scene& scene);
-std::string write_keys(const SurfaceSpec& surface);
+std::string write_keys(const SurfaceSpec& surface, Theme theme);
 
 /// Expressions become numbers. Throws Error (Input).
 void resolve_keys(Resolver& resolver, Table table, Scene& scene);

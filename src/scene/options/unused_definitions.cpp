@@ -29,6 +29,7 @@ Words words_of(std::string_view text) {
 std::string text_without_definitions(const Scene& scene) {
   Scene rest = scene;
   rest.title.clear();
+  rest.labels = {};
   rest.definitions.clear();
   for (SurfaceSpec& surface : rest.surfaces) surface.name.clear();
   std::string text;
