@@ -14,8 +14,7 @@ constexpr double kMostHalvings = 256;
 }  // namespace
 
 dvec3 mesh_stretch(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose) {
-  const bool has_pixels =
-      purpose.picture || (scene.mesh.tolerance && scene.mesh.tolerance->pixels);
+  const bool has_pixels = purpose.picture || (scene.mesh.tolerance && scene.mesh.tolerance->pixels);
   if (!has_pixels || !spec.in.empty()) return dvec3(1);
   const dvec3 factors = scene.scale.factors;
   const dvec3 halvings = glm::round(glm::log2(factors) - std::log2(largest_of(factors)));

@@ -1,6 +1,7 @@
-// A picture that is stretched along an axis needs another mesh: distances and angles between normals
-// are other ones there. The surface is meshed with its axes stretched about as much. The factors are
-// powers of two, so that positions are the same to the last bit when the stretch is taken back.
+// A picture that is stretched along an axis needs another mesh: distances and angles between
+// normals are other ones there. The surface is meshed with its axes stretched about as much. The
+// factors are powers of two, so that positions are the same to the last bit when the stretch is
+// taken back.
 #pragma once
 
 #include "mesh/model/mesh_report.h"

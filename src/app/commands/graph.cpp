@@ -4,6 +4,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/commands/commands.h"
@@ -17,6 +18,7 @@
 #include "base/format.h"
 #include "base/standard_streams.h"
 #include "render/picture/framing.h"
+#include "scene/model/prepare.h"
 
 namespace saddle {
 namespace {
@@ -67,6 +69,7 @@ class Run {
 
   void go() {
     notice();
+    warn_of_equal_frames();
     const auto begin = Clock::now();
     take_shots(begin);
     report_.frames = plan_.frames();
@@ -83,11 +86,23 @@ class Run {
   }
 
  private:
-  /// What is no warning, but a picture does not say by itself.
+  /// Tells about a compressed height, which is no warning.
   void notice() const {
     if (!framing_.scale || line_.run.quiet) return;
     tell("saddle: z is compressed to " + rounded(framing_.scale->z, kScaleDigits) +
          " of its height in the picture; --scale equal leaves it as it is");
+  }
+
+  /// Before the first frame is drawn: an animation may take hours.
+  void warn_of_equal_frames() {
+    if (plan_.frames() < 2) return;
+    const Scene scene = plan_.timeline.at(plan_.shots[0].t);
+    const auto moves = [&](const SurfaceSpec& spec) { return bind_surface(scene, spec).moves; };
+    if (plan_.timeline.moves() || std::ranges::any_of(scene.surfaces, moves)) return;
+    report_.warnings.emplace_back("nothing depends on t: all frames are the same");
+    print_warnings(line_, report_.warnings);
+    told_ = report_.warnings.size();
+    if (line_.run.strict) fail_strictly();
   }
 
   void take_shots(Clock::time_point begin) {
@@ -126,11 +141,8 @@ class Run {
     add(warnings_of(plan_.scene()));
     meshes_.report(report_);
     if (drawer_) add(drawer_->warnings());
-    if (report_.frames > 1 && !meshes_.move() && !plan_.timeline.moves()) {
-      add({"nothing depends on t: all frames are the same"});
-    }
     add(writer_.warnings());
-    print_warnings(line_, report_.warnings);
+    print_warnings(line_, std::span(report_.warnings).subspan(told_));
   }
 
   void warn_and_fail() {
@@ -166,6 +178,7 @@ class Run {
   Framing framing_;
   SceneMeshes meshes_;
   RunReport report_;
+  std::size_t told_ = 0;  ///< warnings of the report that are printed
 };
 
 }  // namespace

@@ -31,8 +31,7 @@ Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
   return gallery_scene(*entry);
 }
 
-/// The theme that the command line asks for. What else it says, in whatever order, is about this
-/// theme's scene.
+/// The theme that the command line asks for. Its other options win, in whatever order they stand.
 std::optional<Theme> theme_of(const CommandLine& line) {
   std::optional<Theme> theme;
   for (const auto& [option, text] : line.given) {

@@ -42,9 +42,12 @@ void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
   auto* vertices = static_cast<Vertex*>(
       glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
   if (vertices == nullptr) throw std::bad_alloc();
+  const dvec3 to_model = frame.sides / frame.size;
+  const bool is_plain = to_model == dvec3(1);
   for (std::size_t i = 0; i < count; ++i) {
     vertices[i].position = glm::vec3((mesh.position[i] - frame.centre) / frame.sides);
-    vertices[i].normal = glm::vec3(mesh.normal[i]);
+    const dvec3& n = mesh.normal[i];
+    vertices[i].normal = glm::vec3(is_plain ? n : glm::normalize(n * to_model));
   }
   glUnmapBuffer(GL_ARRAY_BUFFER);
 }

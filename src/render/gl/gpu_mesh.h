@@ -17,7 +17,7 @@ struct ModelFrame {
   dvec3 centre{0, 0, 0};
   double size = 1;
   /// All of them `size`, but of a mesh that is much shorter along one axis than along another: a
-  /// picture may be stretched until all are alike.
+  /// picture may be stretched until all are alike. Normals are those of the stretched mesh, too.
   dvec3 sides{1, 1, 1};
 };
 

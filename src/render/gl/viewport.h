@@ -18,7 +18,7 @@ struct Viewport {
   int margin = 0;    ///< pixels around it that are drawn too
   int per_side = 1;  ///< samples per pixel and side
 
-  /// Of the whole picture, in pixels.
+  /// The whole picture in pixels.
   dvec2 size() const { return {width, height}; }
 };
 

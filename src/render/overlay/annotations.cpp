@@ -98,9 +98,7 @@ class Annotator {
   }
 
   /// The height of the title with what is free above and below it.
-  double title_zone() const {
-    return writer_.height(kTitleSize * em_) + 2 * kTitleGap * em_;
-  }
+  double title_zone() const { return writer_.height(kTitleSize * em_) + 2 * kTitleGap * em_; }
 
   /// Returns the x to the left of which there is room for the next one.
   double add_bar(const ColorScale& scale, double right) {
@@ -157,7 +155,8 @@ class Annotator {
     for (int axis = 0; axis < 3; ++axis) {
       name = std::max(name, writer_.width(label_of(axis), em_));
     }
-    return {widest + before_name * em_ + name, 2 * writer_.height(em_) + (before_name + kGap) * em_};
+    return {widest + before_name * em_ + name,
+            2 * writer_.height(em_) + (before_name + kGap) * em_};
   }
 
  private:
@@ -312,9 +311,8 @@ class Annotator {
     const dvec2 at = (edge.from + edge.to) / 2.0;
     const dvec2 beside = at + ((kTickLength + 2 * kGap) * em_ + reach) * edge.out;
     const bool is_letter = chosen.note.empty() && writer_.width(name, em_) <= em_;
-    const bool is_written = is_letter
-                                ? writer_.write(name, beside, edge.out, em_)
-                                : writer_.write_near(name, beside, edge.out, em_, outline());
+    const bool is_written = is_letter ? writer_.write(name, beside, edge.out, em_)
+                                      : writer_.write_near(name, beside, edge.out, em_, outline());
     if (!is_written && !chosen.note.empty()) return;  // without it the numbers are wrong
     for (const Mark& mark : marks) {
       result_.strokes.push_back({mark.at, mark.at + kTickLength * em_ * edge.out});

@@ -124,10 +124,9 @@ Samples sample_all(const Scene& scene, const Samples& last, unsigned threads) {
   Samples samples;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const bool known = i < last.size() && !last[i]->moves;
-    samples.push_back(
-        known ? last[i]
-              : std::make_shared<const Sampled>(
-                    sample(scene, bind_surface(scene, scene.surfaces[i]), threads)));
+    samples.push_back(known ? last[i]
+                            : std::make_shared<const Sampled>(
+                                  sample(scene, bind_surface(scene, scene.surfaces[i]), threads)));
   }
   return samples;
 }

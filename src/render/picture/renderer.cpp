@@ -132,8 +132,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
   if (scene.box) bounds.add(*scene.box);
-  const Annotations annotations =
-      annotate(scene, camera, bounds, scales_, viewport.size());
+  const Annotations annotations = annotate(scene, camera, bounds, scales_, viewport.size());
   unknown_letters_ = annotations.unknown;
   const dvec3 ink = ink_of(scene);
   Color background = scene.background;

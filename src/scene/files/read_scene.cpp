@@ -140,7 +140,7 @@ void read_table(TomlReader& reader, const TomlValue& root, const char* name, Tab
   });
 }
 
-/// The theme in place of the file's. What the file says by itself stays.
+/// The theme in place of the file's. Values that the file has stay.
 void take_theme(const std::optional<Theme>& theme, const TomlValue& root, Scene& scene) {
   if (!theme) return;
   const Color background = scene.background;

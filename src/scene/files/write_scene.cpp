@@ -69,7 +69,8 @@ std::string write_scene(const Scene& scene) {
   std::string text = write_keys(Table::Scene, scene);
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
-  for (const SurfaceSpec& spec : scene.surfaces) text += "\n[[surface]]\n" + write_keys(spec, scene.theme);
+  for (const SurfaceSpec& spec : scene.surfaces)
+    text += "\n[[surface]]\n" + write_keys(spec, scene.theme);
   for (const SceneNode& n : scene.nodes) text += node(n);
   text += write_lights(scene.lights);
   const std::string camera = write_keys(Table::Camera, scene);

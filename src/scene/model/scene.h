@@ -66,7 +66,7 @@ struct Material {
 inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
 inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
 
-/// Of the lines on a surface.
+/// The colour of lines on a surface.
 inline const Color kLineColor{0.2, 0.2, 0.2};
 
 /// Which background, lines, letters and materials a scene has that names none: scene/model/theme.h.

@@ -26,7 +26,7 @@ const std::array<ThemeLook, 3> kLooks = {
     ThemeLook{{1, 1, 1, 1},
               {0, 0, 0},
               {{1, 0.98, 0.92}, kMatte, 32},
-              {{0.34, 0.37, 0.46}, kMatte, 32},
+              {{0.3, 0.33, 0.41}, kMatte, 32},
               dvec3(0),
               dvec3(0)},
 };

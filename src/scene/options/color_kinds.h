@@ -28,7 +28,7 @@ struct Side {
   void parse(const Given& given) const;
   std::string format() const;
   void read(const InFile& in) const;
-  /// What another side has otherwise.
+  /// The parts that differ from another side.
   std::string write_beside(const Side& standard) const;
   void resolve(Resolver& resolver, const std::string& name) const;
 };

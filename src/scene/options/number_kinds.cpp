@@ -208,8 +208,8 @@ void Stretch::parse(const Given& given) const {
     *value = *scale;
     return;
   }
-  const std::vector<Span> parts = parse_list(given.option, given.text, 3,
-                                             "a scale has a factor for each axis", "1,1,0.1");
+  const std::vector<Span> parts =
+      parse_list(given.option, given.text, 3, "a scale has a factor for each axis", "1,1,0.1");
   const auto factor = [&](std::size_t k) {
     Number number = parse_expression(given, parts[k]);
     if (!number.text.empty() || kPositive.contain(number.value)) return number;

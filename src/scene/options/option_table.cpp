@@ -155,8 +155,9 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "NAME",
      .section = Section::Look,
      .help = "background, lines, text and materials that suit each other: {choices}",
-     .more = "dark: on black. light: on nearly white. paper: on white, with black lines, readable in "
-             "grey.\nOther options, and keys of a scene file, win over it.",
+     .more =
+         "dark: on black. light: on nearly white. paper: on white, with black lines, readable in "
+         "grey.\nOther options, and keys of a scene file, win over it.",
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return theme_of(s); }},
@@ -166,8 +167,9 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "stretch the picture along the axes: factors, equal, or auto: high height fields are "
              "compressed",
      .usual = "auto",
-     .more = "auto: where all surfaces are height fields and more than 8 times as high as their base "
-             "is wide,\nthe picture is compressed along z. Ticks, meshes and reports keep true units.",
+     .more =
+         "auto: where all surfaces are height fields and more than 8 times as high as their base "
+         "is wide,\nthe picture is compressed along z. Ticks, meshes and reports keep true units.",
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Stretch{&s.scale}; }},
@@ -317,18 +319,14 @@ constexpr auto kRows = std::to_array<Option>({
      .help = "diffuse colour of the front, where r_u x r_v points",
      .commands = kGraphCheck,
      .table = Table::Surface,
-     .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Side{&s.front};
-     }},
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Side{&s.front}; }},
     {.name = "back",
      .value = "COLOR",
      .section = Section::Look,
      .help = "diffuse colour of the back",
      .commands = kGraphCheck,
      .table = Table::Surface,
-     .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Side{&s.back};
-     }},
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Side{&s.back}; }},
     {.name = "flip",
      .section = Section::Look,
      .help = "swap front and back",

@@ -45,7 +45,7 @@ std::string write_slot(const kinds::Slot& slot) {
       slot);
 }
 
-/// What a slot of a row has otherwise than another slot of that row; empty: nothing.
+/// The value of a row where it differs from another value of that row; empty: it does not.
 std::string write_beside(const kinds::Slot& slot, const kinds::Slot& standard) {
   return std::visit(
       [&](const auto& kind) {
