@@ -26,6 +26,9 @@ constexpr double kNearest = 0.05;
 /// picture that it fills: then each part of it has its own, and what is not seen has large ones. A
 /// fitted camera is not, but for surfaces that are long toward the eye.
 constexpr double kClose = 0.35;
+/// The side of a pixel on a surface beside the picture, as a share of the radius of its box: as
+/// coarse as a mesh that still tells where the surface is.
+constexpr double kUnseen = 0.5;
 /// Half the picture's size times this is how far beside the picture a surface is still as fine as
 /// in it: the hand soon turns it there. Farther out cells grow with the distance.
 constexpr double kMargin = 0.5;
@@ -84,6 +87,8 @@ class PixelSize {
     nearest_ = depth * tangent * per_length_;
     whole_ = radius * per_length_;
     is_close_ = nearest_ < kClose * whole_;
+    if (is_out_of_reach(bounds.centre(), radius))
+      nearest_ = std::max(nearest_, kUnseen * radius / stretch_);
   }
 
   bool depends_on_place() const { return is_close_; }
@@ -105,6 +110,14 @@ class PixelSize {
   }
 
  private:
+  /// A ball is farther beside the picture than the hand turns it at once.
+  bool is_out_of_reach(const dvec3& centre, double radius) const {
+    if (is_close_) return false;
+    const dvec3 seen = glm::dmat3(camera_.world_to_eye) * (centre - camera_.target);
+    const double depth = ortho_ ? camera_.distance : camera_.distance - seen.z;
+    return beside(seen, depth) - radius > kMargin * std::max(depth, 0.0) * half_.y;
+  }
+
   /// How far a point, relative to the target, is from what the picture shows; less than 0: inside.
   double beside(const dvec3& seen, double depth) const {
     double most = -depth;

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "cli/program.h"
@@ -118,6 +119,45 @@ TEST_F(SceneFiles, ComeFromStandardInput) {
   EXPECT_EQ(piped("echo 'grif = 3' | " + program + " - -o d.png 2>err"), 2);
   EXPECT_TRUE(contains(content("err"), "saddle: standard input:1:1: unknown key 'grif'\n"))
       << content("err");
+}
+
+/// A sphere beside others, in a scene of its own.
+std::string sphere_at(double x, double y) {
+  const auto plus = [](double way) { return std::to_string(way) + "+"; };
+  return "[[surface]]\nx = \"" + plus(x) + "sin(v)*cos(u)\"\ny = \"" + plus(y) +
+         "sin(v)*sin(u)\"\nz = \"cos(v)\"\nu = [0, \"tau\"]\nv = [0, \"pi\"]\ngrid = \"off\"\n";
+}
+
+TEST_F(SceneFiles, MeshEachSurfaceForThePixelsThatItHas) {
+  constexpr int kSide = 6;
+  std::string many;
+  for (int i = 0; i < kSide * kSide; ++i) many += sphere_at(2.5 * (i % kSide), 2.5 * (i / kSide));
+  write("one.toml", sphere_at(0, 0));
+  write("many.toml", many);
+  const auto triangles = [this](const std::string& scene, std::vector<std::string> more) {
+    more.insert(more.begin(), {scene, "-s", "600x600", "-o", "a.png", "--report", "r.json"});
+    make(more);
+    const nlohmann::json report = nlohmann::json::parse(content("r.json"));
+    int sum = 0;
+    for (const auto& surface : report["surfaces"]) sum += surface["triangles"].get<int>();
+    return sum;
+  };
+  const int alone = triangles("one.toml", {});
+  // A sphere's triangles are in proportion to its radius in pixels, a ninth here.
+  EXPECT_LT(triangles("many.toml", {}), kSide * kSide * alone / 4);
+  // The same sphere as large in the picture has the same triangles, whatever is beside it.
+  const std::vector<std::string> near = {"--target", "0,0,0", "--distance", "4.3"};
+  const int close = triangles("one.toml", near);
+  EXPECT_LT(triangles("many.toml", near), close + kSide * kSide * alone / 4);
+}
+
+TEST_F(SceneFiles, MeshAlikeOnAnyNumberOfThreads) {
+  std::string many;
+  for (int i = 0; i < 9; ++i) many += sphere_at(2.5 * i, 0.1 * i);
+  write("many.toml", many);
+  make({"many.toml", "--threads", "1", "-o", "a.ply"});
+  make({"many.toml", "--threads", "2", "-o", "b.ply"});  // side by side
+  EXPECT_EQ(content("a.ply"), content("b.ply"));
 }
 
 }  // namespace

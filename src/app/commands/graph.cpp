@@ -47,10 +47,15 @@ Framing framing_of(Plan& plan, unsigned threads) {
   return plan.needs_camera() ? frame_scene(plan.timeline, threads) : Framing();
 }
 
-/// The plan's, at the moments of the framing.
-Purpose purpose_of(const Plan& plan, const Framing& framing) {
+/// The plan's, at the moments of the framing, or at that of the still picture.
+Purpose purpose_of(Plan& plan, const Framing& framing, unsigned threads) {
   Purpose purpose = plan.purpose;
   purpose.moments = framing.moments;
+  if (plan.needs_camera() && !plan.scene().animation) {
+    Scene still = plan.timeline.at(plan.scene().t);
+    framing.apply(still);
+    purpose.moments = moments_of_still(still, threads);
+  }
   return purpose;
 }
 
@@ -65,7 +70,7 @@ class Run {
         writer_(plan_.outputs, plan_.scene(), line.run.threads),
         drawer_(drawer_for(line, plan_)),
         framing_(framing_of(plan_, line.run.threads)),
-        meshes_(purpose_of(plan_, framing_), line.run.threads) {}
+        meshes_(purpose_of(plan_, framing_, line.run.threads), line.run.threads) {}
 
   void go() {
     notice();

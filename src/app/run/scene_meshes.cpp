@@ -1,12 +1,21 @@
 #include "app/run/scene_meshes.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "app/report/run_report.h"
+#include "base/parallel.h"
 #include "scene/model/prepare.h"
 
 namespace saddle {
+namespace {
+
+/// From this many surfaces on, threads have a surface each and end at about the same time. Fewer
+/// surfaces have all threads one after the other.
+constexpr std::size_t kSurfacesPerThread = 4;
+
+}  // namespace
 
 bool SceneMeshes::is_to_mesh(std::size_t surface) const {
   return surface >= known_.size() || known_[surface].moves;
@@ -19,14 +28,27 @@ bool SceneMeshes::warn() const {
 std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::string& frame) {
   std::vector<std::size_t> updated;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    if (!is_to_mesh(i)) continue;
-    mesh(scene, i, frame);
-    updated.push_back(i);
+    if (is_to_mesh(i)) updated.push_back(i);
+  }
+  std::vector<std::promise<Tessellation>> made(updated.size());
+  const unsigned threads = threads_ > 0 ? threads_ : available_threads();
+  const bool side_by_side = updated.size() >= kSurfacesPerThread * threads;
+  parallel_chunks(updated.size(), 1, side_by_side ? threads : 1, [&](std::size_t k, std::size_t) {
+    try {
+      const SurfaceSpec& spec = scene.surfaces[updated[k]];
+      made[k].set_value(tessellate(scene, spec, purpose_, side_by_side ? 1 : threads));
+    } catch (...) {
+      made[k].set_exception(std::current_exception());
+    }
+  });
+  for (std::size_t k = 0; k < updated.size(); ++k) {
+    take(scene, updated[k], frame, made[k].get_future());
   }
   return updated;
 }
 
-void SceneMeshes::mesh(const Scene& scene, std::size_t surface, const std::string& frame) {
+void SceneMeshes::take(const Scene& scene, std::size_t surface, const std::string& frame,
+                       std::future<Tessellation> future) {
   if (surface == known_.size()) {
     known_.emplace_back();
     known_.back().report.meshes = 0;
@@ -37,7 +59,7 @@ void SceneMeshes::mesh(const Scene& scene, std::size_t surface, const std::strin
   std::vector<Finding> findings = std::move(known.report.findings);
   const int meshes = known.report.meshes + 1;
   try {
-    Tessellation made = tessellate(scene, scene.surfaces[surface], purpose_, threads_);
+    Tessellation made = future.get();
     add_times(made, times_);
     warnings = std::move(made.warnings);
     known.report = report_of(scene.surfaces[surface].name, made);

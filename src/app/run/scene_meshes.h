@@ -1,6 +1,7 @@
 // The meshes of a scene at one moment after another: what t does not move is meshed once.
 #pragma once
 
+#include <future>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,7 +44,9 @@ class SceneMeshes {
   };
 
   bool is_to_mesh(std::size_t surface) const;
-  void mesh(const Scene& scene, std::size_t surface, const std::string& frame);
+  /// Keeps a surface's mesh, or that it has none in this frame.
+  void take(const Scene& scene, std::size_t surface, const std::string& frame,
+            std::future<Tessellation> future);
 
   Purpose purpose_;
   unsigned threads_;

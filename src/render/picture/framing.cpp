@@ -40,6 +40,9 @@ constexpr double kBetweenMoments = 0.01;
 /// Samples of a surface, cells each way: what a smooth surface does between them is less than the
 /// room that the camera leaves around the sphere.
 constexpr std::size_t kCells = 96;
+/// The same for the camera that a still picture's pixels are measured with: between samples, a
+/// sphere bulges by half a percent of its radius, and pixels' sizes are wrong by no more.
+constexpr std::size_t kStillCells = 32;
 
 /// Twice as many samples each way go so many times as far where there is a pole: at a simple one
 /// twice as far. A peak that all samples see stays as it is.
@@ -91,10 +94,10 @@ void clip_to_readable(const Scene& scene, Sampled& surface) {
 }
 
 /// Finite positions on a grid, clipped to the scene's box or beside poles.
-Sampled sample(const Scene& scene, BoundSurface bound, unsigned threads) {
+Sampled sample(const Scene& scene, BoundSurface bound, std::size_t cells, unsigned threads) {
   const Domain& d = bound.domain;
-  const std::vector<double> u = even_lines(d.u0, d.u1, kCells);
-  const std::vector<double> v = even_lines(d.v0, d.v1, kCells);
+  const std::vector<double> u = even_lines(d.u0, d.u1, cells);
+  const std::vector<double> v = even_lines(d.v0, d.v1, cells);
   std::array<std::vector<double>, 3> xyz;
   for (auto& coordinates : xyz) coordinates.resize(u.size() * v.size());
   const std::array<double*, 3> outputs = {xyz[0].data(), xyz[1].data(), xyz[2].data()};
@@ -120,13 +123,13 @@ Sampled sample(const Scene& scene, BoundSurface bound, unsigned threads) {
 /// The scene's surfaces at one moment. A surface that does not move is sampled once.
 using Samples = std::vector<std::shared_ptr<const Sampled>>;
 
-Samples sample_all(const Scene& scene, const Samples& last, unsigned threads) {
+Samples sample_all(const Scene& scene, const Samples& last, std::size_t cells, unsigned threads) {
   Samples samples;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const bool known = i < last.size() && !last[i]->moves;
     samples.push_back(known ? last[i]
-                            : std::make_shared<const Sampled>(
-                                  sample(scene, bind_surface(scene, scene.surfaces[i]), threads)));
+                            : std::make_shared<const Sampled>(sample(
+                                  scene, bind_surface(scene, scene.surfaces[i]), cells, threads)));
   }
   return samples;
 }
@@ -270,7 +273,7 @@ std::optional<dvec3> scale_of_moment(const Scene& scene, unsigned threads) {
   if (!scene.scale.automatic) return std::nullopt;
   Bounds box;
   for (BoundSurface& bound : height_fields(scene)) {
-    box.add(sample(scene, std::move(bound), threads).bounds);
+    box.add(sample(scene, std::move(bound), kCells, threads).bounds);
   }
   return scale_of_height(box);
 }
@@ -303,12 +306,13 @@ void clip_to_readable(const Scene& scene, std::vector<Samples>& moments) {
 }
 
 /// Finds what the scene's cameras do not say. `scenes` are those of all moments.
-void fit(std::vector<Scene>& scenes, Framing& framing, unsigned threads) {
+void fit(std::vector<Scene>& scenes, std::size_t cells, Framing& framing, unsigned threads) {
   std::vector<Samples> samples;
   std::vector<std::vector<Instance>> places;
   std::vector<Bounds> boxes;
   for (const Scene& scene : scenes) {
-    samples.push_back(sample_all(scene, samples.empty() ? Samples{} : samples.back(), threads));
+    samples.push_back(
+        sample_all(scene, samples.empty() ? Samples{} : samples.back(), cells, threads));
   }
   framing.scale = scale_of_moments(scenes, samples);
   for (Scene& scene : scenes) {
@@ -367,7 +371,7 @@ Framing frame_scene(Timeline& timeline, unsigned threads) {
       throw with_hint_line(error, "this is at t = " + format_number(t));
     }
   }
-  fit(scenes, framing, threads);
+  fit(scenes, kCells, framing, threads);
   for (Scene& scene : scenes) {
     framing.apply(scene);
     Moment moment(scene);
@@ -376,6 +380,18 @@ Framing frame_scene(Timeline& timeline, unsigned threads) {
     }
   }
   return framing;
+}
+
+std::vector<Moment> moments_of_still(const Scene& scene, unsigned threads) {
+  if (instances(scene).size() < 2) return {};
+  Framing framing;
+  Scene seen = scene;
+  seen.scale.automatic = false;  // its factors are known
+  std::vector<Scene> still = {seen};
+  fit(still, kStillCells, framing, threads);
+  framing.apply(seen);
+  if (!seen.camera.target || !seen.camera.distance) return {};
+  return {Moment(seen)};
 }
 
 }  // namespace saddle

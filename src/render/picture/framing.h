@@ -39,4 +39,11 @@ struct Framing {
 /// Error (Input) as Timeline::at() and prepare_surface() do.
 Framing frame_scene(Timeline& timeline, unsigned threads);
 
+/// The moment of a resolved scene without an animation, its scale found, that has several surfaces,
+/// or one in several nodes. Where the scene leaves the camera open, it is fitted to samples of all
+/// of them: each is then meshed for the pixels that it has in the picture. Empty for a single
+/// surface, whose own samples place the camera, and for a scene of which there is nothing to see.
+/// Throws Error (Input) as prepare_surface() does.
+std::vector<Moment> moments_of_still(const Scene& scene, unsigned threads);
+
 }  // namespace saddle

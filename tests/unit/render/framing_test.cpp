@@ -237,5 +237,23 @@ TEST(AutomaticScale, IsOneForAllFrames) {
   EXPECT_NEAR(frame.camera.target->z * scale->z, framing.target->z, 1e-12) << "in true units";
 }
 
+TEST(MomentsOfStill, PlaceTheCameraOfSeveralSurfacesAndOfNoSingleOne) {
+  Scene scene;
+  for (const std::string& text : sphere({"r=1", "a=0"})) assign(scene, text);
+  scene = resolve(scene);
+  EXPECT_TRUE(moments_of_still(scene, 1).empty());
+  scene.surfaces.push_back(scene.surfaces[0]);
+  scene.surfaces[0].x = "7+" + scene.surfaces[0].x;
+  const std::vector<Moment> moments = moments_of_still(scene, 1);
+  ASSERT_EQ(moments.size(), 1U);
+  const Camera& camera = moments[0].camera;
+  // The picture's room holds both spheres and is filled by them, but for what samples miss.
+  const double reach =
+      std::max(reach_of_sphere(camera, {0, 0, 0}, 1), reach_of_sphere(camera, {7, 0, 0}, 1));
+  EXPECT_NEAR(reach, 1 - 2 * kPictureMargin, 0.01);
+  scene.camera.distance = Number(50);
+  EXPECT_EQ(moments_of_still(scene, 1)[0].camera.distance->value, 50);
+}
+
 }  // namespace
 }  // namespace saddle
