@@ -43,6 +43,7 @@ void main() {
   vec3 at = (model_to_eye * vec4(position, 1.0)).xyz;
 #ifdef NORMAL_MATRIX
   vec3 n = normal_to_eye * corner_normal;
+  n *= inversesqrt(max(dot(n, n), 1e-37));  // those of a triangle weigh alike between its corners
 #else
   vec3 n = mat3(model_to_eye) * corner_normal;
 #endif

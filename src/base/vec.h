@@ -24,6 +24,13 @@ inline double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
+inline double least_of(const dvec3& a) {
+  return std::fmin(std::fmin(a.x, a.y), a.z);
+}
+inline double largest_of(const dvec3& a) {
+  return std::fmax(std::fmax(a.x, a.y), a.z);
+}
+
 /// Whether no component is infinite or NaN.
 inline bool is_finite(const dvec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

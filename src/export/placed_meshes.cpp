@@ -15,7 +15,7 @@ bool is_line(const Scene& scene, std::span<const Mesh> meshes, std::size_t surfa
 
 std::vector<Mesh> placed_meshes(const Scene& scene, std::span<const Mesh> meshes) {
   std::vector<Mesh> result;
-  for (const Instance& instance : instances(scene)) {
+  for (const Instance& instance : instances(scene, World::True)) {
     if (is_line(scene, meshes, instance.surface)) continue;
     result.push_back(transformed(meshes[instance.surface], instance.to_world));
   }
@@ -28,7 +28,7 @@ std::vector<std::vector<Rgb>> placed_colors(const Scene& scene, std::span<const 
   const std::vector<ColorScale> scales = color_scales(scene, ranges);
   if (scales.empty()) return {};
   std::vector<std::vector<Rgb>> result;
-  for (const Instance& instance : instances(scene)) {
+  for (const Instance& instance : instances(scene, World::True)) {
     if (is_line(scene, meshes, instance.surface)) continue;
     std::vector<Rgb>& colors = result.emplace_back();
     const SurfaceSpec& spec = scene.surfaces[instance.surface];

@@ -20,9 +20,11 @@
 #include "meshing/clip_box.h"
 #include "meshing/findings.h"
 #include "meshing/mesh_numbers.h"
+#include "meshing/stretch.h"
 #include "meshing/stroke_mesh.h"
 #include "meshing/tolerance.h"
 #include "scene/model/strokes.h"
+#include "scene/model/values.h"
 #include "surface/defined_share.h"
 
 namespace saddle {
@@ -53,7 +55,11 @@ UniformRequest uniform_request(const Scene& scene, const SurfaceSpec& spec, cons
   request.grid.cells_v = samples ? samples->v : default_cells(spec.grid_v);
   request.grid.threads = threads;
   request.clip = scene.clip.box;
-  if (!samples) request.share = tolerance_share(scene, purpose);
+  if (request.clip) request.clip = stretched(*request.clip, purpose.stretch);
+  if (!samples) {
+    const double narrowest = least_of(purpose.stretch) / largest_of(purpose.stretch);
+    request.share = tolerance_share(scene, purpose) * narrowest;
+  }
   return request;
 }
 
@@ -83,8 +89,12 @@ MeshRequest first_request(const Scene& scene, const SurfaceSpec& spec, const Pur
     request.samples = {static_cast<std::size_t>(samples->u), static_cast<std::size_t>(samples->v)};
   }
   request.clip = scene.clip.box;
+  if (request.clip) request.clip = stretched(*request.clip, purpose.stretch);
   request.tolerance = tolerance_in(scene, spec, purpose, request.clip);
   request.normal_tolerance = scene.mesh.normal_tolerance;
+  if (request.normal_tolerance < kHalfTurn.high) {
+    request.normal_tolerance /= rest_of_stretch(scene, purpose);
+  }
   request.max_triangles = most_triangles(scene, spec);
   request.lines_u = spec.grid_u;
   request.lines_v = spec.grid_v;
@@ -230,6 +240,17 @@ MeshResult mesh_as_asked(const Scene& scene, const SurfaceSpec& spec, const Purp
   return mesh ? std::move(*mesh) : mesh_uniformly(surface, fallback);
 }
 
+/// The mesh of a surface that is stretched along its axes while it is meshed.
+MeshResult mesh_stretched(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
+                          unsigned threads) {
+  const PreparedSurface prepared = prepare_surface(scene, spec, Order::Second, purpose.stretch);
+  MeshResult mesh = mesh_as_asked(scene, spec, purpose, prepared.surface, threads);
+  take_back_stretch(purpose.stretch, mesh);
+  mesh.report.max_normal_error *= rest_of_stretch(scene, purpose);
+  mesh.report.evaluations = prepared.surface.evaluations();
+  return mesh;
+}
+
 /// Puts the user's (u, v) in place of the surface's parameters wherever a place is named. Returns
 /// the domain in them; the box around the mesh's where v depends on u.
 Domain name_parameters(const Surface& surface, MeshResult& mesh) {
@@ -276,8 +297,12 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   result.prepared = prepare_surface(scene, spec, Order::Second);
   const Surface& surface = result.prepared.surface;
   const auto begin = std::chrono::steady_clock::now();
+  Purpose as_drawn = purpose;
+  as_drawn.stretch = mesh_stretch(scene, spec, purpose);
+  const bool is_stretched = as_drawn.stretch != dvec3(1);
   try {
-    result.mesh = mesh_as_asked(scene, spec, purpose, surface, threads);
+    result.mesh = is_stretched ? mesh_stretched(scene, spec, as_drawn, threads)
+                               : mesh_as_asked(scene, spec, purpose, surface, threads);
   } catch (const Error& error) {
     const bool is_empty = error.status() == Status::Nothing && !surface.region.outputs.empty() &&
                           region_share(surface, threads).outside == 1;
@@ -306,7 +331,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
   }
   result.contours = contour_as_asked(scene, spec, purpose, result.prepared, result.mesh, threads);
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-  report.evaluations = surface.evaluations();
+  report.evaluations = surface.evaluations() + (is_stretched ? report.evaluations : 0);
   result.tessellate_ms = passed.count();
   result.is_clipped = scene.clip.box || report.clip;
   if (result.is_clipped) report.least_triangles = 0;  // it is of the whole

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
 
 #include "base/numbers.h"
-#include "scene/model/camera.h"
 #include "scene/model/instances.h"
 
 namespace saddle {
@@ -155,7 +155,8 @@ struct View {
 std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose) {
   std::vector<View> result;
   if (purpose.moments.empty()) {
-    for (const glm::dmat4& place : places(scene, spec)) result.push_back({scene.camera, place});
+    const Camera camera = drawn_camera(scene);
+    for (const glm::dmat4& place : places(scene, spec)) result.push_back({camera, place});
   }
   std::vector<glm::dmat4> last;
   for (std::size_t k = 0; k < purpose.moments.size(); ++k) {
@@ -172,7 +173,8 @@ std::vector<View> views(const Scene& scene, const SurfaceSpec& spec, const Purpo
 
 Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                             const VisiblePart& part) {
-  const double diagonal = part.bounds.diagonal();
+  const glm::dmat4 to_true = glm::scale(glm::dmat4(1), 1.0 / purpose.stretch);
+  const double diagonal = transformed(part.bounds, to_true).diagonal() * least_of(purpose.stretch);
   double length = kInfinity;
   double pixels = kInfinity;
   for (const auto& [value, is_in_pixels] : asked(scene, purpose)) {
@@ -182,7 +184,8 @@ Tolerance tolerance_of_part(const Scene& scene, const SurfaceSpec& spec, const P
   if (pixels == kInfinity) return length;
   double same_everywhere = kInfinity;
   std::vector<PixelSize> sizes;  // that are not
-  for (const auto& [camera, place] : views(scene, spec, purpose)) {
+  for (const auto& [camera, true_place] : views(scene, spec, purpose)) {
+    const glm::dmat4 place = true_place * to_true;
     if (largest_stretch(place) == 0) continue;  // drawn as nothing
     PixelSize size(camera, scene.picture, place, part);
     if (size.depends_on_place()) {

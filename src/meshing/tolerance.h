@@ -7,17 +7,18 @@
 
 #include "mesh/model/tolerance.h"
 #include "mesh/sizing/probe.h"
+#include "scene/model/camera.h"
 #include "scene/model/instances.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
 
-/// Where the camera and the nodes of a resolved scene are.
+/// Where the camera and the nodes of a resolved scene are in its picture.
 struct Moment {
   Camera camera;
   NodeFrames nodes;
 
-  explicit Moment(const Scene& scene) : camera(scene.camera), nodes(scene) {}
+  explicit Moment(const Scene& scene) : camera(drawn_camera(scene)), nodes(scene) {}
   /// Nothing that a picture shows is elsewhere, or of another size.
   bool operator==(const Moment&) const = default;
 };
@@ -27,11 +28,14 @@ struct Purpose {
   bool picture = false;
   bool mesh = false;
   std::vector<Moment> moments{};  ///< that the mesh is drawn at; none: the scene's own
+  /// The surface is meshed with its axes stretched by these powers of two: see mesh_stretch().
+  dvec3 stretch{1, 1, 1};
 };
 
 /// The tolerance of a surface of the scene that a probe has sampled, or of its part in a box: the
 /// stricter one of picture and mesh. A picture's pixels are those of the part of the surface, in
-/// any of its nodes, that is nearest to the eye at any of its moments.
+/// any of its nodes, that is nearest to the eye at any of its moments. All lengths and boxes are
+/// those of the stretched surface.
 Tolerance tolerance_of(const Scene& scene, const SurfaceSpec& spec, const Purpose& purpose,
                        const Probe& probe, const std::optional<Bounds>& clip = {});
 

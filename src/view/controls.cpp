@@ -69,7 +69,7 @@ dvec3 point_on_target_plane(const Grip& grip, const dvec2& pixel) {
 
 Camera settled(const Grip& grip) {
   Camera camera = grip.camera;
-  camera.target = grip.fitted.target;
+  camera.target = grip.fitted.target / grip.scale;
   camera.distance = grip.fitted.distance;
   if (camera.turn != 0) camera.view = axes_of(grip.fitted).backward;
   camera.turntable = false;
@@ -114,8 +114,8 @@ Camera moved(const Grip& grip, const dvec3& held, const dvec2& from, const dvec2
   if (!camera.ortho) {
     length *= glm::dot(axes.backward, grip.fitted.eye - held) / grip.fitted.distance;
   }
-  camera.target = grip.fitted.target - (to.x - from.x) * length * axes.right +
-                  (to.y - from.y) * length * axes.up;
+  const dvec3 way = (to.y - from.y) * axes.up - (to.x - from.x) * axes.right;
+  camera.target = (grip.fitted.target + length * way) / grip.scale;
   return camera;
 }
 
@@ -125,7 +125,7 @@ Camera zoomed(const Grip& grip, const dvec3& fixed, double factor, double surfac
   const double farthest = std::max(kFarthest * surface_size, distance);
   const double real_factor = std::clamp(factor * distance, nearest, farthest) / distance;
   Camera camera = settled(grip);
-  camera.target = fixed + real_factor * (grip.fitted.target - fixed);
+  camera.target = (fixed + real_factor * (grip.fitted.target - fixed)) / grip.scale;
   camera.distance = real_factor * distance;
   return camera;
 }

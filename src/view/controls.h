@@ -11,8 +11,9 @@ namespace saddle {
 /// A camera at the moment a hand takes hold of it.
 struct Grip {
   Camera camera;
-  FittedCamera fitted;  ///< of that camera
-  dvec2 size{1, 1};     ///< of the picture, in pixels
+  FittedCamera fitted;   ///< of that camera
+  dvec2 size{1, 1};      ///< of the picture, in pixels
+  dvec3 scale{1, 1, 1};  ///< of the picture along the axes
 };
 
 /// A straight line of sight; `direction` has length 1 in the coordinates of the world.

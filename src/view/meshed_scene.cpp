@@ -40,7 +40,7 @@ FittedCamera fit_to(const Meshed& meshed, const PictureSettings& picture) {
   const dvec2 size(picture.width, picture.height);
   ViewPyramid seen = pyramid_beside_annotations(meshed.scene, meshed.surfaces, bounds, size);
   add_meshes(meshed, seen);
-  return fit_camera(meshed.scene.camera, bounds, size.x / size.y, &seen);
+  return fit_camera(drawn_camera(meshed.scene), bounds, size.x / size.y, &seen);
 }
 
 std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray) {

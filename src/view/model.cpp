@@ -99,8 +99,9 @@ Grip Model::grip() const {
   const dvec2 pixels = size();
   const double aspect = pixels.x / pixels.y;
   const Camera& camera = scene_.camera;
+  const dvec3 scale = scene_.scale.factors;
   if (camera.target && camera.distance) {
-    return {camera, fit_camera(camera, bounds, aspect), pixels};
+    return {camera, fit_camera(drawn_camera(scene_), bounds, aspect), pixels, scale};
   }
   const ViewPyramid empty =
       pyramid_beside_annotations(drawn_scene(), good_.surfaces, bounds, pixels);
@@ -108,7 +109,7 @@ Grip Model::grip() const {
     seen_ = empty;
     add_meshes(good_, *seen_);
   }
-  return {camera, fit_camera(camera, bounds, aspect, &*seen_), pixels};
+  return {camera, fit_camera(drawn_camera(scene_), bounds, aspect, &*seen_), pixels, scale};
 }
 
 dvec2 Model::size() const {

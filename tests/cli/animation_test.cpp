@@ -208,6 +208,22 @@ TEST_F(AnimationTest, SaysWhenNothingMoves) {
   EXPECT_FALSE(exists("g.gif"));
 }
 
+TEST_F(AnimationTest, SaysThatNothingMovesBeforeItDraws) {
+  const Outcome strict =
+      run({"z=u*v", "t=0:1"}, {"-o", "g.gif", "--frames", "2", "--strict", "--report", "r.json"});
+  EXPECT_EQ(strict.status, 2);
+  const std::string report = read_file(path("r.json"));
+  EXPECT_TRUE(contains(report, "nothing depends on t"));
+  EXPECT_TRUE(contains(report, "\"surfaces\": []")) << "a mesh was made";
+  const std::vector<std::vector<std::string>> moving = {
+      {"--turntable"}, {"--view", "cos(t),sin(t),1"}, {"--scale", "1,1,1+t"}};
+  for (std::vector<std::string> more : moving) {
+    more.insert(more.end(), {"-o", "f-%d.png", "--frames", "2", "--strict"});
+    const Outcome outcome = run({"z=u*v", "t=0:1"}, more);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+}
+
 TEST_F(AnimationTest, SaysThatMp4HasNoTransparency) {
   const Outcome outcome = run(kWave, {"-o", "w.mp4", "-o", "w.gif", "--background", "transparent"});
   EXPECT_EQ(outcome.status, 0);

@@ -75,8 +75,8 @@ TEST(Average, FillsOnlyItsRectangle) {
 TEST(Tiles, CoverEveryPixelOnceAndStayWithinTheLimit) {
   for (const auto& [width, height] : {std::array{1, 1}, std::array{800, 600}, std::array{333, 7}}) {
     for (int limit : {1, 10, 64, 4096}) {
-      for (int n : {1, 2, 5}) {
-        const Tiling tiling = split_picture(width, height, n, limit);
+      for (const auto& [n, margin] : {std::array{1, 1}, std::array{2, 3}, std::array{5, 1}}) {
+        const Tiling tiling = split_picture(width, height, n, limit, margin);
         std::vector<int> covered(static_cast<std::size_t>(width) * height);
         for (const PixelRect& tile : tiling.tiles) {
           EXPECT_LE(tile.width, tiling.tile_width);
@@ -86,17 +86,17 @@ TEST(Tiles, CoverEveryPixelOnceAndStayWithinTheLimit) {
           }
         }
         EXPECT_EQ(covered, std::vector<int>(covered.size(), 1));
-        const int least = n * (1 + 2 * kTileMargin);
-        EXPECT_LE(n * (tiling.tile_width + 2 * kTileMargin), std::max(limit, least));
+        const int least = n * (1 + 2 * margin);
+        EXPECT_LE(n * (tiling.tile_width + 2 * margin), std::max(limit, least));
       }
     }
   }
 }
 
 TEST(Tiles, ALargePictureIsDrawnInManyPieces) {
-  EXPECT_EQ(split_picture(800, 600, 2, kTileSamples).tiles.size(), 1U);
-  const Tiling large = split_picture(16384, 16384, 8, kTileSamples);
-  EXPECT_EQ(large.tiles.size(), 35U * 35U);
+  EXPECT_EQ(split_picture(800, 600, 2, kTileSamples, 1).tiles.size(), 1U);
+  const Tiling large = split_picture(16384, 16384, 8, kTileSamples, 1);
+  EXPECT_EQ(large.tiles.size(), 33U * 33U);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include <glm/ext/matrix_transform.hpp>
+
 #include "image/analytic_mesh.h"
 #include "image/lighting_reference.h"
 #include "render/gl/context.h"
@@ -83,6 +85,36 @@ TEST(Nodes, TransformNormalsByTheInverseTranspose) {
   const Scene scene = scene_of(scale(axes));
   const Image image = draw(scene, sphere_mesh(dvec3(0), 1, {256, 256, 0}));
   EXPECT_GT(compare_with_ellipsoid(scene, image, axes, kFrontMaterial), 50);
+}
+
+TEST(Scale, LightsTheSurfaceThatIsSeen) {
+  const dvec3 axes(2, 1, 0.5);
+  Scene scene = scene_of(scale(dvec3(1)));
+  scene.scale = {.automatic = false, .factors = axes};
+  const Mesh sphere = sphere_mesh(dvec3(0), 1, {256, 256, 0});
+  const Image moved = draw(scene, sphere);
+  scene.surfaces[0].in.clear();
+  const Image image = draw(scene, sphere);
+  EXPECT_GT(compare_with_ellipsoid(scene, image, axes, kFrontMaterial), 50);
+  EXPECT_EQ(image.rgba, moved.rgba) << "a node that does nothing";
+}
+
+TEST(Scale, PutsTheTargetWhereThePictureHasIt) {
+  Scene scene = scene_of(scale(dvec3(1)));
+  scene.scale = {.automatic = false, .factors = {0.25, 1, 1}};
+  const Mesh far = sphere_mesh(dvec3(40, 0, 0), 1, {64, 64, 0});
+  scene.camera.target = dvec3(40, 0, 0);
+  const Image image = draw(scene, far);
+  EXPECT_GT(int{image.pixel(kWidth / 2, kHeight / 2)[0]}, 100);
+}
+
+TEST(Scale, KeepsTheShapeOfWhatIsThinInItsOwnUnits) {
+  // A million times as high as wide: floats of one unit for all axes have no digits for the width.
+  const Mesh sphere = sphere_mesh(dvec3(0), 1, {256, 256, 0});
+  Mesh needle = transformed(sphere, glm::scale(glm::dmat4(1), dvec3(1, 1, 1e7)));
+  Scene scene = scene_of(scale(dvec3(1)));
+  scene.scale = {.automatic = false, .factors = {1, 1, 1e-7}};
+  EXPECT_GT(compare_with_ellipsoid(scene, draw(scene, needle), dvec3(1), kFrontMaterial), 30);
 }
 
 TEST(Nodes, KeepFrontAndBackWhereTheyMirror) {

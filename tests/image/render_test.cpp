@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "base/error.h"
 #include "base/image_compare.h"
 #include "image/analytic_mesh.h"
@@ -319,6 +321,50 @@ TEST(Tiles, ContinueLinesAcrossTheirBorders) {
   Scene scene = scene_of(1);
   const Image tiled = render_in_tiles(scene, std::span(&mesh, 1), {400, 300, 1}, 37).image;
   EXPECT_EQ(missing_line_samples(scene, mesh, tiled), 0);
+}
+
+TEST(Tiles, HaveRoomForWideLines) {
+  const Mesh mesh = plane_mesh(dvec3(0), 1, {60, 60, 4});
+  Scene scene = scene_of(1);
+  scene.surfaces[0].line_width = Number(9);
+  scene.surfaces[0].line_color = {1, 0, 0};
+  const PictureSettings options{400, 300, 2};
+  const Image whole = draw(scene, mesh, options);
+  const Image tiled = render_in_tiles(scene, std::span(&mesh, 1), options, 128).image;
+  EXPECT_LE(difference(whole, tiled).pixels, 20);
+}
+
+/// The share of the pixels of a plane that its lines cover. They are red, the plane is not.
+double share_of_lines(const PictureSettings& options, std::optional<double> width = {}) {
+  const Mesh mesh = plane_mesh(dvec3(0), 1, {60, 60, 30});
+  Scene scene = scene_of(1);
+  if (width) scene.surfaces[0].line_width = Number(*width);
+  scene.surfaces[0].line_color = {1, 0, 0};
+  scene.surfaces[0].front.diffuse = scene.surfaces[0].back.diffuse = {0, 1, 0};
+  const Image image = draw(scene, mesh, options);
+  double red = 0;
+  double all = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto* const pixel = image.pixel(x, y);
+      red += pixel[0];
+      all += pixel[0] > 0 || pixel[1] > 0 ? 255 : 0;
+    }
+  }
+  return red / all;
+}
+
+TEST(Lines, AreAsWideInPixelsAsIsAskedForHoweverManySamplesThereAre) {
+  const double thin = share_of_lines({400, 300, 2}, 2);
+  EXPECT_NEAR(share_of_lines({400, 300, 1}, 2), thin, 0.1 * thin);
+  EXPECT_NEAR(share_of_lines({400, 300, 4}, 2), thin, 0.1 * thin);
+  EXPECT_NEAR(share_of_lines({400, 300, 2}, 4), 2 * thin, 0.2 * thin);
+}
+
+TEST(Lines, TakeTheSameShareOfLargerPictures) {
+  const double usual = share_of_lines({800, 600, 2});
+  EXPECT_NEAR(share_of_lines({1600, 1200, 2}), usual, 0.1 * usual);
+  EXPECT_NEAR(share_of_lines({3200, 2400, 1}), usual, 0.1 * usual);
 }
 
 TEST(Renderer, DrawsTheSameAgainAndAfterAMeshIsReplaced) {

@@ -182,7 +182,8 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 TEST_F(ViewerTest, HoldsAnAnimationThatAnEditHasMadeLarger) {
   write(path("s.toml"),
-        "[animation]\nt = [0, 1]\n[[surface]]\nx = \"u\"\ny = \"v\"\nz = \"t*u*v\"\n");
+        "scale = \"equal\"\n[animation]\nt = [0, 1]\n"
+        "[[surface]]\nx = \"u\"\ny = \"v\"\nz = \"t*u*v\"\n");
   open({"s.toml"});
   settled_picture();
   act("key S");

@@ -144,7 +144,8 @@ void run_chart(const CommandLine& line) {
   if (draws) check_gnuplot();
   Scene scene = build_scene(line);
   check_one_surface(scene);
-  scene.axes = false;  // the exact image is of the surface alone
+  scene.axes = false;  // the exact image is of the surface alone, as it is
+  scene.scale = {.automatic = false};
   scene.surfaces[0].color.clear();
   Subject subject(scene, scene.surfaces[0]);
   add_picture(line, subject);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/commands/commands.h"
@@ -14,13 +15,18 @@
 #include "app/run/picture_drawer.h"
 #include "app/run/plan.h"
 #include "app/run/scene_meshes.h"
+#include "base/format.h"
 #include "base/standard_streams.h"
 #include "export/placed_meshes.h"
 #include "render/picture/framing.h"
+#include "scene/model/prepare.h"
 #include "scene/model/strokes.h"
 
 namespace saddle {
 namespace {
+
+/// Digits of a factor in a notice.
+constexpr int kScaleDigits = 2;
 
 /// Adds the moment to an error of the scene at a moment of an animation.
 Error located(const Error& error, const Shot& shot) {
@@ -48,7 +54,9 @@ Purpose purpose_of(Plan& plan, const Framing& framing, unsigned threads) {
   Purpose purpose = plan.purpose;
   purpose.moments = framing.moments;
   if (plan.needs_camera() && !plan.scene().animation) {
-    purpose.moments = moments_of_still(plan.timeline.at(plan.scene().t), threads);
+    Scene still = plan.timeline.at(plan.scene().t);
+    framing.apply(still);
+    purpose.moments = moments_of_still(still, threads);
   }
   return purpose;
 }
@@ -67,6 +75,8 @@ class Run {
         meshes_(purpose_of(plan_, framing_, line.run.threads), line.run.threads) {}
 
   void go() {
+    notice();
+    warn_of_equal_frames();
     const auto begin = Clock::now();
     take_shots(begin);
     report_.frames = plan_.frames();
@@ -83,6 +93,25 @@ class Run {
   }
 
  private:
+  /// Tells about a compressed height, which is no warning.
+  void notice() const {
+    if (!framing_.scale || line_.run.quiet) return;
+    tell("saddle: z is compressed to " + rounded(framing_.scale->z, kScaleDigits) +
+         " of its height in the picture; --scale equal leaves it as it is");
+  }
+
+  /// Before the first frame is drawn: an animation may take hours.
+  void warn_of_equal_frames() {
+    if (plan_.frames() < 2) return;
+    const Scene scene = plan_.timeline.at(plan_.shots[0].t);
+    const auto moves = [&](const SurfaceSpec& spec) { return bind_surface(scene, spec).moves; };
+    if (plan_.timeline.moves() || std::ranges::any_of(scene.surfaces, moves)) return;
+    report_.warnings.emplace_back("nothing depends on t: all frames are the same");
+    print_warnings(line_, report_.warnings);
+    told_ = report_.warnings.size();
+    if (line_.run.strict) fail_strictly();
+  }
+
   void take_shots(Clock::time_point begin) {
     std::optional<Progress> progress;
     if (plan_.frames() > 1) progress.emplace(!line_.run.quiet);
@@ -141,11 +170,8 @@ class Run {
       add({name + ": a mesh has no lines and dots, it is left out there; with --radius it is in"});
     }
     if (drawer_) add(drawer_->warnings());
-    if (report_.frames > 1 && !meshes_.move() && !plan_.timeline.moves()) {
-      add({"nothing depends on t: all frames are the same"});
-    }
     add(writer_.warnings());
-    print_warnings(line_, report_.warnings);
+    print_warnings(line_, std::span(report_.warnings).subspan(told_));
   }
 
   void warn_and_fail() {
@@ -182,6 +208,7 @@ class Run {
   SceneMeshes meshes_;
   RunReport report_;
   std::vector<std::string> left_out_;  ///< curves and points that meshes do not have
+  std::size_t told_ = 0;               ///< warnings of the report that are printed
 };
 
 }  // namespace

@@ -22,8 +22,8 @@ struct SurfaceReport {
   Bounds bounds;
   MeshReport mesh;
   std::vector<Finding> findings;
-  int meshes = 1;              ///< that an animation has made of it: several if t moves it
-  std::optional<Facts> facts;  ///< of `saddle check`
+  int meshes = 1;                  ///< that an animation has made of it: several if t moves it
+  std::optional<Facts> facts;      ///< of `saddle check`
   std::optional<CurveMesh> curve;  ///< of a curve, without its chains
   std::optional<dvec3> place;      ///< of a point
 };

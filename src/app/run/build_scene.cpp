@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"
+#include "scene/model/theme.h"
 #include "scene/options/resolve.h"
 
 namespace saddle {
@@ -24,12 +26,24 @@ bool is_scene_file(const std::string& name) {
 }
 
 /// The scene of the argument without a `=`.
-Scene named_scene(const std::string& name) {
-  if (name == "-") return load_standard_input();
-  if (is_scene_file(name)) return load_scene(name);
+Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
+  if (name == "-") return load_standard_input(theme);
+  if (is_scene_file(name)) return load_scene(name, theme);
   const GalleryEntry* const entry = find_gallery_entry(name);
   if (entry == nullptr) throw unknown_gallery_name(name);
   return gallery_scene(*entry);
+}
+
+/// The theme that the command line asks for. Its other options win, in whatever order they stand.
+std::optional<Theme> theme_of(const CommandLine& line) {
+  std::optional<Theme> theme;
+  for (const auto& [option, text] : line.given) {
+    if (option->name != "theme") continue;
+    Scene scene;
+    apply_option(*option, text, scene);
+    theme = scene.theme;
+  }
+  return theme;
 }
 
 /// The name before the `=`, without arguments and spaces.
@@ -155,7 +169,8 @@ bool is_stroke(const Segment& segment) {
 }
 
 /// `common`: the segment that holds for all objects, or nullptr; `alone`: there is one object.
-SceneObject read_object(const Segment& segment, const Segment* common, bool alone) {
+SceneObject read_object(const Segment& segment, const Segment* common, bool alone,
+                        const std::optional<Theme>& theme) {
   if (is_stroke(segment)) return read_stroke_object(segment, common, alone);
   std::vector<std::string> names;
   std::vector<std::string> assignments;
@@ -168,7 +183,7 @@ SceneObject read_object(const Segment& segment, const Segment* common, bool alon
   if (!names.empty()) {
     object.from = is_scene_file(names[0]) || names[0] == "-" ? SceneObject::From::File
                                                              : SceneObject::From::Gallery;
-    object.scene = named_scene(names[0]);
+    object.scene = named_scene(names[0], theme);
   }
   if (common != nullptr) {
     for (const std::string& assignment : common->arguments) {
@@ -197,15 +212,19 @@ Scene build_scene(const CommandLine& line) {
   const std::vector<Segment>& segments = line.segments;
   const bool alone = segments.size() == 1;
   const Segment* const common = !alone && is_common(segments[0]) ? segments.data() : nullptr;
+  const std::optional<Theme> theme = theme_of(line);
   std::vector<SceneObject> objects;
   for (const Segment& segment : segments) {
-    if (&segment != common) objects.push_back(read_object(segment, common, alone));
+    if (&segment != common) objects.push_back(read_object(segment, common, alone, theme));
   }
   const std::vector<std::string> shared =
       common == nullptr ? std::vector<std::string>() : common->arguments;
   check_given_once(shared);
   Scene scene = combine_objects(objects, shared, line.given);
-  for (const auto& [option, text] : line.given) apply_option(*option, text, scene);
+  if (theme) change_theme(scene, *theme);
+  for (const auto& [option, text] : line.given) {
+    if (option->name != "theme") apply_option(*option, text, scene);
+  }
   if (alone) {
     for (const auto& [option, text] : segments[0].given) apply_option(*option, text, scene);
     check_colors_are_used(segments[0].given, scene.surfaces);

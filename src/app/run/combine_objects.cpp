@@ -279,7 +279,7 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
 }
 
 void check_colors_are_used(const std::vector<GivenOption>& options,
-                            std::span<const SurfaceSpec> surfaces) {
+                           std::span<const SurfaceSpec> surfaces) {
   const auto given = std::ranges::find_if(options, [](const GivenOption& g) {
     return g.option->name == "colormap" || g.option->name == "color-range";
   });

@@ -30,7 +30,7 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
 
 /// Colours of a scale without anything to colour would do nothing: throws Error (Input).
 void check_colors_are_used(const std::vector<GivenOption>& options,
-                            std::span<const SurfaceSpec> surfaces);
+                           std::span<const SurfaceSpec> surfaces);
 
 /// Lets the objects' options change their surfaces, which stand in the scene in their order. Throws
 /// Error (Input).

@@ -21,10 +21,6 @@ bool SceneMeshes::is_to_mesh(std::size_t surface) const {
   return surface >= known_.size() || known_[surface].moves;
 }
 
-bool SceneMeshes::move() const {
-  return std::ranges::any_of(known_, &Known::moves);
-}
-
 bool SceneMeshes::warn() const {
   return std::ranges::any_of(known_, [](const Known& known) { return !known.warnings.empty(); });
 }

@@ -26,8 +26,6 @@ class SceneMeshes {
   std::vector<std::size_t> update(const Scene& scene, const std::string& frame = {});
 
   std::span<const Mesh> meshes() const { return meshes_; }
-  /// Some surface moves.
-  bool move() const;
   /// There is something to warn of.
   bool warn() const;
 

@@ -26,6 +26,10 @@ struct Vertex {
 /// Stands for no number.
 constexpr float kUndefined = -1;
 
+/// A side that is less than this part of a mesh has its own unit: 16 of a float's 24 bits are left
+/// for it in the common one, a quarter of a pixel where it fills the largest picture.
+constexpr double kSlender = 1.0 / 256;
+
 /// Ends a strip; no mesh has that many corners.
 constexpr GLuint kRestart = std::numeric_limits<GLuint>::max();
 
@@ -38,9 +42,12 @@ void upload_vertices(const Mesh& mesh, const ModelFrame& frame) {
   auto* vertices = static_cast<Vertex*>(
       glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
   if (vertices == nullptr) throw std::bad_alloc();
+  const dvec3 to_model = frame.sides / frame.size;
+  const bool is_plain = to_model == dvec3(1);
   for (std::size_t i = 0; i < count; ++i) {
-    vertices[i].position = glm::vec3((mesh.position[i] - frame.centre) / frame.size);
-    vertices[i].normal = glm::vec3(mesh.normal[i]);
+    vertices[i].position = glm::vec3((mesh.position[i] - frame.centre) / frame.sides);
+    const dvec3& n = mesh.normal[i];
+    vertices[i].normal = glm::vec3(is_plain ? n : glm::normalize(n * to_model));
   }
   glUnmapBuffer(GL_ARRAY_BUFFER);
 }
@@ -98,8 +105,13 @@ void draw_strips(const GlVertexArray& array, GLsizei indices) {
 ModelFrame model_frame(const Bounds& bounds) {
   if (bounds.empty()) return {};
   const dvec3 half = 0.5 * bounds.size();
-  const double size = std::hypot(half.x, half.y, half.z);
-  return {bounds.centre(), size > 0 ? size : 1};
+  const double length = std::hypot(half.x, half.y, half.z);
+  const double size = length > 0 ? length : 1;
+  ModelFrame frame{bounds.centre(), size, dvec3(size)};
+  for (int k = 0; k < 3; ++k) {
+    if (std::isnormal(1 / half[k]) && half[k] < kSlender * size) frame.sides[k] = half[k];
+  }
+  return frame;
 }
 
 Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines) {
@@ -114,6 +126,14 @@ Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines) {
     mesh.lines.push_back({first, first + 1});
   }
   return mesh;
+}
+
+bool set_line_width(int samples) {
+  std::array<GLfloat, 2> range{};
+  glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
+  const auto wanted = static_cast<GLfloat>(samples);
+  glLineWidth(std::min(wanted, std::max(range[1], 1.0F)));
+  return wanted <= range[1];
 }
 
 GpuMesh::GpuMesh(const Mesh& mesh)

@@ -11,11 +11,14 @@
 
 namespace saddle {
 
-/// Model coordinates are (world - centre) / size, computed in double: floats near 1 keep their 24
+/// Model coordinates are (world - centre) / sides, computed in double: floats near 1 keep their 24
 /// bits for the surface's shape, wherever it is and however large.
 struct ModelFrame {
   dvec3 centre{0, 0, 0};
   double size = 1;
+  /// All of them `size`, but of a mesh that is much shorter along one axis than along another: a
+  /// picture may be stretched until all are alike. Normals are those of the stretched mesh, too.
+  dvec3 sides{1, 1, 1};
 };
 
 /// The frame in which `bounds` lies within distance 1 of the origin.
@@ -23,6 +26,9 @@ ModelFrame model_frame(const Bounds& bounds);
 
 /// A mesh that has only these lines.
 Mesh mesh_of_lines(std::span<const std::array<dvec3, 2>> lines);
+
+/// Lines are so many samples wide from now on; returns false if the driver draws only thinner ones.
+bool set_line_width(int samples);
 
 /// Positions, normals, triangles and lines of one mesh. Needs a current context.
 class GpuMesh {

@@ -78,7 +78,7 @@ void Program::find_uniforms() {
 
 void Program::check_attributes() const {
   static const std::map<std::string, GLint> known{
-      {"position", kPosition}, {"corner_normal", kNormal}, {"parameters", kParameters},
+      {"position", kPosition},  {"corner_normal", kNormal}, {"parameters", kParameters},
       {"corner_color", kColor}, {"trust", kTrust},          {"far_end", kFarEnd},
       {"on_mesh", kOnMesh}};
   GLint count = 0;

@@ -1,6 +1,8 @@
 // Parts of a picture that are drawn by themselves.
 #pragma once
 
+#include "base/vec.h"
+
 namespace saddle {
 
 /// Pixels of a picture, x and y from the upper left.
@@ -15,6 +17,9 @@ struct Viewport {
   PixelRect rect;    ///< of the part
   int margin = 0;    ///< pixels around it that are drawn too
   int per_side = 1;  ///< samples per pixel and side
+
+  /// The whole picture in pixels.
+  dvec2 size() const { return {width, height}; }
 };
 
 }  // namespace saddle

@@ -35,6 +35,7 @@ constexpr double kLeastLetters = 9;
 
 constexpr double kBarHeight = 0.84;   // of the picture's
 constexpr double kMostBarName = 0.3;  // of the picture's width
+constexpr double kMostLabel = 0.2;    // of the picture's width
 constexpr double kLeastRoom = 0.3;    // for the surfaces, of each side
 constexpr int kMostTicks = 8;
 /// An edge is upright if it is so many times as high as it is wide.
@@ -60,6 +61,7 @@ class Annotator {
       : scene_(scene),
         camera_(camera),
         box_(box),
+        scale_(scene.scale.factors),
         size_(size),
         em_(letters_for(size)),
         writer_(size) {}
@@ -78,7 +80,6 @@ class Annotator {
     for (int axis = 0; axis < 3; ++axis) {
       if (const auto edge = edge_with_ticks(axis)) edges.push_back(*edge);
     }
-    if (scene_.title != Scene{}.title) add_title();
     for (const Edge& edge : edges) add_ticks(edge);
   }
 
@@ -103,6 +104,12 @@ class Annotator {
                        place);
   }
 
+  /// The title is drawn if the scene says so, and above axes if it is the scene's own.
+  static bool has_title(const Scene& scene) {
+    if (scene.title.empty()) return false;
+    return scene.show_title || (scene.axes && scene.title != Scene{}.title);
+  }
+
   /// Its letters are larger than others if there is room for it so.
   void add_title() {
     const double most = size_.x - 2 * kTitleGap * em_;
@@ -113,6 +120,9 @@ class Annotator {
     writer_.write(title, {size_.x / 2, 0.5 * writer_.height(large) + kTitleGap * em_}, {0, 0},
                   size);
   }
+
+  /// The height of the title with what is free above and below it.
+  double title_zone() const { return writer_.height(kTitleSize * em_) + 2 * kTitleGap * em_; }
 
   /// Returns the x to the left of which there is room for the next one.
   double add_bar(const ColorScale& scale, double right) {
@@ -160,15 +170,26 @@ class Annotator {
   dvec2 axes_margin() const {
     double widest = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      for (const Tick& tick : ticks(box_.low[axis], box_.high[axis], kMostTicks).ticks) {
+      for (const Tick& tick : ticks_along(axis, kMostTicks).ticks) {
         widest = std::max(widest, writer_.width(tick.text, em_));
       }
     }
     const double before_name = kTickLength + 2 * kGap;
-    return {widest + (before_name + 1) * em_, 2 * writer_.height(em_) + (before_name + kGap) * em_};
+    double name = em_;
+    for (int axis = 0; axis < 3; ++axis) {
+      name = std::max(name, writer_.width(label_of(axis), em_));
+    }
+    return {widest + before_name * em_ + name,
+            2 * writer_.height(em_) + (before_name + kGap) * em_};
   }
 
  private:
+  /// The text of an axis, shortened to the room for it.
+  std::string label_of(int axis) const {
+    const std::string& label = scene_.labels[static_cast<std::size_t>(axis)];
+    return writer_.shortened(one_line(label), kMostLabel * size_.x, em_);
+  }
+
   // --- where things are --------------------------------------------------------------------------
 
   std::optional<dvec2> pixel_of(const dvec3& point) const {
@@ -254,11 +275,16 @@ class Annotator {
     std::string text;
   };
 
+  /// The box is stretched as the picture is, the numbers of ticks are not.
+  Ticks ticks_along(int axis, int count) const {
+    return ticks(box_.low[axis] / scale_[axis], box_.high[axis] / scale_[axis], count);
+  }
+
   std::vector<Mark> marks_on(const Edge& edge, const Ticks& all) const {
     std::vector<Mark> marks;
     for (const Tick& tick : all.ticks) {
       dvec3 place = edge.begin;
-      place[edge.axis] = tick.value;
+      place[edge.axis] = tick.value * scale_[edge.axis];
       if (const auto at = pixel_of(place)) marks.push_back({*at, tick.text});
     }
     return marks;
@@ -292,13 +318,11 @@ class Annotator {
   }
 
   void add_ticks(const Edge& edge) {
-    const double low = box_.low[edge.axis];
-    const double high = box_.high[edge.axis];
     int count = kMostTicks;
-    Ticks chosen = ticks(low, high, count);
+    Ticks chosen = ticks_along(edge.axis, count);
     std::vector<Mark> marks = marks_on(edge, chosen);
     while (!have_room(edge, marks) && --count > 0) {
-      chosen = ticks(low, high, count);
+      chosen = ticks_along(edge.axis, count);
       marks = marks_on(edge, chosen);
     }
     double reach = 0;  // of the labels, outward
@@ -306,13 +330,13 @@ class Annotator {
       const dvec2 half = 0.5 * dvec2(writer_.width(mark.text, em_), writer_.height(em_));
       reach = std::max(reach, 2 * glm::dot(glm::abs(edge.out), half));
     }
-    std::string name(1, static_cast<char>('x' + edge.axis));
-    if (!chosen.note.empty()) name += " (" + chosen.note + ")";
+    std::string name = label_of(edge.axis);
+    if (!chosen.note.empty()) name += (name.empty() ? "(" : " (") + chosen.note + ")";
     const dvec2 at = (edge.from + edge.to) / 2.0;
     const dvec2 beside = at + ((kTickLength + 2 * kGap) * em_ + reach) * edge.out;
-    const bool is_written = chosen.note.empty()
-                                ? writer_.write(name, beside, edge.out, em_)
-                                : writer_.write_near(name, beside, edge.out, em_, outline());
+    const bool is_letter = chosen.note.empty() && writer_.width(name, em_) <= em_;
+    const bool is_written = is_letter ? writer_.write(name, beside, edge.out, em_)
+                                      : writer_.write_near(name, beside, edge.out, em_, outline());
     if (!is_written && !chosen.note.empty()) return;  // without it the numbers are wrong
     for (const Mark& mark : marks) {
       result_.strokes.push_back({mark.at, mark.at + kTickLength * em_ * edge.out});
@@ -359,6 +383,7 @@ class Annotator {
   const Scene& scene_;
   const FittedCamera& camera_;
   const Bounds& box_;
+  dvec3 scale_;  ///< of the picture along the axes
   dvec2 size_;
   double em_;
   LabelWriter writer_;
@@ -370,12 +395,14 @@ class Annotator {
 Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bounds& box,
                      std::span<const ColorScale> scales, const dvec2& size,
                      std::span<const SpaceLabel> labels) {
-  if (!scene.axes && scales.empty() && labels.empty()) return {};
+  const bool is_titled = Annotator::has_title(scene);
+  if (!scene.axes && !is_titled && scales.empty() && labels.empty()) return {};
   Annotator annotator(scene, camera, box, size);
   annotator.keep_places_clear(labels);
   for (const SpaceLabel& label : labels) annotator.add_label(label);
   double right = size.x;
   for (const ColorScale& scale : scales) right = annotator.add_bar(scale, right);
+  if (is_titled) annotator.add_title();
   if (scene.axes && !box.empty()) annotator.add_axes();
   return annotator.take();
 }
@@ -385,7 +412,7 @@ namespace {
 Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const ColorScale> scales,
                           const dvec2& size) {
   Room room;
-  if (!scene.axes && scales.empty()) return room;
+  if (!scene.axes && !scene.show_title && scales.empty()) return room;
   const Annotator annotator(scene, {}, box, size);
   dvec2 margin(0);
   for (const ColorScale& scale : scales) margin.x += annotator.bar_zone(scale);
@@ -394,6 +421,9 @@ Room room_for_annotations(const Scene& scene, const Bounds& box, std::span<const
     const dvec2 axes = annotator.axes_margin();
     // Long labels are at the left.
     margin = {std::max(axes.x, margin.x + axes.x / 2), std::max(axes.y, margin.y)};
+  }
+  if (scene.show_title && Annotator::has_title(scene)) {
+    margin.y = std::max(margin.y, annotator.title_zone());
   }
   if (!scales.empty()) margin.x += kPictureMargin / 2 * size.x;
   room.across = std::clamp(1 - 2 * margin.x / size.x, kLeastRoom, room.across);
@@ -409,12 +439,6 @@ ViewPyramid pyramid_beside_annotations(const Scene& scene, const Camera& camera,
                    room_for_annotations(scene, box, scales, size));
   if (scene.axes && !box.empty()) seen.add(box);
   return seen;
-}
-
-dvec3 ink_on(const Color& background) {
-  if (background.a < 0.5) return dvec3(0.5);
-  const double luma = 0.2126 * background.r + 0.7152 * background.g + 0.0722 * background.b;
-  return luma < 0.5 ? dvec3(0.85) : dvec3(0.15);
 }
 
 }  // namespace saddle

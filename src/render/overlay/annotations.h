@@ -55,7 +55,4 @@ Annotations annotate(const Scene& scene, const FittedCamera& camera, const Bound
 ViewPyramid pyramid_beside_annotations(const Scene& scene, const Camera& camera, const Bounds& box,
                                        std::span<const ColorScale> scales, const dvec2& size);
 
-/// Light on a dark background, dark on a light one, something between on none: red, green, blue.
-dvec3 ink_on(const Color& background);
-
 }  // namespace saddle

@@ -1,5 +1,6 @@
 #include "render/overlay/overlay_drawer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include "render/gl/gpu_mesh.h"
 #include "render/shading/shaders.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
@@ -87,11 +89,12 @@ void OverlayDrawer::draw_strokes(const Annotations& annotations, const Viewport&
   const GpuMesh strokes(mesh_of_lines(lines_in_space));
   glm::dmat4 model_to_clip = pixels_to_clip(viewport);
   model_to_clip[3] = model_to_clip * glm::dvec4(strokes.frame().centre, 1);
-  for (int column = 0; column < 3; ++column) model_to_clip[column] *= strokes.frame().size;
+  for (int column = 0; column < 3; ++column) model_to_clip[column] *= strokes.frame().sides[column];
   lines.use();
   lines.set("model_to_clip", model_to_clip);
   lines.check_all_set();
-  glLineWidth(static_cast<float>(viewport.per_side));
+  const double width = fit_line_width(viewport.size()) * viewport.per_side;
+  set_line_width(std::max(1, static_cast<int>(std::lround(width))));
   strokes.draw_lines();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -58,6 +59,11 @@ std::vector<double> moments_of(const Animation& animation) {
   return moments;
 }
 
+/// A height field that is more than so many times as high as the larger side of its base is shown
+/// at this part of that side.
+constexpr double kNeedleHeight = 8;
+constexpr double kShownHeight = 0.6;
+
 /// Finite positions on a grid over a surface, and a box around them, clipped as its mesh will be.
 struct Sampled {
   std::vector<dvec3> positions;
@@ -71,15 +77,11 @@ struct Sampled {
   }
 };
 
-/// Clips a surface as if it has poles or outgrows its picture, if it seems to do one of these.
-/// `coarse`: a box around each other sample.
-void clip_automatically(const Bounds& coarse, Sampled& surface) {
+/// Clips a surface as if it has poles, if it seems to. `coarse`: a box around each other sample.
+void clip_poles(const Bounds& coarse, Sampled& surface) {
   const dvec3 growth = surface.bounds.size() - kGrowth * coarse.size();
   surface.has_poles = !surface.positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
-  const std::optional<Bounds> box = surface.has_poles
-                                        ? clip_box(surface.bounds, surface.positions)
-                                        : readable_box(surface.bounds, surface.positions);
-  if (box) surface.keep_to(*box);
+  if (surface.has_poles) surface.keep_to(clip_box(surface.bounds, surface.positions));
 }
 
 /// The corners of octahedra round a curve's points in place of the balls that make its tube.
@@ -96,8 +98,19 @@ void add_tube(double radius, Sampled& curve) {
   }
 }
 
-Sampled sample(const Scene& scene, const SurfaceSpec& spec, std::size_t cells, unsigned threads) {
-  BoundSurface bound = bind_surface(scene, spec);
+/// Clips a surface that outgrows its picture.
+void clip_to_readable(const Scene& scene, Sampled& surface) {
+  if (surface.has_poles || scene.clip.box || !scene.clip.automatic) return;
+  const dvec3 scale = scene.scale.factors;
+  std::vector<dvec3> drawn = surface.positions;
+  for (dvec3& p : drawn) p *= scale;
+  const auto box = readable_box({surface.bounds.low * scale, surface.bounds.high * scale}, drawn);
+  if (box) surface.keep_to({box->low / scale, box->high / scale});
+}
+
+/// Finite positions on a grid, clipped to the scene's box or beside poles.
+Sampled sample(const Scene& scene, const SurfaceSpec& spec, BoundSurface bound, std::size_t cells,
+               unsigned threads) {
   const Domain& d = bound.domain;
   const std::vector<double> u = even_lines(d.u0, d.u1, cells);
   const std::vector<double> v = even_lines(d.v0, d.v1, cells);
@@ -118,7 +131,7 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, std::size_t cells, u
   if (scene.clip.box && !spec.point) {
     result.keep_to(*scene.clip.box);
   } else if (scene.clip.automatic) {
-    clip_automatically(coarse, result);
+    clip_poles(coarse, result);
   }
   if (spec.curve) add_tube(stroke_radius(scene, spec), result);
   return result;
@@ -131,9 +144,10 @@ Samples sample_all(const Scene& scene, const Samples& last, std::size_t cells, u
   Samples samples;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const bool known = i < last.size() && !last[i]->moves;
-    samples.push_back(
-        known ? last[i]
-              : std::make_shared<const Sampled>(sample(scene, scene.surfaces[i], cells, threads)));
+    samples.push_back(known ? last[i]
+                            : std::make_shared<const Sampled>(
+                                  sample(scene, scene.surfaces[i],
+                                         bind_surface(scene, scene.surfaces[i]), cells, threads)));
   }
   return samples;
 }
@@ -261,22 +275,91 @@ void fit_pyramids(const std::vector<Scene>& scenes, PyramidOf pyramid_of, const 
   if (camera.distance) return;
   double distance = 0;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
-    const dvec3 target = framing.target ? *framing.target : dvec3(*scenes[k].camera.target);
+    const dvec3 target = framing.target ? *framing.target : dvec3(*drawn_camera(scenes[k]).target);
     distance = std::max(distance, pyramids[k].distance_from(target));
   }
   if (distance > 0) framing.distance = distance;
 }
 
+bool is_height_field(BoundSurface& bound) {
+  const NodeId v = bound.v.value_or(bound.graph.variable(kSymbolV));
+  return bound.r[0] == bound.graph.variable(kSymbolU) && bound.r[1] == v;
+}
+
+/// The scene's surfaces if all of them are height fields that no node moves; else nothing.
+std::vector<BoundSurface> height_fields(const Scene& scene) {
+  std::vector<BoundSurface> surfaces;
+  for (const SurfaceSpec& spec : scene.surfaces) {
+    if (spec.is_stroke()) continue;
+    if (!spec.in.empty()) return {};
+    BoundSurface bound = bind_surface(scene, spec);
+    if (!is_height_field(bound)) return {};
+    surfaces.push_back(std::move(bound));
+  }
+  return surfaces;
+}
+
+/// The automatic scale of height fields that are all in this box.
+std::optional<dvec3> scale_of_height(const Bounds& box) {
+  if (box.empty()) return std::nullopt;
+  const dvec3 size = box.size();
+  const double base = std::max(size.x, size.y);
+  if (!(size.z > kNeedleHeight * base) || !(base > 0)) return std::nullopt;
+  return dvec3(1, 1, kShownHeight * base / size.z);
+}
+
+/// The scale of a scene at one moment.
+std::optional<dvec3> scale_of_moment(const Scene& scene, unsigned threads) {
+  if (!scene.scale.automatic) return std::nullopt;
+  Bounds box;
+  for (BoundSurface& bound : height_fields(scene)) {
+    box.add(sample(scene, SurfaceSpec(), std::move(bound), kCells, threads).bounds);
+  }
+  return scale_of_height(box);
+}
+
+/// One scale for all moments, of surfaces as they are clipped beside their poles.
+std::optional<dvec3> scale_of_moments(const std::vector<Scene>& scenes,
+                                      const std::vector<Samples>& samples) {
+  if (!scenes[0].scale.automatic || height_fields(scenes[0]).empty()) return std::nullopt;
+  Bounds box;
+  for (const Samples& moment : samples) {
+    for (const auto& surface : moment) box.add(surface->bounds);
+  }
+  return scale_of_height(box);
+}
+
+void clip_to_readable(const Scene& scene, std::vector<Samples>& moments) {
+  const std::vector<Samples> before = moments;  // whose places in memory no other takes
+  std::map<const Sampled*, std::shared_ptr<const Sampled>> clipped;  // a surface at rest is once
+  for (Samples& samples : moments) {
+    for (auto& surface : samples) {
+      auto& known = clipped[surface.get()];
+      if (!known) {
+        Sampled kept = *surface;
+        clip_to_readable(scene, kept);
+        known = std::make_shared<const Sampled>(std::move(kept));
+      }
+      surface = known;
+    }
+  }
+}
+
 /// Finds what the scene's cameras do not say. `scenes` are those of all moments.
-void fit(const std::vector<Scene>& scenes, std::size_t cells, Framing& framing, unsigned threads) {
+void fit(std::vector<Scene>& scenes, std::size_t cells, Framing& framing, unsigned threads) {
   std::vector<Samples> samples;
   std::vector<std::vector<Instance>> places;
   std::vector<Bounds> boxes;
   for (const Scene& scene : scenes) {
     samples.push_back(
         sample_all(scene, samples.empty() ? Samples{} : samples.back(), cells, threads));
+  }
+  framing.scale = scale_of_moments(scenes, samples);
+  for (Scene& scene : scenes) {
+    if (framing.scale) scene.scale.factors = *framing.scale;
     places.push_back(instances(scene));
   }
+  clip_to_readable(scenes[0], samples);
   keep_to_clipped(samples);
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     Bounds box;
@@ -305,7 +388,9 @@ void fit(const std::vector<Scene>& scenes, std::size_t cells, Framing& framing, 
 }  // namespace
 
 void Framing::apply(Scene& scene) const {
-  if (target) scene.camera.target = Vector(*target);
+  if (scale) scene.scale.factors = *scale;
+  if (scene.scale.automatic && !scale) scene.scale.factors = dvec3(1);
+  if (target) scene.camera.target = *target / dvec3(scene.scale.factors);
   if (distance) scene.camera.distance = Number(*distance);
   scene.box = box;
   for (const auto& [surface, range] : colors) scene.surfaces[surface].color_range = range;
@@ -317,7 +402,10 @@ void Framing::apply(Scene& scene) const {
 Framing frame_scene(Timeline& timeline, unsigned threads) {
   Framing framing;
   const Scene& written = timeline.scene();
-  if (!written.animation) return framing;
+  if (!written.animation) {
+    framing.scale = scale_of_moment(timeline.at(written.t), threads);
+    return framing;
+  }
   std::vector<Scene> scenes;
   for (const double t : moments_of(*written.animation)) {
     try {
@@ -340,8 +428,10 @@ Framing frame_scene(Timeline& timeline, unsigned threads) {
 std::vector<Moment> moments_of_still(const Scene& scene, unsigned threads) {
   if (instances(scene).size() < 2) return {};
   Framing framing;
-  fit({scene}, kStillCells, framing, threads);
   Scene seen = scene;
+  seen.scale.automatic = false;  // its factors are known
+  std::vector<Scene> still = {seen};
+  fit(still, kStillCells, framing, threads);
   framing.apply(seen);
   if (!seen.camera.target || !seen.camera.distance) return {};
   return {Moment(seen)};

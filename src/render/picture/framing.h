@@ -19,19 +19,22 @@ namespace saddle {
 /// of time alone: frames that are drawn apart fit together, and a frame that is opened again is the
 /// same.
 ///
+/// An automatic scale is found for scenes without an animation, too.
+///
 /// The box of the axes, the range of the numbers that colours stand for and the levels of contours
 /// are those of all moments, too.
 struct Framing {
-  std::optional<dvec3> target;
+  std::optional<dvec3> target;  ///< in the picture, which the scale stretches
   std::optional<double> distance;
   std::optional<Bounds> box;                 ///< of a scene with axes
   std::map<std::size_t, ColorRange> colors;  ///< of surfaces whose colours another moment changes
   /// The same for round levels, of a surface and one of its contours.
   std::map<std::pair<std::size_t, std::size_t>, ColorRange> contours;
   std::vector<Moment> moments;  ///< cameras and nodes, none twice
+  std::optional<dvec3> scale;   ///< where the scene's is automatic
 
-  /// Puts the camera, the box and the colours where they are. A scene without an animation keeps
-  /// its own.
+  /// Puts the camera, the scale, the box and the colours where they are. A scene without an
+  /// animation keeps its own camera.
   void apply(Scene& scene) const;
 };
 
@@ -39,11 +42,11 @@ struct Framing {
 /// Error (Input) as Timeline::at() and prepare_surface() do.
 Framing frame_scene(Timeline& timeline, unsigned threads);
 
-/// The moment of a resolved scene without an animation that has several surfaces, or one in several
-/// nodes. Where the scene leaves the camera open, it is fitted to samples of all of them: each is
-/// then meshed for the pixels that it has in the picture. Empty for a single surface, whose own
-/// samples place the camera, and for a scene of which there is nothing to see. Throws Error (Input)
-/// as prepare_surface() does.
+/// The moment of a resolved scene without an animation, its scale found, that has several surfaces,
+/// or one in several nodes. Where the scene leaves the camera open, it is fitted to samples of all
+/// of them: each is then meshed for the pixels that it has in the picture. Empty for a single
+/// surface, whose own samples place the camera, and for a scene of which there is nothing to see.
+/// Throws Error (Input) as prepare_surface() does.
 std::vector<Moment> moments_of_still(const Scene& scene, unsigned threads);
 
 }  // namespace saddle

@@ -10,6 +10,7 @@
 #include "render/picture/placed_mesh.h"
 #include "scene/model/color_scale.h"
 #include "scene/model/instances.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
@@ -36,20 +37,20 @@ FittedCamera fit_to_meshes(const Scene& scene, std::span<const Mesh> meshes, con
     const Mesh& mesh = meshes[instance.surface];
     add_points(mesh.position, mesh.bounds, instance.to_world, seen);
   }
-  return fit_camera(scene.camera, bounds, size.x / size.y, &seen);
+  return fit_camera(drawn_camera(scene), bounds, size.x / size.y, &seen);
 }
 
 Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& camera,
                  const PictureSettings& options, int tile_samples) {
   const int n = options.antialias;
-  const Tiling tiling = split_picture(options.width, options.height, n, tile_samples);
-  const Target target(n * (tiling.tile_width + 2 * kTileMargin),
-                      n * (tiling.tile_height + 2 * kTileMargin));
+  const int margin = tile_margin(widest_line(scene, dvec2(options.width, options.height)));
+  const Tiling tiling = split_picture(options.width, options.height, n, tile_samples, margin);
+  const Target target(n * (tiling.tile_width + 2 * margin), n * (tiling.tile_height + 2 * margin));
   const bool opaque = scene.background.a >= 1;  // no sample is see-through
   Image image(options.width, options.height);
   for (const PixelRect& tile : tiling.tiles) {
-    renderer.draw(scene, camera, {options.width, options.height, tile, kTileMargin, n});
-    target.read(kTileMargin * n, kTileMargin * n, n, opaque, tile, image);
+    renderer.draw(scene, camera, {options.width, options.height, tile, margin, n});
+    target.read(margin * n, margin * n, n, opaque, tile, image);
   }
   return image;
 }

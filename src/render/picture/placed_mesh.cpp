@@ -42,14 +42,17 @@ PlacedMesh::PlacedMesh(const Instance& instance, const GpuMesh& mesh, const Fitt
   const glm::dmat3 turned = rotation * glm::dmat3(instance.to_world);
   const dvec3 centre(instance.to_world * glm::dvec4(mesh.frame().centre, 1));
   const dvec3 seen = rotation * (centre - camera.target) - dvec3(0, 0, camera.distance);
-  model_to_eye = glm::dmat4(turned * (mesh.frame().size / unit));
+  glm::dmat3 from_model = turned;
+  for (int column = 0; column < 3; ++column)
+    from_model[column] *= mesh.frame().sides[column] / unit;
+  model_to_eye = glm::dmat4(from_model);
   model_to_eye[3] = {seen / unit, 1};
   for (int column = 0; column < 3; ++column) model_to_clip[column] *= unit;
   // A factor of clip coordinates means nothing; w in units of the scene keeps to a float's range.
   if (model_to_clip[2][3] != 0) model_to_clip /= unit;
   model_to_clip = model_to_clip * model_to_eye;
-  is_similar = is_similarity(turned);
-  normal_to_eye = normal_matrix(turned);
+  is_similar = is_similarity(from_model);
+  normal_to_eye = normal_matrix(from_model);
   mirrored = glm::determinant(turned) < 0;
   const Bounds box = transformed(mesh.bounds(), instance.to_world);
   two_sided = !mesh.hides_its_back() || nearest_depth(box, camera) <= camera.near_plane;

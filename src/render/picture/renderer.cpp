@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <new>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
 #include "scene/model/strokes.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
@@ -42,6 +44,11 @@ void clear(const Color& background) {
 
 dvec3 rgb(const Color& color) {
   return {color.r, color.g, color.b};
+}
+
+/// Samples across a line of so many pixels.
+int samples_across(double pixels, const Viewport& viewport) {
+  return std::max(1, static_cast<int>(std::lround(pixels * viewport.per_side)));
 }
 
 void check_gl() {
@@ -124,6 +131,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   scales_ = scales_of(scene);
 
   const int n = viewport.per_side;
+  const int line = samples_across(widest_line(scene, viewport.size()), viewport);
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;
@@ -132,36 +140,35 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
   if (scene.box) bounds.add(*scene.box);
-  const dvec2 size(viewport.width, viewport.height);
-  const Annotations annotations =
-      annotate(scene, camera, bounds, scales_, size, stroke_drawer_.labels(scene, camera, size));
+  const Annotations annotations = annotate(scene, camera, bounds, scales_, viewport.size(),
+                                           stroke_drawer_.labels(scene, camera, viewport.size()));
   unknown_letters_ = annotations.unknown;
-  const dvec3 ink = ink_on(scene.background);
+  const dvec3 ink = ink_of(scene);
   Color background = scene.background;
   // Letters blend into what is there: on nothing at all that must not darken them.
   const bool is_bare = background.a == 0 && see_through.empty() && !annotations.empty();
   if (is_bare) background = {ink.r, ink.g, ink.b, 0};
   clear(background);
   glEnable(GL_DEPTH_TEST);
-  draw_surfaces(scene, hiding, lights, n, look);
-  if (look.lines) draw_lines(scene, items, n);
+  draw_surfaces(scene, hiding, lights, line, look);
+  if (look.lines) draw_lines(scene, items, viewport);
   if (has_contours()) {
     glEnable(GL_DEPTH_CLAMP);  // they may stand out of the box that holds the triangles
-    draw_contours(scene, items, n);
+    draw_contours(scene, items, viewport);
     glDisable(GL_DEPTH_CLAMP);
   }
   stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
-    draw_marks(item, n);
+    draw_marks(item, samples_across(fit_line_width(viewport.size()), viewport));
   }
   if (!annotations.edges.empty()) draw_box(annotations.edges, camera, viewport, ink);
   if (!see_through.empty()) {
     const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
     left_out_layers_ |= !layers(viewport).draw(
-        {[&](Program& peel) { draw_depths(see_through, peel, n, look); },
-         [&] { draw_surfaces(scene, see_through, lights, n, look); }, least});
+        {[&](Program& peel) { draw_depths(see_through, peel, line, look); },
+         [&] { draw_surfaces(scene, see_through, lights, line, look); }, least});
   }
   if (!annotations.empty()) {
     line_program().use();
@@ -198,6 +205,9 @@ std::vector<std::string> Renderer::warnings() const {
   if (!unknown_letters_.empty()) {
     all.push_back("the font of pictures has no letters for " + unknown_letters_ +
                   ": boxes stand for them");
+  }
+  if (has_thinner_lines_) {
+    all.emplace_back("the OpenGL driver draws no lines as wide as these: they are thinner");
   }
   if (left_out_layers_) {
     all.push_back("more than " + std::to_string(kMostLayers) +
@@ -273,8 +283,9 @@ void Renderer::start_faces(int line_width, const Look& look) const {
     const int across = (has_contours() ? 2 : 1) * line_width + 1;
     glPolygonOffset(0.5F * static_cast<float>(across), 1);
   }
-  if (look.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  glLineWidth(static_cast<float>(line_width));
+  if (!look.wireframe) return;
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  set_line_width(line_width);
 }
 
 void Renderer::end_faces() {
@@ -363,28 +374,30 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   glDisable(GL_CULL_FACE);
 }
 
-/// `per_side`: samples per pixel.
-void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side) {
+void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
+                          const Viewport& viewport) {
   if (!has_lines()) return;
-  draw_lines_of(scene, items, line_program(), per_side, &GpuMesh::has_lines, &GpuMesh::draw_lines);
+  draw_lines_of(scene, items, line_program(), viewport, &GpuMesh::has_lines, &GpuMesh::draw_lines);
 }
 
-void Renderer::draw_contours(const Scene& scene, std::span<const PlacedMesh> items, int per_side) {
-  draw_lines_of(scene, items, contour_program(), per_side, &GpuMesh::has_contours,
+void Renderer::draw_contours(const Scene& scene, std::span<const PlacedMesh> items,
+                             const Viewport& viewport) {
+  draw_lines_of(scene, items, contour_program(), viewport, &GpuMesh::has_contours,
                 &GpuMesh::draw_contours);
 }
 
 /// Lines of one kind.
 void Renderer::draw_lines_of(const Scene& scene, std::span<const PlacedMesh> items,
-                             Program& program, int per_side, bool (GpuMesh::*has)() const,
-                             void (GpuMesh::*draw)() const) {
+                             Program& program, const Viewport& viewport,
+                             bool (GpuMesh::*has)() const, void (GpuMesh::*draw)() const) {
   program.use();
   for (const PlacedMesh& item : items) {
     const SurfaceSpec& surface = scene.surfaces[item.surface];
     const GpuMesh& mesh = meshes_[item.surface];
     if (!(mesh.*has)() || surface.is_stroke()) continue;
     program.set("line_color", rgb(surface.line_color));
-    glLineWidth(static_cast<float>(per_side * line_width(scene, surface)));
+    const double width = line_width_of(surface, viewport.size());
+    has_thinner_lines_ |= !set_line_width(samples_across(width, viewport));
     program.set("model_to_clip", item.model_to_clip);
     program.check_all_set();
     (mesh.*draw)();
@@ -403,7 +416,7 @@ void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const Fitte
               clip_to_rect(viewport.width, viewport.height, viewport.rect, viewport.margin) *
                   item.model_to_clip);
   program.check_all_set();
-  glLineWidth(static_cast<float>(viewport.per_side));
+  set_line_width(samples_across(fit_line_width(viewport.size()), viewport));
   glEnable(GL_DEPTH_CLAMP);
   box.draw_lines();
   glDisable(GL_DEPTH_CLAMP);
@@ -416,7 +429,7 @@ void Renderer::draw_marks(const PlacedMesh& item, int line_width) {
   program.set("line_color", kMarkColor);
   program.set("model_to_clip", item.model_to_clip);
   program.check_all_set();
-  glLineWidth(static_cast<float>(line_width));
+  set_line_width(line_width);
   glEnable(GL_DEPTH_CLAMP);
   marks_->draw_lines();
   glDisable(GL_DEPTH_CLAMP);

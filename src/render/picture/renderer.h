@@ -89,10 +89,12 @@ class Renderer {
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                      int line_width, const Look& look);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
-  void draw_lines(const Scene& scene, std::span<const PlacedMesh> items, int per_side);
-  void draw_contours(const Scene& scene, std::span<const PlacedMesh> items, int per_side);
+  void draw_lines(const Scene& scene, std::span<const PlacedMesh> items, const Viewport& viewport);
+  void draw_contours(const Scene& scene, std::span<const PlacedMesh> items,
+                     const Viewport& viewport);
   void draw_lines_of(const Scene& scene, std::span<const PlacedMesh> items, Program& program,
-                     int per_side, bool (GpuMesh::*has)() const, void (GpuMesh::*draw)() const);
+                     const Viewport& viewport, bool (GpuMesh::*has)() const,
+                     void (GpuMesh::*draw)() const);
   void draw_marks(const PlacedMesh& item, int line_width);
   void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
                 const Viewport& viewport, const dvec3& ink);
@@ -109,6 +111,7 @@ class Renderer {
   std::optional<Program> contour_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
+  bool has_thinner_lines_ = false;
   std::string unknown_letters_;
   std::optional<OverlayDrawer> overlay_;
 };

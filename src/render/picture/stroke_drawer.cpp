@@ -10,6 +10,7 @@
 #include "render/shading/shaders.h"
 #include "scene/model/instances.h"
 #include "scene/model/strokes.h"
+#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
@@ -67,7 +68,8 @@ void StrokeDrawer::draw(const Scene& scene, std::span<const GpuMesh> meshes, con
       program_.emplace(std::string(shader_source("stroke.vert.glsl")),
                        std::string(shader_source("stroke.frag.glsl")));
     }
-    const double half_width = line_width(scene, surface) / 2;
+    const double half_width =
+        line_width_of(surface, dvec2(scene.picture.width, scene.picture.height)) / 2;
     const FittedCamera nearer =
         camera_nearer(camera, scene.camera.ortho,
                       (kHalfWidthsNearer * half_width + kPixelsNearer) * 2 / viewport.height);
@@ -97,7 +99,10 @@ std::vector<SpaceLabel> StrokeDrawer::labels(const Scene& scene, const FittedCam
     const dvec3 place(instance.to_world * glm::dvec4(*anchor, 1));
     const auto at = pixel_of(camera, place, size);
     if (!at) continue;
-    double clear = surface.is_stroke() ? line_width(scene, surface) / 2 : 0;
+    double clear =
+        surface.is_stroke()
+            ? line_width_of(surface, dvec2(scene.picture.width, scene.picture.height)) / 2
+            : 0;
     const double radius = stroke_radius(scene, surface) * largest_stretch(instance.to_world);
     if (radius > 0) {
       const dvec3 up(camera.world_to_eye[0][1], camera.world_to_eye[1][1],

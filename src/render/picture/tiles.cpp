@@ -1,6 +1,7 @@
 #include "render/picture/tiles.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace saddle {
 namespace {
@@ -13,8 +14,12 @@ int piece_length(int length, int most) {
 
 }  // namespace
 
-Tiling split_picture(int width, int height, int per_side, int limit) {
-  const int most = std::max(1, limit / per_side - 2 * kTileMargin);
+int tile_margin(double widest) {
+  return std::max(1, static_cast<int>(std::ceil(widest / 2)));
+}
+
+Tiling split_picture(int width, int height, int per_side, int limit, int margin) {
+  const int most = std::max(1, limit / per_side - 2 * margin);
   Tiling tiling{piece_length(width, most), piece_length(height, most), {}};
   for (int y = 0; y < height; y += tiling.tile_height) {
     for (int x = 0; x < width; x += tiling.tile_width) {

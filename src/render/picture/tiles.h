@@ -13,9 +13,9 @@ namespace saddle {
 /// 1920x1080 at antialias 2 is still one piece. GL allows 16384.
 inline constexpr int kTileSamples = 4096;
 
-/// Pixels drawn around each tile and thrown away: GL drops a wide line whose middle is outside, and
-/// lines are at most twice as wide.
-inline constexpr int kTileMargin = 16;
+/// Pixels drawn around each tile and thrown away: GL drops a wide line whose middle is outside.
+/// `widest`: pixels of the widest line.
+int tile_margin(double widest);
 
 struct Tiling {
   int tile_width = 0;  ///< of the largest tile in pixels, without margin
@@ -25,7 +25,7 @@ struct Tiling {
 
 /// Tiles of about equal size, each with its margin at most `limit` samples a side (but at least a
 /// pixel); `per_side` samples per pixel.
-Tiling split_picture(int width, int height, int per_side, int limit);
+Tiling split_picture(int width, int height, int per_side, int limit, int margin);
 
 /// Takes clip coordinates of the whole picture to those of `rect`, `margin` pixels added all
 /// around.

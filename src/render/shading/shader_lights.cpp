@@ -46,17 +46,20 @@ class Frames {
 
   dvec3 point(const std::string& frame, const dvec3& p) const {
     if (frame == "eye") return p;
-    const dvec3 world = frame == "world" ? p : dvec3(nodes_.to_world(frame) * glm::dvec4(p, 1));
+    const dvec3 world(to_world(frame) * glm::dvec4(p, 1));
     return rotation() * (world - camera_.target) - dvec3(0, 0, camera_.distance);
   }
 
   dvec3 direction(const std::string& frame, const dvec3& d) const {
     if (frame == "eye") return unit_vector(d);
-    const dvec3 world = frame == "world" ? d : glm::dmat3(nodes_.to_world(frame)) * d;
+    const dvec3 world = glm::dmat3(to_world(frame)) * d;
     return unit_vector(rotation() * unit_vector(world));
   }
 
  private:
+  const glm::dmat4& to_world(const std::string& frame) const {
+    return frame == "world" ? nodes_.root() : nodes_.to_world(frame);
+  }
   glm::dmat3 rotation() const { return glm::dmat3(camera_.world_to_eye); }
 
   NodeFrames nodes_;

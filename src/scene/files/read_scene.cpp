@@ -7,6 +7,7 @@
 #include "scene/model/assignments.h"
 #include "scene/model/bind_stroke.h"
 #include "scene/model/prepare.h"
+#include "scene/model/theme.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
 #include "scene/options/resolve.h"
@@ -77,10 +78,11 @@ void read_definitions(TomlReader& reader, const TomlValue& table, const Definiti
   with(table, "functions", [&](const TomlValue& v) { read_functions(reader, v, to); });
 }
 
-SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table) {
+SurfaceSpec read_surface(TomlReader& reader, const std::string& prefix, const TomlValue& table,
+                         Theme theme) {
   TomlValue meant = table;  // a range may be called φ
   for (TomlEntry& entry : meant.entries) entry.key = meant_name(entry.key);
-  SurfaceSpec spec;
+  SurfaceSpec spec = themed_surface(theme);
   read_definitions(reader, meant, {prefix, spec.definitions, spec.sliders});
   read_keys(reader, prefix, meant, spec);
   std::vector<std::string> keys = keys_of(spec);
@@ -174,7 +176,15 @@ void read_table(TomlReader& reader, const TomlValue& root, const char* name, Tab
   });
 }
 
-Scene read_tables(TomlReader& reader, const TomlValue& root) {
+/// The theme in place of the file's. Values that the file has stay.
+void take_theme(const std::optional<Theme>& theme, const TomlValue& root, Scene& scene) {
+  if (!theme) return;
+  const Color background = scene.background;
+  change_theme(scene, *theme);
+  if (root.find("background") != nullptr) scene.background = background;
+}
+
+Scene read_tables(TomlReader& reader, const TomlValue& root, const std::optional<Theme>& theme) {
   std::vector<std::string> keys = keys_of(Table::Scene);
   for (const char* table : {"params", "functions", "surface", "curve", "point", "node", "light",
                             "camera", "animation"}) {
@@ -184,12 +194,13 @@ Scene read_tables(TomlReader& reader, const TomlValue& root) {
   Scene scene;
   read_table(reader, root, "animation", Table::Animation, scene);
   read_keys(Table::Scene, reader, "", root, scene);  // the moment may be another than its start
+  take_theme(theme, root, scene);
   read_table(reader, root, "camera", Table::Camera, scene);
   read_definitions(reader, root, {"", scene.definitions, scene.sliders});
   with(root, "surface", [&](const TomlValue& v) {
     for (const TomlValue& table : reader.tables("surface", v)) {
       const std::string prefix = surface_prefix(scene.surfaces.size());
-      scene.surfaces.push_back(read_surface(reader, prefix, table));
+      scene.surfaces.push_back(read_surface(reader, prefix, table, scene.theme));
     }
   });
   with(root, "curve", [&](const TomlValue& v) {
@@ -240,11 +251,11 @@ void check_scene(const TomlReader& reader, const Scene& scene) {
 
 }  // namespace
 
-Scene read_scene(const SourceText& source) {
+Scene read_scene(const SourceText& source, const std::optional<Theme>& theme) {
   const TomlValue root = parse_toml(source);
   TomlPlaces places(source);
   TomlReader reader(places);
-  Scene scene = read_tables(reader, root);
+  Scene scene = read_tables(reader, root, theme);
   check_scene(reader, scene);
   return scene;
 }

@@ -83,7 +83,8 @@ std::string write_scene(const Scene& scene) {
   if (scene.lights.empty()) text += "light = []\n";
   text += definitions(scene);
   for (const SurfaceSpec& spec : scene.surfaces) {
-    if (!spec.is_stroke()) text += "\n[[surface]]\n" + write_keys(spec) + definitions(spec);
+    if (!spec.is_stroke())
+      text += "\n[[surface]]\n" + write_keys(spec, scene.theme) + definitions(spec);
   }
   for (const CurveSpec& curve : scene.curves) text += "\n[[curve]]\n" + write_keys(curve);
   for (const PointSpec& point : scene.points) text += "\n[[point]]\n" + write_keys(point);

@@ -240,6 +240,12 @@ std::optional<dvec2> pixel_of(const FittedCamera& camera, const dvec3& point, co
   return dvec2((1 + clip.x / clip.w) / 2 * size.x, (1 - clip.y / clip.w) / 2 * size.y);
 }
 
+Camera drawn_camera(const Scene& scene) {
+  Camera camera = scene.camera;
+  if (camera.target) camera.target = dvec3(*camera.target) * dvec3(scene.scale.factors);
+  return camera;
+}
+
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
                         const ViewPyramid* seen) {
   check_camera(camera);

@@ -85,6 +85,10 @@ class ViewPyramid {
 FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspect,
                         const ViewPyramid* seen = nullptr);
 
+/// The scene's camera in a picture that its scale stretches: the target is where the picture has
+/// it.
+Camera drawn_camera(const Scene& scene);
+
 /// Throws Error (Input), with the option's name: an angle, a direction, a distance or a target that
 /// no camera can have.
 void check_camera(const Camera& camera);

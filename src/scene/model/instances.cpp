@@ -34,7 +34,8 @@ glm::dmat4 matrix_of(const SceneNode& node) {
 
 }  // namespace
 
-NodeFrames::NodeFrames(const Scene& scene) {
+NodeFrames::NodeFrames(const Scene& scene, World world) {
+  if (world == World::Drawn) root_ = glm::scale(root_, dvec3(scene.scale.factors));
   std::map<std::string, const SceneNode*> nodes;
   for (const SceneNode& node : scene.nodes) nodes[node.name] = &node;
   for (const SceneNode& node : scene.nodes) {
@@ -43,12 +44,12 @@ NodeFrames::NodeFrames(const Scene& scene) {
       outer = nodes.at(outer->in);
       matrix = matrix_of(*outer) * matrix;
     }
-    frames_[node.name] = matrix;
+    frames_[node.name] = root_ * matrix;
   }
 }
 
 std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec) {
-  if (spec.in.empty()) return {glm::dmat4(1)};
+  if (spec.in.empty()) return {frames.root()};
   std::vector<glm::dmat4> result;
   for (const std::string& node : spec.in) result.push_back(frames.to_world(node));
   return result;
@@ -58,8 +59,8 @@ std::vector<glm::dmat4> places(const Scene& scene, const SurfaceSpec& spec) {
   return places(NodeFrames(scene), spec);
 }
 
-std::vector<Instance> instances(const Scene& scene) {
-  const NodeFrames frames(scene);
+std::vector<Instance> instances(const Scene& scene, World world) {
+  const NodeFrames frames(scene, world);
   std::vector<Instance> result;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     for (const glm::dmat4& place : places(frames, scene.surfaces[i])) result.push_back({i, place});

@@ -16,17 +16,23 @@
 
 namespace saddle {
 
+/// The world as a picture shows it, stretched by the scene's scale, or in the scene's own units.
+enum class World { Drawn, True };
+
 /// The transforms of a resolved scene's nodes.
 class NodeFrames {
  public:
-  explicit NodeFrames(const Scene& scene);
+  explicit NodeFrames(const Scene& scene, World world = World::Drawn);
 
   /// From the node's coordinates to the world's.
   const glm::dmat4& to_world(const std::string& node) const { return frames_.at(node); }
+  /// From the scene's own units to the world's.
+  const glm::dmat4& root() const { return root_; }
 
   bool operator==(const NodeFrames&) const = default;
 
  private:
+  glm::dmat4 root_{1};
   std::map<std::string, glm::dmat4> frames_;
 };
 
@@ -41,7 +47,7 @@ std::vector<glm::dmat4> places(const NodeFrames& frames, const SurfaceSpec& spec
 std::vector<glm::dmat4> places(const Scene& scene, const SurfaceSpec& spec);
 
 /// All instances of a resolved scene, in the order of its surfaces.
-std::vector<Instance> instances(const Scene& scene);
+std::vector<Instance> instances(const Scene& scene, World world = World::Drawn);
 
 /// The box around a transformed box; empty for an empty one.
 Bounds transformed(const Bounds& bounds, const glm::dmat4& to_world);

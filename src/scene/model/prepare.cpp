@@ -145,9 +145,16 @@ BoundSurface bind_surface(const Scene& scene, const SurfaceSpec& spec) {
   return result;
 }
 
-PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Order order) {
+PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec, Order order,
+                                const dvec3& stretch) {
   const auto start = Clock::now();
   BoundSurface bound = bind_surface(scene, spec);
+  for (int k = 0; k < 3; ++k) {
+    if (stretch[k] == 1) continue;
+    NodeId& coordinate = bound.r[static_cast<std::size_t>(k)];
+    const Expression factor{&bound.graph, bound.graph.constant(stretch[k])};
+    coordinate = (factor * Expression{&bound.graph, coordinate}).id;
+  }
   const auto parsed = Clock::now();
   PreparedSurface result;
   result.surface = make_surface(bound.graph, bound.r, bound.domain, bound.flip, order);

@@ -30,9 +30,9 @@ struct PreparedSurface {
   double compile_ms = 0;       ///< derivatives and tapes
 };
 
-/// bind_surface() and make_surface().
+/// bind_surface() and make_surface(), with x, y and z multiplied by the factors of `stretch`.
 PreparedSurface prepare_surface(const Scene& scene, const SurfaceSpec& spec,
-                                Order order = Order::First);
+                                Order order = Order::First, const dvec3& stretch = dvec3(1));
 
 /// The names that constant expressions of a surface may use, or, without one, those of the scene:
 /// its definitions, which may use x, y and z of its (last) surface.

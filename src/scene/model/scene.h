@@ -2,6 +2,7 @@
 // Scene; meshing, rendering and writing consume it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -59,6 +60,8 @@ struct Material {
   Number shininess = 32;              ///< exponent of the specular term, at least 0
   std::optional<Color> ambient = {};  ///< default: the diffuse colour
   Color emission = {};                ///< light of its own
+
+  bool operator==(const Material&) const = default;
 };
 
 inline const Material kFrontMaterial{{1, 1, 0.5}, {0.2, 0.2, 0.2}, 32};
@@ -67,6 +70,9 @@ inline const Material kBackMaterial{{0.5, 0.5, 1}, {0.1, 0.1, 0.1}, 32};
 /// The colour of grid lines, and that of curves and points.
 inline const Color kLineColor{0.2, 0.2, 0.2};
 inline const Color kStrokeColor{1, 0.25, 0.2};
+
+/// Which background, lines, letters and materials a scene has that names none: scene/model/theme.h.
+enum class Theme { Dark, Light, Paper };
 
 /// `u = MIN:MAX`, both constant expressions; those of v may depend on u.
 struct Range {
@@ -140,7 +146,7 @@ struct SurfaceSpec {
   std::optional<Shading> shading = {};
   std::optional<Specular> specular = {};
   std::optional<GridSize> samples = {};
-  Number opacity = 1;                   ///< 0 to 1; less than 1: one sees what is behind it
+  Number opacity = 1;                     ///< 0 to 1; less than 1: one sees what is behind it
   std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: line_width()
   Color line_color = kLineColor;
   std::string label;            ///< text beside it; empty: none
@@ -224,6 +230,8 @@ struct Light {
 /// The three lights of a scene that names none.
 std::vector<Light> default_lights();
 
+/// Directions and lengths are those of the picture, the target is a point of the scene: they differ
+/// where the picture is stretched along an axis.
 struct Camera {
   Vector view{2, -3, 1.5};  ///< from the target toward the eye, any length but 0
   Vector up{0, 0, 1};
@@ -237,6 +245,14 @@ struct Camera {
   double turn = 0;
 
   bool operator==(const Camera&) const = default;
+};
+
+/// How the picture is stretched along the axes of the world. Meshes, ticks and reports keep the
+/// scene's own units.
+struct AxisScale {
+  /// Equal, but high height fields are compressed: frame_scene() finds the factors.
+  bool automatic = true;
+  Vector factors{1, 1, 1};  ///< more than 0
 };
 
 /// The box that surfaces are cut along.
@@ -292,6 +308,8 @@ inline constexpr double kMaxFps = 1000;
 
 struct Scene {
   std::string title = "saddle";
+  bool show_title = false;  ///< also in a picture without axes; never an empty one
+  Theme theme = Theme::Dark;
   std::vector<Definition> definitions;  ///< parameters, shared sub-expressions, helper functions
   std::vector<Slider> sliders;
   std::vector<SurfaceSpec> surfaces;
@@ -300,11 +318,13 @@ struct Scene {
   std::vector<SceneNode> nodes;
   std::vector<Light> lights = default_lights();
   Camera camera;
+  AxisScale scale;
   Color background{0, 0, 0, 1};
   Clip clip;
   bool axes = false;  ///< a box with ticks and labels around all of it, and the title
-  std::optional<Bounds> box =
-      {};  ///< that box; computed, as color_range is; default: just around it
+  std::array<std::string, 3> labels = {"x", "y", "z"};  ///< of the axes
+  /// That box, stretched as the picture is; computed, as color_range is; default: just around it.
+  std::optional<Bounds> box = {};
   MeshSettings mesh;
   PictureSettings picture;
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another

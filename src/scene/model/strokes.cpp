@@ -8,11 +8,6 @@
 namespace saddle {
 namespace {
 
-/// Lines are a pixel wide in a picture of this height, and as many times that as it is higher.
-constexpr double kHeightOfPixel = 600;
-/// The default width of a dot, in widths of a line.
-constexpr double kDotWidth = 7;
-
 SurfaceSpec stand_in(const Scene& scene, const StrokeSpec& stroke) {
   SurfaceSpec spec;
   spec.name = stroke.name;
@@ -40,12 +35,6 @@ Scene with_strokes(Scene scene) {
   }
   std::ranges::move(strokes, std::back_inserter(scene.surfaces));
   return scene;
-}
-
-double line_width(const Scene& scene, const SurfaceSpec& spec) {
-  if (spec.line_width) return *spec.line_width;
-  const double line = std::max(1.0, scene.picture.height / kHeightOfPixel);
-  return spec.point ? kDotWidth * line : line;
 }
 
 double stroke_radius(const Scene& scene, const SurfaceSpec& spec) {

@@ -11,9 +11,6 @@ namespace saddle {
 /// already gets them anew. Scene files leave them out.
 Scene with_strokes(Scene scene);
 
-/// The width in pixels of a surface's grid lines, or of the line or dot that it stands for.
-double line_width(const Scene& scene, const SurfaceSpec& spec);
-
 /// The radius of the tube or ball that it stands for; 0 without one.
 double stroke_radius(const Scene& scene, const SurfaceSpec& spec);
 

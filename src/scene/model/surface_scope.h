@@ -68,11 +68,11 @@ RangeEnds constant_ends(Scope& scope, const RangeText& range, double t);
 /// on u, the part of the way between them, 0 to 1, takes the place of v.
 struct BoundSurface {
   Graph graph;
-  std::array<NodeId, 3> r = {};      ///< x, y, z
-  std::optional<NodeId> v = {};      ///< v itself, where it is not the variable
-  std::optional<NodeId> color = {};  ///< the number that it is coloured by
+  std::array<NodeId, 3> r = {};       ///< x, y, z
+  std::optional<NodeId> v = {};       ///< v itself, where it is not the variable
+  std::optional<NodeId> color = {};   ///< the number that it is coloured by
   std::vector<NodeId> contours = {};  ///< the numbers that its level lines are of
-  std::vector<NodeId> region = {};   ///< region_outputs() of a surface with a condition
+  std::vector<NodeId> region = {};    ///< region_outputs() of a surface with a condition
   Domain domain;
   bool flip = false;   ///< the front is where r_v x r_u points
   bool moves = false;  ///< it is another one at another time

@@ -38,9 +38,9 @@ inline constexpr Limits kAny = {};
 inline constexpr Limits kNotNegative = {.low = 0};
 inline constexpr Limits kPositive = {.low = 0, .open = true};
 inline constexpr Limits kShare = {0, 1};
-inline constexpr Limits kLineWidth = {0.1, 32};  ///< pixels
 inline constexpr Limits kHalfTurn = {0, 180};  ///< degrees
 inline constexpr Limits kFieldOfView = {0, 180, true};
+inline constexpr Limits kLineWidths = {0, 100, true};  ///< pixels; tiles have as much margin
 inline constexpr Limits kFramesPerSecond = {kMinFps, kMaxFps, true};
 
 /// "from 0 to 1", "more than 0"

@@ -9,7 +9,7 @@
 namespace saddle::kinds {
 
 void Paint::parse(const Given& given) const {
-  *value = parse_color(given.option, given.text);
+  *value = opaque ? opaque_color(given.option, given.text) : parse_color(given.option, given.text);
 }
 
 std::string Paint::format() const {
@@ -17,7 +17,7 @@ std::string Paint::format() const {
 }
 
 void Paint::read(const InFile& in) const {
-  *value = in.reader.color(in.subject, in.value, true);
+  *value = in.reader.color(in.subject, in.value, !opaque);
 }
 
 std::string Paint::write() const {
@@ -40,8 +40,8 @@ void Side::read(const InFile& in) const {
   read_material(in.reader, in.subject, in.value, *value);
 }
 
-std::string Side::write() const {
-  return write_material(*value, *standard);
+std::string Side::write_beside(const Side& standard) const {
+  return write_material(*value, *standard.value);
 }
 
 void Side::resolve(Resolver& resolver, const std::string& name) const {

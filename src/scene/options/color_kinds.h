@@ -9,9 +9,10 @@
 
 namespace saddle::kinds {
 
-/// A colour that may be see-through.
+/// A colour that may be see-through, unless `opaque`.
 struct Paint {
   Color* value;
+  bool opaque = false;
 
   void parse(const Given& given) const;
   std::string format() const;
@@ -23,12 +24,12 @@ struct Paint {
 /// The material of one side. The option is its diffuse colour.
 struct Side {
   Material* value;
-  const Material* standard;  ///< values equal to these are not written
 
   void parse(const Given& given) const;
   std::string format() const;
   void read(const InFile& in) const;
-  std::string write() const;
+  /// The parts that differ from another side.
+  std::string write_beside(const Side& standard) const;
   void resolve(Resolver& resolver, const std::string& name) const;
 };
 

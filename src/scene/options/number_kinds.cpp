@@ -182,6 +182,69 @@ void ViewAngles::read(const InFile& in) const {
   *value = view_along(angles[0], angles[1]);
 }
 
+namespace {
+
+/// The scale that one of two words is; nothing for factors. Throws Error (Input) for another word.
+std::optional<AxisScale> scale_of_word(const std::string& option, const std::string& text) {
+  if (text.empty() || text.find(',') != std::string::npos) return std::nullopt;
+  const std::size_t word = parse_choice(option, text, {"auto", "equal", "X,Y,Z"});
+  if (word == 2) return std::nullopt;
+  return AxisScale{.automatic = word == 0};
+}
+
+bool is_equal(const Vector& factors) {
+  return factors == Vector(dvec3(1));
+}
+
+}  // namespace
+
+void Stretch::parse(const Given& given) const {
+  if (const auto scale = scale_of_word(given.option, given.text)) {
+    *value = *scale;
+    return;
+  }
+  const std::vector<Span> parts =
+      parse_list(given.option, given.text, 3, "a scale has a factor for each axis", "1,1,0.1");
+  const auto factor = [&](std::size_t k) {
+    Number number = parse_expression(given, parts[k]);
+    if (!number.text.empty() || kPositive.contain(number.value)) return number;
+    throw Error(Status::Input, "a factor must be " + describe(kPositive),
+                {given.option, given.text, parts[k]});
+  };
+  *value = {.automatic = false, .factors = {factor(0), factor(1), factor(2)}};
+}
+
+std::string Stretch::format() const {
+  if (value->automatic) return "";
+  const Vector& f = value->factors;
+  if (is_equal(f)) return "equal";
+  return expression_of(f.x) + "," + expression_of(f.y) + "," + expression_of(f.z);
+}
+
+void Stretch::read(const InFile& in) const {
+  if (in.value.kind == TomlValue::Kind::String) {
+    const std::string word = in.reader.text(in.subject, in.value, "");
+    const auto scale = in.reader.in_place([&] { return scale_of_word(in.subject, word); });
+    if (scale) {
+      *value = *scale;
+      return;
+    }
+  }
+  *value = {.automatic = false, .factors = in.reader.vector(in.subject, in.value)};
+}
+
+std::string Stretch::write() const {
+  if (value->automatic) return "";
+  return is_equal(value->factors) ? toml_string("equal") : toml_vector(value->factors);
+}
+
+void Stretch::resolve(Resolver& resolver, const std::string& name) const {
+  if (value->automatic) return;
+  for (Number* factor : {&value->factors.x, &value->factors.y, &value->factors.z}) {
+    resolver.number(name, *factor, kPositive);
+  }
+}
+
 void Ends::read(const InFile& in) const {
   const auto& [reader, subject, array] = in;
   if (array.kind != TomlValue::Kind::Array || array.items.size() != 2) {

@@ -83,6 +83,17 @@ struct ViewAngles {
   void read(const InFile& in) const;
 };
 
+/// auto, equal, or X,Y,Z: factors of the axes, more than 0.
+struct Stretch {
+  AxisScale* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;  ///< nothing for auto
+  void read(const InFile& in) const;
+  std::string write() const;
+  void resolve(Resolver& resolver, const std::string& name) const;
+};
+
 /// [MIN, MAX]: the range of u or v.
 struct Ends {
   Range* value;

@@ -3,6 +3,7 @@
 #include <array>
 #include <type_traits>
 
+#include "scene/model/theme.h"
 #include "scene/options/options.h"
 
 namespace saddle {
@@ -16,13 +17,23 @@ Animation& animation(Scene& scene) {
 
 kinds::Choice shading(auto* value) {
   return kinds::choice<std::remove_pointer_t<decltype(value)>, Shading>(
-      value, {{"vertex", Shading::Vertex}, {"pixel", Shading::Pixel}, {"exact", Shading::Exact},
-                                     {"unlit", Shading::Unlit}});
+      value, {{"vertex", Shading::Vertex},
+              {"pixel", Shading::Pixel},
+              {"exact", Shading::Exact},
+              {"unlit", Shading::Unlit}});
 }
 
 kinds::Choice specular(auto* value) {
   return kinds::choice<std::remove_pointer_t<decltype(value)>, Specular>(
       value, {{"phong", Specular::Phong}, {"blinn", Specular::Blinn}});
+}
+
+/// In the order of Theme. Another theme changes what the last one gave.
+kinds::Choice theme_of(Scene& scene) {
+  kinds::Choice choice = kinds::choice<Theme, Theme>(
+      &scene.theme, {{"dark", Theme::Dark}, {"light", Theme::Light}, {"paper", Theme::Paper}});
+  choice.set = [&scene](std::size_t i) { change_theme(scene, static_cast<Theme>(i)); };
+  return choice;
 }
 
 constexpr auto kRows = std::to_array<Option>({
@@ -141,15 +152,46 @@ constexpr auto kRows = std::to_array<Option>({
     // --- look -----------------------------------------------------------------------------------
     {.name = "title",
      .value = "TEXT",
-     .help = "name of the scene: of the window, and above axes",
+     .section = Section::Look,
+     .help = "name of the scene, drawn above it: without axes, too",
+     .usual = "none",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Title{&s}; }},
+    {.name = "show_title",
+     .value = "BOOLEAN",
+     .section = Section::Look,
+     .help = "draws the title, without axes, too; an empty title is never drawn",
      .commands = kKeyOnly,
      .table = Table::Scene,
-     .scene = [](Scene& s) -> kinds::Slot { return kinds::Text{&s.title}; }},
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Flag{&s.show_title}; }},
+    {.name = "theme",
+     .value = "NAME",
+     .section = Section::Look,
+     .help = "background, lines, text and materials that suit each other: {choices}",
+     .more =
+         "dark: on black. light: on nearly white. paper: on white, with black lines, readable in "
+         "grey.\nOther options, and keys of a scene file, win over it.",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return theme_of(s); }},
+    {.name = "scale",
+     .value = "X,Y,Z",
+     .section = Section::Look,
+     .help = "stretch the picture along the axes: factors, equal, or auto: high height fields are "
+             "compressed",
+     .usual = "auto",
+     .more =
+         "auto: where all surfaces are height fields and more than 8 times as high as their base "
+         "is wide,\nthe picture is compressed along z. Ticks, meshes and reports keep true units.",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Stretch{&s.scale}; }},
     {.name = "background",
      .value = "COLOR",
      .section = Section::Look,
      .help = "#rrggbb, #rrggbbaa, a CSS colour name or transparent",
-     .usual = "black",
+     .usual = "the theme's, black",
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Paint{&s.background}; }},
@@ -159,6 +201,13 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::Flag{&s.axes}; }},
+    {.name = "labels",
+     .value = "X,Y,Z",
+     .section = Section::Look,
+     .help = "texts of the axes",
+     .commands = kGraphCheck,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Labels{&s.labels}; }},
     {.name = "size",
      .letter = 's',
      .value = "WxH",
@@ -310,9 +359,7 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .object = true,
      .table = Table::Surface,
-     .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Side{&s.front, &kFrontMaterial};
-     }},
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Side{&s.front}; }},
     {.name = "back",
      .value = "COLOR",
      .section = Section::Look,
@@ -320,9 +367,7 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck,
      .object = true,
      .table = Table::Surface,
-     .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Side{&s.back, &kBackMaterial};
-     }},
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Side{&s.back}; }},
     {.name = "flip",
      .section = Section::Look,
      .help = "swap front and back",
@@ -366,20 +411,22 @@ constexpr auto kRows = std::to_array<Option>({
      .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot {
-       return kinds::Maybe<kinds::Real, Number>{&s.line_width, {nullptr, kLineWidth}};
+       return kinds::Maybe<kinds::Real, Number>{&s.line_width, {nullptr, kLineWidths}};
      },
      .stroke = [](StrokeSpec& s) -> kinds::Slot {
-       return kinds::Maybe<kinds::Real, Number>{&s.width, {nullptr, kLineWidth}};
+       return kinds::Maybe<kinds::Real, Number>{&s.width, {nullptr, kLineWidths}};
      }},
     {.name = "line-color",
      .value = "COLOR",
      .section = Section::Look,
      .help = "of grid lines, curves and points",
-     .usual = "#333333; of curves and points #ff4033",
+     .usual = "the theme's, #333333; of curves and points #ff4033",
      .commands = kGraphCheck,
      .object = true,
      .table = Table::Surface,
-     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Paint{&s.line_color}; },
+     .surface = [](SurfaceSpec& s) -> kinds::Slot {
+       return kinds::Paint{&s.line_color, true};
+     },
      .stroke = [](StrokeSpec& s) -> kinds::Slot { return kinds::Paint{&s.color}; }},
     {.name = "label",
      .value = "TEXT",
@@ -425,7 +472,7 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kKeyOnly,
      .table = Table::Stroke,
      .stroke = [](StrokeSpec& s) -> kinds::Slot {
-       return kinds::Maybe<kinds::Real, Number>{&s.width, {nullptr, kLineWidth}};
+       return kinds::Maybe<kinds::Real, Number>{&s.width, {nullptr, kLineWidths}};
      }},
     {.name = "radius",
      .value = "R",

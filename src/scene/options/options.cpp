@@ -5,6 +5,7 @@
 
 #include "scene/model/colormap.h"
 #include "scene/model/prepare.h"
+#include "scene/model/theme.h"
 #include "scene/toml/toml_writer.h"
 
 namespace saddle {
@@ -59,6 +60,20 @@ std::string write_slot(const kinds::Slot& slot) {
       slot);
 }
 
+/// The value of a row where it differs from another value of that row; empty: it does not.
+std::string write_beside(const kinds::Slot& slot, const kinds::Slot& standard) {
+  return std::visit(
+      [&](const auto& kind) {
+        using Kind = std::decay_t<decltype(kind)>;
+        if constexpr (requires { kind.write_beside(kind); }) {
+          return kind.write_beside(std::get<Kind>(standard));
+        }
+        std::string text = write_slot(slot);
+        return text == write_slot(standard) ? std::string() : text;
+      },
+      slot);
+}
+
 void resolve_slot(const kinds::Slot& slot, Resolver& resolver, const std::string& name) {
   std::visit(
       [&](const auto& kind) {
@@ -106,8 +121,8 @@ std::string key_of(const Option& option, const SurfaceSpec& surface) {
 
 /// `key = value`, or nothing for the default.
 std::string line(const std::string& key, const kinds::Slot& slot, const kinds::Slot& standard) {
-  const std::string text = write_slot(slot);
-  if (key.empty() || text.empty() || text == write_slot(standard)) return "";
+  const std::string text = write_beside(slot, standard);
+  if (key.empty() || text.empty()) return "";
   return toml_key(key) + " = " + text + "\n";
 }
 
@@ -138,6 +153,14 @@ std::string stroke_lines(const Stroke& stroke) {
     text += line(key_of(option), slot, defaults[k++]);
   });
   return text;
+}
+
+/// A scene that says nothing, not even its theme.
+Scene standard_scene(Theme theme) {
+  Scene scene;
+  change_theme(scene, theme);
+  scene.theme = Scene{}.theme;
+  return scene;
 }
 
 /// The name of a key in messages.
@@ -310,7 +333,7 @@ void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& v
 
 std::string write_keys(Table table, const Scene& scene) {
   Scene written = scene;
-  Scene standard;
+  Scene standard = standard_scene(scene.theme);
   std::string text;
   each_row(table, [&](const Option& option) {
     text += line(key_of(option), option.scene(written), option.scene(standard));
@@ -318,9 +341,9 @@ std::string write_keys(Table table, const Scene& scene) {
   return text;
 }
 
-std::string write_keys(const SurfaceSpec& surface) {
+std::string write_keys(const SurfaceSpec& surface, Theme theme) {
   SurfaceSpec written = surface;
-  SurfaceSpec standard;
+  SurfaceSpec standard = themed_surface(theme);
   std::string text;
   each_row(Table::Surface, [&](const Option& option) {
     text += line(key_of(option, surface), option.surface(written), option.surface(standard));
@@ -362,8 +385,8 @@ void resolve_keys(Resolver& resolver, const std::string& prefix, PointSpec& poin
 
 std::vector<Setting> settings_of(const Scene& scene) {
   Scene said = scene;
-  Scene standard;
-  standard.surfaces.resize(1);
+  Scene standard = standard_scene(scene.theme);
+  standard.surfaces = {themed_surface(scene.theme)};
   if (said.animation) {
     standard.animation.emplace();
     standard.animation->from = said.animation->from;

@@ -33,8 +33,8 @@ inline constexpr unsigned kSurfaceCommands = kGraphCheck | kGraphChart;
 inline constexpr unsigned kAllCommands = kSurfaceCommands | bit(Command::List) | bit(Command::Show);
 
 /// A row. In `help` and `more`, --help fills in {choices}, {limits} and {formats}. Exactly one of
-/// `scene`, `surface`, `stroke`, `curve`, `point` and `run` is there: whose value it is; an option of
-/// surfaces may be one of curves and points, too. It is for each of them in the scene.
+/// `scene`, `surface`, `stroke`, `curve`, `point` and `run` is there: whose value it is; an option
+/// of surfaces may be one of curves and points, too. It is for each of them in the scene.
 struct Option {
   std::string_view name;           ///< without "--"; also the key
   char letter = 0;                 ///< of "-s"; 0: none
@@ -119,9 +119,9 @@ void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& v
 void read_keys(TomlReader& reader, const std::string& prefix, const TomlValue& value,
                PointSpec& point);
 
-/// Lines `key = value` for what differs from the defaults.
+/// Lines `key = value` for what differs from the defaults, which are the theme's.
 std::string write_keys(Table table, const Scene& scene);
-std::string write_keys(const SurfaceSpec& surface);
+std::string write_keys(const SurfaceSpec& surface, Theme theme);
 std::string write_keys(const CurveSpec& curve);
 std::string write_keys(const PointSpec& point);
 

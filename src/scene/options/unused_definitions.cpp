@@ -34,6 +34,7 @@ std::string text_of(const std::vector<Slider>& sliders) {
 std::string text_of_scene(const Scene& scene) {
   Scene rest = scene;
   rest.title.clear();
+  rest.labels = {};
   rest.definitions.clear();
   rest.surfaces.clear();
   return quoted_text(write_scene(rest)) + text_of(scene.sliders);
@@ -41,7 +42,7 @@ std::string text_of_scene(const Scene& scene) {
 
 std::string text_of_surface(SurfaceSpec spec) {
   spec.name.clear();
-  return quoted_text(write_keys(spec)) + text_of(spec.sliders);
+  return quoted_text(write_keys(spec, Theme::Dark)) + text_of(spec.sliders);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/values.h"
@@ -35,6 +36,51 @@ void Text::read(const InFile& in) const {
 
 std::string Text::write() const {
   return toml_string(*value);
+}
+
+void Title::parse(const Given& given) const {
+  scene->title = given.text;
+  scene->show_title = true;
+}
+
+void Title::read(const InFile& in) const {
+  scene->title = in.reader.text(in.subject, in.value, "text in quotes");
+}
+
+std::string Title::write() const {
+  return toml_string(scene->title);
+}
+
+void Labels::parse(const Given& given) const {
+  const std::size_t first = given.text.find(',');
+  const std::size_t second = first == std::string::npos ? first : given.text.find(',', first + 1);
+  const std::size_t third = second == std::string::npos ? second : given.text.find(',', second + 1);
+  if (second == std::string::npos || third != std::string::npos) {
+    throw Error(Status::Input, "three texts are wanted, with commas between them",
+                {given.option, given.text, {0, given.text.size()}},
+                "for example --labels x,y,height; a scene file can have commas in them");
+  }
+  *value = {given.text.substr(0, first), given.text.substr(first + 1, second - first - 1),
+            given.text.substr(second + 1)};
+}
+
+std::string Labels::format() const {
+  return (*value)[0] + "," + (*value)[1] + "," + (*value)[2];
+}
+
+void Labels::read(const InFile& in) const {
+  constexpr const char* kWanted = "three texts, such as [\"x\", \"y\", \"height\"]";
+  const auto& [reader, subject, array] = in;
+  if (array.kind != TomlValue::Kind::Array || array.items.size() != value->size()) {
+    throw reader.source().wrong_type(subject, array, kWanted);
+  }
+  for (std::size_t k = 0; k < value->size(); ++k) {
+    (*value)[k] = reader.text(subject, array.items[k], kWanted);
+  }
+}
+
+std::string Labels::write() const {
+  return toml_names({value->begin(), value->end()});
 }
 
 void Texts::parse(const Given& given) const {

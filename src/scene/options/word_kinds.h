@@ -1,6 +1,7 @@
 // Words as values of options and scene keys: yes or no, texts, formulas, names, choices.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -35,6 +36,26 @@ struct Text {
 
   void parse(const Given& given) const;
   std::string format() const { return *value; }
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
+/// The scene's title. The option also has it drawn.
+struct Title {
+  Scene* scene;
+
+  void parse(const Given& given) const;
+  std::string format() const { return scene->show_title ? scene->title : ""; }
+  void read(const InFile& in) const;
+  std::string write() const;
+};
+
+/// X,Y,Z: texts of the axes.
+struct Labels {
+  std::array<std::string, 3>* value;
+
+  void parse(const Given& given) const;
+  std::string format() const;
   void read(const InFile& in) const;
   std::string write() const;
 };

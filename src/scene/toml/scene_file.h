@@ -1,6 +1,7 @@
 // Scenes as TOML text.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "scene/model/scene.h"
@@ -13,7 +14,7 @@ std::string write_scene(const Scene& scene);
 
 /// The scene that a scene file holds, checked as a whole: formulas, numbers, nodes. Throws Error
 /// (Input) with file, line and column: no TOML, an unknown key, a wrong type, or anything that
-/// resolve() and bind_surface() find.
-Scene read_scene(const SourceText& source);
+/// resolve() and bind_surface() find. `theme`: in place of the file's.
+Scene read_scene(const SourceText& source, const std::optional<Theme>& theme = {});
 
 }  // namespace saddle

@@ -300,10 +300,60 @@ TEST(Fonts, DrawWhatTheyDoNotKnowAsWell) {
   EXPECT_GT(font.width("\u4e2d", 20), 0);
 }
 
-TEST(Ink, CanBeReadOnItsBackground) {
-  EXPECT_GT(ink_on({0, 0, 0}).x, 0.7);
-  EXPECT_LT(ink_on({1, 1, 1}).x, 0.3);
-  EXPECT_EQ(ink_on({1, 1, 1, 0}).x, 0.5);
+std::vector<std::string> written(const Scene& scene) {
+  const Bounds bounds = box(dvec3(-1), dvec3(1));
+  std::vector<std::string> result;
+  for (const WrittenText& text : annotate(scene, fitted(scene, bounds), bounds, {}, kSize).texts) {
+    result.push_back(text.text);
+  }
+  return result;
+}
+
+TEST(Titles, AreDrawnWithoutAxesIfTheSceneSaysSo) {
+  Scene scene;
+  scene.title = "A torus";
+  EXPECT_TRUE(written(scene).empty());
+  scene.show_title = true;
+  EXPECT_EQ(written(scene), std::vector<std::string>{"A torus"});
+  scene.title = Scene{}.title;
+  EXPECT_EQ(written(scene), std::vector<std::string>{"saddle"}) << "asked for";
+  scene.title.clear();
+  EXPECT_TRUE(written(scene).empty()) << "there is nothing to write";
+}
+
+TEST(Titles, HaveRoomAboveWhatIsSeen) {
+  Scene scene;
+  scene.title = "A torus";
+  const Bounds bounds = box(dvec3(-1), dvec3(1));
+  const auto highest = [&] {
+    double y = kSize.y;
+    const FittedCamera camera = fitted(scene, bounds);
+    for (const dvec3& corner : bounds.corners()) y = std::min(y, pixel_of(camera, corner).y);
+    return y;
+  };
+  EXPECT_NEAR(highest(), kPictureMargin * kSize.y, 0.5);
+  scene.show_title = true;
+  const WrittenText title = annotate(scene, fitted(scene, bounds), bounds, {}, kSize).texts.at(0);
+  EXPECT_GT(highest(), rect_of(title).high.y);
+}
+
+TEST(Labels, AreTheScenesOwn) {
+  Scene scene = scene_seen_from({2, -3, 1.5});
+  scene.labels = {"time in s", "", "height"};
+  const std::vector<std::string> all = written(scene);
+  EXPECT_EQ(std::ranges::count(all, "time in s"), 1);
+  EXPECT_EQ(std::ranges::count(all, "height"), 1);
+  for (const char* usual : {"x", "y", "z"}) EXPECT_EQ(std::ranges::count(all, usual), 0) << usual;
+}
+
+TEST(Ticks, TellTrueNumbersInAStretchedPicture) {
+  Scene scene = scene_seen_from({2, -3, 1.5});
+  scene.scale = {.automatic = false, .factors = {1, 1, 0.01}};
+  const Bounds bounds = box(dvec3(-1), dvec3(1));  // z is from -100 to 100
+  const Annotations all = annotate(scene, fitted(scene, bounds), bounds, {}, kSize);
+  const auto numbers = texts(all);
+  EXPECT_EQ(numbers.count("100"), 1U);
+  EXPECT_EQ(numbers.count("\u2212100"), 1U);
 }
 
 }  // namespace

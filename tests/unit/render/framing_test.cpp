@@ -18,8 +18,10 @@ const double kSlope = (1 - 2 * kPictureMargin) * std::tan(15 * std::numbers::pi 
 /// range: the camera leaves 4 % around what is seen.
 constexpr double kSampling = 0.002;
 
+/// Without a scale, which has tests of its own.
 Framing framing_of(const std::vector<std::string>& assignments) {
   Scene scene;
+  scene.scale.automatic = false;
   for (const std::string& text : assignments) assign(scene, text);
   Timeline timeline(scene);
   return frame_scene(timeline, 1);
@@ -184,6 +186,68 @@ TEST(Framing, HoldsAPeakAndCutsAPole) {
   EXPECT_NEAR(peak.target->z, 5, 0.5);
   const Framing pole = framing_of({"z=1/(u^2+v^2)+0*t", "t=0:1"});
   EXPECT_LT(pole.target->z, 20);
+}
+
+std::optional<dvec3> scale_of(const std::vector<std::string>& assignments) {
+  Scene scene;
+  for (const std::string& text : assignments) assign(scene, text);
+  Timeline timeline(scene);
+  return frame_scene(timeline, 1).scale;
+}
+
+TEST(AutomaticScale, CompressesHighHeightFields) {
+  const auto scale = scale_of({"z=u^2+v^2", "u=-10:10", "v=-10:10"});
+  ASSERT_TRUE(scale.has_value());
+  EXPECT_EQ(scale->x, 1);
+  EXPECT_EQ(scale->y, 1);
+  EXPECT_NEAR(scale->z * 200, 0.6 * 20, 1e-12);
+  // By the larger side of the base, also where a side leans or runs backwards.
+  EXPECT_NEAR(scale_of({"z=1000*u", "v=0:6"})->z * 2000, 0.6 * 6, 1e-12);
+  EXPECT_NEAR(scale_of({"z=1000*v", "u=3:0", "v=0:u"})->z * 3000, 0.6 * 3, 1e-12);
+  EXPECT_TRUE(scale_of({"x=u", "y=(v)", "z=100*u"})) << "by formula";
+}
+
+TEST(AutomaticScale, LeavesOtherSurfacesAlone) {
+  EXPECT_FALSE(scale_of({"z=8*u", "u=0:1", "v=0:1"})) << "8 times is not more than that";
+  EXPECT_TRUE(scale_of({"z=8.01*u", "u=0:1", "v=0:1"}));
+  EXPECT_FALSE(scale_of({"z=u/1000"})) << "nothing is stretched up";
+  EXPECT_FALSE(scale_of({"x=u*2", "z=100*u"})) << "no height field";
+  EXPECT_FALSE(scale_of({"x=v", "y=u", "z=100*u"}));
+  EXPECT_FALSE(scale_of({"z=1/u"})) << "its pole is clipped";
+  EXPECT_FALSE(scale_of({"z=1/(u-u)"})) << "nothing is there";
+}
+
+TEST(AutomaticScale, IsForAllSurfacesTogether) {
+  Scene scene;
+  assign(scene, "z=100*u");
+  SurfaceSpec wide = scene.surfaces[0];
+  wide.z = "0";
+  wide.u = {"-20", "20"};
+  scene.surfaces.push_back(wide);
+  Timeline beside(scene);
+  EXPECT_FALSE(frame_scene(beside, 1).scale) << "200 is 5 times 40";
+  scene.surfaces[1].u = {"-5", "5"};
+  Timeline narrow(scene);
+  EXPECT_NEAR(frame_scene(narrow, 1).scale.value().z * 200, 0.6 * 10, 1e-12);
+  scene.surfaces[1].in = {"node"};
+  scene.nodes = {{"node", "", {}}};
+  Timeline moved(scene);
+  EXPECT_FALSE(frame_scene(moved, 1).scale) << "a node may turn it";
+}
+
+TEST(AutomaticScale, IsOneForAllFrames) {
+  const auto scale = scale_of({"z=t*u", "t=0:100"});
+  EXPECT_NEAR(scale.value().z * 200, 0.6 * 2, 1e-12);
+  Scene scene;
+  for (const char* text : {"z=t*u", "t=0:100"}) assign(scene, text);
+  Timeline timeline(scene);
+  const Framing framing = frame_scene(timeline, 1);
+  // 1.2 high: the camera is as near as for that.
+  EXPECT_LT(*framing.distance, fitting(2));
+  Scene frame = timeline.at(50);
+  framing.apply(frame);
+  EXPECT_EQ(frame.scale.factors.z.value, scale->z);
+  EXPECT_NEAR(frame.camera.target->z * scale->z, framing.target->z, 1e-12) << "in true units";
 }
 
 TEST(MomentsOfStill, PlaceTheCameraOfSeveralSurfacesAndOfNoSingleOne) {

@@ -25,6 +25,12 @@ const std::map<std::string_view, std::string> kSamples = {
     {"zoom", "2"},
     {"ortho", "true"},
     {"turntable", "true"},
+    {"title", "Some title"},
+    {"theme", "paper"},
+    {"scale", "1,2,0.5"},
+    {"labels", "a,b,c d"},
+    {"line-width", "2.5"},
+    {"line-color", "#336699"},
     {"background", "#336699"},
     {"axes", "true"},
     {"size", "320x200"},
@@ -200,7 +206,7 @@ TEST(Options, TellTheirDefaultsLimitsAndChoices) {
   EXPECT_EQ(choices(*find_option("shading")),
             (std::vector<std::string>{"vertex", "pixel", "exact", "unlit"}));
   EXPECT_FALSE(choices(*find_option("colormap")).empty());
-  EXPECT_EQ(find_option("title"), nullptr) << "a key alone is no option";
+  EXPECT_EQ(find_option("name"), nullptr) << "a key alone is no option";
 }
 
 }  // namespace
