@@ -425,7 +425,8 @@ Framing frame_scene(Timeline& timeline, unsigned threads) {
   return framing;
 }
 
-std::vector<Moment> moments_of_still(const Scene& scene, unsigned threads) {
+std::vector<Moment> moments_of_still(const Scene& resolved, unsigned threads) {
+  const Scene scene = with_strokes(resolved);
   if (instances(scene).size() < 2) return {};
   Framing framing;
   Scene seen = scene;

@@ -131,7 +131,7 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   scales_ = scales_of(scene);
 
   const int n = viewport.per_side;
-  const int line = samples_across(widest_line(scene, viewport.size()), viewport);
+  const int line = samples_across(widest_surface_line(scene, viewport.size()), viewport);
   glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;

@@ -89,6 +89,14 @@ double line_width_of(const SurfaceSpec& surface, const dvec2& size) {
   return (surface.point ? kDotWidth : 1) * fit_line_width(size);
 }
 
+double widest_surface_line(const Scene& scene, const dvec2& size) {
+  double widest = 0;
+  for (const SurfaceSpec& surface : scene.surfaces) {
+    if (!surface.is_stroke()) widest = std::max(widest, line_width_of(surface, size));
+  }
+  return widest > 0 ? widest : fit_line_width(size);
+}
+
 double widest_line(const Scene& scene, const dvec2& size) {
   double widest = 0;
   for (const SurfaceSpec& surface : scene.surfaces) {

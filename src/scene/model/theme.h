@@ -35,7 +35,10 @@ double fit_line_width(const dvec2& size);
 /// Pixels of the lines on a surface, or of the line or the dot across that it stands for.
 double line_width_of(const SurfaceSpec& surface, const dvec2& size);
 
-/// Pixels of the widest lines of all.
+/// Pixels of the widest lines on surfaces.
+double widest_surface_line(const Scene& scene, const dvec2& size);
+
+/// Pixels of the widest lines of all, and of dots across.
 double widest_line(const Scene& scene, const dvec2& size);
 
 }  // namespace saddle

@@ -206,7 +206,7 @@ TEST(Options, TellTheirDefaultsLimitsAndChoices) {
   EXPECT_EQ(choices(*find_option("shading")),
             (std::vector<std::string>{"vertex", "pixel", "exact", "unlit"}));
   EXPECT_FALSE(choices(*find_option("colormap")).empty());
-  EXPECT_EQ(find_option("name"), nullptr) << "a key alone is no option";
+  EXPECT_EQ(find_option("in"), nullptr) << "a key alone is no option";
 }
 
 }  // namespace
