@@ -33,8 +33,8 @@ inline constexpr unsigned kSurfaceCommands = kGraphCheck | kGraphChart;
 inline constexpr unsigned kAllCommands = kSurfaceCommands | bit(Command::List) | bit(Command::Show);
 
 /// A row. In `help` and `more`, --help fills in {choices}, {limits} and {formats}. Exactly one of
-/// `scene`, `surface`, `stroke`, `curve`, `point` and `run` is there: whose value it is; an option of
-/// surfaces may be one of curves and points, too. It is for each of them in the scene.
+/// `scene`, `surface`, `stroke`, `curve`, `point` and `run` is there: whose value it is; an option
+/// of surfaces may be one of curves and points, too. It is for each of them in the scene.
 struct Option {
   std::string_view name;           ///< without "--"; also the key
   char letter = 0;                 ///< of "-s"; 0: none
@@ -94,6 +94,10 @@ void check_value(const Option& option, const std::string& text);
 
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
+
+/// An object's option is about its curves and points. `beside_surfaces`: they stand with surfaces,
+/// whose colour is a formula.
+bool is_of_strokes(const Option& option, bool beside_surfaces);
 
 /// Changes what an object's option is about, for one surface, curve or point of the scene: in place
 /// of what the scene says, if that has the option, too. Throws Error (Input).
