@@ -35,6 +35,20 @@ TEST_F(Strokes, AreOnTheNearestSurfaceBefore) {
   EXPECT_TRUE(contains(read_file(path("r.json")), "\"position\": [\n        5.8,\n"));
 }
 
+TEST_F(Strokes, KeepTheirColorsBesideAColoredSurface) {
+  ASSERT_EQ(saddle({"z=u*v", "+", "curve", "x=s", "--color", "red", "-o", "a.toml"}).status, 0);
+  for (const std::vector<std::string>& more : {std::vector<std::string>(), {"+", "z=2"}}) {
+    std::vector<std::string> words = {"a.toml", "--color", "gauss", "--radius", "0.2"};
+    words.insert(words.end(), more.begin(), more.end());
+    words.insert(words.end(), {"-o", "b.toml"});
+    const Outcome outcome = saddle(words);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string scene = read_file(path("b.toml"));
+    EXPECT_TRUE(contains(scene, "color = \"gauss\"")) << scene;
+    EXPECT_TRUE(contains(scene, "[[curve]]\ncolor = \"#ff0000\"\nradius = 0.2\n")) << scene;
+  }
+}
+
 TEST_F(Strokes, TubesAndBallsArePartOfMeshesAndLinesAreNot) {
   const Outcome tube = saddle(
       {"curve", "x=s", "--radius", "0.1", "+", "point", "0,3,0", "--radius", "0.5", "-o", "a.ply"});

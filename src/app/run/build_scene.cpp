@@ -155,9 +155,8 @@ SceneObject read_stroke_object(const Segment& segment, const Segment* common, bo
     read_stroke(segment, PointSpec(), object.scene.points, object, alone);
   }
   if (common != nullptr) {
-    // There --color is a formula, for surfaces.
     std::ranges::copy_if(common->given, std::back_inserter(object.options),
-                         [](const GivenOption& g) { return g.option->name != "color"; });
+                         [](const GivenOption& g) { return is_of_strokes(*g.option, true); });
   }
   std::ranges::copy(segment.given, std::back_inserter(object.options));
   return object;
@@ -201,6 +200,21 @@ SceneObject read_object(const Segment& segment, const Segment* common, bool alon
   return object;
 }
 
+bool has_strokes(const SceneObject& object) {
+  return !object.scene.curves.empty() || !object.scene.points.empty();
+}
+
+/// An option that is of curves and points alone, in a segment that holds for none. `stroked`: it
+/// holds for some.
+void check_surface_options(const Segment& segment, bool stroked) {
+  for (const auto& [option, text] : segment.given) {
+    if (stroked || option->stroke == nullptr || option->surface || option->scene) continue;
+    const std::string name = dashed(*option);
+    throw Error(Status::Input, "there is no curve or point that takes it", {name, "", {}},
+                "it stands behind one: + point 0,0,1 " + name + " " + text);
+  }
+}
+
 }  // namespace
 
 Scene build_scene(const CommandLine& line) {
@@ -215,8 +229,11 @@ Scene build_scene(const CommandLine& line) {
   const std::optional<Theme> theme = theme_of(line);
   std::vector<SceneObject> objects;
   for (const Segment& segment : segments) {
-    if (&segment != common) objects.push_back(read_object(segment, common, alone, theme));
+    if (&segment == common) continue;
+    objects.push_back(read_object(segment, common, alone, theme));
+    check_surface_options(segment, has_strokes(objects.back()));
   }
+  if (common != nullptr) check_surface_options(*common, std::ranges::any_of(objects, has_strokes));
   const std::vector<std::string> shared =
       common == nullptr ? std::vector<std::string>() : common->arguments;
   check_given_once(shared);

@@ -298,7 +298,10 @@ template <typename Stroke>
 void finish_strokes(const SceneObject& object, std::size_t surfaces, std::span<Stroke> strokes,
                     Scene& scene) {
   for (Stroke& stroke : strokes) {
-    for (const auto& [option, text] : object.options) apply_option(*option, text, scene, stroke);
+    for (const auto& [option, text] : object.options) {
+      if (!is_of_strokes(*option, !object.scene.surfaces.empty())) continue;
+      apply_option(*option, text, scene, stroke);
+    }
     const bool is_on_surface = !stroke.u.empty() || !stroke.v.empty();
     if (!is_on_surface || !stroke.on.empty()) continue;
     if (surfaces > 0) stroke.on = unique_name(scene, surfaces - 1);

@@ -255,10 +255,16 @@ void check_value(const Option& option, const std::string& text) {
   parse_slot(slot, {nullptr, dashed(option), text});
 }
 
+bool is_of_strokes(const Option& option, bool beside_surfaces) {
+  return option.stroke != nullptr && !(beside_surfaces && option.name == "color");
+}
+
 void apply_option(const Option& option, const std::string& text, Scene& scene) {
   if (option.scene) parse_slot(option.scene(scene), {&scene, dashed(option), text});
-  if (!option.surface) return;
-  for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
+  if (option.surface) {
+    for (SurfaceSpec& surface : scene.surfaces) apply_option(option, text, scene, surface);
+  }
+  if (!is_of_strokes(option, !scene.surfaces.empty())) return;
   for (CurveSpec& curve : scene.curves) apply_option(option, text, scene, curve);
   for (PointSpec& point : scene.points) apply_option(option, text, scene, point);
 }
@@ -267,12 +273,13 @@ void apply_option(const Option& option, const std::string& text, const Scene& sc
                   SurfaceSpec& surface) {
   const auto is_key = [&](const Option& row) { return row.surface && row.name == option.name; };
   const auto row = std::ranges::find_if(options(), is_key);
+  if (row == options().end()) return;  // of curves and points alone
   parse_slot(row->surface(surface), {&scene, dashed(option), text, &surface});
 }
 
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
                   StrokeSpec& stroke) {
-  if (option.stroke) parse_slot(option.stroke(stroke), {&scene, dashed(option), text});
+  parse_slot(option.stroke(stroke), {&scene, dashed(option), text});
 }
 
 void set_place(const std::string& text, PointSpec& point) {

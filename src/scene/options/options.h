@@ -95,6 +95,10 @@ void check_value(const Option& option, const std::string& text);
 /// Changes what an option of the scene or its surfaces is about. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, Scene& scene);
 
+/// An object's option is about its curves and points. `beside_surfaces`: they stand with surfaces,
+/// whose colour is a formula.
+bool is_of_strokes(const Option& option, bool beside_surfaces);
+
 /// Changes what an object's option is about, for one surface, curve or point of the scene: in place
 /// of what the scene says, if that has the option, too. Throws Error (Input).
 void apply_option(const Option& option, const std::string& text, const Scene& scene,
