@@ -18,6 +18,7 @@
 #include "mesh/model/mesh_report.h"
 #include "meshing/clip_box.h"
 #include "render/overlay/annotations.h"
+#include "render/picture/sampled_surface.h"
 #include "scene/model/camera.h"
 #include "scene/model/color_scale.h"
 #include "scene/model/instances.h"
@@ -45,10 +46,6 @@ constexpr std::size_t kCells = 96;
 /// sphere bulges by half a percent of its radius, and pixels' sizes are wrong by no more.
 constexpr std::size_t kStillCells = 32;
 
-/// Twice as many samples each way go so many times as far where there is a pole: at a simple one
-/// twice as far. A peak that all samples see stays as it is.
-constexpr double kGrowth = 1.3;
-
 /// Moments of the range, its ends first.
 std::vector<double> moments_of(const Animation& animation) {
   std::vector<double> moments = {animation.from, animation.to};
@@ -63,79 +60,6 @@ std::vector<double> moments_of(const Animation& animation) {
 /// at this part of that side.
 constexpr double kNeedleHeight = 8;
 constexpr double kShownHeight = 0.6;
-
-/// Finite positions on a grid over a surface, and a box around them, clipped as its mesh will be.
-struct Sampled {
-  std::vector<dvec3> positions;
-  Bounds bounds;
-  bool moves = false;
-  bool has_poles = false;  ///< as it seems
-  void keep_to(const Bounds& box) {
-    std::erase_if(positions, [&](const dvec3& p) { return !box.contains(p); });
-    bounds = Bounds();
-    for (const dvec3& p : positions) bounds.add(p);
-  }
-};
-
-/// Clips a surface as if it has poles, if it seems to. `coarse`: a box around each other sample.
-void clip_poles(const Bounds& coarse, Sampled& surface) {
-  const dvec3 growth = surface.bounds.size() - kGrowth * coarse.size();
-  surface.has_poles = !surface.positions.empty() && std::max({growth.x, growth.y, growth.z}) > 0;
-  if (surface.has_poles) surface.keep_to(clip_box(surface.bounds, surface.positions));
-}
-
-/// The corners of octahedra round a curve's points in place of the balls that make its tube.
-void add_tube(double radius, Sampled& curve) {
-  if (radius == 0) return;
-  const std::vector<dvec3> middles = std::exchange(curve.positions, {});
-  for (const dvec3& middle : middles) {
-    for (int k = 0; k < 6; ++k) {
-      dvec3 p = middle;
-      p[k / 2] += k % 2 == 0 ? radius : -radius;
-      curve.positions.push_back(p);
-      curve.bounds.add(p);
-    }
-  }
-}
-
-/// Clips a surface that outgrows its picture.
-void clip_to_readable(const Scene& scene, Sampled& surface) {
-  if (surface.has_poles || scene.clip.box || !scene.clip.automatic) return;
-  const dvec3 scale = scene.scale.factors;
-  std::vector<dvec3> drawn = surface.positions;
-  for (dvec3& p : drawn) p *= scale;
-  const auto box = readable_box({surface.bounds.low * scale, surface.bounds.high * scale}, drawn);
-  if (box) surface.keep_to({box->low / scale, box->high / scale});
-}
-
-/// Finite positions on a grid, clipped to the scene's box or beside poles.
-Sampled sample(const Scene& scene, const SurfaceSpec& spec, BoundSurface bound, std::size_t cells,
-               unsigned threads) {
-  const Domain& d = bound.domain;
-  const std::vector<double> u = even_lines(d.u0, d.u1, cells);
-  const std::vector<double> v = even_lines(d.v0, d.v1, cells);
-  std::array<std::vector<double>, 3> xyz;
-  for (auto& coordinates : xyz) coordinates.resize(u.size() * v.size());
-  const std::array<double*, 3> outputs = {xyz[0].data(), xyz[1].data(), xyz[2].data()};
-  evaluate_grid(compile(bound.graph, bound.r), u, v, outputs, threads);
-  Sampled result;
-  result.moves = bound.moves;
-  Bounds coarse;
-  for (std::size_t i = 0; i < xyz[0].size(); ++i) {
-    const dvec3 p(xyz[0][i], xyz[1][i], xyz[2][i]);
-    if (!is_finite(p)) continue;
-    result.positions.push_back(p);
-    result.bounds.add(p);
-    if (i / u.size() % 2 == 0 && i % u.size() % 2 == 0) coarse.add(p);
-  }
-  if (scene.clip.box && !spec.point) {
-    result.keep_to(*scene.clip.box);
-  } else if (scene.clip.automatic) {
-    clip_poles(coarse, result);
-  }
-  if (spec.curve) add_tube(stroke_radius(scene, spec), result);
-  return result;
-}
 
 /// The scene's surfaces at one moment. A surface that does not move is sampled once.
 using Samples = std::vector<std::shared_ptr<const Sampled>>;

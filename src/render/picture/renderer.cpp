@@ -23,10 +23,6 @@
 namespace saddle {
 namespace {
 
-constexpr dvec3 kMarkColor{0.3, 0.9, 0.5};
-/// The box around the surfaces is less conspicuous than its labels.
-constexpr double kBoxInk = 0.3;
-
 /// Lights beyond this number slow a program down, as each pixel takes all of them, but do not make
 /// it any longer.
 constexpr std::size_t kMostLightsAtOnce = 512;
@@ -40,15 +36,6 @@ void clear(const Color& background) {
   glClearColor(channel(background.r), channel(background.g), channel(background.b),
                channel(background.a));
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
-dvec3 rgb(const Color& color) {
-  return {color.r, color.g, color.b};
-}
-
-/// Samples across a line of so many pixels.
-int samples_across(double pixels, const Viewport& viewport) {
-  return std::max(1, static_cast<int>(std::lround(pixels * viewport.per_side)));
 }
 
 void check_gl() {
@@ -151,19 +138,15 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   clear(background);
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, line, look);
-  if (look.lines) draw_lines(scene, items, viewport);
-  if (has_contours()) {
-    glEnable(GL_DEPTH_CLAMP);  // they may stand out of the box that holds the triangles
-    draw_contours(scene, items, viewport);
-    glDisable(GL_DEPTH_CLAMP);
-  }
+  if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
+  if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
   stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;
-    draw_marks(item, samples_across(fit_line_width(viewport.size()), viewport));
+    line_drawer_.draw_marks(*marks_, item, viewport);
   }
-  if (!annotations.edges.empty()) draw_box(annotations.edges, camera, viewport, ink);
+  if (!annotations.edges.empty()) line_drawer_.draw_box(annotations.edges, camera, viewport, ink);
   if (!see_through.empty()) {
     const double least = std::ranges::min(see_through, {}, &PlacedMesh::opacity).opacity;
     left_out_layers_ |= !layers(viewport).draw(
@@ -171,10 +154,11 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
          [&] { draw_surfaces(scene, see_through, lights, line, look); }, least});
   }
   if (!annotations.empty()) {
-    line_program().use();
-    line_program().set("line_color", ink);
+    Program& program = line_drawer_.program();
+    program.use();
+    program.set("line_color", ink);
     if (!overlay_) overlay_.emplace();
-    overlay_->draw(annotations, viewport, ink, line_program(), colormaps_);
+    overlay_->draw(annotations, viewport, ink, program, colormaps_);
   }
   glUseProgram(0);  // a program that a caller remembers as used may be deleted
   check_gl();
@@ -206,7 +190,7 @@ std::vector<std::string> Renderer::warnings() const {
     all.push_back("the font of pictures has no letters for " + unknown_letters_ +
                   ": boxes stand for them");
   }
-  if (has_thinner_lines_) {
+  if (line_drawer_.has_thinner_lines()) {
     all.emplace_back("the OpenGL driver draws no lines as wide as these: they are thinner");
   }
   if (left_out_layers_) {
@@ -220,22 +204,6 @@ std::string Renderer::shader_texts() const {
   std::string all;
   for (const auto& [text, program] : programs_) all += text;
   return all;
-}
-
-Program& Renderer::line_program() {
-  if (!line_program_) {
-    line_program_.emplace(std::string(shader_source("unlit.vert.glsl")),
-                          std::string(shader_source("line.frag.glsl")));
-  }
-  return *line_program_;
-}
-
-Program& Renderer::contour_program() {
-  if (!contour_program_) {
-    contour_program_.emplace(std::string(shader_source("contour.vert.glsl")),
-                             std::string(shader_source("line.frag.glsl")));
-  }
-  return *contour_program_;
 }
 
 bool Renderer::has_lines() const {
@@ -372,67 +340,6 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   }
   glFrontFace(GL_CCW);
   glDisable(GL_CULL_FACE);
-}
-
-void Renderer::draw_lines(const Scene& scene, std::span<const PlacedMesh> items,
-                          const Viewport& viewport) {
-  if (!has_lines()) return;
-  draw_lines_of(scene, items, line_program(), viewport, &GpuMesh::has_lines, &GpuMesh::draw_lines);
-}
-
-void Renderer::draw_contours(const Scene& scene, std::span<const PlacedMesh> items,
-                             const Viewport& viewport) {
-  draw_lines_of(scene, items, contour_program(), viewport, &GpuMesh::has_contours,
-                &GpuMesh::draw_contours);
-}
-
-/// Lines of one kind.
-void Renderer::draw_lines_of(const Scene& scene, std::span<const PlacedMesh> items,
-                             Program& program, const Viewport& viewport,
-                             bool (GpuMesh::*has)() const, void (GpuMesh::*draw)() const) {
-  program.use();
-  for (const PlacedMesh& item : items) {
-    const SurfaceSpec& surface = scene.surfaces[item.surface];
-    const GpuMesh& mesh = meshes_[item.surface];
-    if (!(mesh.*has)() || surface.is_stroke()) continue;
-    program.set("line_color", rgb(surface.line_color));
-    const double width = line_width_of(surface, viewport.size());
-    has_thinner_lines_ |= !set_line_width(samples_across(width, viewport));
-    program.set("model_to_clip", item.model_to_clip);
-    program.check_all_set();
-    (mesh.*draw)();
-  }
-}
-
-/// Fainter than its labels.
-void Renderer::draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
-                        const Viewport& viewport, const dvec3& ink) {
-  const GpuMesh box(mesh_of_lines(edges));
-  const PlacedMesh item({}, box, camera, box.frame().size);
-  Program& program = line_program();
-  program.use();
-  program.set("line_color", glm::mix(dvec3(0.5), ink, kBoxInk));
-  program.set("model_to_clip",
-              clip_to_rect(viewport.width, viewport.height, viewport.rect, viewport.margin) *
-                  item.model_to_clip);
-  program.check_all_set();
-  set_line_width(samples_across(fit_line_width(viewport.size()), viewport));
-  glEnable(GL_DEPTH_CLAMP);
-  box.draw_lines();
-  glDisable(GL_DEPTH_CLAMP);
-}
-
-/// They may stand out of the box that the camera's near and far planes enclose.
-void Renderer::draw_marks(const PlacedMesh& item, int line_width) {
-  Program& program = line_program();
-  program.use();
-  program.set("line_color", kMarkColor);
-  program.set("model_to_clip", item.model_to_clip);
-  program.check_all_set();
-  set_line_width(line_width);
-  glEnable(GL_DEPTH_CLAMP);
-  marks_->draw_lines();
-  glDisable(GL_DEPTH_CLAMP);
 }
 
 }  // namespace saddle

@@ -15,6 +15,7 @@
 #include "render/gl/viewport.h"
 #include "render/overlay/overlay_drawer.h"
 #include "render/picture/layers.h"
+#include "render/picture/line_drawer.h"
 #include "render/picture/placed_mesh.h"
 #include "render/picture/stroke_drawer.h"
 #include "render/shading/colormap_textures.h"
@@ -74,8 +75,6 @@ class Renderer {
   std::vector<PlacedMesh> items_of(const Scene& scene, const FittedCamera& camera, double unit,
                                    const Look& look) const;
   Program& program(const ShaderText& text, const std::string& captured = "");
-  Program& line_program();
-  Program& contour_program();
   Layers& layers(const Viewport& viewport);
   bool has_lines() const;
   bool has_contours() const;
@@ -89,29 +88,18 @@ class Renderer {
   void draw_surfaces(const Scene& scene, std::span<const PlacedMesh> items, Lights lights,
                      int line_width, const Look& look);
   void draw_pass(const Scene& scene, std::span<const PlacedMesh> items, Lights lights, bool first);
-  void draw_lines(const Scene& scene, std::span<const PlacedMesh> items, const Viewport& viewport);
-  void draw_contours(const Scene& scene, std::span<const PlacedMesh> items,
-                     const Viewport& viewport);
-  void draw_lines_of(const Scene& scene, std::span<const PlacedMesh> items, Program& program,
-                     const Viewport& viewport, bool (GpuMesh::*has)() const,
-                     void (GpuMesh::*draw)() const);
-  void draw_marks(const PlacedMesh& item, int line_width);
-  void draw_box(std::span<const std::array<dvec3, 2>> edges, const FittedCamera& camera,
-                const Viewport& viewport, const dvec3& ink);
 
   std::size_t lights_at_once_ = 0;
   std::vector<GpuMesh> meshes_;
   StrokeDrawer stroke_drawer_;
+  LineDrawer line_drawer_;
   std::vector<Normals> normals_;  // of each
   std::optional<GpuMesh> marks_;
   std::map<std::string, Program> programs_;  // for surfaces, by their text
   ColormapTextures colormaps_;
   std::vector<ColorScale> scales_;  // of the scene that is being drawn
-  std::optional<Program> line_program_;
-  std::optional<Program> contour_program_;
   std::optional<Layers> layers_;
   bool left_out_layers_ = false;
-  bool has_thinner_lines_ = false;
   std::string unknown_letters_;
   std::optional<OverlayDrawer> overlay_;
 };
