@@ -253,7 +253,7 @@ std::optional<dvec3> scale_of_moments(const std::vector<Scene>& scenes,
   return scale_of_height(box);
 }
 
-void clip_to_readable(const Scene& scene, std::vector<Samples>& moments) {
+void clip_all_to_readable(const Scene& scene, std::vector<Samples>& moments) {
   const std::vector<Samples> before = moments;  // whose places in memory no other takes
   std::map<const Sampled*, std::shared_ptr<const Sampled>> clipped;  // a surface at rest is once
   for (Samples& samples : moments) {
@@ -283,7 +283,7 @@ void fit(std::vector<Scene>& scenes, std::size_t cells, Framing& framing, unsign
     if (framing.scale) scene.scale.factors = *framing.scale;
     places.push_back(instances(scene));
   }
-  clip_to_readable(scenes[0], samples);
+  clip_all_to_readable(scenes[0], samples);
   keep_to_clipped(samples);
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     Bounds box;
