@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
+#include "render/overlay/box_edges.h"
 #include "scene/model/ticks.h"
 
 namespace saddle {
@@ -38,8 +38,6 @@ constexpr double kMostBarName = 0.3;  // of the picture's width
 constexpr double kMostLabel = 0.2;    // of the picture's width
 constexpr double kLeastRoom = 0.3;    // for the surfaces, of each side
 constexpr int kMostTicks = 8;
-/// An edge is upright if it is so many times as high as it is wide.
-constexpr double kUpright = 2.5;
 /// Edges of fewer ems than this, seen almost along themselves, have no ticks.
 constexpr double kLeastEdge = 2;
 
@@ -47,23 +45,15 @@ double letters_for(const dvec2& size) {
   return std::max(kLeastLetters, std::round(kLetters * std::min(size.y, kNarrow * size.x)));
 }
 
-/// An edge of the box that has ticks: along `axis`, from the box's low to its high end of it.
-struct Edge {
-  int axis = 0;
-  dvec3 begin, end;
-  dvec2 from, to;  ///< pixels
-  dvec2 out;       ///< unit vector away from the box in the picture
-};
-
 class Annotator {
  public:
   Annotator(const Scene& scene, const FittedCamera& camera, const Bounds& box, const dvec2& size)
       : scene_(scene),
-        camera_(camera),
         box_(box),
         scale_(scene.scale.factors),
         size_(size),
         em_(letters_for(size)),
+        edges_(camera, scene.camera.ortho, box, size, kLeastEdge * em_),
         writer_(size) {}
 
   Annotations take() {
@@ -73,12 +63,10 @@ class Annotator {
   }
 
   void add_axes() {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int i = 0; i < 4; ++i) add_box_edge(axis, (i & 1) != 0, (i & 2) != 0);
-    }
+    result_.edges = edges_.drawn();
     std::vector<Edge> edges;
     for (int axis = 0; axis < 3; ++axis) {
-      if (const auto edge = edge_with_ticks(axis)) edges.push_back(*edge);
+      if (const auto edge = edges_.with_ticks(axis)) edges.push_back(*edge);
     }
     for (const Edge& edge : edges) add_ticks(edge);
   }
@@ -190,83 +178,6 @@ class Annotator {
     return writer_.shortened(one_line(label), kMostLabel * size_.x, em_);
   }
 
-  // --- where things are --------------------------------------------------------------------------
-
-  std::optional<dvec2> pixel_of(const dvec3& point) const {
-    return saddle::pixel_of(camera_, point, size_);
-  }
-
-  /// Whether the box's face at the low or the high end of an axis is toward the eye.
-  bool is_front(int axis, bool high) const {
-    const dvec3 backward(camera_.world_to_eye[0][2], camera_.world_to_eye[1][2],
-                         camera_.world_to_eye[2][2]);
-    double toward = backward[axis];
-    if (!scene_.camera.ortho) {
-      const dvec3 eye = camera_.target + camera_.distance * backward;
-      toward = high ? eye[axis] - box_.high[axis] : eye[axis] - box_.low[axis];
-    }
-    return high ? toward > 0 : toward < 0;
-  }
-
-  dvec3 corner(int axis, bool first_high, bool second_high, bool end) const {
-    dvec3 p;
-    p[axis] = end ? box_.high[axis] : box_.low[axis];
-    p[(axis + 1) % 3] = first_high ? box_.high[(axis + 1) % 3] : box_.low[(axis + 1) % 3];
-    p[(axis + 2) % 3] = second_high ? box_.high[(axis + 2) % 3] : box_.low[(axis + 2) % 3];
-    return p;
-  }
-
-  /// All edges but those between two faces in front: they would hide the surfaces.
-  void add_box_edge(int axis, bool first, bool second) {
-    if (is_front((axis + 1) % 3, first) && is_front((axis + 2) % 3, second)) return;
-    result_.edges.push_back(
-        {corner(axis, first, second, false), corner(axis, first, second, true)});
-  }
-
-  /// The lowest edge along an axis on the box's outline; the leftmost one, if they are upright.
-  std::optional<Edge> edge_with_ticks(int axis) const {
-    std::optional<Edge> best;
-    double best_rank = 0;
-    for (int i = 0; i < 4; ++i) {
-      const bool first = (i & 1) != 0;
-      const bool second = (i & 2) != 0;
-      if (is_front((axis + 1) % 3, first) == is_front((axis + 2) % 3, second)) continue;
-      const auto edge = edge_at(axis, first, second);
-      if (!edge) continue;
-      const dvec2 way = glm::abs(edge->to - edge->from);
-      const dvec2 middle = (edge->from + edge->to) / 2.0;
-      const double rank = way.y > kUpright * way.x ? -middle.x : middle.y;
-      if (best && rank <= best_rank) continue;
-      best = edge;
-      best_rank = rank;
-    }
-    return best;
-  }
-
-  std::optional<Edge> edge_at(int axis, bool first, bool second) const {
-    Edge edge;
-    edge.axis = axis;
-    edge.begin = corner(axis, first, second, false);
-    edge.end = corner(axis, first, second, true);
-    const auto from = pixel_of(edge.begin);
-    const auto to = pixel_of(edge.end);
-    const auto middle = pixel_of(box_.centre());
-    if (!from || !to || !middle) return std::nullopt;
-    edge.from = *from;
-    edge.to = *to;
-    const dvec2 away = (*from + *to) / 2.0 - *middle;
-    const dvec2 along = *to - *from;
-    if (edge.begin == edge.end) {  // a flat box
-      if (glm::length(away) == 0) return std::nullopt;
-      edge.out = glm::normalize(away);
-      return edge;
-    }
-    if (glm::length(along) < kLeastEdge * em_) return std::nullopt;
-    edge.out = glm::normalize(dvec2(along.y, -along.x));
-    if (glm::dot(edge.out, away) < 0) edge.out = -edge.out;
-    return edge;
-  }
-
   // --- axes --------------------------------------------------------------------------------------
 
   /// A tick in the picture.
@@ -285,7 +196,7 @@ class Annotator {
     for (const Tick& tick : all.ticks) {
       dvec3 place = edge.begin;
       place[edge.axis] = tick.value * scale_[edge.axis];
-      if (const auto at = pixel_of(place)) marks.push_back({*at, tick.text});
+      if (const auto at = edges_.pixel_of(place)) marks.push_back({*at, tick.text});
     }
     return marks;
   }
@@ -303,18 +214,6 @@ class Annotator {
       if (rect.overlaps(label_rect(edge, marks[i - 1], kApart * em_))) return false;
     }
     return true;
-  }
-
-  /// Around the box in the picture.
-  Rect outline() const {
-    Rect rect{size_, dvec2(0)};
-    for (int i = 0; i < 8; ++i) {
-      const auto at = pixel_of(corner(0, (i & 1) != 0, (i & 2) != 0, (i & 4) != 0));
-      if (!at) return {dvec2(0), size_};
-      rect.low = glm::min(rect.low, *at);
-      rect.high = glm::max(rect.high, *at);
-    }
-    return rect;
   }
 
   void add_ticks(const Edge& edge) {
@@ -335,8 +234,9 @@ class Annotator {
     const dvec2 at = (edge.from + edge.to) / 2.0;
     const dvec2 beside = at + ((kTickLength + 2 * kGap) * em_ + reach) * edge.out;
     const bool is_letter = chosen.note.empty() && writer_.width(name, em_) <= em_;
-    const bool is_written = is_letter ? writer_.write(name, beside, edge.out, em_)
-                                      : writer_.write_near(name, beside, edge.out, em_, outline());
+    const bool is_written = is_letter
+                                ? writer_.write(name, beside, edge.out, em_)
+                                : writer_.write_near(name, beside, edge.out, em_, edges_.outline());
     if (!is_written && !chosen.note.empty()) return;  // without it the numbers are wrong
     for (const Mark& mark : marks) {
       result_.strokes.push_back({mark.at, mark.at + kTickLength * em_ * edge.out});
@@ -381,11 +281,11 @@ class Annotator {
   }
 
   const Scene& scene_;
-  const FittedCamera& camera_;
   const Bounds& box_;
   dvec3 scale_;  ///< of the picture along the axes
   dvec2 size_;
   double em_;
+  BoxEdges edges_;
   LabelWriter writer_;
   Annotations result_;
 };
