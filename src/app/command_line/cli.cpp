@@ -193,9 +193,9 @@ void check_segments(const CommandLine& line) {
     const Segment& segment = line.segments[i];
     if (!segment.arguments.empty() || line.segments.size() == 1) continue;
     if (i == 0 && !segment.given.empty()) continue;
-    const std::string side = i == 0 ? "before" : "after";
-    throw Error(Status::Input,
-                "there is no object " + side + " '+' " + std::to_string(i == 0 ? 1 : i), {},
+    std::string place = i == 0 ? "before the '+'" : "after the '+'";
+    if (line.segments.size() > 2) place += " number " + std::to_string(std::max<std::size_t>(i, 1));
+    throw Error(Status::Input, "there is no object " + place, {},
                 {"for example saddle torus + z=u*v -o both.png",
                  "a formula with spaces is written in quotes: z='u + v'"});
   }

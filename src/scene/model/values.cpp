@@ -25,7 +25,8 @@ constexpr std::int64_t kMaxSamples = std::int64_t{1} << 26;
 
 /// A value that would do, as an option or as a key of a scene file.
 std::string example(const std::string& option, const std::string& value) {
-  if (option.starts_with("--")) return "for example " + option + " " + value;
+  // The word after `point` is a value, too.
+  if (option.starts_with("--") || option == "point") return "for example " + option + " " + value;
   const std::size_t colon = option.rfind(' ');  // of "surface 1: grid"
   return "for example " + option.substr(colon == std::string::npos ? 0 : colon + 1) + " = \"" +
          value + "\"";
