@@ -27,18 +27,23 @@ constexpr std::size_t kPlaceGroup = 1 + kFourWays.size();  // a place and those 
 
 void BoundaryDistance::add(const Leaf& leaf, std::size_t number,
                            std::span<const Triangle> triangles, double allowed) {
-  if (leaf.state.is_cut_by_feature() && has_cut(FeatureKind::Jump, leaf, tree_)) {
+  const bool is_cut = leaf.state.is_cut_by_feature();
+  if (is_cut && has_cut(FeatureKind::Cliff, leaf, tree_)) {
+    delta_ = std::min(delta_, allowed);
+    return add_chords(leaf, number, triangles, FeatureKind::Cliff);
+  }
+  if (is_cut && has_cut(FeatureKind::Jump, leaf, tree_)) {
     if (leaf.state.leads_to_pole() || has_cut(FeatureKind::Pole, leaf, tree_)) return;
     delta_ = std::min(delta_, allowed);
     add_flat_sheets(leaf, number, allowed);
-    if (!triangles.empty()) return add_chords(leaf, number, triangles, true);
+    if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Jump);
   } else {
     if (leaf.state.cut() != LeafCut::Boundary) return;
     if (strips_.add(leaf, number, triangles, allowed)) {
       if (triangles.empty()) add_bulges(leaf, number);  // the strip may end before the first line
       return;
     }
-    if (!triangles.empty()) return add_chords(leaf, number, triangles, false);
+    if (!triangles.empty()) return add_chords(leaf, number, triangles, FeatureKind::Boundary);
   }
   add_bulges(leaf, number);
   omitted_.push_back(number);
@@ -110,7 +115,9 @@ void BoundaryDistance::add_flat_sheets(const Leaf& leaf, std::size_t number, dou
 }
 
 void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
-                                  std::span<const Triangle> triangles, bool is_jump) {
+                                  std::span<const Triangle> triangles, FeatureKind kind) {
+  const bool is_jump = kind != FeatureKind::Boundary;
+  const bool is_cliff = kind == FeatureKind::Cliff;
   // Ways through the places on a jump are not straight across: the largest distance is predicted.
   // A corner of a boundary is solved for; its arc is farthest in the middle.
   const std::span<const double> places =
@@ -122,6 +129,11 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
   const auto place = [&](std::uint32_t corner) { return (grid_.mesh.uv[corner] - low) / size; };
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const Triangle& t = triangles[k];
+    // Chords are measured from the sheets on either side of a cliff.
+    if (is_cliff && std::ranges::all_of(t, [&](std::uint32_t corner) {
+          return tree_.vertices().is_on_feature(corner);
+        }))
+      continue;
     std::vector<Triangle> sheet;  // made for its first chord
     std::vector<PlacedTriangle> placed;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -155,7 +167,8 @@ void BoundaryDistance::add_chords(const Leaf& leaf, std::size_t number,
                           low + size * border_of_square(at, -way),
                           low + size * border,
                           outside_of(leaf, sheet, border, way),
-                          is_at_face});
+                          is_at_face,
+                          is_cliff});
       }
     }
   }
@@ -290,74 +303,6 @@ double BoundaryDistance::distance_from_edge(const EdgeChord& chord,
   if (!is_beyond) return from_chord;
   const double from_triangles = distance_from(grid_, triangles, uv, point.position);
   return clip_ ? from_triangles : std::max(from_chord, from_triangles);
-}
-
-/// Where sheets end on the ways across the chords of jumps. Follows ways that leave their leaf
-/// where the next one has nothing of the sheet.
-std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
-  std::vector<Line> ways;
-  for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
-  auto ends = sheet_ends(surface_, ways, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
-  std::vector<std::size_t> open;
-  std::vector<Line> outside;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    if (!ends[k] || ends[k]->kind != SheetEnd::Kind::Open || !jumps_[k].outside) continue;
-    open.push_back(k);
-    outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
-  }
-  const auto more =
-      sheet_ends(surface_, outside, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
-  }
-  return ends;
-}
-
-/// A sheet ends where the surface jumps, or at a boundary, on the way from a corner of its
-/// triangles across the chord.
-void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
-  const auto ends = ends_at_jumps();
-  std::vector<dvec2> uv;
-  std::vector<dvec2> before;  // chords through which sheets go on
-  std::vector<bool> goes_on;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const EdgeChord& chord = jumps_[k];
-    uv.push_back(ends[k] ? ends[k]->uv : chord.opposite);
-    const bool is_beyond = glm::dot(uv[k] - chord.middle, chord.beyond - chord.opposite) >= 0;
-    goes_on.push_back(ends[k] && is_beyond && ends[k]->kind != SheetEnd::Kind::Jump);
-    // The surface may jump on the chord.
-    if (goes_on[k]) before.push_back(glm::mix(chord.opposite, chord.middle, 1 - kLastStep));
-  }
-  const std::vector<SurfacePoint> at_ends = evaluate(surface_, uv, threads_);
-  const std::vector<SurfacePoint> before_chords = evaluate(surface_, before, threads_);
-  evaluations_ += uv.size() + before.size();
-  std::size_t next = 0;         // of before_chords
-  std::vector<Height> heights;  // of the chord so far
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const EdgeChord& chord = jumps_[k];
-    if (k % kAlongLine.size() == 0) heights.clear();
-    const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
-    const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
-    if (through != nullptr && chord.triangles.empty()) continue;
-    if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
-    if (through != nullptr) {
-      add(distance_from_chord(grid_, chord.ends, through->position));
-      continue;
-    }
-    const double distance = distance_from_edge(
-        chord, std::span(&chord.own, chord.triangles.empty() ? 0 : 1), uv[k], at_ends[k]);
-    add(distance);
-    heights.push_back({foot(chord.ends[0], chord.ends[1], at_ends[k].position), distance});
-    if (heights.size() == kAlongLine.size()) {
-      add(predicted_distance({heights[0], heights[1], heights[2]}));
-      // Where the sheet's edge leaps to the end of the chord, as at the end of the jump of
-      // atan2(v, u), distances grow up to there.
-      const auto at_end = [&](std::size_t k) {
-        return 2 * heights[k].distance - heights[1].distance;
-      };
-      add(std::max(at_end(0), at_end(2)));
-    }
-  }
 }
 
 /// Leaves may be defined in places but not at their corners, as beside the point where a boundary

@@ -12,6 +12,7 @@
 #include "mesh/features/sheet_ends.h"
 #include "mesh/grid/grid.h"
 #include "mesh/proof/continuity.h"
+#include "mesh/tree/edge_table.h"
 #include "mesh/tree/leaf.h"
 
 namespace saddle {
@@ -54,9 +55,10 @@ class BoundaryDistance {
     /// Where the way goes on in the next leaf, if no corner of the sheet is on the side between.
     std::optional<dvec2> outside;
     bool is_at_face;  ///< of a leaf that ends on the box beside a pole
+    bool is_at_cliff = false;
   };
   void add_chords(const Leaf& leaf, std::size_t number, std::span<const Triangle> triangles,
-                  bool is_jump);
+                  FeatureKind kind);
   void add_bulges(const Leaf& leaf, std::size_t number);
   void add_flat_sheets(const Leaf& leaf, std::size_t number, double allowed);
   std::optional<dvec2> outside_of(const Leaf& leaf, std::span<const Triangle> sheet,
@@ -68,6 +70,7 @@ class BoundaryDistance {
                             const dvec2& uv, const SurfacePoint& point) const;
   void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;
   std::vector<std::optional<SheetEnd>> ends_at_jumps();
+  void end_at_cliffs(std::vector<std::optional<SheetEnd>>& ends);
   void measure_chords(std::vector<LeafDistance>& found);
   void measure_jumps(std::vector<LeafDistance>& found);
   void measure_omitted(std::vector<LeafDistance>& found);

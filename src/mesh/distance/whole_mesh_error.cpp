@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 
 #include "base/parallel.h"
 #include "mesh/distance/sampled_error.h"
@@ -21,11 +20,17 @@ namespace {
 constexpr double kFirstStep = 0.25;
 /// Parts of a line shorter than 0.25 tolerances are not halved.
 constexpr double kShortPart = 0.25;
-/// Lines through a place of the mesh: two of parameters, then three to the corners.
-constexpr std::size_t kLines = 5;
+/// Further directions, as parts of the way in u and in v: with those of the parameters one is
+/// within 11 degrees of the direction straight across a steep wall, and too long by 2 % at most.
+constexpr std::array kAslant = {dvec2(1, 1),      dvec2(1, -1),      dvec2(1, 0.4142),
+                                dvec2(0.4142, 1), dvec2(1, -0.4142), dvec2(0.4142, -1)};
+/// Lines through a place of the mesh: two of parameters, three to the corners, and those aslant, if
+/// there are cliffs.
+constexpr std::size_t kStraight = 5;
+constexpr std::size_t kLines = kStraight + kAslant.size();
 /// Lines that are sampled after each of the first rounds: the next ones begin where a place is
 /// still too far off.
-constexpr std::array<std::size_t, 3> kBegun = {1, 2, kLines};
+constexpr std::array<std::size_t, 4> kBegun = {1, 2, kStraight, kLines};
 /// Places of the mesh that are searched at most: 250 evaluations each.
 constexpr std::size_t kMostSearched = 192;
 /// The search climbs from the 8 farthest places of the mesh, in 4 rounds, if they are within 0.5 of
@@ -137,9 +142,9 @@ std::vector<WholeMeshError::Expected> WholeMeshError::expect(
   return result;
 }
 
-/// Searches the surface along five lines through each place: both lines of parameters, as far to
-/// both sides as its triangle reaches along one of them, and the lines to the corners. Both lines
-/// of parameters start from samples within the triangle's own extent, too: a triangle along a
+/// Searches the surface along lines through each place: both lines of parameters, as far to both
+/// sides as its triangle reaches along one of them, the lines to the corners, and others. Both
+/// lines of parameters start from samples within the triangle's own extent, too: a triangle along a
 /// ridge is much longer than the ridge is wide. A line is sampled only where the samples of those
 /// before it are too far off.
 std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expected> places,
@@ -169,6 +174,7 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
     }
     for (const std::uint32_t corner : *expected.place.triangle)
       lines.emplace_back(p, uv, grid_.mesh.uv[corner] - uv);
+    for (const dvec2& direction : kAslant) lines.emplace_back(p, uv, reach * direction);
     own.resize(lines.size());
     result.push_back({expected.place, {expected.near, uv}, kFirstStep * reach});
   }
@@ -193,7 +199,9 @@ std::vector<WholeMeshError::Nearest> WholeMeshError::search(std::span<const Expe
       const auto of_place = std::span(lines).subspan(first, kLines);
       const auto is_near = [&](const NearestOnLine& line) { return line.distance() <= least; };
       if (std::ranges::any_of(of_place, is_near)) continue;
-      for (std::size_t k = first + begun; k < first + next; ++k) begin(k);
+      if (begun < kStraight || has_cliffs_) {
+        for (std::size_t k = first + begun; k < first + next; ++k) begin(k);
+      }
       for (std::size_t k = first; k < first + begun && round > 0; ++k) {
         if (const auto t = lines[k].next(kShortPart * tolerance)) tries.emplace_back(k, *t);
       }

@@ -30,11 +30,17 @@ double thickness_of(const Mesh& mesh, const Triangle& t);
 
 class WholeMeshError {
  public:
-  /// `all`: the triangles of the mesh. Places outside of `clip` have no error. The surface, the
-  /// grid and the triangles must outlive this.
+  /// `all`: the triangles of the mesh. Places outside of `clip` have no error. With
+  /// `has_cliffs`, more of the surface beside places is searched. The surface, the grid and the
+  /// triangles must outlive this.
   WholeMeshError(const Surface& surface, const Grid& grid, std::span<const Triangle> all,
-                 const std::optional<Bounds>& clip, unsigned threads)
-      : surface_(surface), grid_(grid), all_(all), clip_(clip), threads_(threads) {}
+                 const std::optional<Bounds>& clip, unsigned threads, bool has_cliffs = false)
+      : surface_(surface),
+        grid_(grid),
+        all_(all),
+        clip_(clip),
+        threads_(threads),
+        has_cliffs_(has_cliffs) {}
 
   /// A place over triangles, of a leaf.
   struct Place {
@@ -107,6 +113,7 @@ class WholeMeshError {
   std::span<const Triangle> all_;
   std::optional<Bounds> clip_;
   unsigned threads_;
+  bool has_cliffs_;
   mutable std::once_flag has_tree_;
   mutable std::optional<TriangleTree> tree_;  // made for the first point that its leaf misses
 };

@@ -71,6 +71,7 @@ AdaptiveMesher::AdaptiveMesher(const Surface& surface, const MeshRequest& reques
       hulls_(surface),
       open_(surface, grid_, tree_, hulls_, request_.clip, request.threads),
       predicted_(predict(plan)) {
+  if (seams_.any()) tree_.edges().set_has_seams();
   if (request.stop != MeshRequest::Stop::AtPolesOrFar) return;
   const Bounds most = rough_box(plan.probe.positions());
   const dvec3 far(request.far * most.diagonal());
@@ -246,10 +247,11 @@ void AdaptiveMesher::place_inner_vertices(std::size_t first) {
     if (request_.clip && crosses_box(leaf)) continue;
     const FeatureCount features = count_features(leaf, tree_);
     const bool is_strip = features.features > 2 && has_thin_strip(leaf, tree_);
-    const bool is_solvable =
-        !features.has_more && !is_strip && !has_cut(FeatureKind::Pole, leaf, tree_) &&
-        !has_cut(FeatureKind::Face, leaf, tree_) && !has_cut(FeatureKind::Essential, leaf, tree_) &&
-        !(leaf.state.is_cut_by_feature() && features.only_creases);
+    const bool is_solvable = !features.has_more && !features.has_cliffs && !is_strip &&
+                             !has_cut(FeatureKind::Pole, leaf, tree_) &&
+                             !has_cut(FeatureKind::Face, leaf, tree_) &&
+                             !has_cut(FeatureKind::Essential, leaf, tree_) &&
+                             !(leaf.state.is_cut_by_feature() && features.only_creases);
     if (is_solvable) which.push_back(k);
   }
   for (std::span<const std::size_t> rest = which; !rest.empty();) {
@@ -333,6 +335,8 @@ bool AdaptiveMesher::leave_out_if_small(std::size_t number) {
   const bool is_small =
       halvings_of_root(leaf) >= kBoundaryHalvings && direction_.is_too_small_to_see(leaf);
   if (leaf.state.leads_to_pole() || !(is_smallest || is_small)) return false;
+  const FeatureCount features = count_features(leaf, tree_);
+  if (features.has_cliffs && features.is_continuous) return false;
   leaf.state.leave_out_too_small();
   mesh_.sampled_errors[number] = {};
   has_new_left_out_ = true;
@@ -464,7 +468,7 @@ ActiveLeaves AdaptiveMesher::activate_refuted() {
 bool AdaptiveMesher::may_hide_feature(std::size_t number) const {
   const Leaf& leaf = mesh_.leaves[number];
   if (leaf.state.is_on_boundary()) return false;
-  const bool is_continuous = leaf.state.is_whole() || count_features(leaf, tree_).only_creases;
+  const bool is_continuous = leaf.state.is_whole() || count_features(leaf, tree_).is_continuous;
   return is_continuous && !leaf.state.oscillates() && !leaf.state.leads_to_pole() &&
          !is_clipped(leaf) && !proof_.is_proved(mesh_, number);
 }

@@ -223,7 +223,7 @@ class ErrorReporter {
   bool is_covered(const Leaf& leaf) const {
     if (leaf.state.is_on_boundary() || (leaf.state.oscillates() && has_waves_)) return false;
     if (mesher_.landmarks().misses_hole(leaf)) return false;
-    return leaf.state.is_whole() || count_features(leaf, tree_).only_creases;
+    return leaf.state.is_whole() || count_features(leaf, tree_).is_continuous;
   }
 
   /// Whether a leaf without triangles, on a boundary, has a place of the surface.
@@ -276,7 +276,9 @@ class ErrorReporter {
     }
     std::optional<WholeMeshError> whole;
     const auto measured = [&]() -> const WholeMeshError& {
-      if (!whole) whole.emplace(surface, grid_, triangles.all, request.clip, request.threads);
+      if (!whole)
+        whole.emplace(surface, grid_, triangles.all, request.clip, request.threads,
+                      tree_.edges().has_cliffs());
       return *whole;
     };
     return largest_error(surface, suspected, others, tolerance, request.clip, request.threads,

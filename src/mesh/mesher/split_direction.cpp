@@ -68,6 +68,9 @@ bool SplitDirection::is_cut_unclearly(std::size_t number) const {
   if (!leaf.state.is_cut_by_feature()) return false;
   const FeatureCount features = count_features(leaf, tree_);
   if (features.only_creases) return mesh_.triangles.ranges[number].has_flat_sub_polygon;
+  // A cliff that ends in a leaf leaves it whole.
+  if (features.has_cliffs && !features.is_through())
+    return leaf.state.may_be_halved() && !is_too_small_to_see(leaf);
   if (!features.only_jumps) return leaf.state.may_be_halved() && !features.is_through();
   const bool may_overlap = !features.is_through() || tree_.inner().has(leaf);
   return features.has_more || (may_overlap && !covers_leaf(leaf, tree_));

@@ -125,6 +125,12 @@ class Cutter {
     if (feature->kind == FeatureKind::Face && tree_.geometry().is_defined(a)) ++faces_;
     if (feature->kind == FeatureKind::Crease)
       creases_.push_back({feature->beside(a), place(*feature)});
+    if (feature->kind == FeatureKind::Cliff) {
+      for (const std::uint32_t end : {a, b}) {
+        const std::uint32_t vertex = feature->on_cliff_beside(end);
+        creases_.push_back({vertex, tree_.vertices().place_between(vertex)});
+      }
+    }
     cut();
     if (tree_.geometry().is_defined(b)) {
       runs_.back().goes_far = far;
@@ -231,7 +237,7 @@ class Cutter {
   const Polygon& whole_;
   const CellTree& tree_;
   std::vector<Run> runs_{1};
-  Polygon creases_;  // places where creases cross sides
+  Polygon creases_;  // places where creases and both ends of cliffs cross sides
   std::size_t cuts_ = 0;
   std::size_t boundaries_ = 0;  // among the cuts
   std::size_t lines_ = 0;       // vertices on undefined lines

@@ -3,6 +3,15 @@
 
 namespace saddle {
 
+namespace {
+
+/// Sides on which cliffs may be looked for in vain, and so many more for each that was found: waves
+/// have sides as steep as a cliff's all over.
+constexpr std::size_t kSoughtInVain = 128;
+constexpr std::size_t kSoughtForEach = 64;
+
+}  // namespace
+
 EdgeRecord& EdgeTable::record(std::uint32_t a, std::uint32_t b) {
   const auto [at, is_new] =
       places_.insert(pair_of(a, b), static_cast<std::uint32_t>(records_.size()));
@@ -31,6 +40,15 @@ void EdgeTable::set_feature(std::uint32_t a, std::uint32_t b, std::optional<Edge
   const dvec2 middle = 0.5 * (vertices_.place_between(a) + vertices_.place_between(b));
   crossed_cells_.add(middle);
   revisions_.mark(middle);
+}
+
+void EdgeTable::count_cliffs(std::size_t sought, std::size_t found) {
+  cliffs_sought_ += sought;
+  cliffs_found_ += found;
+}
+
+bool EdgeTable::may_have_cliffs() const {
+  return cliffs_sought_ <= kSoughtInVain + kSoughtForEach * cliffs_found_;
 }
 
 void EdgeTable::set_leads_to_pole(std::uint32_t a, std::uint32_t b, const PoleEnds& ends) {

@@ -34,6 +34,7 @@ enum class FeatureKind : std::uint8_t {
   Crease,     ///< its normal jumps
   Essential,  ///< one of them is a point without limit: PointSingularity::Kind::Essential
   Face,       ///< it leaves the clip box, on its way to infinity
+  Cliff,      ///< it rises steeply along a straight segment; it is continuous
 };
 
 /// Whether the mesh leaves out what is between such a feature and the corners of a leaf.
@@ -43,14 +44,21 @@ inline bool leaves_out(FeatureKind kind) {
 
 /// Where a side is cut: the last vertices on either side of the cut. At a boundary they are one
 /// vertex. At a pole they are on the way to infinity, or where that leaves the clip box. At a
-/// crease they are one point with two normals.
+/// crease they are one point with two normals. At a cliff they are its foot and its head.
 struct EdgeFeature {
   FeatureKind kind;
   std::uint32_t first;  ///< the neighbour with the smaller number
   std::uint32_t beside_first, beside_second;
   /// The numbers of the faces through which the surface leaves the clip box there, beside a pole.
   std::array<std::uint8_t, 2> exits = {};
+  /// The first of two vertices with the normals of a cliff, at the places of those beside it.
+  std::uint32_t on_cliff = kNoIndex;
 
+  /// Whether the surface goes on across it.
+  bool is_continuous() const { return kind == FeatureKind::Crease || kind == FeatureKind::Cliff; }
+  std::uint32_t on_cliff_beside(std::uint32_t neighbour) const {
+    return neighbour == first ? on_cliff : on_cliff + 1;
+  }
   std::uint32_t beside(std::uint32_t neighbour) const {
     return neighbour == first ? beside_first : beside_second;
   }
@@ -58,6 +66,7 @@ struct EdgeFeature {
   /// Vertices of the mesh that the feature adds between the ends of its side.
   std::size_t count_new_vertices() const {
     if (leaves_out(kind)) return 0;
+    if (kind == FeatureKind::Cliff) return 4;
     return beside_first == beside_second ? 1 : 2;
   }
   /// Whether the surface ends here, with nothing beyond.
@@ -137,6 +146,16 @@ class EdgeTable {
   /// The ends of all poles, found or cut, in the order of the searches.
   std::vector<PoleEnds> poles(const Mesh& mesh) const;
 
+  /// Edges of the domain join: a cliff that crosses one would need the same ends on both.
+  void set_has_seams() { has_seams_ = true; }
+  bool has_seams() const { return has_seams_; }
+
+  /// Counts sides on which cliffs were looked for, and cliffs found there.
+  void count_cliffs(std::size_t sought, std::size_t found);
+  bool has_cliffs() const { return cliffs_found_ > 0; }
+  /// Whether so many were found that it is worth to look for more.
+  bool may_have_cliffs() const;
+
   bool has_features() const { return has_features_; }
   /// Whether a feature may cut a leaf: one cuts its root cell.
   bool may_be_crossed(const Leaf& leaf) const {
@@ -171,7 +190,10 @@ class EdgeTable {
   std::vector<PoleEnds> poles_beyond_faces_;
   CellMarks crossed_cells_;
   std::size_t vertex_count_ = 0;
+  std::size_t cliffs_sought_ = 0;
+  std::size_t cliffs_found_ = 0;
   bool has_features_ = false;
+  bool has_seams_ = false;
   bool has_pole_features_ = false;
 };
 

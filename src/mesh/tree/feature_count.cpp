@@ -45,10 +45,11 @@ bool is_cut_along_u(const Leaf& leaf, const CellTree& tree) {
 
 namespace {
 
-/// Whether a jump cuts a side at the place of its end `vertex`. A crease does not count: there the
-/// vertex belongs to both sheets.
+/// Whether a jump cuts a side at the place of its end `vertex`, or that is on a cliff. A crease
+/// does not count: there the vertex belongs to both sheets.
 bool is_cut_at(std::uint32_t vertex, std::uint32_t other, const CellTree& tree) {
   const std::optional<EdgeFeature> feature = tree.edges().feature(vertex, other);
+  if (feature && feature->kind == FeatureKind::Cliff) return feature->beside(vertex) == vertex;
   return feature && feature->kind == FeatureKind::Jump &&
          tree.vertices().place_between(feature->beside(other)) ==
              tree.vertices().place_between(vertex);
@@ -108,10 +109,11 @@ FeatureCount count_features(const Leaf& leaf, const CellTree& tree) {
     if (is_at_corner(*feature, leaf, tree)) {
       ++(on_side_of_u ? count.at_ends_of_u : count.at_ends_of_v);
     }
-    if (feature->kind != FeatureKind::Crease) {
-      count.only_creases = false;
-      count.only_jumps = count.only_jumps && feature->kind == FeatureKind::Jump;
-    }
+    count.has_cliffs = count.has_cliffs || feature->kind == FeatureKind::Cliff;
+    count.only_creases = count.only_creases && feature->kind == FeatureKind::Crease;
+    count.is_continuous = count.is_continuous && feature->is_continuous();
+    count.only_jumps =
+        count.only_jumps && (feature->is_continuous() || feature->kind == FeatureKind::Jump);
   });
   count.changes_face = count.changes_face || entry != first_exit || faces % 2 == 1;
   count.singular_points = singular.size();

@@ -31,8 +31,10 @@ struct FeatureCount {
   /// Whether the surface leaves the clip box through another face at the other end of a pole's
   /// line, as where v/u changes its sign, or the line ends in the leaf.
   bool changes_face = false;
-  bool only_creases = true;    ///< among the features
-  bool only_jumps = true;      ///< and creases
+  bool only_creases = true;  ///< among the features
+  bool only_jumps = true;    ///< and creases and cliffs
+  bool has_cliffs = false;
+  bool is_continuous = true;   ///< there are no others than creases and cliffs
   bool has_more = false;       ///< a side has more than one
   bool leads_to_pole = false;  ///< a side does
 

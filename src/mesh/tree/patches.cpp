@@ -12,14 +12,13 @@ namespace {
 /// The gap reason of the last feature on the sides of a leaf that is no boundary and no crease.
 /// Without one: Boundary or Crease, by the state of the leaf.
 GapReason worst_feature(const Leaf& leaf, const CellTree& tree) {
-  constexpr std::array kReasonOfFeature = {GapReason::Boundary, GapReason::Jump,
-                                           GapReason::Pole,     GapReason::Crease,
-                                           GapReason::NoLimit,  GapReason::Pole};
+  constexpr std::array kReasonOfFeature = {GapReason::Boundary, GapReason::Jump,    GapReason::Pole,
+                                           GapReason::Crease,   GapReason::NoLimit, GapReason::Pole,
+                                           GapReason::Crease};
   GapReason worst = leaf.state.is_on_boundary() ? GapReason::Boundary : GapReason::Crease;
   for_sides(leaf, tree, [&](std::uint32_t a, std::uint32_t b) {
     const auto feature = tree.edges().feature(a, b);
-    if (!feature || feature->kind == FeatureKind::Boundary || feature->kind == FeatureKind::Crease)
-      return;
+    if (!feature || feature->kind == FeatureKind::Boundary || feature->is_continuous()) return;
     worst = kReasonOfFeature[static_cast<std::size_t>(feature->kind)];
   });
   return worst;

@@ -1,0 +1,103 @@
+// The part of BoundaryDistance that measures where sheets end beside jumps and cliffs.
+#include <optional>
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include "mesh/distance/boundary_distance.h"
+#include "mesh/distance/sampled_error.h"
+#include "mesh/distance/sheet_view.h"
+#include "mesh/features/cliffs.h"
+#include "mesh/model/clip.h"
+#include "mesh/model/sample_places.h"
+#include "mesh/model/tolerances.h"
+
+namespace saddle {
+
+/// Where sheets end on the ways across the chords of jumps. Follows ways that leave their leaf
+/// where the next one has nothing of the sheet.
+std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
+  std::vector<Line> ways;
+  for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
+  auto ends = sheet_ends(surface_, ways, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
+  end_at_cliffs(ends);
+  std::vector<std::size_t> open;
+  std::vector<Line> outside;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!ends[k] || ends[k]->kind != SheetEnd::Kind::Open || !jumps_[k].outside) continue;
+    open.push_back(k);
+    outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
+  }
+  const auto more =
+      sheet_ends(surface_, outside, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
+  }
+  return ends;
+}
+
+/// Replaces the ends of ways to cliffs: sheets end at a cliff's foot or head. A way without one
+/// says nothing of its chord.
+void BoundaryDistance::end_at_cliffs(std::vector<std::optional<SheetEnd>>& ends) {
+  std::vector<Line> ways;
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!jumps_[k].is_at_cliff) continue;
+    ways.push_back({jumps_[k].opposite, jumps_[k].outside.value_or(jumps_[k].beyond)});
+    numbers.push_back(k);
+  }
+  const auto cliffs = find_cliffs(surface_, ways, delta_, threads_, evaluations_);
+  for (std::size_t i = 0; i < cliffs.size(); ++i) {
+    ends[numbers[i]].reset();
+    if (cliffs[i]) ends[numbers[i]] = SheetEnd{(*cliffs[i])[0], SheetEnd::Kind::Jump};
+  }
+}
+
+/// A sheet ends where the surface jumps, or at a boundary, on the way from a corner of its
+/// triangles across the chord.
+void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
+  const auto ends = ends_at_jumps();
+  std::vector<dvec2> uv;
+  std::vector<dvec2> before;  // chords through which sheets go on
+  std::vector<bool> goes_on;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const EdgeChord& chord = jumps_[k];
+    uv.push_back(ends[k] ? ends[k]->uv : chord.opposite);
+    const bool is_beyond = glm::dot(uv[k] - chord.middle, chord.beyond - chord.opposite) >= 0;
+    goes_on.push_back(ends[k] && is_beyond && ends[k]->kind != SheetEnd::Kind::Jump);
+    // The surface may jump on the chord.
+    if (goes_on[k]) before.push_back(glm::mix(chord.opposite, chord.middle, 1 - kLastStep));
+  }
+  const std::vector<SurfacePoint> at_ends = evaluate(surface_, uv, threads_);
+  const std::vector<SurfacePoint> before_chords = evaluate(surface_, before, threads_);
+  evaluations_ += uv.size() + before.size();
+  std::size_t next = 0;         // of before_chords
+  std::vector<Height> heights;  // of the chord so far
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const EdgeChord& chord = jumps_[k];
+    if (k % kAlongLine.size() == 0) heights.clear();
+    const auto add = [&](double distance) { found.push_back({chord.leaf, distance, true}); };
+    const SurfacePoint* const through = goes_on[k] ? &before_chords[next++] : nullptr;
+    if (through != nullptr && chord.triangles.empty()) continue;
+    if (!ends[k] || !is_seen(clip_, at_ends[k].position)) continue;
+    if (through != nullptr) {
+      add(distance_from_chord(grid_, chord.ends, through->position));
+      continue;
+    }
+    const double distance = distance_from_edge(
+        chord, std::span(&chord.own, chord.triangles.empty() ? 0 : 1), uv[k], at_ends[k]);
+    add(distance);
+    heights.push_back({foot(chord.ends[0], chord.ends[1], at_ends[k].position), distance});
+    if (heights.size() == kAlongLine.size()) {
+      add(predicted_distance({heights[0], heights[1], heights[2]}));
+      // Where the sheet's edge leaps to the end of the chord, as at the end of the jump of
+      // atan2(v, u), distances grow up to there.
+      const auto at_end = [&](std::size_t k) {
+        return 2 * heights[k].distance - heights[1].distance;
+      };
+      add(std::max(at_end(0), at_end(2)));
+    }
+  }
+}
+
+}  // namespace saddle

@@ -1,0 +1,222 @@
+#include "mesh/features/cliffs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/numbers.h"
+#include "mesh/features/bisect_together.h"
+#include "mesh/model/tolerances.h"
+
+namespace saddle {
+
+namespace {
+
+/// The longest part of a line that is a cliff: halvings of the leaf show a longer one as well.
+constexpr double kLongestCliff = 0.75;
+/// The shortest one. A narrower cliff takes in a little of the sheets beside it, so that its ends
+/// are two places on the side of a leaf.
+constexpr double kShortestCliff = 1e-6;
+/// A half without the cliff is explained by its slopes to this part of delta; with the cliff's foot
+/// or head it is not.
+constexpr double kExplained = 0.25;
+/// A sheet ends where it leaves its tangent by this part of delta.
+constexpr double kOnTangent = 1.0 / 16;
+/// A cliff is within this part of delta of the segment between its ends.
+constexpr double kStraight = 0.25;
+/// Places on a cliff at which that is measured: fewer miss the rounded ends of tanh.
+constexpr int kPlacesOnCliff = 12;
+/// How many times as steep as on the average a cliff may be at an end: a vertex may lie in the
+/// middle of tanh's cliff, but toward a pole the surface is ever steeper.
+constexpr double kSteepestEnd = 3;
+/// While a cliff rises, the sheets beside it go on by delta at most: leaves show wider ones.
+constexpr double kWidest = 1;
+/// Halvings of a line until its middle is on the cliff: then the rest is four cliffs long, or the
+/// cliff is in the middle of the line.
+constexpr int kHalvingsToCliff = 40;
+/// Halvings toward a cliff's end, at most, and the part of the way from there to the place on the
+/// cliff to which the end is found.
+constexpr int kHalvingsToEnd = 40;
+constexpr double kNearEnd = 1.0 / 32;
+
+/// A place on a line, as a share of it.
+struct Place {
+  double share;
+  dvec3 position;
+  dvec3 slope;  ///< derivative of the position by the share
+};
+
+struct CliffSearch {
+  Line line;
+  std::array<Place, 2> ends;  ///< on the sheets beside the cliff
+  std::optional<Place> on_cliff = {};
+
+  dvec2 at(double share) const { return line[0] + share * (line[1] - line[0]); }
+  Place place(double share, const SurfacePoint& point) const {
+    const dvec2 way = line[1] - line[0];
+    return {share, point.position, way.x * point.r_u + way.y * point.r_v};
+  }
+  double middle() const { return 0.5 * (ends[0].share + ends[1].share); }
+};
+
+/// The part of the way between two places that their slopes do not explain.
+double unexplained(const Place& a, const Place& b) {
+  const dvec3 by_slopes = 0.5 * (b.share - a.share) * (a.slope + b.slope);
+  const double gap = glm::length(b.position - a.position - by_slopes);
+  return std::isfinite(gap) ? gap : kInfinity;
+}
+
+/// Halves the lines until their middles are on cliffs. `open`: the lines that may have a cliff.
+void halve_to_cliffs(const Surface& surface, double delta, unsigned threads,
+                     std::vector<CliffSearch>& searches, std::vector<std::size_t>& open,
+                     std::size_t& work) {
+  std::vector<std::size_t> found = open;
+  const auto middle = [](const CliffSearch& search) { return search.at(search.middle()); };
+  const auto is_done = [&](CliffSearch& search, const dvec2&, const SurfacePoint& point) {
+    ++work;
+    const Place place = search.place(search.middle(), point);
+    const std::array gaps = {unexplained(search.ends[0], place),
+                             unexplained(place, search.ends[1])};
+    const double share = kExplained * delta;
+    if (std::min(gaps[0], gaps[1]) <= share) {
+      search.ends[gaps[0] > gaps[1] ? 1 : 0] = place;
+      return std::max(gaps[0], gaps[1]) <= share;  // there is none
+    }
+    search.on_cliff = place;
+    return true;
+  };
+  bisect_together(surface, searches, open, kHalvingsToCliff, threads, middle, is_done);
+  std::erase_if(found, [&](std::size_t k) { return !searches[k].on_cliff; });
+  open = std::move(found);
+}
+
+/// How far the surface goes on a sheet beside the cliff while the share of the line grows by 1.
+double speed_beside(const CliffSearch& search) {
+  return std::min(glm::length(search.ends[0].slope), glm::length(search.ends[1].slope));
+}
+
+/// The way from a sheet to the cliff, of which the end of the sheet is wanted.
+struct SheetSearch {
+  const CliffSearch* cliff;
+  Place sheet;
+  double last, beyond;  ///< shares: on the sheet's tangent, and not
+};
+
+/// Moves ends of searches to where the sheets leave their tangents.
+void find_ends(const Surface& surface, double delta, unsigned threads,
+               std::vector<CliffSearch>& searches, std::span<const std::size_t> numbers,
+               std::size_t& work) {
+  std::vector<SheetSearch> sheets;
+  for (const std::size_t k : numbers) {
+    for (const Place& end : searches[k].ends)
+      sheets.push_back({&searches[k], end, end.share, searches[k].on_cliff->share});
+  }
+  std::vector<std::size_t> open = all_open(sheets.size());
+  const auto next = [](const SheetSearch& search) {
+    return search.cliff->at(0.5 * (search.last + search.beyond));
+  };
+  const auto is_done = [&](SheetSearch& search, const dvec2&, const dvec3& position) {
+    ++work;
+    const double share = 0.5 * (search.last + search.beyond);
+    const dvec3 on_tangent =
+        search.sheet.position + (share - search.sheet.share) * search.sheet.slope;
+    (glm::distance(position, on_tangent) <= kOnTangent * delta ? search.last : search.beyond) =
+        share;
+    const double way = std::fabs(search.cliff->on_cliff->share - search.last);
+    return std::fabs(search.beyond - search.last) <= kNearEnd * way;
+  };
+  bisect_together(surface, sheets, open, kHalvingsToEnd, threads, next, is_done);
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    searches[numbers[i / 2]].ends[i % 2].share = sheets[i].last;
+}
+
+/// Makes a cliff long enough to have two ends on its line.
+void widen(CliffSearch& search) {
+  const double least = 0.5 * kShortestCliff;
+  const double middle = search.middle();
+  search.ends[0].share = std::max(0.0, std::min(search.ends[0].share, middle - least));
+  search.ends[1].share = std::min(1.0, std::max(search.ends[1].share, middle + least));
+  if (search.ends[0].share < least) search.ends[0].share = 0;
+  if (search.ends[1].share > 1 - least) search.ends[1].share = 1;
+}
+
+double distance_from_segment(const dvec3& a, const dvec3& b, const dvec3& p) {
+  const dvec3 way = b - a;
+  const double part = std::clamp(glm::dot(p - a, way) / glm::dot(way, way), 0.0, 1.0);
+  return glm::distance(p, a + part * way);
+}
+
+/// Whether a cliff goes from sheet to sheet, and not toward a pole. `way`: from its first to its
+/// last place.
+bool has_sheets(const CliffSearch& search, const dvec3& way, double delta) {
+  const double width = search.ends[1].share - search.ends[0].share;
+  return std::ranges::all_of(search.ends, [&](const Place& end) {
+    return glm::length(end.slope) * width <= kSteepestEnd * glm::length(way);
+  });
+}
+
+/// Whether the surface rises by more than delta along a segment. `positions`: on the cliff, its
+/// ends first and last.
+bool is_straight(std::span<const dvec3> positions, double delta) {
+  const dvec3& a = positions.front();
+  const dvec3& b = positions.back();
+  if (!(glm::distance(a, b) > delta)) return false;
+  return std::ranges::all_of(positions, [&](const dvec3& p) {
+    return distance_from_segment(a, b, p) <= kStraight * delta;
+  });
+}
+
+}  // namespace
+
+std::vector<std::optional<Line>> find_cliffs(const Surface& surface, std::span<const Line> lines,
+                                             double delta, unsigned threads, std::size_t& work) {
+  std::vector<dvec2> uv;
+  for (const Line& line : lines) uv.insert(uv.end(), line.begin(), line.end());
+  const std::vector<SurfacePoint> at_ends = evaluate(surface, uv, threads);
+  work += uv.size();
+  std::vector<CliffSearch> searches;
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    CliffSearch search{lines[k], {}};
+    search.ends = {search.place(0, at_ends[2 * k]), search.place(1, at_ends[2 * k + 1])};
+    const double gap = unexplained(search.ends[0], search.ends[1]);
+    if (gap > delta && gap < kInfinity) open.push_back(k);
+    searches.push_back(search);
+  }
+  std::vector<std::optional<Line>> cliffs(lines.size());
+  halve_to_cliffs(surface, delta, threads, searches, open, work);
+  if (open.empty()) return cliffs;
+  find_ends(surface, delta, threads, searches, open, work);
+  uv.clear();
+  for (const std::size_t k : open) widen(searches[k]);
+  std::erase_if(open, [&](std::size_t k) {
+    const double width = searches[k].ends[1].share - searches[k].ends[0].share;
+    return width > kLongestCliff || !(speed_beside(searches[k]) * width <= kWidest * delta);
+  });
+  for (const std::size_t k : open) {
+    const auto [first, last] = std::array{searches[k].ends[0].share, searches[k].ends[1].share};
+    for (int i = 0; i <= kPlacesOnCliff; ++i)
+      uv.push_back(searches[k].at(glm::mix(first, last, static_cast<double>(i) / kPlacesOnCliff)));
+  }
+  const std::vector<dvec3> positions = evaluate_positions(surface, uv, threads);
+  work += uv.size();
+  constexpr std::size_t kPlaces = kPlacesOnCliff + 1;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const CliffSearch& search = searches[open[i]];
+    const auto on_cliff = std::span(positions).subspan(i * kPlaces, kPlaces);
+    if (!has_sheets(search, on_cliff.back() - on_cliff.front(), delta) ||
+        !is_straight(on_cliff, delta))
+      continue;
+    cliffs[open[i]] = {search.at(search.ends[0].share), search.at(search.ends[1].share)};
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (search.ends[end].share == static_cast<double>(end))
+        (*cliffs[open[i]])[end] = search.line[end];
+    }
+  }
+  return cliffs;
+}
+
+}  // namespace saddle

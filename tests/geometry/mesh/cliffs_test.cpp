@@ -1,0 +1,109 @@
+// Cliffs: parts of lines in which a continuous surface rises along a straight segment, and the
+// strips of triangles that show them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "mesh/features/cliffs.h"
+#include "mesh/mesher/mesh_plan.h"
+#include "mesh/mesher/mesher.h"
+#include "mesh/model/mesh_report.h"
+#include "mesh/tree/cell_tree.h"
+#include "mesh_checks.h"
+#include "mesh_requests.h"
+#include "surface_from_text.h"
+
+namespace saddle {
+namespace {
+
+constexpr double kDelta = 1e-3;
+
+/// The cliff along v = 0.1 from u = -1 to 1.
+std::optional<Line> cliff_of(const char* z) {
+  const Surface surface = height_field(z);
+  const std::array<Line, 1> line = {{{dvec2(-1, 0.1), dvec2(1, 0.1)}}};
+  std::size_t work = 0;
+  return find_cliffs(surface, line, kDelta, 1, work)[0];
+}
+
+TEST(Cliffs, AreFoundFromFootToHead) {
+  // z rises from u = 0.3 to 0.3001; a sheet may be left up to a sixteenth of delta on.
+  const std::optional<Line> ramp = cliff_of("clamp(1e4*(u-0.3),0,1)");
+  ASSERT_TRUE(ramp);
+  EXPECT_NEAR((*ramp)[0].x, 0.3, 4e-6);
+  EXPECT_NEAR((*ramp)[1].x, 0.3001, 4e-6);
+  EXPECT_EQ((*ramp)[0].y, 0.1);
+  // 1 - tanh(x) = delta/16 at x = 5.19. At 1e4 the rounded ends would be too far from a segment.
+  const std::optional<Line> smooth = cliff_of("tanh(1e5*(u-0.3))");
+  ASSERT_TRUE(smooth);
+  EXPECT_NEAR((*smooth)[0].x, 0.3 - 5.19e-5, 4e-6);
+  EXPECT_NEAR((*smooth)[1].x, 0.3 + 5.19e-5, 4e-6);
+}
+
+TEST(Cliffs, AreNotSlopesWavesOrPoles) {
+  for (const char* z :
+       {"u", "u^2/2", "clamp(u,-0.9,0.9)", "sin(1e4*u)", "sin(40*u)", "1/(u-0.3)",
+        "clamp(1e4*(u-0.3),0,1)+clamp(1e4*(u+0.6),0,1)+1e9*u^2", "clamp(1e4*(u-0.3),0,1e-4)"}) {
+    EXPECT_FALSE(cliff_of(z)) << z;
+  }
+}
+
+TEST(Cliffs, AreStripsOfFewTriangles) {
+  for (const char* steepness : {"1e4", "1e8"}) {
+    const std::string z = std::string("clamp(") + steepness + "*(u^2-v^2-0.1286),0,1)";
+    const MeshResult result = try_mesh(height_field(z.c_str()), within_share(1e-3, 3)).value();
+    const Mesh& mesh = result.mesh;
+    EXPECT_LT(mesh.triangles.size(), 1500U) << z;
+    EXPECT_LE(result.report.max_error, *result.report.tolerance) << z;
+    // Edges in space, by position: all inner ones have two triangles.
+    std::map<std::array<std::array<double, 3>, 2>, int> edges;
+    const double rate = std::atof(steepness);
+    double farthest = 0;
+    std::size_t tilted = 0;
+    const auto key = [&](std::uint32_t k) {
+      const dvec3& p = mesh.position[k];
+      return std::array{p.x, p.y, p.z};
+    };
+    for (const auto& t : mesh.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::array edge = {key(t[i]), key(t[(i + 1) % 3])};
+        if (edge[1] < edge[0]) std::swap(edge[0], edge[1]);
+        ++edges[edge];
+      }
+      const dvec3 middle = (mesh.position[t[0]] + mesh.position[t[1]] + mesh.position[t[2]]) / 3.0;
+      // From the nearest of the two planes and of the wall between them.
+      const double g = middle.x * middle.x - middle.y * middle.y - 0.1286;
+      const double slope = 2 * std::hypot(middle.x, middle.y);
+      const double from_wall = std::fabs(g - middle.z / rate) / slope;
+      const double from_low = std::hypot(middle.z, std::max(0.0, g) / slope);
+      const double from_high = std::hypot(1 - middle.z, std::max(0.0, 1 / rate - g) / slope);
+      farthest = std::max(farthest, std::min({from_wall, from_low, from_high}));
+      // Triangles of the planes have corners with the planes' normal.
+      const bool is_flat = mesh.position[t[0]].z == mesh.position[t[1]].z &&
+                           mesh.position[t[0]].z == mesh.position[t[2]].z;
+      for (const std::uint32_t k : t) {
+        if (is_flat && std::fabs(mesh.normal[k].z) < 0.999) ++tilted;
+      }
+    }
+    EXPECT_LT(farthest, 1.05 * *result.report.tolerance) << z;
+    EXPECT_EQ(tilted, 0U) << z;
+    std::size_t open = 0;
+    for (const auto& [edge, count] : edges) {
+      const auto on_rim = [&](int axis) {
+        return std::fabs(edge[0][axis]) == 1 && edge[0][axis] == edge[1][axis];
+      };
+      if (count != 2 && !on_rim(0) && !on_rim(1)) ++open;
+    }
+    EXPECT_EQ(open, 0U) << z;
+  }
+}
+
+}  // namespace
+}  // namespace saddle
