@@ -212,7 +212,9 @@ TEST_F(GraphCommand, WarnsWhereALargeFeatureCouldBeMissing) {
                           surface["bounds"][0][2].get<double>() < 0.01;
     const bool is_off = surface["max_error"] > surface["tolerance"];
     EXPECT_EQ(report["warnings"].empty(), shows_it && !is_off) << report["findings"];
-    if (is_off) EXPECT_LT(surface["proved_fraction"], 1);
+    if (is_off) {
+      EXPECT_LT(surface["proved_fraction"], 1);
+    }
   }
   for (const std::string smooth : {"boy", "kuen", "superellipsoid", "z=besselj0(10*hypot(u,v))"}) {
     for (const Json& warning : meshed({smooth})["warnings"])

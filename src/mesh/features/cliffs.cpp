@@ -151,7 +151,7 @@ double distance_from_segment(const dvec3& a, const dvec3& b, const dvec3& p) {
 
 /// Whether a cliff goes from sheet to sheet, and not toward a pole. `way`: from its first to its
 /// last place.
-bool has_sheets(const CliffSearch& search, const dvec3& way, double delta) {
+bool has_sheets(const CliffSearch& search, const dvec3& way) {
   const double width = search.ends[1].share - search.ends[0].share;
   return std::ranges::all_of(search.ends, [&](const Place& end) {
     return glm::length(end.slope) * width <= kSteepestEnd * glm::length(way);
@@ -207,8 +207,7 @@ std::vector<std::optional<Line>> find_cliffs(const Surface& surface, std::span<c
   for (std::size_t i = 0; i < open.size(); ++i) {
     const CliffSearch& search = searches[open[i]];
     const auto on_cliff = std::span(positions).subspan(i * kPlaces, kPlaces);
-    if (!has_sheets(search, on_cliff.back() - on_cliff.front(), delta) ||
-        !is_straight(on_cliff, delta))
+    if (!has_sheets(search, on_cliff.back() - on_cliff.front()) || !is_straight(on_cliff, delta))
       continue;
     cliffs[open[i]] = {search.at(search.ends[0].share), search.at(search.ends[1].share)};
     for (std::size_t end = 0; end < 2; ++end) {

@@ -100,7 +100,9 @@ TEST(Clip, KeepsTheStripThatCrossesTheBoxOnItsWayToAPole) {
   for (const double u : {-1.0, -0.999, -0.99}) {
     for (double d = 0.005; d < 0.03; d += 0.0005) {
       const dvec3 p(u, u + d, 2 * u + d + 0.0198 / d);
-      if (std::fabs(p.z) < 1.2) EXPECT_LE(tree.distance(p), 4.1e-3) << u << " " << d;
+      if (std::fabs(p.z) < 1.2) {
+        EXPECT_LE(tree.distance(p), 4.1e-3) << u << " " << d;
+      }
     }
   }
 }

@@ -131,8 +131,8 @@ TEST(MeshResult, HasExactNormalsEverywhereOnASphere) {
 }
 
 TEST(MeshResult, WindsTrianglesAsTheNormalsSay) {
-  for (const Domain domain : {Domain{0, 2 * kPi, 0, kPi}, Domain{2 * kPi, 0, 0, kPi},
-                              Domain{0, 2 * kPi, kPi, 0}, Domain{2 * kPi, 0, kPi, 0}}) {
+  for (const Domain& domain : {Domain{0, 2 * kPi, 0, kPi}, Domain{2 * kPi, 0, 0, kPi},
+                               Domain{0, 2 * kPi, kPi, 0}, Domain{2 * kPi, 0, kPi, 0}}) {
     for (const bool flip : {false, true}) {
       Surface surface = sphere(domain);
       surface.flip = flip;

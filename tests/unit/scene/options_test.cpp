@@ -87,9 +87,13 @@ TEST(Options, EachHaveOneOwnerAndOneNameAndALine) {
       continue;
     }
     EXPECT_TRUE(names.insert(option.name).second) << option.name;
-    if (option.letter != 0) EXPECT_TRUE(letters.insert(option.letter).second) << option.name;
+    if (option.letter != 0) {
+      EXPECT_TRUE(letters.insert(option.letter).second) << option.name;
+    }
     for (const std::string_view other : {option.needs, option.excludes}) {
-      if (!other.empty()) EXPECT_NE(find_option(other), nullptr) << option.name;
+      if (!other.empty()) {
+        EXPECT_NE(find_option(other), nullptr) << option.name;
+      }
     }
   }
 }
@@ -190,7 +194,9 @@ TEST(Options, KeepTheLimitsOfTheirKeys) {
 TEST(Options, AreTakenBySomeCommandOrAreKeys) {
   for (const Option& option : options()) {
     EXPECT_EQ(option.commands & ~kAllCommands, 0U) << option.name;
-    if (option.is_option()) EXPECT_NE(option.commands & kGraph, 0U) << option.name;
+    if (option.is_option()) {
+      EXPECT_NE(option.commands & kGraph, 0U) << option.name;
+    }
   }
 }
 
