@@ -69,8 +69,11 @@ class BoundaryDistance {
   double distance_from_edge(const EdgeChord& chord, std::span<const Triangle> triangles,
                             const dvec2& uv, const SurfacePoint& point) const;
   void follow_outside(std::span<const std::array<dvec2, 2>> ways, std::vector<dvec2>& ends) const;
-  std::vector<std::optional<SheetEnd>> ends_at_jumps();
-  void end_at_cliffs(std::vector<std::optional<SheetEnd>>& ends);
+  std::vector<std::optional<SheetEnd>> ends_of_sheets();
+  void end_at_jumps(std::span<const std::size_t> numbers,
+                    std::vector<std::optional<SheetEnd>>& ends);
+  void end_at_cliffs(std::span<const std::size_t> numbers,
+                     std::vector<std::optional<SheetEnd>>& ends);
   void measure_chords(std::vector<LeafDistance>& found);
   void measure_jumps(std::vector<LeafDistance>& found);
   void measure_omitted(std::vector<LeafDistance>& found);

@@ -1,5 +1,6 @@
 // The part of BoundaryDistance that measures where sheets end beside jumps and cliffs.
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -14,16 +15,30 @@
 
 namespace saddle {
 
-/// Where sheets end on the ways across the chords of jumps. Follows ways that leave their leaf
-/// where the next one has nothing of the sheet.
-std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
+/// Where sheets end on the ways across chords: at jumps, or at the foot or head of a cliff.
+std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_of_sheets() {
+  std::vector<std::size_t> at_jumps;
+  std::vector<std::size_t> at_cliffs;
+  for (std::size_t k = 0; k < jumps_.size(); ++k)
+    (jumps_[k].is_at_cliff ? at_cliffs : at_jumps).push_back(k);
+  std::vector<std::optional<SheetEnd>> ends(jumps_.size());
+  if (!at_jumps.empty()) end_at_jumps(at_jumps, ends);
+  if (!at_cliffs.empty()) end_at_cliffs(at_cliffs, ends);
+  return ends;
+}
+
+/// Follows ways that leave their leaf where the next one has nothing of the sheet.
+void BoundaryDistance::end_at_jumps(std::span<const std::size_t> numbers,
+                                    std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<Line> ways;
-  for (const EdgeChord& chord : jumps_) ways.push_back({chord.opposite, chord.beyond});
-  auto ends = sheet_ends(surface_, ways, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
-  end_at_cliffs(ends);
+  for (const std::size_t k : numbers) ways.push_back({jumps_[k].opposite, jumps_[k].beyond});
+  const auto found =
+      sheet_ends(surface_, ways, delta_, kHalvingsToNearly, clip_, threads_, evaluations_);
   std::vector<std::size_t> open;
   std::vector<Line> outside;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t k = numbers[i];
+    ends[k] = found[i];
     if (!ends[k] || ends[k]->kind != SheetEnd::Kind::Open || !jumps_[k].outside) continue;
     open.push_back(k);
     outside.push_back({jumps_[k].beyond, *jumps_[k].outside});
@@ -33,22 +48,16 @@ std::vector<std::optional<SheetEnd>> BoundaryDistance::ends_at_jumps() {
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (more[i] && more[i]->kind == SheetEnd::Kind::Jump) ends[open[i]] = more[i];
   }
-  return ends;
 }
 
-/// Replaces the ends of ways to cliffs: sheets end at a cliff's foot or head. A way without one
-/// says nothing of its chord.
-void BoundaryDistance::end_at_cliffs(std::vector<std::optional<SheetEnd>>& ends) {
+/// A way without a cliff says nothing of its chord.
+void BoundaryDistance::end_at_cliffs(std::span<const std::size_t> numbers,
+                                     std::vector<std::optional<SheetEnd>>& ends) {
   std::vector<Line> ways;
-  std::vector<std::size_t> numbers;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    if (!jumps_[k].is_at_cliff) continue;
+  for (const std::size_t k : numbers)
     ways.push_back({jumps_[k].opposite, jumps_[k].outside.value_or(jumps_[k].beyond)});
-    numbers.push_back(k);
-  }
   const auto cliffs = find_cliffs(surface_, ways, delta_, threads_, evaluations_);
   for (std::size_t i = 0; i < cliffs.size(); ++i) {
-    ends[numbers[i]].reset();
     if (cliffs[i]) ends[numbers[i]] = SheetEnd{(*cliffs[i])[0], SheetEnd::Kind::Jump};
   }
 }
@@ -56,7 +65,7 @@ void BoundaryDistance::end_at_cliffs(std::vector<std::optional<SheetEnd>>& ends)
 /// A sheet ends where the surface jumps, or at a boundary, on the way from a corner of its
 /// triangles across the chord.
 void BoundaryDistance::measure_jumps(std::vector<LeafDistance>& found) {
-  const auto ends = ends_at_jumps();
+  const auto ends = ends_of_sheets();
   std::vector<dvec2> uv;
   std::vector<dvec2> before;  // chords through which sheets go on
   std::vector<bool> goes_on;

@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "mesh/features/bisect_together.h"
+#include "mesh/model/segment.h"
 #include "mesh/model/tolerances.h"
 
 namespace saddle {
@@ -141,12 +142,6 @@ void widen(CliffSearch& search) {
   search.ends[1].share = std::min(1.0, std::max(search.ends[1].share, middle + least));
   if (search.ends[0].share < least) search.ends[0].share = 0;
   if (search.ends[1].share > 1 - least) search.ends[1].share = 1;
-}
-
-double distance_from_segment(const dvec3& a, const dvec3& b, const dvec3& p) {
-  const dvec3 way = b - a;
-  const double part = std::clamp(glm::dot(p - a, way) / glm::dot(way, way), 0.0, 1.0);
-  return glm::distance(p, a + part * way);
 }
 
 /// Whether a cliff goes from sheet to sheet, and not toward a pole. `way`: from its first to its

@@ -15,8 +15,8 @@ namespace saddle {
 
 /// The cliff on each line, from the first to the last of its places; nothing on a line that slopes
 /// at its ends explain to `delta`, or whose steep part is not straight to a part of that. A cliff
-/// rises by more than `delta` within a half of its line. Adds to `work` the number of points
-/// evaluated.
+/// rises by more than `delta` within three quarters of its line. Adds to `work` the number of
+/// points evaluated.
 std::vector<std::optional<Line>> find_cliffs(const Surface& surface, std::span<const Line> lines,
                                              double delta, unsigned threads, std::size_t& work);
 
