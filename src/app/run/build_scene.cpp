@@ -30,6 +30,10 @@ Scene named_scene(const std::string& name, const std::optional<Theme>& theme) {
   if (name == "-") return load_standard_input(theme);
   if (is_scene_file(name)) return load_scene(name, theme);
   const GalleryEntry* const entry = find_gallery_entry(name);
+  if (entry == nullptr && find_option(name) != nullptr) {
+    throw Error(Status::Input, "no surface is called '" + name + "'", {},
+                "did you mean --" + name + "? saddle list prints all names of surfaces");
+  }
   if (entry == nullptr) throw unknown_gallery_name(name);
   return gallery_scene(*entry);
 }
