@@ -387,8 +387,7 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
                         unsigned threads) {
   if (spec.curve) return tessellate_curve(scene, spec, purpose);
   if (spec.point && stroke_radius(scene, spec) == 0) return tessellate_dot(scene, spec);
-  std::optional<dvec3> place;
-  if (spec.point) place = place_of_point(scene, spec);
+  const auto place = spec.point ? std::optional(place_of_point(scene, spec)) : std::nullopt;
   MeshedSurface meshed = mesh_surface(scene, spec, purpose, threads);
   const std::optional<dvec3> anchor =
       place ? place : middle_of(meshed.prepared.surface, meshed.mesh.mesh, spec.label);

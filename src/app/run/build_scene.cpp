@@ -246,12 +246,7 @@ Scene build_scene(const CommandLine& line) {
   for (const auto& [option, text] : line.given) {
     if (option->name != "theme") apply_option(*option, text, scene);
   }
-  if (alone && !is_stroke(segments[0])) {
-    for (const auto& [option, text] : segments[0].given) apply_option(*option, text, scene);
-    check_colors_are_used(segments[0].given, scene.surfaces);
-  } else {
-    apply_object_options(objects, scene);
-  }
+  apply_object_options(objects, scene);
   return resolve(std::move(scene));
 }
 

@@ -8,7 +8,7 @@
 namespace saddle {
 namespace {
 
-/// What an expression gives, in words.
+/// The value of an expression in words.
 std::string value_text(double value) {
   if (std::isnan(value)) return "undefined";
   return std::isinf(value) ? "infinite" : format_number(value);

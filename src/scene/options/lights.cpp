@@ -148,7 +148,8 @@ void read_attenuation(const Reading& in, Light& light) {
   if (in.value.kind == Kind::Table) {
     in.source().check_keys(in.name, in.value, {"range"});
     const TomlValue* const range = in.value.find("range");
-    if (range == nullptr) throw in.source().error(in.name, "'range' is missing", in.value.span,
+    if (range == nullptr)
+      throw in.source().error(in.name, "'range' is missing", in.value.span,
                               "for example { range = 50 }");
     attenuation.range = in.reader.number(in.prefix + "range", *range);
     return;
