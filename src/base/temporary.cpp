@@ -88,10 +88,12 @@ TemporaryName::~TemporaryName() {
 }
 
 UnnamedFile::UnnamedFile() {
-  std::string name = (std::filesystem::temp_directory_path() / "saddle-XXXXXX").string();
+  const char* const folder = std::getenv("TMPDIR");
+  std::string name = std::string(folder != nullptr ? folder : "/tmp") + "/saddle-XXXXXX";
   descriptor_ = mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0) {
-    throw Error(Status::Machine, "no temporary file " + name + ": " + std::strerror(errno));
+    throw Error(Status::Machine, "no temporary file " + name + ": " + std::strerror(errno), {},
+                "set TMPDIR to a folder that can be written to");
   }
   unlink(name.c_str());
 }

@@ -227,7 +227,7 @@ class Lifter {
     known.insert(known.end(), others.begin(), others.end());
     std::optional<std::string> meant = known_elsewhere_as(token.text);
     if (!meant) meant = nearest_name(token.text, known);
-    if (meant) hint += " ; did you mean '" + *meant + "'?";
+    if (meant) hint += "; did you mean '" + *meant + "'?";
     return formula_.error("unknown name '" + token.text + "'", token.span, hint);
   }
 

@@ -269,6 +269,21 @@ struct Scope::Impl {
     return result;
   }
 
+  /// The meaning of names in a number of the scene. Suggestions leave out the names that depend on
+  /// u or v, and t where the number has no moment.
+  Names names_of_constant(bool has_moment) {
+    Names result = names({}, {}, view.of_surface);
+    result.known_variables = [this, has_moment, all = result.known_variables] {
+      std::vector<std::string> known = all();
+      std::erase_if(known, [&](const std::string& name) {
+        return is_coordinate(name) || name == view.parameters[0] || name == view.parameters[1] ||
+               (name == "t" && !has_moment);
+      });
+      return known;
+    };
+    return result;
+  }
+
   void add_defined(std::vector<std::string>& known, bool functions) const {
     for (const Entry& entry : entries) {
       if (entry.definition.is_function == functions) known.push_back(entry.definition.name);
@@ -317,11 +332,14 @@ NodeId Scope::parse_with(const LocalNames& locals, const std::string& name,
 
 double Scope::constant(const std::string& name, const std::string& text, std::optional<Span> part,
                        std::optional<double> t) {
-  if (part) return impl_->value(parse(name, text, part), {name, text, *part}, t);
-  const FormulaText formula = {name, text, {0, text.size()}};
+  const FormulaText formula = {name, text, part.value_or(Span{0, text.size()})};
+  const auto parsed = [&] {
+    return parse_formula(impl_->graph, formula, impl_->names_of_constant(t.has_value()));
+  };
+  if (part) return impl_->value(parsed(), formula, t);
   const auto known = impl_->known_constants.find(text);
   if (known == impl_->known_constants.end()) {
-    const NodeId node = parse(name, text);
+    const NodeId node = parsed();
     const double value = impl_->value(node, formula, t);
     impl_->known_constants.emplace(text, Impl::KnownConstant{node, value, t});
     return value;

@@ -387,13 +387,13 @@ Tessellation tessellate(const Scene& scene, const SurfaceSpec& spec, const Purpo
                         unsigned threads) {
   if (spec.curve) return tessellate_curve(scene, spec, purpose);
   if (spec.point && stroke_radius(scene, spec) == 0) return tessellate_dot(scene, spec);
+  const auto place = spec.point ? std::optional(place_of_point(scene, spec)) : std::nullopt;
   MeshedSurface meshed = mesh_surface(scene, spec, purpose, threads);
   const std::optional<dvec3> anchor =
-      spec.point ? place_of_point(scene, spec)
-                 : middle_of(meshed.prepared.surface, meshed.mesh.mesh, spec.label);
+      place ? place : middle_of(meshed.prepared.surface, meshed.mesh.mesh, spec.label);
   Tessellation result = tessellation_of(spec, std::move(meshed));
   result.mesh.anchor = anchor;
-  if (spec.point) result.place = anchor;
+  result.place = place;
   return result;
 }
 

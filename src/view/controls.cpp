@@ -33,19 +33,18 @@ EyeAxes axes_of(const FittedCamera& camera) {
 
 /// Length on the target plane of a pixel.
 double pixel_length(const Grip& grip) {
-  const glm::dvec4 clip = grip.fitted.eye_to_clip * glm::dvec4(0, 1, -grip.fitted.distance, 1);
-  return 2 / (clip.y / clip.w * grip.size.y);
+  return 2 * grip.fitted.half_height / grip.size.y;
 }
 
-/// Where a pixel is from the middle, to the right and up, in units of half the smaller side.
-dvec2 from_middle(const Grip& grip, const dvec2& pixel) {
-  const double half = std::min(grip.size.x, grip.size.y) / 2;
-  return {(pixel.x - grip.size.x / 2) / half, (grip.size.y / 2 - pixel.y) / half};
+/// Where a pixel is from the target's, to the right and up, in pixels.
+dvec2 from_target(const Grip& grip, const dvec2& pixel) {
+  const dvec2 way = pixel - *pixel_of(grip.fitted, grip.fitted.target, grip.size);
+  return {way.x, -way.y};
 }
 
 /// The point of the ball over a pixel, a unit vector in eye coordinates.
 dvec3 on_ball(const Grip& grip, const dvec2& pixel) {
-  const dvec2 p = from_middle(grip, pixel);
+  const dvec2 p = from_target(grip, pixel) / (std::min(grip.size.x, grip.size.y) / 2);
   const double square = glm::dot(p, p);
   return glm::normalize(dvec3(p, square <= 0.5 ? std::sqrt(1 - square) : 0.5 / std::sqrt(square)));
 }
@@ -62,9 +61,8 @@ Ray ray_through(const Grip& grip, const dvec2& pixel) {
 
 dvec3 point_on_target_plane(const Grip& grip, const dvec2& pixel) {
   const EyeAxes axes = axes_of(grip.fitted);
-  const double length = pixel_length(grip);
-  return grip.fitted.target + (pixel.x - grip.size.x / 2) * length * axes.right +
-         (grip.size.y / 2 - pixel.y) * length * axes.up;
+  const dvec2 way = pixel_length(grip) * from_target(grip, pixel);
+  return grip.fitted.target + way.x * axes.right + way.y * axes.up;
 }
 
 Camera settled(const Grip& grip) {

@@ -84,7 +84,7 @@ PickedPoint pick_again(const Meshed& meshed, const PickedPoint& picked) {
   }
   const SurfaceSpec& spec = surfaces[index];
   const auto copies = places(meshed.scene, spec);
-  if (picked.copy >= copies.size()) throw gone("its node is");
+  if (picked.copy >= copies.size()) throw gone("its surface is in fewer nodes");
   const auto place =
       place_at(prepare_surface(meshed.scene, spec, Order::Second).surface, picked.place.uv);
   if (!place)

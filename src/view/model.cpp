@@ -100,11 +100,11 @@ Grip Model::grip() const {
   const double aspect = pixels.x / pixels.y;
   const Camera& camera = scene_.camera;
   const dvec3 scale = scene_.scale.factors;
-  if (camera.target && camera.distance) {
-    return {camera, fit_camera(drawn_camera(scene_), bounds, aspect), pixels, scale};
-  }
   const ViewPyramid empty =
       pyramid_beside_annotations(drawn_scene(), good_.surfaces, bounds, pixels);
+  if (camera.target && camera.distance) {  // what is seen is not asked for
+    return {camera, fit_camera(drawn_camera(scene_), bounds, aspect, &empty), pixels, scale};
+  }
   if (!seen_ || !seen_->fits(empty)) {
     seen_ = empty;
     add_meshes(good_, *seen_);

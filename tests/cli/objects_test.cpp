@@ -43,6 +43,16 @@ class Objects : public ProgramTest {
     }
     return boxes;
   }
+  /// The names in the report of a command, in its order.
+  Words names_in(const std::string& command) {
+    make(command + " -o a.toml -s 64x48 -o a.png --report r.json");
+    Words names;
+    const auto report = nlohmann::json::parse(content("r.json"));
+    for (const auto& surface : report["surfaces"]) {
+      names.push_back(surface["name"]);
+    }
+    return names;
+  }
 };
 
 TEST_F(Objects, AreEachWhatTheirSegmentSays) {
@@ -106,6 +116,18 @@ TEST_F(Objects, HaveOptionsOfTheirOwn) {
   const std::string ply = content("a.ply");
   EXPECT_TRUE(contains(ply, "comment object ring, faces 0 to ")) << ply.substr(0, 300);
   EXPECT_TRUE(contains(ply, "comment object ball, faces ")) << ply.substr(0, 300);
+}
+
+TEST_F(Objects, AreToldApartByANumberBehindTheirName) {
+  EXPECT_EQ(names_in("torus + torus + torus"), (Words{"torus", "torus 2", "torus 3"}));
+  EXPECT_EQ(names_in("--name ring + torus + sphere + curve x=s + curve x=2*s"),
+            (Words{"ring", "ring 2", "curve", "curve 2"}));
+  std::ofstream(path("on.toml")) << "[[surface]]\nname = 'torus'\nz = '5'\n"
+                                    "[[point]]\nu = 0\nv = 0\non = 'torus'\n";
+  EXPECT_EQ(names_in("torus + on.toml"), (Words{"torus", "torus 2", "point"}));
+  EXPECT_TRUE(contains(content("a.toml"), "on = \"torus 2\""));
+  std::ofstream(path("same.toml")) << "[[surface]]\nz = 1\n[[surface]]\nz = 2\n";
+  EXPECT_EQ(names_in("same.toml"), (Words{"surface", "surface 2"}));
 }
 
 TEST_F(Objects, TakeCameraAndLightsOfTheFirstSceneFile) {

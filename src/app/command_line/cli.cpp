@@ -159,7 +159,7 @@ void check_command(const CommandLine& line, const Option& option) {
               {}, has_verb ? std::string(verb->hint) : kList);
 }
 
-/// Options that would do nothing, or the opposite of another, are refused. `given`: all that hold
+/// Options that would do nothing, or that another one excludes, are refused. `given`: all that hold
 /// for one object.
 void check_given_options(const CommandLine& line, const std::vector<GivenOption>& given) {
   const auto is_given = [&](std::string_view name) {
@@ -172,7 +172,7 @@ void check_given_options(const CommandLine& line, const std::vector<GivenOption>
                   {dashed(*option), "", {}}, "add " + with_value(*find_option(option->needs)));
     }
     if (!option->excludes.empty() && is_given(option->excludes)) {
-      throw Error(Status::Input, "says the opposite of --" + std::string(option->excludes),
+      throw Error(Status::Input, "cannot stand beside --" + std::string(option->excludes),
                   {dashed(*option), "", {}}, "leave one of them out");
     }
   }

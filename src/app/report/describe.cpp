@@ -257,7 +257,9 @@ std::vector<std::string> describe_stroke(const SurfaceReport& report) {
   const CurveMesh& curve = *report.curve;
   lines.push_back("  curve of length " + words::number(curve.length) +
                   (curve.closed ? ", closed" : ""));
-  lines.push_back("  undefined over " + percent(curve.undefined_fraction) + " of the range of s");
+  if (curve.undefined_fraction > 0) {
+    lines.push_back("  undefined over " + percent(curve.undefined_fraction) + " of the range of s");
+  }
   lines.push_back("  " + percent(curve.proved_fraction) + " of it proved to be within " +
                   words::number(curve.tolerance) + " of its chords");
   for (const Finding& finding : report.findings) lines.push_back("  " + finding.text);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/degenerate.h"
 #include "mesh/grid/lines.h"
@@ -27,10 +28,9 @@ constexpr std::size_t kFewCells = 1000;
 
 /// Throws if all triangles are thinner than rounding.
 [[noreturn]] void throw_too_long(int axis, double times, const Domain& domain) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.0e", times);
+  const std::string many = std::isfinite(times) ? formatted("%.0e", times) : "countless";
   throw Error(Status::Nothing,
-              "the surface is " + std::string(text.data()) + " times as long along " + "xyz"[axis] +
+              "the surface is " + many + " times as long along " + "xyz"[axis] +
                   " as it is wide: in double precision it is a line",
               {},
               std::string("scale ") + "xyz"[axis] + " down, or give ranges of " + domain.names[0] +

@@ -6,6 +6,7 @@
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/bind_stroke.h"
+#include "scene/model/object_names.h"
 #include "scene/model/prepare.h"
 #include "scene/model/theme.h"
 #include "scene/options/lights.h"
@@ -230,6 +231,7 @@ Scene read_tables(TomlReader& reader, const TomlValue& root, const std::optional
     throw reader.source().error("", "the scene has no [[surface]], [[curve]] or [[point]]", {0, 0},
                                 "saddle show torus prints a scene");
   }
+  number_names(scene);
   return scene;
 }
 

@@ -21,9 +21,14 @@ Bounds unit_box() {
   return bounds;
 }
 
+/// The surface's room is beside a colour bar.
 Grip grip_of(const Camera& camera) {
   const dvec2 size(800, 600);
-  return {camera, fit_camera(camera, unit_box(), size.x / size.y), size};
+  Room room;
+  room.middle = -0.125;
+  ViewPyramid seen(camera, size.x / size.y, dvec3(0), room);
+  seen.add(unit_box());
+  return {camera, fit_camera(camera, unit_box(), size.x / size.y, &seen), size};
 }
 
 dvec3 unit(const dvec3& v) {
