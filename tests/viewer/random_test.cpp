@@ -20,7 +20,7 @@
 #include "render/picture/renderer.h"
 #include "scene/model/gallery.h"
 #include "scene/toml/scene_file.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 #include "viewer/display.h"
 #include "viewer/gl_names.h"
 

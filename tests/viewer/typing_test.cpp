@@ -14,7 +14,7 @@
 #include "export/load_scene.h"
 #include "meshing/tessellate.h"
 #include "scene/model/gallery.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 #include "viewer/display.h"
 
 namespace saddle {

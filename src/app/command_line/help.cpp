@@ -12,7 +12,7 @@
 #include "formula/language.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
-#include "view/keys.h"
+#include "view/model/keys.h"
 
 namespace saddle {
 

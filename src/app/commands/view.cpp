@@ -9,7 +9,7 @@
 #include "app/run/build_scene.h"
 #include "app/run/outputs.h"
 #include "base/error.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 
 namespace saddle {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "geometry/gallery/samples.h"
 #include "meshing/tessellate.h"
-#include "view/pick.h"
+#include "view/model/pick.h"
 
 namespace saddle {
 namespace {

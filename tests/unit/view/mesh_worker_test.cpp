@@ -1,5 +1,5 @@
 // The newest request counts: what is shown last is what was wished for last.
-#include "view/mesh_worker.h"
+#include "view/model/mesh_worker.h"
 
 #include <gtest/gtest.h>
 

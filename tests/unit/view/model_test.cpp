@@ -1,5 +1,5 @@
 // The viewer's model without a window.
-#include "view/model.h"
+#include "view/model/model.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "view/hand.h"
+#include "view/model/hand.h"
 
 namespace saddle {
 namespace {

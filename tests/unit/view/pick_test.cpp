@@ -1,5 +1,5 @@
 // Points under a pixel: on the surface itself, though only its mesh is hit.
-#include "view/pick.h"
+#include "view/model/pick.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "view/window.h"
+#include "view/window/window.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "view/widgets.h"
+#include "view/panel/widgets.h"
 
 #include <algorithm>
 #include <cstddef>

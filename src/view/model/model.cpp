@@ -1,4 +1,4 @@
-#include "view/model.h"
+#include "view/model/model.h"
 
 #include <cmath>
 #include <exception>

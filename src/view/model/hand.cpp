@@ -1,4 +1,4 @@
-#include "view/hand.h"
+#include "view/model/hand.h"
 
 namespace saddle {
 

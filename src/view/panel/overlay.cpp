@@ -1,4 +1,4 @@
-#include "view/overlay.h"
+#include "view/panel/overlay.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "view/marks.h"
+#include "view/picture/marks.h"
 
 #include <algorithm>
 

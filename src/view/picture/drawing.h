@@ -9,7 +9,7 @@
 
 #include "render/picture/canvas.h"
 #include "render/picture/renderer.h"
-#include "view/model.h"
+#include "view/model/model.h"
 
 namespace saddle {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "view/drawing.h"
-#include "view/model.h"
+#include "view/picture/drawing.h"
+#include "view/model/model.h"
 
 namespace saddle {
 

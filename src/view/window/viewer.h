@@ -8,13 +8,13 @@
 #include <optional>
 #include <string>
 
-#include "view/drawing.h"
-#include "view/hand.h"
-#include "view/model.h"
-#include "view/overlay.h"
-#include "view/panel.h"
-#include "view/saver.h"
-#include "view/window.h"
+#include "view/picture/drawing.h"
+#include "view/model/hand.h"
+#include "view/model/model.h"
+#include "view/panel/overlay.h"
+#include "view/panel/panel.h"
+#include "view/picture/saver.h"
+#include "view/window/window.h"
 
 namespace saddle {
 

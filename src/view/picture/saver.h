@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "scene/model/scene.h"
-#include "view/mesh_worker.h"
+#include "view/model/mesh_worker.h"
 
 namespace saddle {
 

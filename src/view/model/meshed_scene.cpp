@@ -1,4 +1,4 @@
-#include "view/meshed_scene.h"
+#include "view/model/meshed_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "view/pick.h"
+#include "view/model/pick.h"
 
 #include <algorithm>
 #include <array>

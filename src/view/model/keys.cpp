@@ -1,4 +1,4 @@
-#include "view/keys.h"
+#include "view/model/keys.h"
 
 #include <algorithm>
 #include <array>

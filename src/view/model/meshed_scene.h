@@ -9,8 +9,8 @@
 
 #include "scene/model/camera.h"
 #include "scene/model/instances.h"
-#include "view/mesh_worker.h"
-#include "view/pick.h"
+#include "view/model/mesh_worker.h"
+#include "view/model/pick.h"
 
 namespace saddle {
 

@@ -1,8 +1,8 @@
 // The actions of keys and buttons on a model.
 #include <utility>
 
-#include "view/controls.h"
-#include "view/model.h"
+#include "view/model/controls.h"
+#include "view/model/model.h"
 
 namespace saddle {
 

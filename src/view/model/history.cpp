@@ -1,4 +1,4 @@
-#include "view/history.h"
+#include "view/model/history.h"
 
 #include <utility>
 

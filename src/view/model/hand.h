@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "view/controls.h"
-#include "view/model.h"
+#include "view/model/controls.h"
+#include "view/model/model.h"
 
 namespace saddle {
 

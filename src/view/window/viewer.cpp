@@ -1,4 +1,4 @@
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "base/standard_streams.h"
 #include "scene/options/command_text.h"
 #include "scene/toml/scene_file.h"
-#include "view/fields.h"
+#include "view/panel/fields.h"
 
 namespace saddle {
 namespace {

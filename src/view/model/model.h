@@ -13,12 +13,12 @@
 
 #include "base/error.h"
 #include "scene/model/scene.h"
-#include "view/controls.h"
-#include "view/history.h"
-#include "view/keys.h"
-#include "view/light_setups.h"
-#include "view/mesh_worker.h"
-#include "view/meshed_scene.h"
+#include "view/model/controls.h"
+#include "view/model/history.h"
+#include "view/model/keys.h"
+#include "view/model/light_setups.h"
+#include "view/model/mesh_worker.h"
+#include "view/model/meshed_scene.h"
 
 namespace saddle {
 

@@ -1,4 +1,4 @@
-#include "view/light_setups.h"
+#include "view/model/light_setups.h"
 
 namespace saddle {
 namespace {

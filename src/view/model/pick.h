@@ -7,7 +7,7 @@
 
 #include "mesh/model/mesh.h"
 #include "surface/surface.h"
-#include "view/controls.h"
+#include "view/model/controls.h"
 
 namespace saddle {
 

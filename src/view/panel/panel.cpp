@@ -1,4 +1,4 @@
-#include "view/panel.h"
+#include "view/panel/panel.h"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +18,8 @@
 #include "scene/model/colormap.h"
 #include "scene/model/gallery.h"
 #include "scene/model/values.h"
-#include "view/fields.h"
-#include "view/widgets.h"
+#include "view/panel/fields.h"
+#include "view/panel/widgets.h"
 
 namespace saddle {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "view/keys.h"
+#include "view/model/keys.h"
 
 namespace saddle {
 

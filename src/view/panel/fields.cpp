@@ -1,4 +1,4 @@
-#include "view/fields.h"
+#include "view/panel/fields.h"
 
 #include <algorithm>
 

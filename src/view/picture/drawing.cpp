@@ -1,9 +1,9 @@
-#include "view/drawing.h"
+#include "view/picture/drawing.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "view/marks.h"
+#include "view/picture/marks.h"
 
 namespace saddle {
 namespace {

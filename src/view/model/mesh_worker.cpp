@@ -1,4 +1,4 @@
-#include "view/mesh_worker.h"
+#include "view/model/mesh_worker.h"
 
 #include <chrono>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "view/saver.h"
+#include "view/picture/saver.h"
 
 #include <cctype>
 #include <utility>
@@ -11,7 +11,7 @@
 #include "scene/model/strokes.h"
 #include "scene/options/resolve.h"
 #include "scene/toml/scene_file.h"
-#include "view/model.h"
+#include "view/model/model.h"
 
 namespace saddle {
 namespace {

@@ -1,4 +1,4 @@
-#include "view/controls.h"
+#include "view/model/controls.h"
 
 #include <algorithm>
 #include <cmath>
