@@ -92,9 +92,9 @@ class LongestWait {
 /// While a hand turns something in a window of this size, and then lets it rest.
 void waiting(const std::string& what, int width, int height) {
   constexpr int kFrames = 12;
-  constexpr int kPanel = 280;
-  Viewer viewer(setup_of(
-      {what, "-s", std::to_string(width - kPanel) + "x" + std::to_string(height)}));
+  constexpr int kPanel = 320;
+  Viewer viewer(
+      setup_of({what, "-s", std::to_string(width - kPanel) + "x" + std::to_string(height)}));
   rest(viewer);
   Event event;
   event.place = {width / 2, height / 2};
@@ -113,10 +113,11 @@ void waiting(const std::string& what, int width, int height) {
   LongestWait resting;
   const auto let_go = Clock::now();
   while (!viewer.is_at_rest()) resting.step(viewer);
-  std::printf("%s in %dx%d: turns %.1f times a second, rests after %.0f ms; a key waits at most "
-              "%.0f ms while it turns, %.0f ms until it rests\n",
-              what.c_str(), width, height, 1000 * kFrames / turned, ms(Clock::now() - let_go),
-              turning.milliseconds(), resting.milliseconds());
+  std::printf(
+      "%s in %dx%d: turns %.1f times a second, rests after %.0f ms; a key waits at most "
+      "%.0f ms while it turns, %.0f ms until it rests\n",
+      what.c_str(), width, height, 1000 * kFrames / turned, ms(Clock::now() - let_go),
+      turning.milliseconds(), resting.milliseconds());
 }
 
 void press(Viewer& viewer, int code) {

@@ -14,7 +14,7 @@ HOMES = {
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/.*|tests/image/.*",
     r"iostream": r"src/base/standard_streams\.cpp|tests/.*",
     r"toml\+\+/.*": r"src/scene/toml/toml\.cpp",
-    r"GLFW/.*|backends/imgui.*": r"src/view/window/window\.cpp",
+    r"GLFW/.*|backends/imgui.*": r"src/view/window/(window|events)\.cpp",
     r"imgui.*": r"src/view/panel/.*\.cpp|src/view/window/window\.cpp",
     r"stb_truetype\.h": r"src/render/overlay/font\.cpp",
     r"zlib\.h": r"src/base/png_pixels\.cpp|tests/.*",

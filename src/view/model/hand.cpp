@@ -21,8 +21,8 @@ bool Hand::move(Model& model, const dvec2& pixel) const {
   const Hold& h = *hold_;
   if (!h.turns) {
     model.look_through(moved(h.grip, h.held, h.from, pixel));
-  } else if (model.turntable) {
-    model.look_through(turned_on_table(h.grip, model.table_up, h.from, pixel));
+  } else if (model.view().turntable) {
+    model.look_through(turned_on_table(h.grip, model.view().table_up, h.from, pixel));
   } else {
     model.look_through(turned_on_ball(h.grip, h.from, pixel));
   }

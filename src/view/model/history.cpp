@@ -5,34 +5,36 @@
 namespace saddle {
 namespace {
 
-/// A scene takes some kilobytes.
-constexpr std::size_t kMostEdits = 1000;
-
-std::optional<Scene> exchange(std::vector<Scene>& from, std::vector<Scene>& to, const Scene& now) {
-  if (from.empty()) return std::nullopt;
-  to.push_back(now);
-  Scene scene = std::move(from.back());
-  from.pop_back();
-  return scene;
-}
+/// A state takes some kilobytes.
+constexpr std::size_t kMostSteps = 1000;
 
 }  // namespace
 
-void History::record(const Scene& before, const std::string& what) {
+void History::record(Step before, const std::string& what) {
+  ++version_;
   if (!what.empty() && what == last_) return;
   last_ = what;
   future_.clear();
-  past_.push_back(before);
-  if (past_.size() > kMostEdits) past_.erase(past_.begin());
+  past_.push_back(std::move(before));
+  if (past_.size() > kMostSteps) past_.erase(past_.begin());
 }
 
-std::optional<Scene> History::undo(const Scene& now) {
+std::optional<Step> History::exchange(std::vector<Step>& from, std::vector<Step>& to,
+                                      const State& now) {
   last_.clear();
+  if (from.empty()) return std::nullopt;
+  ++version_;
+  Step step = std::move(from.back());
+  from.pop_back();
+  to.push_back({now, step.has_camera});
+  return step;
+}
+
+std::optional<Step> History::undo(const State& now) {
   return exchange(past_, future_, now);
 }
 
-std::optional<Scene> History::redo(const Scene& now) {
-  last_.clear();
+std::optional<Step> History::redo(const State& now) {
   return exchange(future_, past_, now);
 }
 

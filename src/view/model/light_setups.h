@@ -13,6 +13,9 @@ class LightSetups {
   /// The lights of the next setup. `shown`: the scene's lights as they are.
   std::vector<Light> next(const std::vector<Light>& shown);
 
+  /// The same setup is shown.
+  bool operator==(const LightSetups& other) const { return number_ == other.number_; }
+
  private:
   int number_ = 0;
   std::vector<Light> own_;  ///< while another setup is shown

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "scene/model/prepare.h"
+#include "view/model/mesh_key.h"
 
 namespace saddle {
 namespace {
@@ -14,24 +16,9 @@ constexpr std::chrono::milliseconds kPatience{150};
 /// Cells of a preview each way: a few thousand triangles, which take some milliseconds.
 constexpr GridSize kPreview{60, 60};
 
-Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail) {
-  Meshed result;
-  result.scene = scene;
-  result.preview = detail == Detail::Preview;
-  const auto begin = std::chrono::steady_clock::now();
-  try {
-    for (std::size_t& k = result.faulty_surface; k < scene.surfaces.size(); ++k) {
-      result.surfaces.push_back(std::make_shared<const Tessellation>(tessellate(scene, k, detail)));
-    }
-  } catch (const Abandoned&) {
-    throw;
-  } catch (...) {
-    result.error = caught_error();
-  }
-  if (result.error) result.surfaces.clear();
-  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
-  result.milliseconds = passed.count();
-  return result;
+/// Definitions that a surface does not use may be wrong, too. Throws Error (Input).
+void check_formulas(const Scene& scene, const SurfaceSpec& spec) {
+  if (!spec.is_stroke()) bind_surface(scene, spec);
 }
 
 }  // namespace
@@ -90,20 +77,65 @@ void MeshWorker::run(const std::stop_token& end) {
       work(request);
     } catch (const Abandoned&) {
       // The newer request is waiting.
+    } catch (...) {
+      Meshed failed;
+      failed.error = caught_error();
+      deliver(std::move(failed));
     }
   }
 }
 
+/// Coarse meshes stand in for those that are not known yet.
+Meshed MeshWorker::mesh_all(const Scene& scene, Detail detail) {
+  Meshed result;
+  result.scene = scene;
+  const auto begin = Clock::now();
+  Known wanted;
+  try {
+    for (std::size_t& k = result.faulty_surface; k < scene.surfaces.size(); ++k) {
+      const std::string key = mesh_key(scene, scene.surfaces[k]);
+      auto known = known_.find(key);
+      if (known != known_.end()) {
+        check_formulas(scene, scene.surfaces[k]);
+      } else {
+        auto made = std::make_shared<const SightedMesh>(tessellate_(scene, k, detail));
+        result.preview = detail == Detail::Preview;
+        if (result.preview) {
+          result.surfaces.push_back(std::move(made));
+          continue;
+        }
+        known = known_.emplace(key, std::move(made)).first;
+      }
+      wanted.insert(*known);
+      result.surfaces.push_back(known->second);
+    }
+  } catch (const Abandoned&) {
+    throw;
+  } catch (...) {
+    result.error = caught_error();
+  }
+  if (result.error) {
+    result.surfaces.clear();
+  } else if (!result.preview) {
+    known_ = std::move(wanted);
+  }
+  const std::chrono::duration<double, std::milli> passed = Clock::now() - begin;
+  result.milliseconds = passed.count();
+  return result;
+}
+
 void MeshWorker::work(const Request& request) {
   if (request.manner == Manner::PreviewFirst) {
-    Meshed preview = mesh_all(tessellate_, request.scene, Detail::Preview);
+    Meshed preview = mesh_all(request.scene, Detail::Preview);
+    const bool is_whole = !preview.preview && !preview.error;
     // An error may be that of the coarse mesh; the other one will tell.
     if (!preview.error) deliver(std::move(preview));
+    if (is_whole) return;
     const std::lock_guard lock(mutex_);
     if (next_) return;
     previewing_ = false;
   }
-  deliver(mesh_all(tessellate_, request.scene, Detail::Full));
+  deliver(mesh_all(request.scene, Detail::Full));
 }
 
 void MeshWorker::deliver(Meshed result) {

@@ -4,16 +4,20 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "meshing/tessellate.h"
 #include "scene/model/scene.h"
+#include "view/model/triangle_boxes.h"
 
 namespace saddle {
 
@@ -29,11 +33,19 @@ using Tessellate = std::function<Tessellation(const Scene& scene, std::size_t su
 /// tessellate() for a picture; a preview takes a coarse grid, or that of --samples.
 Tessellate tessellate_for_picture(unsigned threads);
 
+/// A mesh, and where its triangles are.
+struct SightedMesh : Tessellation {
+  explicit SightedMesh(Tessellation tessellation)
+      : Tessellation(std::move(tessellation)), boxes(mesh) {}
+
+  TriangleBoxes boxes;
+};
+
 /// The result of a request.
 struct Meshed {
   Scene scene;  ///< as it was requested
   /// One per surface of the scene; none if there is an error.
-  std::vector<std::shared_ptr<const Tessellation>> surfaces;
+  std::vector<std::shared_ptr<const SightedMesh>> surfaces;
   std::optional<Error> error;
   std::size_t faulty_surface = 0;  ///< the surface that has the error
   bool preview = false;            ///< a coarse mesh; the real one follows
@@ -47,7 +59,8 @@ enum class Manner {
   InTurn         ///< the real one, once that of the request before is there
 };
 
-/// All calls from one thread, which `wake` tells, from another, that there is something to take.
+/// Meshes only those surfaces of a scene that differ from those of the scene before. All calls from
+/// one thread, which `wake` tells, from another, that there is something to take.
 class MeshWorker {
  public:
   MeshWorker(Tessellate tessellate, std::function<void()> wake);
@@ -71,9 +84,14 @@ class MeshWorker {
 
   void run(const std::stop_token& end);
   void work(const Request& request);
+  Meshed mesh_all(const Scene& scene, Detail detail);
   void deliver(Meshed result);
 
+  /// Meshes that keep the tolerance, by what they depend on.
+  using Known = std::map<std::string, std::shared_ptr<const SightedMesh>>;
+
   Tessellate tessellate_;
+  Known known_;  ///< of the last scenes, for the worker's thread alone
   std::function<void()> wake_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;

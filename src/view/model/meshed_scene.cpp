@@ -19,9 +19,9 @@ Bounds bounds_of(const Meshed& meshed) {
   return bounds;
 }
 
-ViewPyramid pyramid_beside_annotations(
-    const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
-    const Bounds& bounds, const dvec2& size) {
+ViewPyramid pyramid_beside_annotations(const Scene& scene,
+                                       std::span<const std::shared_ptr<const SightedMesh>> surfaces,
+                                       const Bounds& bounds, const dvec2& size) {
   std::vector<std::optional<ColorRange>> ranges;
   for (const auto& surface : surfaces) ranges.push_back(color_range_of(surface->mesh));
   return pyramid_beside_annotations(scene, scene.camera, bounds, color_scales(scene, ranges), size);
@@ -50,8 +50,8 @@ std::optional<SightedPoint> look_along(const Meshed& meshed, const Ray& ray) {
     const glm::dmat4 to_surface = glm::inverse(instance.to_world);
     const Ray own{dvec3(to_surface * glm::dvec4(ray.origin, 1)),
                   glm::dmat3(to_surface) * ray.direction};
-    const Mesh* const mesh = &meshed.surfaces[instance.surface]->mesh;
-    const auto hit = first_hit({&mesh, 1}, own);
+    const SightedMesh& part = *meshed.surfaces[instance.surface];
+    const auto hit = first_hit(part.mesh, part.boxes, own);
     if (hit && (!nearest || hit->distance < nearest->hit.distance)) nearest = {instance, own, *hit};
   }
   return nearest;

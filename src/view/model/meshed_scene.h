@@ -19,9 +19,9 @@ Bounds bounds_of(const Meshed& meshed);
 
 /// A pyramid for a picture of `size` pixels that leaves room for what is written beside these
 /// surfaces of the scene. The meshes are added by add_meshes().
-ViewPyramid pyramid_beside_annotations(
-    const Scene& scene, std::span<const std::shared_ptr<const Tessellation>> surfaces,
-    const Bounds& bounds, const dvec2& size);
+ViewPyramid pyramid_beside_annotations(const Scene& scene,
+                                       std::span<const std::shared_ptr<const SightedMesh>> surfaces,
+                                       const Bounds& bounds, const dvec2& size);
 void add_meshes(const Meshed& meshed, ViewPyramid& seen);
 
 /// The camera as render() would fit it to these meshes.

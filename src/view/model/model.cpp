@@ -1,5 +1,6 @@
 #include "view/model/model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <utility>
@@ -24,9 +25,6 @@ constexpr double kClose = 0.7;
 /// While t plays, meshes that take longer are not waited for: coarse ones are shown.
 constexpr double kKeepsUpMs = 100;
 
-/// While t plays there are at most so many steps a second: that of most displays.
-constexpr std::chrono::microseconds kStep{16'667};
-
 /// Whether two cameras look at the same point from the same distance.
 bool are_placed_alike(const Camera& a, const Camera& b) {
   return a.distance == b.distance && a.target == b.target;
@@ -34,7 +32,7 @@ bool are_placed_alike(const Camera& a, const Camera& b) {
 
 /// The camera changes what a tolerance in pixels is.
 bool sees_another_size(const Camera& a, const Camera& b) {
-  return !are_placed_alike(a, b) || a.ortho != b.ortho;
+  return !are_placed_alike(a, b) || a.ortho != b.ortho || a.fov != b.fov || a.zoom != b.zoom;
 }
 
 /// So does what it sees, if it is close.
@@ -56,6 +54,18 @@ void frame_animation(Scene& scene, unsigned threads) {
   }
 }
 
+/// Some number of the scene depends on t, or the camera does.
+bool has_moving_numbers(const Scene& scene) {
+  if (scene.camera.turntable) return true;
+  try {
+    Timeline timeline(scene);
+    timeline.at(scene.t);
+    return timeline.moves();
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Tessellate tessellation_of(const ViewerSetup& setup) {
@@ -63,11 +73,11 @@ Tessellate tessellation_of(const ViewerSetup& setup) {
 }
 
 Model::Model(ViewerSetup setup, std::function<void()> wake)
-    : table_up(setup.scene.camera.up),
-      scene_(std::move(setup.scene)),
+    : scene_(std::move(setup.scene)),
       reload_(std::move(setup.reload)),
       threads_(setup.threads),
       worker_(tessellation_of(setup), std::move(wake)) {
+  view_.table_up = scene_.camera.up;
   frame();
   request_meshes(Manner::PreviewFirst);
 }
@@ -123,26 +133,33 @@ void Model::resize(const dvec2& size) {
 }
 
 void Model::reload() {
+  if (!reload_) return;
   try {
     Scene scene = reload_();
     scene.camera = scene_.camera;
-    open(std::move(scene));
+    record("", false);
+    take_place(std::move(scene));
   } catch (...) {
     error_ = caught_error();
     faulty_surface_ = scene_.surfaces.size();
   }
 }
 
-void Model::change_look(Scene scene) {
-  history_.record(scene_, "");
-  scene_ = std::move(scene);
+/// To be called before a change.
+void Model::record(const std::string& what, bool has_camera) {
+  history_.record({{scene_, view_}, has_camera}, what);
 }
 
 void Model::edit(Scene scene, const std::string& what) {
-  history_.record(scene_, what);
+  record(what, false);
   scene_ = std::move(scene);
   is_edited_ = true;
   request_meshes(Manner::PreviewFirst);
+}
+
+void Model::change_view(ViewState view, const std::string& what) {
+  record(what, false);
+  view_ = std::move(view);
 }
 
 /// While a field is being edited, the camera stays.
@@ -154,31 +171,63 @@ void Model::end_edit() {
 }
 
 void Model::undo() {
-  restore(history_.undo(scene_));
+  restore(history_.undo({scene_, view_}));
 }
 
 void Model::redo() {
-  restore(history_.redo(scene_));
+  restore(history_.redo({scene_, view_}));
 }
 
-/// Takes a scene of the history, if there is one; camera and window stay.
-void Model::restore(std::optional<Scene> scene) {
-  if (!scene) return;
-  scene->camera = scene_.camera;
-  scene->picture = scene_.picture;
-  scene_ = std::move(*scene);
-  frame();
-  request_meshes(Manner::PreviewFirst);
+/// Takes a state of the history, if there is one. The window's size stays; so do the moment and the
+/// camera, unless it was they that had changed.
+void Model::restore(std::optional<Step> step) {
+  if (!step) return;
+  played_.reset();
+  auto& [scene, view] = step->state;
+  if (!step->has_camera) {
+    scene.camera = scene_.camera;
+    scene.t = scene_.t;
+  }
+  view_ = view;
+  take_place(std::move(scene));
 }
 
-void Model::open(Scene scene) {
-  scene.picture = scene_.picture;
-  lights_ = {};
-  table_up = scene.camera.up;
-  history_.record(scene_, "");
+/// In place of the scene, in a window of the same size.
+void Model::take_place(Scene scene) {
+  scene.picture.width = scene_.picture.width;
+  scene.picture.height = scene_.picture.height;
   scene_ = std::move(scene);
   frame();
   request_meshes(Manner::PreviewFirst);
+}
+
+void Model::open(Scene scene, std::function<Scene()> reload) {
+  record("", true);
+  reload_ = std::move(reload);
+  view_.lights = {};
+  view_.table_up = scene.camera.up;
+  playing = false;
+  played_.reset();
+  take_place(std::move(scene));
+}
+
+bool Model::has(Needs needs) const {
+  switch (needs) {
+    case Needs::Past:
+      return history_.has_past();
+    case Needs::Future:
+      return history_.has_future();
+    case Needs::Movement:
+      return moves_ || playing || played_;
+    case Needs::Source:
+      return reload_ != nullptr;
+    case Needs::Surface:
+      return !scene_.surfaces.empty();
+    case Needs::Work:
+    case Needs::Nothing:
+      return true;
+  }
+  return true;
 }
 
 /// The mesh depends on what a pixel is, and close up on what is seen. Where a hand on a surface as
@@ -190,14 +239,15 @@ void Model::look_through(const Camera& camera) {
     return;
   }
   const bool close = is_close(camera);
-  const bool refine = sees_another_size(camera, meshed_camera_) ||
-                      (close && sees_from_elsewhere(camera, meshed_camera_));
+  const Camera before = meshed_camera_.value_or(scene_.camera);
+  const bool refine =
+      sees_another_size(camera, before) || (close && sees_from_elsewhere(camera, before));
   scene_.camera = camera;
   if (!refine) return;
   refine_at_ = Clock::now() + kRest;
   if (close && keeps_up()) return request_meshes(Manner::InTurn);
-  if (!camera.distance || !meshed_camera_.distance) return;
-  const double nearer = *meshed_camera_.distance / *camera.distance;
+  if (!camera.distance || !before.distance) return;
+  const double nearer = *before.distance / *camera.distance;
   if (nearer > kMuchNearer && !worker_.is_busy()) request_meshes(Manner::Full);
 }
 
@@ -206,11 +256,6 @@ bool Model::is_close(const Camera& camera) const {
   const dvec2 pixels = size();
   const FittedCamera whole = fit_camera(fit_again(camera), bounds_, pixels.x / pixels.y);
   return *camera.distance < kClose * whole.distance;
-}
-
-void Model::set_time(double t) {
-  scene_.t = t;
-  request_meshes(playing && keeps_up() ? Manner::InTurn : Manner::PreviewFirst);
 }
 
 ToleranceValue Model::tolerance() const {
@@ -230,9 +275,16 @@ void Model::request_meshes(Manner manner) {
     faulty_surface_ = scene_.surfaces.size();
     return;
   }
-  meshed_camera_ = scene_.camera;
+  // Seen from elsewhere, but not closely, meshes stay as they are.
+  const Camera& camera = scene_.camera;
+  if (!meshed_camera_ || sees_another_size(camera, *meshed_camera_) || is_close(camera)) {
+    meshed_camera_ = camera;
+  }
   refine_at_.reset();
-  worker_.request(with_strokes(scene_), manner);
+  if (!is_meshing()) requested_ = Clock::now();
+  Scene asked = with_strokes(scene_);
+  asked.camera = *meshed_camera_;
+  worker_.request(std::move(asked), manner);
 }
 
 bool Model::take_result() {
@@ -249,6 +301,9 @@ void Model::show(Meshed meshed) {
   good_ = std::move(meshed);
   bounds_ = bounds_of(good_);
   seen_.reset();
+  const auto is_moving = [](const auto& surface) { return surface->moves; };
+  moves_ = std::ranges::any_of(good_.surfaces, is_moving) || has_moving_numbers(good_.scene);
+  if (!moves_) playing = false;
   follow_picked();
 }
 
@@ -263,27 +318,6 @@ void Model::follow_picked() {
   }
 }
 
-void Model::pass(Clock::time_point now) {
-  if (refine_at_ && now >= *refine_at_) request_meshes(Manner::Full);
-  if (!playing) {
-    last_tick_.reset();
-    return;
-  }
-  if (last_tick_ && now - *last_tick_ < kStep) return;
-  const double passed = last_tick_ ? std::chrono::duration<double>(now - *last_tick_).count() : 0;
-  last_tick_ = now;
-  const Animation animation = scene_.animation.value_or(Animation{});
-  const double length = animation.to - animation.from;
-  const double rate = length * animation.fps / animation.frames;  // of the animation's film
-  const double t = scene_.t - animation.from + speed * rate * passed;
-  set_time(animation.from + t - std::floor(t / length) * length);
-}
-
-std::optional<Model::Clock::time_point> Model::next_pass() const {
-  if (playing) return last_tick_ ? *last_tick_ + kStep : Clock::now();
-  return refine_at_;
-}
-
 dvec3 Model::under(const dvec2& pixel) const {
   const Grip now = grip();
   const Ray ray = ray_through(now, pixel);
@@ -296,9 +330,22 @@ void Model::pick(const dvec2& pixel) {
   picked_ = saddle::pick(good_, ray_through(grip(), pixel));
 }
 
+/// Nearer than the point by more than a mesh is off.
+bool Model::is_picked_hidden() const {
+  constexpr double kNearer = 1e-3;
+  if (!picked_) return false;
+  const Grip now = grip();
+  const auto pixel = pixel_of(now.fitted, picked_->world, now.size);
+  if (!pixel) return true;
+  const Ray ray = ray_through(now, *pixel);
+  const auto sight = look_along(good_, ray);
+  const double distance = glm::dot(picked_->world - ray.origin, ray.direction);
+  return sight && sight->hit.distance < distance - kNearer * surface_size();
+}
+
 Scene Model::scene_to_save() const {
   Scene scene = scene_;
-  if (!grid) {
+  if (!view_.grid) {
     for (SurfaceSpec& spec : scene.surfaces) spec.grid_u = spec.grid_v = 0;
   }
   return scene;

@@ -1,64 +1,90 @@
-// The actions of keys and buttons on a model.
+// The actions of keys and menus on a model.
 #include <utility>
 
 #include "view/model/controls.h"
 #include "view/model/model.h"
+#include "view/model/objects.h"
 
 namespace saddle {
+namespace {
+
+Shading shading_of(Action action) {
+  if (action == Action::ShadeVertices) return Shading::Vertex;
+  return action == Action::ShadePixels ? Shading::Pixel : Shading::Exact;
+}
+
+/// The finest tolerance that a key gives: a sixteenth of a pixel is no more than eight bits show.
+constexpr double kFinestPixels = 1.0 / 16;
+
+}  // namespace
 
 bool Model::act(Action action) {
-  return act_on_looks(action) || act_on_camera(action) || act_on_scene(action);
+  return act_on_looks(action) || act_on_camera(action) || act_on_scene(action) ||
+         act_on_objects(action);
 }
 
 /// Actions that change colours and lines.
 bool Model::act_on_looks(Action action) {
-  Scene changed = scene_;
+  Scene scene = scene_;
+  ViewState view = view_;
   switch (action) {
     case Action::Grid:
-      grid = !grid;
+      view.grid = !view.grid;
+      change_view(view, "");
       return true;
     case Action::Wireframe:
-      wireframe = !wireframe;
+      view.wireframe = !view.wireframe;
+      change_view(view, "");
+      return true;
+    case Action::Normals:
+      view.normals = !view.normals;
+      change_view(view, "");
+      return true;
+    case Action::Turntable:
+      view.turntable = !view.turntable;
+      change_view(view, "");
       return true;
     case Action::NextLights:
-      scene_.lights = lights_.next(scene_.lights);
+      scene.lights = view.lights.next(scene.lights);
+      edit(std::move(scene), "");
+      view_ = view;
       return true;
     case Action::ShadeVertices:
     case Action::ShadePixels:
     case Action::ShadeExactly:
-      changed.picture.shading = action == Action::ShadeVertices ? Shading::Vertex
-                                : action == Action::ShadePixels ? Shading::Pixel
-                                                                : Shading::Exact;
-      change_look(std::move(changed));
+      scene.picture.shading = shading_of(action);
+      edit(std::move(scene), "");
       return true;
     case Action::Axes:
-      changed.axes = !changed.axes;
-      change_look(std::move(changed));
+      scene.axes = !scene.axes;
+      edit(std::move(scene), "");
       return true;
     default:
       return false;
   }
 }
 
+/// A camera that a key gives can be undone.
+void Model::look_anew(Camera camera) {
+  record("", true);
+  look_through(camera);
+}
+
 bool Model::act_on_camera(Action action) {
+  Camera camera = scene_.camera;
   switch (action) {
-    case Action::Orthographic: {
-      Camera camera = scene_.camera;
+    case Action::Orthographic:
       camera.ortho = !camera.ortho;
-      look_through(camera);
-      return true;
-    }
-    case Action::Turntable:
-      turntable = !turntable;
+      look_anew(camera);
       return true;
     case Action::AlongX:
     case Action::AlongY:
     case Action::AlongZ:
-      look_through(
-          seen_along(scene_.camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)));
+      look_anew(seen_along(camera, static_cast<int>(action) - static_cast<int>(Action::AlongX)));
       return true;
     case Action::Fit:
-      scene_.camera = fit_again(scene_.camera);
+      record("", true);
+      scene_.camera = fit_again(camera);
       frame();
       look_through(scene_.camera);
       return true;
@@ -69,21 +95,19 @@ bool Model::act_on_camera(Action action) {
 
 /// Actions that change the meshes.
 bool Model::act_on_scene(Action action) {
-  Scene changed = scene_;
+  Scene scene = scene_;
   switch (action) {
     case Action::Flip:
-      for (SurfaceSpec& spec : changed.surfaces) spec.flip = !spec.flip;
-      edit(std::move(changed), "");
+      for (SurfaceSpec& spec : scene.surfaces) spec.flip = !spec.flip;
+      edit(std::move(scene), "");
       return true;
     case Action::Play:
-      playing = !playing;
+      playing = !playing && !played_ && moves_;
+      played_.reset();
       return true;
     case Action::Coarser:
     case Action::Finer:
-      changed.mesh.tolerance = tolerance();
-      changed.mesh.tolerance->value *= action == Action::Finer ? 0.5 : 2;
-      edit(std::move(changed), "tolerance");
-      return true;
+      return change_tolerance(action == Action::Finer ? 0.5 : 2);
     case Action::Undo:
       undo();
       return true;
@@ -96,6 +120,45 @@ bool Model::act_on_scene(Action action) {
     default:
       return false;
   }
+}
+
+bool Model::change_tolerance(double factor) {
+  Scene scene = scene_;
+  scene.mesh.tolerance = tolerance();
+  ToleranceValue& wanted = *scene.mesh.tolerance;
+  if (factor < 1 && wanted.pixels && wanted.value <= kFinestPixels) {
+    news_ = "a finer mesh would look the same; the field 'tolerance' takes any number";
+    return true;
+  }
+  wanted.value *= factor;
+  edit(std::move(scene), "tolerance");
+  return true;
+}
+
+bool Model::act_on_objects(Action action) {
+  Scene scene = scene_;
+  switch (action) {
+    case Action::New:
+      open(new_scene(), {});
+      return true;
+    case Action::AddSurface:
+      add_surface(scene);
+      break;
+    case Action::AddCurve:
+      add_curve(scene);
+      break;
+    case Action::AddPoint:
+      add_point(scene);
+      break;
+    case Action::AddLight:
+      scene.lights.emplace_back();
+      break;
+    default:
+      return false;
+  }
+  edit(std::move(scene), "");
+  end_edit();
+  return true;
 }
 
 }  // namespace saddle

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -69,17 +71,18 @@ struct Candidate {
 
 }  // namespace
 
-std::optional<Hit> first_hit(std::span<const Mesh* const> meshes, const Ray& ray) {
+std::optional<Hit> first_hit(const Mesh& mesh, const TriangleBoxes& boxes, const Ray& ray) {
   std::optional<Hit> nearest;
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    const Mesh& mesh = *meshes[m];
-    for (const auto& [i, j, k] : mesh.triangles) {
-      const auto met = intersect(ray, {mesh.position[i], mesh.position[j], mesh.position[k]});
-      if (!met || met->x <= 0 || (nearest && met->x >= nearest->distance)) continue;
-      const double rest = 1 - met->y - met->z;
-      nearest = {m, met->x, rest * mesh.uv[i] + met->y * mesh.uv[j] + met->z * mesh.uv[k]};
-    }
-  }
+  const auto limit = [&] {
+    return nearest ? nearest->distance : std::numeric_limits<double>::infinity();
+  };
+  boxes.along(ray, limit, [&](std::size_t triangle) {
+    const auto& [i, j, k] = mesh.triangles[triangle];
+    const auto met = intersect(ray, {mesh.position[i], mesh.position[j], mesh.position[k]});
+    if (!met || met->x <= 0 || met->x >= limit()) return;
+    const double rest = 1 - met->y - met->z;
+    nearest = {met->x, rest * mesh.uv[i] + met->y * mesh.uv[j] + met->z * mesh.uv[k]};
+  });
   return nearest;
 }
 

@@ -1,26 +1,24 @@
 // The point of a surface under a pixel.
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <span>
 
 #include "mesh/model/mesh.h"
 #include "surface/surface.h"
 #include "view/model/controls.h"
+#include "view/model/triangle_boxes.h"
 
 namespace saddle {
 
 /// Where a line of sight meets a mesh first.
 struct Hit {
-  std::size_t mesh = 0;
   double distance = 0;  ///< along the line, from its origin
   dvec2 uv;             ///< linear in the triangle
 };
 
-/// The nearest hit, if any; from either side of the triangles.
+/// The nearest hit, if any; from either side of the triangles. `boxes`: around those of the mesh.
 /// Source: T. Moeller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", 1997.
-std::optional<Hit> first_hit(std::span<const Mesh* const> meshes, const Ray& ray);
+std::optional<Hit> first_hit(const Mesh& mesh, const TriangleBoxes& boxes, const Ray& ray);
 
 /// A point of the surface itself, not of its mesh.
 struct SurfacePlace {

@@ -9,10 +9,11 @@
 namespace saddle {
 
 struct Overlay {
-  double left = 0;            ///< where the picture begins, in pixels
-  std::optional<dvec2> mark;  ///< a pixel of the picture
-  std::string message;        ///< a line at the bottom
-  std::string help;           ///< lines in the middle
+  double left = 0;              ///< where the picture begins, in pixels
+  std::optional<dvec2> mark;    ///< a pixel of the picture
+  bool is_mark_hidden = false;  ///< behind a surface: hollow
+  std::string message;          ///< a line at the bottom
+  std::string help;             ///< lines in the middle
 };
 
 /// Between Window::begin_panel() and end_panel().

@@ -8,8 +8,6 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "base/standard_streams.h"
-#include "scene/options/command_text.h"
-#include "scene/toml/scene_file.h"
 #include "view/panel/fields.h"
 
 namespace saddle {
@@ -18,7 +16,7 @@ namespace {
 using Clock = Model::Clock;
 
 /// At most, in pixels of the user's, and as a share of the window.
-constexpr double kPanelWidth = 280;
+constexpr double kPanelWidth = 320;
 constexpr double kPanelShare = 0.45;
 
 /// How often the watched file is looked at.
@@ -48,13 +46,18 @@ Viewer::Viewer(ViewerSetup setup)
       written_(last_write(watched_)),
       window_(setup.scene.title, setup.scene.picture.width + static_cast<int>(kPanelWidth),
               setup.scene.picture.height),
-      panel_(setup.quiet),
+      panel_(setup.quiet, [this](Action action) { return can(action); }),
+      start_shown_(setup.start),
       to_paint_(kSettlingFrames),
       saver_(tessellation_of(setup), Window::wake),
-      model_(std::move(setup), Window::wake) {}
+      model_(std::move(setup), Window::wake) {
+  has_work_ = session_.left_work().has_value();
+  if (has_work_ && !start_shown_) say("the last time ended with unsaved work: File, Unsaved work");
+}
 
 void Viewer::run() {
   while (!is_to_end()) step();
+  keep_work(true);
   if (verbose_) print_times();
 }
 
@@ -67,6 +70,8 @@ void Viewer::step() {
     say(caught_error().what());
   }
   if (window_.take_damage()) touch();
+  if (model_.meshing_seconds()) touch();
+  keep_work(false);
   paint();
   busy_ += Clock::now() - begin;
 }
@@ -95,7 +100,7 @@ bool Viewer::is_to_end() {
 
 bool Viewer::is_at_rest() const {
   return to_paint_ == 0 && !window_.has_events() && !model_.is_meshing() && !model_.next_pass() &&
-         drawing_.is_at_rest() && !saver_.is_busy();
+         (start_shown_ ? !is_drawing_thumbnails_ : drawing_.is_at_rest()) && !saver_.is_busy();
 }
 
 void Viewer::print_times() const {
@@ -118,7 +123,7 @@ void Viewer::print_times() const {
 
 /// How long the loop may sleep; nothing: until something happens.
 std::optional<double> Viewer::patience() const {
-  if (to_paint_ > 0 || window_.has_events()) return 0.0;
+  if (to_paint_ > 0 || window_.has_events() || is_drawing_thumbnails_) return 0.0;
   std::optional<double> seconds;
   const auto at_most = [&](Clock::time_point time) {
     seconds = std::min(seconds.value_or(1e9), seconds_until(time));
@@ -126,6 +131,7 @@ std::optional<double> Viewer::patience() const {
   if (const auto next = model_.next_pass()) at_most(*next);
   if (const auto due = drawing_.due()) at_most(*due);
   if (!message_.empty()) at_most(message_end_);
+  if (kept_ != model_.history().version()) at_most(changed_ + kKeep);
   if (!watched_.empty()) at_most(looked_ + kLook);
   return seconds;
 }
@@ -164,11 +170,13 @@ void Viewer::handle(const Event& event) {
       return key(event.key);
     case Event::Kind::KeyUp:
       return;
+    case Event::Kind::Drop:
+      return open(event.key);
   }
 }
 
 bool Viewer::is_over_picture(const Event& event) const {
-  return event.place.x >= panel_width() && !is_popup_open();
+  return event.place.x >= panel_width() && !is_popup_open() && !start_shown_;
 }
 
 void Viewer::press(const Event& event) {
@@ -190,73 +198,19 @@ bool Viewer::is_taken_from_panel(const Event& event) const {
 
 /// Letters are keys only while the picture has the keyboard.
 void Viewer::key(const std::string& name) {
-  const KeyBinding* const binding = find_key(name);
-  if (is_text_wanted() || is_popup_open()) {
+  const ActionRow* const row = find_key(name);
+  const bool is_in_picture = !is_text_wanted() && !is_popup_open() && !start_shown_;
+  if (!is_in_picture) {
     is_typing_ = is_typing_ || is_text_wanted();
-    if (name == "Return" && is_text_wanted() && !is_editing_number()) panel_.confirm(model_);
-    if (binding == nullptr || !works_while_typing(binding->action)) return;
+    if (name == "Return" && !is_editing_number()) panel_.confirm(model_);
+    if (row == nullptr || !works_while_typing(row->action)) return;
   }
-  if (binding == nullptr) return;
-  if (is_typing_ && types_character(*binding)) {
+  if (name == "Tab" && panel_shown_) panel_.enter();
+  if (row == nullptr) return;
+  if (is_typing_ && types_character(*row)) {
     return say("click into the picture, or press Escape, to use its keys");
   }
-  act(binding->action);
-  change_picture();
-}
-
-/// Closes the uppermost thing; the last is the field, which gives the keyboard to the picture.
-void Viewer::dismiss() {
-  if (is_popup_open()) {
-    close_popups();
-    is_typing_ = false;
-  } else if (help_shown_) {
-    help_shown_ = false;
-  } else {
-    is_typing_ = false;
-    message_.clear();
-  }
-}
-
-void Viewer::act(Action action) {
-  try {
-    if (model_.act(action)) return;
-    switch (action) {
-      case Action::SavePicture:
-        return saver_.save_picture(model_.scene_to_save());
-      case Action::SaveScene:
-        return say("saved " + save_scene(model_.scene_to_save()).string());
-      case Action::Panel:
-        panel_shown_ = !panel_shown_;
-        return;
-      case Action::Help:
-        help_shown_ = !help_shown_;
-        return;
-      case Action::Dismiss:
-        return dismiss();
-      case Action::Normals:
-        return drawing_.show_normals(model_, !drawing_.has_normals());
-      case Action::CopyCommand:
-      case Action::CopyScene:
-        return copy(action);
-      case Action::Quit:
-        insisting_ = closing_;
-        closing_ = true;
-        if (saver_.is_busy()) say("saving; quit again to leave without the picture");
-        return;
-      default:
-        return;
-    }
-  } catch (...) {
-    say(caught_error().what());
-  }
-}
-
-void Viewer::copy(Action action) {
-  const Scene scene = model_.scene_to_save();
-  const auto text = action == Action::CopyScene ? write_scene(scene) : command_text(scene);
-  if (!text) return say("only a scene file can say this: press C");
-  window_.set_clipboard(*text);
-  say(action == Action::CopyScene ? "copied the scene" : "copied the command");
+  act(row->action);
 }
 
 /// Editors write a file in place or put another one there: its time tells of both.
@@ -274,7 +228,7 @@ void Viewer::look_at_file() {
 // ---------------------------------------------------------------------------------
 
 double Viewer::panel_width() const {
-  if (!panel_shown_) return 0;
+  if (!panel_shown_ || start_shown_) return 0;
   return std::floor(
       std::min(kPanelWidth * window_.scale(), kPanelShare * window_.framebuffer_size().x));
 }
@@ -294,22 +248,18 @@ void Viewer::paint() {
     to_paint_ = 0;
     return;
   }
-  fit_picture();
+  if (!start_shown_) fit_picture();
   if (!message_.empty() && Clock::now() >= message_end_) {
     message_.clear();
     touch();
   }
-  if (drawing_.is_due(Clock::now())) touch();
+  if (start_shown_ ? draw_thumbnails() : draw()) to_paint_ = std::max(to_paint_, 1);
   if (to_paint_ == 0) return;
   --to_paint_;
+  if (std::exchange(title_, model_.scene().title) != title_) window_.set_title(title_);
   window_.begin_panel();
-  if (panel_shown_) {
-    panel_.show(model_, drawing_.figures(), panel_width(), window_.scale());
-    if (panel_.take_change()) change_picture();
-    if (const auto action = panel_.take_action()) act(*action);
-  }
+  show_panels();
   show_overlay(overlay());
-  draw();
   const auto begin = Clock::now();
   drawing_.show(static_cast<int>(panel_width()));
   window_.end_panel();
@@ -318,13 +268,28 @@ void Viewer::paint() {
   ++paints_;
 }
 
-/// A picture that cannot be drawn leaves the last one, with a message.
-void Viewer::draw() {
+/// All that a hand asked of them is done after all of them are shown.
+void Viewer::show_panels() {
+  if (start_shown_) {
+    show_start();
+  } else if (panel_shown_) {
+    panel_.show(model_, drawing_.figures(), panel_width());
+    if (panel_.take_change()) change_picture();
+  }
+  chooser_.show(panel_width(), panel_.is_confirmed());
+  panel_.end_frame();
+  if (const auto action = panel_.take_action()) act(*action);
+}
+
+/// Goes on with the picture; true if it is another. One that cannot be drawn leaves the last one,
+/// with a message.
+bool Viewer::draw() {
   try {
-    drawing_.draw(model_);
+    return drawing_.draw(model_);
   } catch (...) {
     drawing_.give_up();
     say(caught_error().what());
+    return true;
   }
 }
 
@@ -332,14 +297,14 @@ Overlay Viewer::overlay() {
   Overlay overlay;
   overlay.left = panel_width();
   overlay.message = message_;
-  // An error that a field shows is not shown twice.
-  if (model_.error() && !(panel_shown_ && panel_.has_shown_error())) {
-    overlay.message = format_error(*model_.error());
-  }
+  // An error that the panel shows is not shown twice.
+  if (model_.error() && !panel_shown_) overlay.message = format_error(*model_.error());
   if (help_shown_) overlay.help = key_help();
-  const Grip grip = model_.grip();
   const auto& picked = model_.picked();
-  if (picked) overlay.mark = pixel_of(grip.fitted, picked->world, grip.size);
+  if (!picked || start_shown_) return overlay;
+  const Grip grip = model_.grip();
+  overlay.mark = pixel_of(grip.fitted, picked->world, grip.size);
+  overlay.is_mark_hidden = model_.is_picked_hidden();
   return overlay;
 }
 

@@ -5,15 +5,20 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "view/picture/drawing.h"
 #include "view/model/hand.h"
 #include "view/model/model.h"
+#include "view/model/session.h"
+#include "view/panel/chooser.h"
 #include "view/panel/overlay.h"
 #include "view/panel/panel.h"
+#include "view/panel/start_page.h"
+#include "view/picture/drawing.h"
 #include "view/picture/saver.h"
+#include "view/picture/thumbnails.h"
 #include "view/window/window.h"
 
 namespace saddle {
@@ -46,10 +51,13 @@ class Viewer {
   bool is_at_rest() const;
   const Model& model() const { return model_; }
   Spent spent() const { return {busy_, drawing_.spent(), showing_, paints_}; }
-  const Drawing& drawing() const { return drawing_; }
+  Drawing& drawing() { return drawing_; }
 
  private:
   using Clock = Model::Clock;
+
+  /// Work is kept when nothing has changed for so long.
+  static constexpr std::chrono::seconds kKeep{1};
 
   std::optional<double> patience() const;
   void print_times() const;
@@ -60,9 +68,19 @@ class Viewer {
   void press(const Event& event);
   bool is_taken_from_panel(const Event& event) const;
   void key(const std::string& name);
-  void dismiss();
+  bool can(Action action) const;
   void act(Action action);
+  bool act_on_window(Action action);
+  bool act_on_files(Action action);
+  void dismiss();
   void copy(Action action);
+  void list_actions();
+  void list_gallery();
+  void list_files();
+  void show_scene(Scene scene, std::function<Scene()> reload);
+  void open(const std::filesystem::path& path);
+  void restore_work();
+  void keep_work(bool now);
   void look_at_file();
   dvec2 in_picture(const dvec2& place) const { return {place.x - panel_width(), place.y}; }
   bool is_over_picture(const Event& event) const;
@@ -70,7 +88,10 @@ class Viewer {
   void fit_picture();
   void react();
   void paint();
-  void draw();
+  void show_panels();
+  bool draw_thumbnails();
+  void show_start();
+  bool draw();
   Overlay overlay();
 
   bool verbose_;
@@ -81,6 +102,18 @@ class Viewer {
   Drawing drawing_;
   Hand hand_;
   Panel panel_;
+  Chooser chooser_;
+  Thumbnails thumbnails_;
+  StartPage start_page_;
+  Session session_;
+  bool has_work_ = false;  ///< another window has left some
+  // Versions of the history.
+  static constexpr std::size_t kNever = -1;
+  std::size_t seen_ = 0;   ///< in the last step
+  std::size_t kept_ = 0;   ///< whose scene is kept as work
+  std::size_t saved_ = 0;  ///< whose scene is in a file
+  Clock::time_point changed_;
+  std::string title_;  ///< the window's
   std::size_t paints_ = 0;
   Clock::duration busy_{};     ///< from what happened to the screen
   Clock::duration showing_{};  ///< of that, copying pictures to the window, with the panel
@@ -88,6 +121,8 @@ class Viewer {
   bool insisting_ = false;  ///< not even files that are being written are waited for
   bool panel_shown_ = true;
   bool help_shown_ = false;
+  bool start_shown_;
+  bool is_drawing_thumbnails_ = false;
   bool is_typing_ = false;  ///< the last key went to a field, and the picture was not pressed since
   int to_paint_;            ///< frames that the window still needs
   std::string message_;

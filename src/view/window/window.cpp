@@ -65,82 +65,6 @@ Window& of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
-/// The keys that type no character, as the table calls them. With Ctrl held, letters are upper
-/// case, wherever the keyboard has them.
-std::string special_key(int key, int mods) {
-  if ((mods & GLFW_MOD_CONTROL) != 0) {
-    const char* const name = glfwGetKeyName(key, 0);
-    if (name == nullptr) return "";
-    std::string letter(name);
-    for (char& c : letter) {
-      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
-    return ((mods & GLFW_MOD_SHIFT) != 0 ? "Ctrl-Shift-" : "Ctrl-") + letter;
-  }
-  switch (key) {
-    case GLFW_KEY_HOME:
-      return "Home";
-    case GLFW_KEY_SPACE:
-      return "Space";
-    case GLFW_KEY_TAB:
-      return "Tab";
-    case GLFW_KEY_F1:
-      return "F1";
-    case GLFW_KEY_ESCAPE:
-      return "Escape";
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      return "Return";
-    default:
-      return "";
-  }
-}
-
-// One frame of Dear ImGui 1.86 handles keys like this: it sees which keys are down, inserts the
-// characters typed, unless Ctrl is down, and then does what one editing key says.
-
-bool is_key(const Event& event) {
-  return event.kind == Event::Kind::KeyDown || event.kind == Event::Kind::KeyUp;
-}
-
-bool is_shift(const Event& event) {
-  return is_key(event) && (event.code == GLFW_KEY_LEFT_SHIFT || event.code == GLFW_KEY_RIGHT_SHIFT);
-}
-
-/// Shift, Ctrl, Alt and Super.
-bool is_modifier(const Event& event) {
-  return is_key(event) && event.code >= GLFW_KEY_LEFT_SHIFT && event.code <= GLFW_KEY_RIGHT_SUPER;
-}
-
-/// A key that edits: not a modifier, nor one whose character comes as an event of its own.
-bool is_editing_key(const Event& event) {
-  constexpr int kCommand = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
-  const bool is_printable = event.code < GLFW_KEY_ESCAPE;
-  return is_key(event) && !is_modifier(event) && (!is_printable || (event.mods & kCommand) != 0);
-}
-
-bool is_editing_press(const Event& event) {
-  return event.kind == Event::Kind::KeyDown && is_editing_key(event);
-}
-
-/// One frame can tell `next` apart from the events before it.
-bool fits_into_frame(const Event& next, std::span<const Event> before) {
-  using Kind = Event::Kind;
-  const auto is_button = [](const Event& e) {
-    return e.kind == Kind::Press || e.kind == Kind::Release;
-  };
-  const auto is_character = [](const Event& e) { return e.kind == Kind::Character; };
-  const auto has = [&](const auto& condition) { return std::ranges::any_of(before, condition); };
-  if (has(is_button)) return false;
-  if (is_button(next)) return !has(is_character) && !has(is_key);
-  if (is_character(next)) return !has(is_editing_press);
-  if (is_modifier(next)) return !has(is_editing_press) && (is_shift(next) || !has(is_character));
-  if (!is_editing_key(next)) return true;
-  if (has(is_editing_press)) return false;
-  const auto same_key = [&](const Event& e) { return is_key(e) && e.code == next.code; };
-  return next.kind == Kind::KeyUp || (!has(is_character) && !has(same_key));
-}
-
 /// No larger than the screen.
 std::array<int, 2> fitting_size(int width, int height) {
   GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
@@ -230,6 +154,13 @@ void Window::listen() {
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).damaged_ = true; });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).damaged_ = true; });
+  glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+    if (count < 1) return;
+    Event event;
+    event.kind = Event::Kind::Drop;
+    event.key = paths[0];
+    of(w).receive_here(event);
+  });
   listen_to_keys();
 }
 
@@ -246,7 +177,7 @@ void Window::listen_to_keys() {
     event.kind = action == GLFW_RELEASE ? Event::Kind::KeyUp : Event::Kind::KeyDown;
     event.code = key;
     event.mods = mods;
-    if (action == GLFW_PRESS) event.key = special_key(key, mods);
+    if (action == GLFW_PRESS) event.key = name_of_key(key, mods);
     of(w).receive_here(event);
   });
 }
@@ -331,6 +262,7 @@ void Window::tell_panel(const Event& event) {
       return ImGui_ImplGlfw_KeyCallback(window_, event.code, 0, action, event.mods);
     }
     case Event::Kind::Move:
+    case Event::Kind::Drop:
       return;
   }
 }
@@ -354,6 +286,19 @@ dvec2 Window::framebuffer_size() const {
 
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::toggle_full_screen() {
+  auto& [x, y, width, height] = windowed_;
+  if (glfwGetWindowMonitor(window_) != nullptr) {
+    return glfwSetWindowMonitor(window_, nullptr, x, y, width, height, GLFW_DONT_CARE);
+  }
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) return;
+  glfwGetWindowPos(window_, &x, &y);
+  glfwGetWindowSize(window_, &width, &height);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 void Window::set_clipboard(const std::string& text) {

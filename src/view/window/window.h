@@ -9,25 +9,11 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "view/window/events.h"
 
 struct GLFWwindow;
 
 namespace saddle {
-
-/// An event of mouse or keyboard. Places are in pixels from the window's upper left.
-struct Event {
-  enum class Kind { Press, Release, Move, Scroll, Character, KeyDown, KeyUp };
-  Kind kind = Kind::Move;
-  dvec2 place{0, 0};   ///< of the pointer, in pixels
-  int button = 0;      ///< 0 left, 1 right, 2 middle
-  bool shift = false;  ///< held down
-  bool twice = false;  ///< the second press in a row at this place
-  double notches = 0;  ///< of the wheel, away from the hand
-  std::string key;     ///< as in the table of keys; empty: it is not in the table
-  // As GLFW has them, for the panel.
-  int code = 0;
-  int mods = 0;
-};
 
 class Window {
  public:
@@ -63,6 +49,8 @@ class Window {
   double scale() const { return scale_; }
 
   void set_title(const std::string& title);
+  /// The whole screen, or a window again.
+  void toggle_full_screen();
   void set_clipboard(const std::string& text);
 
   /// Around what Dear ImGui is told to show.
@@ -83,6 +71,7 @@ class Window {
   std::deque<Event> events_;
   dvec2 pointer_{0, 0};  ///< where events have brought it; GLFW tells where it is by now
   bool is_inside_ = false;
+  std::array<int, 4> windowed_{};  ///< place and size, while the window is the screen
   bool damaged_ = true;
   // The state that the panel was told.
   dvec2 shown_pointer_{0, 0};
