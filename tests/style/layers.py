@@ -13,7 +13,8 @@ LAYERS = {
     "scene": "model toml options files",
     "meshing": "",
     "render": "gl shading overlay picture",
-    "export": "", "study": "", "view": "",
+    "export": "", "study": "",
+    "view": "model picture panel window",
     "app": "command_line report run commands",
 }
 FOLDERS = [f"{layer}/{room}" for layer, rooms in LAYERS.items() for room in rooms.split() or [""]]

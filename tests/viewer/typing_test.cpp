@@ -14,7 +14,7 @@
 #include "export/load_scene.h"
 #include "meshing/tessellate.h"
 #include "scene/model/gallery.h"
-#include "view/viewer.h"
+#include "view/window/viewer.h"
 #include "viewer/display.h"
 
 namespace saddle {
@@ -24,7 +24,7 @@ constexpr std::chrono::seconds kPatience{20};
 
 /// The z field is the third.
 constexpr int kFieldOfZ = 2;
-constexpr dvec2 kFieldOfX{200, 66};
+constexpr dvec2 kFieldOfX{200, 65};
 
 class Typing : public ViewerTest {
  protected:
@@ -82,7 +82,7 @@ TEST_F(Typing, LeavesWhatReturnConfirmed) {
 
 TEST_F(Typing, AddsDefinitionsInARow) {
   open({"z=u*v"});
-  enter_field(6);
+  enter_new_definition();
   act("type 'aa=2'");
   act("key Return");
   settled_picture();
@@ -224,7 +224,7 @@ TEST_F(TypingHere, SelectsAllThoughCtrlIsLetGoFirstAndAtOnce) {
   constexpr int kControl = 341;
   constexpr int kModControl = 2;
   Viewer viewer(coarse_plane());
-  ASSERT_TRUE(act_on(viewer, "mousemove 200 66", [] { return true; }));
+  ASSERT_TRUE(act_on(viewer, "mousemove 200 65", [] { return true; }));
   for (const auto kind : {Event::Kind::Move, Event::Kind::Press, Event::Kind::Release}) {
     viewer.receive(key_event(kind, 0, 0));
   }
@@ -244,7 +244,7 @@ TEST_F(TypingHere, FillsAFieldWithAnyFormulaOfTheGallery) {
     return [&viewer, text] { return viewer.model().scene().surfaces[0].x == text; };
   };
   const auto field = [&] { return viewer.model().scene().surfaces[0].x; };
-  ASSERT_TRUE(act_on(viewer, "mousemove 200 66 sleep 0.2 click 1 sleep 0.2 type 0", has("u0")));
+  ASSERT_TRUE(act_on(viewer, "mousemove 200 65 sleep 0.2 click 1 sleep 0.2 type 0", has("u0")));
   int number = 0;
   for (const std::string& formula : gallery_formulas()) {
     // It is undefined everywhere as far as the first sum, which a message says.

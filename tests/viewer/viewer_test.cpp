@@ -270,8 +270,8 @@ TEST_F(ViewerTest, IsTwiceAsLargeWhereDotsAreHalfAsLarge) {
   open({"torus", "-s", "300x300"});
   const Image screen = screenshot();
   const auto is_panel = [&](int x) { return screen.pixel(x, 500)[0] > 5; };
-  EXPECT_TRUE(is_panel(500)) << "the panel is 520 pixels wide, of a window of 1160";
-  EXPECT_FALSE(is_panel(530));
+  EXPECT_TRUE(is_panel(520)) << "the panel is 540 pixels wide, of a window of 1200";
+  EXPECT_FALSE(is_panel(550));
 }
 
 TEST_F(ViewerTest, SurvivesAnything) {

@@ -12,7 +12,7 @@
 #include "formula/language.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"
-#include "view/keys.h"
+#include "view/model/actions.h"
 
 namespace saddle {
 
@@ -21,6 +21,7 @@ namespace {
 constexpr const char* kUsage =
     R"(saddle graphs parametric surfaces from formulas: x(u,v), y(u,v), z(u,v).
 
+  saddle                                               open a window with the gallery in it
   saddle NAME=EXPRESSION... [options]                  graph formulas
   saddle SCENE.toml [NAME=EXPRESSION...] [options]     graph a scene file, or a picture's scene;
                                                        - is standard input
@@ -110,18 +111,12 @@ std::string with_default(const std::string& text, const std::string& standard) {
   return standard.empty() ? text : text + " (default " + standard + ")";
 }
 
-/// The text with the names that it stands for in place of {formats} and {choices}.
-std::string expanded(std::string_view text, const Option& option) {
-  std::string result(text);
-  const auto replace = [&result](const std::string& mark, const std::string& names) {
-    const std::size_t at = result.find(mark);
-    if (at != std::string::npos) result.replace(at, mark.size(), names);
-  };
-  std::string words;
-  for (const std::string& word : choices(option)) words += (words.empty() ? "" : " ") + word;
-  replace("{formats}", format_list());
-  replace("{choices}", words);
-  replace("{limits}", limits_text(option));
+/// With the formats that there are, too.
+std::string with_formats(std::string_view text, const Option& option) {
+  constexpr std::string_view kMark = "{formats}";
+  std::string result = expanded(text, option);
+  const std::size_t at = result.find(kMark);
+  if (at != std::string::npos) result.replace(at, kMark.size(), format_list());
   return result;
 }
 
@@ -138,7 +133,7 @@ std::string options_text() {
     for (const Option& option : options()) {
       if (!option.is_option() || option.section != section) continue;
       text += entry(names_of(option),
-                    with_default(expanded(option.help, option), default_text(option)));
+                    with_default(with_formats(option.help, option), default_text(option)));
     }
   }
   return text;
@@ -223,8 +218,8 @@ std::string option_text(const Option& option) {
   const std::string names = names_of(option).substr(2 + (option.letter == 0 ? 4 : 0));
   const std::string key = std::string(option.name) + " = " + std::string(option.value);
   std::string text =
-      (option.is_option() ? names : key) + "\n  " + expanded(option.help, option) + '\n';
-  if (!option.more.empty()) text += expanded(option.more, option) + '\n';
+      (option.is_option() ? names : key) + "\n  " + with_formats(option.help, option) + '\n';
+  if (!option.more.empty()) text += with_formats(option.more, option) + '\n';
   if (option.object) text += "Beside one of several objects: of that object.\n";
   std::string words;
   for (const std::string& word : choices(option)) words += " " + word;

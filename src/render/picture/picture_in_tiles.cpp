@@ -49,7 +49,7 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
   const bool opaque = scene.background.a >= 1;  // no sample is see-through
   Image image(options.width, options.height);
   for (const PixelRect& tile : tiling.tiles) {
-    renderer.draw(scene, camera, {options.width, options.height, tile, margin, n});
+    renderer.draw(scene, camera, {options.width, options.height, tile, margin, double(n)});
     target.read(margin * n, margin * n, n, opaque, tile, image);
   }
   return image;

@@ -117,9 +117,8 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
 
-  const int n = viewport.per_side;
   const int line = samples_across(widest_surface_line(scene, viewport.size()), viewport);
-  glViewport(0, 0, n * (rect.width + 2 * viewport.margin), n * (rect.height + 2 * viewport.margin));
+  glViewport(0, 0, viewport.samples_across(), viewport.samples_down());
   std::vector<PlacedMesh> hiding;
   std::vector<PlacedMesh> see_through;
   for (const PlacedMesh& item : items) {
@@ -165,12 +164,8 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
 }
 
 Layers& Renderer::layers(const Viewport& viewport) {
-  const int width = viewport.per_side * (viewport.rect.width + 2 * viewport.margin);
-  const int height = viewport.per_side * (viewport.rect.height + 2 * viewport.margin);
-  if (!layers_ || !layers_->has_size(width, height)) {
-    layers_.reset();  // first the old ones: there need not be memory for both
-    layers_.emplace(width, height);
-  }
+  if (!layers_) layers_.emplace();
+  layers_->fit(viewport.samples_across(), viewport.samples_down());
   return *layers_;
 }
 

@@ -63,6 +63,7 @@ std::vector<Instance> instances(const Scene& scene, World world) {
   const NodeFrames frames(scene, world);
   std::vector<Instance> result;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    if (!scene.surfaces[i].visible) continue;
     for (const glm::dmat4& place : places(frames, scene.surfaces[i])) result.push_back({i, place});
   }
   return result;

@@ -150,6 +150,7 @@ struct SurfaceSpec {
   std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: line_width()
   Color line_color = kLineColor;
   std::string label;            ///< text beside it; empty: none
+  bool visible = true;          ///< else it is there for curves and points alone
   std::vector<std::string> in;  ///< the nodes it is drawn in; none: once, in the world
   /// It stands for this curve or point of the scene: see with_strokes() of scene/model/strokes.h.
   std::optional<std::size_t> curve = {}, point = {};
@@ -161,6 +162,7 @@ struct SurfaceSpec {
 struct StrokeSpec {
   std::string name;
   std::string label;  ///< text beside it; empty: none
+  bool visible = true;
   Color color = kStrokeColor;
   /// Pixels: of a line; of a point's dot across. Default: grows with the picture.
   std::optional<Number> width = {};

@@ -2,6 +2,7 @@
 // knows its text on the command line, its TOML and its limits.
 //
 //   parse    the command line's text into the value. Throws Error (Input) with the place in it
+//   clear    back to the default that has no text
 //   format   the text that parse() would take; empty where there is nothing to say
 //   read     a TOML value into the value. Throws Error (Input) with the place in the file
 //   write    as TOML; empty where there is nothing to say
@@ -33,6 +34,7 @@ struct Maybe {
   Kind kind;  ///< its pointer is filled in
 
   void parse(const Given& given) const { change(&Kind::parse, given); }
+  void clear() const { value->reset(); }
   std::string format() const { return *value ? inside(**value).format() : ""; }
   void read(const InFile& in) const { change(&Kind::read, in); }
   std::string write() const { return *value ? inside(**value).write() : ""; }

@@ -163,6 +163,23 @@ std::vector<std::string> choices(const Option& option) {
   return choice == nullptr ? std::vector<std::string>{} : choice->words;
 }
 
+std::string expanded(std::string_view text, const Option& option) {
+  std::string result(text);
+  const auto replace = [&result](const std::string& mark, const std::string& names) {
+    const std::size_t at = result.find(mark);
+    if (at != std::string::npos) result.replace(at, mark.size(), names);
+  };
+  std::string words;
+  for (const std::string& word : choices(option)) words += (words.empty() ? "" : " ") + word;
+  replace("{choices}", words);
+  replace("{limits}", limits_text(option));
+  return result;
+}
+
+std::string help_of(const Option& option) {
+  return expanded(option.help, option);
+}
+
 std::vector<std::string> keys_of(Table table) {
   std::vector<std::string> keys;
   each_row(table, [&](const Option& option) { keys.push_back(key_of(option)); });

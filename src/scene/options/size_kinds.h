@@ -34,6 +34,7 @@ struct Cells {
   std::optional<GridSize>* value;
 
   void parse(const Given& given) const;
+  void clear() const { value->reset(); }
   std::string format() const;
   void read(const InFile& in) const;
   std::string write() const;
@@ -44,6 +45,7 @@ struct Length {
   std::optional<ToleranceValue>* value;
 
   void parse(const Given& given) const;
+  void clear() const { value->reset(); }
   std::string format() const;
   void read(const InFile& in) const;
   std::string write() const;
@@ -54,6 +56,7 @@ struct ClipBox {
   Clip* value;
 
   void parse(const Given& given) const;
+  void clear() const { *value = {}; }
   std::string format() const;  ///< nothing for auto
   void read(const InFile& in) const;
   std::string write() const;

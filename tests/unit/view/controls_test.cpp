@@ -1,5 +1,5 @@
 // The hand and the camera: what it holds stays under it, and nothing jumps.
-#include "view/controls.h"
+#include "view/model/controls.h"
 
 #include <gtest/gtest.h>
 
