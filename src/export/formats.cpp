@@ -6,8 +6,12 @@
 #include <ostream>
 #include <vector>
 
+#include "export/glb.h"
+#include "export/obj.h"
 #include "export/ply.h"
 #include "export/scene_png.h"
+#include "export/stl.h"
+#include "export/threemf.h"
 #include "export/video.h"
 #include "scene/toml/scene_file.h"
 
@@ -20,12 +24,74 @@ void write_toml(std::ostream& out, const Scene& scene) {
   out << write_scene(scene);
 }
 
+constexpr FileBeside kBesideObj[] = {
+    {.ending = ".mtl", .write = write_mtl},
+    {.ending = "-color.png", .write = write_color_png, .is_needed = is_colored}};
+
 constexpr std::array kFormats = {
     Format{.extension = "png",
            .kind = Kind::Picture,
            .write_picture = write_scene_png,
-           .scene_in = scene_in_png},
-    Format{.extension = "ply", .kind = Kind::Mesh, .write_mesh = write_scene_ply},
+           .scene_in = scene_in_png,
+           .magic = "\x89PNG\r\n"},
+    Format{.extension = "ply",
+           .kind = Kind::Mesh,
+           .write_mesh = write_scene_ply,
+           .scene_in = scene_in_ply,
+           .magic = "ply\n",
+           .holds = {.numbers = true, .normals = true, .uv = true, .doubles = true, .open = true},
+           .use = "programs that measure meshes"},
+    Format{.extension = "stl",
+           .kind = Kind::Mesh,
+           .write_mesh = write_stl,
+           .unit = 1,
+           .flattened = flattened_triangles,
+           .use = "printers and CAD"},
+    Format{.extension = "obj",
+           .kind = Kind::Mesh,
+           .write_mesh = write_obj,
+           .scene_in = scene_in_obj,
+           .magic = "# saddle\n",
+           .holds = {.front = true,
+                     .numbers = true,
+                     .opacity = true,
+                     .lines = true,
+                     .strokes = true,
+                     .normals = true,
+                     .uv = true,
+                     .doubles = true,
+                     .open = true},
+           .beside = kBesideObj,
+           .unit = 1,
+           .use = "modelling programs"},
+    Format{.extension = "glb",
+           .kind = Kind::Mesh,
+           .write_mesh = write_glb,
+           .scene_in = scene_in_glb,
+           .magic = "glTF",
+           .holds = {.front = true,
+                     .back = true,
+                     .numbers = true,
+                     .opacity = true,
+                     .lines = true,
+                     .strokes = true,
+                     .normals = true,
+                     .uv = true,
+                     .nodes = true,
+                     .doubles = true,
+                     .open = true},
+           .unit = 1000,
+           .y_up = true,
+           .use = "the web, phones, Blender"},
+    Format{
+        .extension = "3mf",
+        .kind = Kind::Mesh,
+        .write_mesh = write_3mf,
+        .scene_in = scene_in_3mf,
+        .magic = "PK\x03\x04",
+        .holds = {.front = true, .back = true, .numbers = true, .opacity = true, .doubles = true},
+        .unit = 1,
+        .use = "printers, with colours and units"},
     Format{.extension = "toml", .kind = Kind::Scene, .write_scene = write_toml},
     Format{.extension = "gif", .kind = Kind::Animation, .video = &kGif},
     Format{.extension = "mp4", .kind = Kind::Animation, .video = &kMp4},
@@ -43,6 +109,13 @@ const Format* find_format(std::string_view extension) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const auto* const found = std::ranges::find(kFormats, name, &Format::extension);
   return found == kFormats.end() ? nullptr : found;
+}
+
+const Format* format_of_bytes(std::string_view bytes) {
+  for (const Format& format : kFormats) {
+    if (!format.magic.empty() && bytes.starts_with(format.magic)) return &format;
+  }
+  return nullptr;
 }
 
 std::string extension_of(const std::filesystem::path& path) {
