@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "export/glb.h"
@@ -130,6 +131,33 @@ std::string format_list() {
     text += kFormats[i].extension;
   }
   return text;
+}
+
+std::string format_table() {
+  constexpr std::pair<const char*, bool Holds::*> kColumns[] = {
+      {"front", &Holds::front},     {"back", &Holds::back},   {"color", &Holds::numbers},
+      {"opacity", &Holds::opacity}, {"lines", &Holds::lines}, {"curves", &Holds::strokes},
+      {"normals", &Holds::normals}, {"u,v", &Holds::uv},      {"nodes", &Holds::nodes},
+      {"doubles", &Holds::doubles}, {"open", &Holds::open}};
+  const auto padded = [](std::string_view word, std::size_t width) {
+    return std::string(word) + std::string(width - word.size() + 2, ' ');
+  };
+  std::string text = "Formats of meshes, what they have room for, and what they are for:\n\n  ";
+  text += padded("", 4);
+  for (const auto& [name, holds] : kColumns) text += padded(name, std::string_view(name).size());
+  text += "scene  for\n";
+  for (const Format& format : kFormats) {
+    if (format.kind != Format::Kind::Mesh) continue;
+    text += "  " + padded("." + std::string(format.extension), 4);
+    for (const auto& [name, holds] : kColumns) {
+      text += padded(format.holds.*holds ? "+" : "-", std::string_view(name).size());
+    }
+    text += padded(format.carries_scene() ? "+" : "-", 5) + std::string(format.use) + "\n";
+  }
+  return text +
+         "\nfront, back: colours of the sides. color: of --color. lines: on surfaces. curves: and "
+         "points,\nwithout a radius. nodes: a mesh once for all of its places. open: surfaces that "
+         "are no solid.\nscene: saddle FILE opens it again.\n";
 }
 
 std::string extension_list(std::optional<Format::Kind> kind) {

@@ -14,11 +14,11 @@
 
 namespace saddle {
 
-struct PlacedMesh;
+struct ExportedMesh;
 struct VideoFormat;
 
-/// What a format of meshes has room for. Warnings of what is left out, and a table of docs, are
-/// made from it.
+/// The parts of a scene that a format of meshes has room for. Warnings of what is left out, and a
+/// table of docs, are made from it.
 struct Holds {
   bool front = false;    ///< the colour of a surface
   bool back = false;     ///< another one of its back
@@ -62,13 +62,13 @@ struct Format {
                                          const std::string& name) = nullptr;
   std::string_view magic = {};  ///< what a file that carries a scene begins with
 
-  // Of meshes:
+  // Formats of meshes alone have these.
   Holds holds = {};
   std::span<const FileBeside> beside = {};
   /// The file's unit in millimetres, for --print-size; 0: it keeps the scene's units.
   double unit = 0;
   /// Triangles that rounding makes vanish. Not set: it does not.
-  std::size_t (*flattened)(std::span<const PlacedMesh> placed) = nullptr;
+  std::size_t (*flattened)(std::span<const ExportedMesh> placed) = nullptr;
   bool y_up = false;          ///< whatever --mesh-up says
   std::string_view use = {};  ///< what it is for, in a table of docs
 
@@ -92,6 +92,9 @@ std::string extension_of(const std::filesystem::path& path);
 
 /// "png, ply, toml, gif, mp4 or webm".
 std::string format_list();
+
+/// A table of what the formats of meshes have room for, for people.
+std::string format_table();
 
 /// ".png .ply .toml .gif .mp4 .webm", or only those of one kind.
 std::string extension_list(std::optional<Format::Kind> kind = std::nullopt);

@@ -188,7 +188,7 @@ class GlbWriter {
 
   /// Lengths are in the file's units: a camera is not scaled by its nodes.
   Json camera_json(const FittedCamera& camera, double aspect) const {
-    constexpr double kRoom = 10;  // around what is seen, for whoever moves the camera
+    constexpr double kRoom = 10;  // around what is seen, for a camera that moves
     const double f = content_.factor;
     const double near = f * std::max(camera.near_plane, 1e-3 * camera.distance) / kRoom;
     const double far = f * camera.far_plane * kRoom;

@@ -124,7 +124,7 @@ class MeshAdder {
     }
   }
 
-  /// What tells two sides apart, but for whether both are seen.
+  /// The numbers in which two sides can differ.
   using Look = std::array<double, 8>;
   Look look_of(Side side) const {
     const Material& m = side == Side::Back ? surface_.spec.back : surface_.spec.front;
@@ -214,7 +214,7 @@ class MeshAdder {
     if (surface_.scale) add_triangles(attributes, is_back, true, grey);
   }
 
-  /// Those with a number to be coloured by, or those without.
+  /// Adds the triangles with a number to be coloured by, or the others.
   void add_triangles(const Json& attributes, bool reversed, bool undefined,
                      const GlbMaterial& material) {
     const auto belongs = [this, undefined](const Triangle& t) {

@@ -14,6 +14,10 @@ namespace {
 /// Digits of the rounding in a warning.
 constexpr int kToldDigits = 2;
 
+/// The thickness that a warning proposes, as a share of the diagonal: walls that look thin and
+/// hold.
+constexpr double kHintedThickness = 0.02;
+
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
@@ -36,27 +40,27 @@ bool same_color(const Color& a, const Color& b) {
 struct Feature {
   bool Holds::*held;
   const char* name;
-  bool (*is_there)(const Scene& scene, const PlacedMesh& placed);
+  bool (*is_there)(const Scene& scene, const ExportedMesh& placed);
 };
 
 /// Colours that a scene has without being asked are no loss; grid lines are not, either.
 constexpr Feature kFeatures[] = {
     {&Holds::front, "the colour of --front",
-     [](const Scene& scene, const PlacedMesh& placed) {
+     [](const Scene& scene, const ExportedMesh& placed) {
        return !placed.scale && !placed.spec->is_stroke() &&
               !same_color(placed.spec->front.diffuse, look_of(scene.theme).front.diffuse);
      }},
     {&Holds::back, "the colour of --back",
-     [](const Scene& scene, const PlacedMesh& placed) {
+     [](const Scene& scene, const ExportedMesh& placed) {
        return !placed.scale && !placed.spec->is_stroke() &&
               !same_color(placed.spec->back.diffuse, look_of(scene.theme).back.diffuse);
      }},
     {&Holds::numbers, "the colours of --color",
-     [](const Scene&, const PlacedMesh& placed) { return placed.scale.has_value(); }},
+     [](const Scene&, const ExportedMesh& placed) { return placed.scale.has_value(); }},
     {&Holds::opacity, "--opacity",
-     [](const Scene&, const PlacedMesh& placed) { return placed.spec->opacity < 1; }},
+     [](const Scene&, const ExportedMesh& placed) { return placed.spec->opacity < 1; }},
     {&Holds::lines, "the level lines of --contours",
-     [](const Scene&, const PlacedMesh& placed) { return !placed.mesh->contours.lines.empty(); }},
+     [](const Scene&, const ExportedMesh& placed) { return !placed.mesh->contours.lines.empty(); }},
 };
 
 /// ".obj and .glb", the formats of meshes with room for all of these features.
@@ -74,8 +78,9 @@ class LossFinder {
  public:
   LossFinder(const Format& format, const MeshContent& content)
       : format_(format), content_(content), meshes_(placed_meshes(content)) {
-    std::erase_if(
-        meshes_, [&](const PlacedMesh& placed) { return placed.is_line && !format.holds.strokes; });
+    std::erase_if(meshes_, [&](const ExportedMesh& placed) {
+      return placed.is_line && !format.holds.strokes;
+    });
   }
 
   std::vector<Loss> find() {
@@ -119,7 +124,7 @@ class LossFinder {
     std::vector<const Feature*> missing;
     std::vector<std::string> names;
     for (const Feature& feature : kFeatures) {
-      const auto is_there = [&](const PlacedMesh& placed) {
+      const auto is_there = [&](const ExportedMesh& placed) {
         return feature.is_there(content_.scene, placed);
       };
       if (format_.holds.*feature.held || std::ranges::none_of(meshes_, is_there)) continue;
@@ -136,21 +141,23 @@ class LossFinder {
 
   void add_open() {
     Topology all;
-    for (const PlacedMesh& placed : meshes_) {
+    for (const ExportedMesh& placed : meshes_) {
       const Topology& one = content_.shells[placed.surface].topology;
       all.open_edges += one.open_edges;
       all.shared_edges += one.shared_edges;
       all.orientable = all.orientable && one.orientable;
     }
-    const std::string way = "; --thickness makes a solid";
-    if (all.open_edges > 0) {
-      add(Loss::Kind::Open, "not closed, " + counted(all.open_edges, "open edge") + way);
-    }
+    std::vector<std::string> reasons;
+    if (all.open_edges > 0) reasons.push_back(counted(all.open_edges, "open edge"));
     if (all.shared_edges > 0) {
-      add(Loss::Kind::SharedEdges,
-          counted(all.shared_edges, "edge") + " of more than two triangles" + way);
+      reasons.push_back(counted(all.shared_edges, "edge") + " of more than two triangles");
     }
-    if (!all.orientable) add(Loss::Kind::OneSided, "the surface is one-sided" + way);
+    if (!all.orientable) reasons.emplace_back("a one-sided surface");
+    if (reasons.empty()) return;
+    const double thickness =
+        kHintedThickness * bounds_of(meshes_, false).diagonal() / content_.factor;
+    add(Loss::Kind::Open, "no solid that can be printed: " + listed(reasons) + "; --thickness " +
+                              rounded(thickness, 1) + " makes one");
   }
 
   void add_rounding() {
@@ -163,7 +170,7 @@ class LossFinder {
 
   const Format& format_;
   const MeshContent& content_;
-  std::vector<PlacedMesh> meshes_;
+  std::vector<ExportedMesh> meshes_;
   std::vector<Loss> losses_;
 };
 

@@ -1,4 +1,5 @@
-// What a file of meshes does not have of its scene: from the table of formats and the meshes.
+// The parts of a scene that a file of meshes does not have: from the table of formats and the
+// meshes.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@ namespace saddle {
 
 /// Something that a file lacks, or that its readers may not like.
 struct Loss {
-  enum class Kind { LeftOut, Lines, Open, OneSided, SharedEdges, Rounded, Flattened, Units };
+  enum class Kind { LeftOut, Lines, Open, Rounded, Flattened, Units };
   Kind kind;
   std::string text;  ///< "the colours of --color are left out; .ply has them"
 };

@@ -43,7 +43,7 @@ class ObjWriter {
     writer_ << "# saddle\n" << scene_lines(content_.scene, kHash);
     if (has_materials()) writer_ << "mtllib " << content_.stem << ".mtl\n";
     std::vector<Firsts> firsts;
-    for (const PlacedMesh& placed : meshes_) {
+    for (const ExportedMesh& placed : meshes_) {
       firsts.push_back(next_);
       if (!placed.is_line) write_mesh(placed);
     }
@@ -74,14 +74,14 @@ class ObjWriter {
     return corner;
   }
 
-  void write_points(const PlacedMesh& placed) {
+  void write_points(const ExportedMesh& placed) {
     for (const std::uint32_t corner : corner_of_points(*placed.mesh)) {
       put_vector("v", placed.point(corner), doubles_);
     }
     next_.v += placed.mesh->point_count;
   }
 
-  void write_mesh(const PlacedMesh& placed) {
+  void write_mesh(const ExportedMesh& placed) {
     const std::string name = word_of(placed.name);
     writer_ << "o " << name << "\n";
     const Firsts first = next_;
@@ -100,7 +100,7 @@ class ObjWriter {
     }
   }
 
-  void write_corners(const PlacedMesh& placed) {
+  void write_corners(const ExportedMesh& placed) {
     const Mesh& mesh = *placed.mesh;
     for (std::size_t i = 0; i < mesh.position.size(); ++i) {
       dvec2 place = mesh.uv[i];
@@ -118,7 +118,7 @@ class ObjWriter {
     next_.corner += mesh.position.size();
   }
 
-  void write_face(const PlacedMesh& placed, std::size_t t, const Firsts& first) {
+  void write_face(const ExportedMesh& placed, std::size_t t, const Firsts& first) {
     writer_ << "f";
     for (const std::uint32_t corner : placed.triangle(t)) {
       writer_ << " ";
@@ -129,7 +129,7 @@ class ObjWriter {
     writer_ << "\n";
   }
 
-  void write_lines(const PlacedMesh& placed, const Firsts& first) {
+  void write_lines(const ExportedMesh& placed, const Firsts& first) {
     const Mesh& mesh = *placed.mesh;
     const std::string name = word_of(placed.name);
     if (placed.is_line) {
@@ -173,7 +173,7 @@ class ObjWriter {
 
   TextWriter writer_;
   const MeshContent& content_;
-  std::vector<PlacedMesh> meshes_;
+  std::vector<ExportedMesh> meshes_;
   std::size_t rows_ = 0;  ///< of the picture of colours
   bool doubles_ = false;
   Firsts next_;
@@ -208,7 +208,7 @@ void write_mtl(std::ostream& out, const MeshContent& content) {
   TextWriter writer(out);
   writer << "# saddle\n";
   bool some_colored = false;
-  for (const PlacedMesh& placed : placed_meshes(content)) {
+  for (const ExportedMesh& placed : placed_meshes(content)) {
     const std::string name = word_of(placed.name);
     Material lines;
     lines.diffuse = placed.spec->line_color;

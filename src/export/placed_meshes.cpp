@@ -36,11 +36,11 @@ dvec3 Placement::normal(const dvec3& n) const {
   return length > 0 ? turned / length : n;
 }
 
-bool PlacedMesh::is_undefined(std::size_t t) const {
+bool ExportedMesh::is_undefined(std::size_t t) const {
   return scale && std::isnan(mesh->color[mesh->triangles[t][0]]);
 }
 
-double PlacedMesh::place_of(std::size_t corner) const {
+double ExportedMesh::place_of(std::size_t corner) const {
   const double place = place_on(*scale, mesh->color[corner]);
   return std::isnan(place) ? 0 : std::clamp(place, 0.0, 1.0);
 }
@@ -61,18 +61,18 @@ glm::dmat4 to_file(const MeshContent& content) {
   return glm::dmat4(glm::dmat3({f, 0, 0}, {0, 0, -f}, {0, f, 0}));
 }
 
-std::vector<PlacedMesh> placed_meshes(const MeshContent& content) {
+std::vector<ExportedMesh> placed_meshes(const MeshContent& content) {
   const Scene& scene = content.scene;
   const std::vector<ColorScale> scales = scales_of(scene, content.meshes);
   const glm::dmat4 last = to_file(content);
-  std::vector<PlacedMesh> result;
+  std::vector<ExportedMesh> result;
   std::set<std::string> taken;
   for (const Instance& instance : instances(scene, World::True)) {
     const std::size_t i = instance.surface;
     const Mesh& mesh = content.meshes[i];
     if (mesh.triangles.empty() && !scene.surfaces[i].is_stroke()) continue;
     if (mesh.position.empty()) continue;
-    PlacedMesh& placed = result.emplace_back();
+    ExportedMesh& placed = result.emplace_back();
     placed.mesh = &mesh;
     placed.place = Placement(last * instance.to_world);
     placed.spec = &scene.surfaces[i];
@@ -87,19 +87,19 @@ std::vector<PlacedMesh> placed_meshes(const MeshContent& content) {
   return result;
 }
 
-Bounds bounds_of(std::span<const PlacedMesh> placed, bool lines) {
+Bounds bounds_of(std::span<const ExportedMesh> placed, bool lines) {
   Bounds bounds;
-  for (const PlacedMesh& one : placed) {
+  for (const ExportedMesh& one : placed) {
     if (one.is_line && !lines) continue;
     for (std::size_t i = 0; i < one.mesh->position.size(); ++i) bounds.add(one.point(i));
   }
   return bounds;
 }
 
-double float_rounding(std::span<const PlacedMesh> placed) {
+double float_rounding(std::span<const ExportedMesh> placed) {
   Bounds bounds;
   double worst = 0;
-  for (const PlacedMesh& one : placed) {
+  for (const ExportedMesh& one : placed) {
     if (one.is_line) continue;
     for (std::size_t i = 0; i < one.mesh->position.size(); ++i) {
       const dvec3 p = one.point(i);
@@ -124,7 +124,7 @@ Rgb bytes_of(const dvec3& color) {
   return rgb;
 }
 
-void check_floats(std::span<const PlacedMesh> placed, const std::string& format) {
+void check_floats(std::span<const ExportedMesh> placed, const std::string& format) {
   const Bounds bounds = bounds_of(placed, true);
   const double largest =
       std::max(largest_of(glm::abs(bounds.low)), largest_of(glm::abs(bounds.high)));

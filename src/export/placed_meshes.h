@@ -44,7 +44,7 @@ class Placement {
 };
 
 /// A surface's mesh in one of its places. It refers to the mesh and to the scene.
-struct PlacedMesh {
+struct ExportedMesh {
   const Mesh* mesh = nullptr;
   Placement place = {};
   const SurfaceSpec* spec = nullptr;
@@ -66,8 +66,9 @@ struct PlacedMesh {
 /// It stands for a curve or point without a radius, which has no triangles.
 bool is_line(const Scene& scene, std::span<const Mesh> meshes, std::size_t surface);
 
-/// What is there to write, in the order of the scene's instances. Without meshes that are empty.
-std::vector<PlacedMesh> placed_meshes(const MeshContent& content);
+/// All that is there to write, in the order of the scene's instances. Without meshes that are
+/// empty.
+std::vector<ExportedMesh> placed_meshes(const MeshContent& content);
 
 /// The scales of the colours that the scene's meshes have.
 std::vector<ColorScale> scales_of(const Scene& scene, std::span<const Mesh> meshes);
@@ -76,11 +77,11 @@ std::vector<ColorScale> scales_of(const Scene& scene, std::span<const Mesh> mesh
 glm::dmat4 to_file(const MeshContent& content);
 
 /// A box around all of it. `lines`: curves and points included.
-Bounds bounds_of(std::span<const PlacedMesh> placed, bool lines);
+Bounds bounds_of(std::span<const ExportedMesh> placed, bool lines);
 
 /// The largest rounding of positions to floats, as a share of the box's diagonal; infinite beyond
 /// the range of floats.
-double float_rounding(std::span<const PlacedMesh> placed);
+double float_rounding(std::span<const ExportedMesh> placed);
 
 /// Rounding of positions to float beyond this share of the diagonal makes numbers doubles where a
 /// format has them: a tenth of the finest tolerance that meshes are asked for.
@@ -92,6 +93,6 @@ using Rgb = std::array<std::uint8_t, 3>;
 Rgb bytes_of(const dvec3& color);
 
 /// Throws Error (Input) if numbers do not fit into floats. `format`: its name in the message.
-void check_floats(std::span<const PlacedMesh> placed, const std::string& format);
+void check_floats(std::span<const ExportedMesh> placed, const std::string& format);
 
 }  // namespace saddle

@@ -44,7 +44,7 @@ void write_header(std::ostream& out, const Layout& layout) {
 }
 
 template <typename Real>
-void write_vertices(ByteWriter& writer, const PlacedMesh& placed, bool colored) {
+void write_vertices(ByteWriter& writer, const ExportedMesh& placed, bool colored) {
   constexpr Rgb kWhite = {255, 255, 255};
   const Mesh& mesh = *placed.mesh;
   for (std::size_t i = 0; i < mesh.position.size(); ++i) {
@@ -61,7 +61,7 @@ void write_vertices(ByteWriter& writer, const PlacedMesh& placed, bool colored) 
 }
 
 /// `first` is the number of the mesh's first vertex in the file.
-void write_faces(ByteWriter& writer, const PlacedMesh& placed, std::size_t first) {
+void write_faces(ByteWriter& writer, const ExportedMesh& placed, std::size_t first) {
   for (std::size_t t = 0; t < placed.mesh->triangles.size(); ++t) {
     writer.put(std::uint8_t{3});
     for (const std::uint32_t corner : placed.triangle(t)) {
@@ -72,11 +72,12 @@ void write_faces(ByteWriter& writer, const PlacedMesh& placed, std::size_t first
 
 }  // namespace
 
-void write_ply(std::ostream& out, std::span<const PlacedMesh> meshes, const std::string& comments) {
+void write_ply(std::ostream& out, std::span<const ExportedMesh> meshes,
+               const std::string& comments) {
   Layout layout;
   layout.comments = comments;
   layout.doubles = float_rounding(meshes) > kFloatRounding;
-  for (const PlacedMesh& placed : meshes) {
+  for (const ExportedMesh& placed : meshes) {
     layout.colored = layout.colored || placed.scale;
     layout.vertices += placed.mesh->position.size();
     layout.faces += placed.mesh->triangles.size();
@@ -87,12 +88,12 @@ void write_ply(std::ostream& out, std::span<const PlacedMesh> meshes, const std:
   }
   write_header(out, layout);
   ByteWriter writer(out);
-  for (const PlacedMesh& placed : meshes) {
+  for (const ExportedMesh& placed : meshes) {
     layout.doubles ? write_vertices<double>(writer, placed, layout.colored)
                    : write_vertices<float>(writer, placed, layout.colored);
   }
   std::size_t first = 0;
-  for (const PlacedMesh& placed : meshes) {
+  for (const ExportedMesh& placed : meshes) {
     write_faces(writer, placed, first);
     first += placed.mesh->position.size();
   }
@@ -100,12 +101,12 @@ void write_ply(std::ostream& out, std::span<const PlacedMesh> meshes, const std:
 }
 
 void write_scene_ply(std::ostream& out, const MeshContent& content) {
-  std::vector<PlacedMesh> meshes = placed_meshes(content);
-  std::erase_if(meshes, [](const PlacedMesh& placed) { return placed.is_line; });
+  std::vector<ExportedMesh> meshes = placed_meshes(content);
+  std::erase_if(meshes, [](const ExportedMesh& placed) { return placed.is_line; });
   std::string comments = scene_lines(content.scene, kComment);
   const bool named = meshes.size() > 1 || (meshes.size() == 1 && meshes[0].name != "surface");
   std::size_t faces = 0;
-  for (const PlacedMesh& placed : meshes) {
+  for (const ExportedMesh& placed : meshes) {
     const std::size_t first = faces;
     faces += placed.mesh->triangles.size();
     if (!named) continue;

@@ -18,7 +18,7 @@ namespace saddle {
 /// Where a mesh is coloured, vertices end with `red green blue` as uchar, white for a mesh that has
 /// no numbers to colour by. `comments`: more lines of the header. Source: G. Turk, "The PLY polygon
 /// file format", 1994.
-void write_ply(std::ostream& out, std::span<const PlacedMesh> meshes,
+void write_ply(std::ostream& out, std::span<const ExportedMesh> meshes,
                const std::string& comments = {});
 
 /// write_ply() of the meshes where the scene's nodes have them. Comments of the header hold the

@@ -1,4 +1,4 @@
-// What makes a mesh a solid for printers: closed, two-sided, its triangles facing outward.
+// Whether a mesh is a solid for printers: closed, two-sided, its triangles facing outward.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ namespace {
 
 using Facet = std::array<glm::vec3, 3>;
 
-Facet facet_of(const PlacedMesh& placed, std::size_t t, bool turned) {
+Facet facet_of(const ExportedMesh& placed, std::size_t t, bool turned) {
   Triangle triangle = placed.triangle(t);
   if (turned) std::swap(triangle[1], triangle[2]);
   return {glm::vec3(placed.point(triangle[0])), glm::vec3(placed.point(triangle[1])),
@@ -40,7 +40,7 @@ void put_vector(ByteWriter& writer, const glm::vec3& v) {
   for (int k = 0; k < 3; ++k) writer.put(v[k]);
 }
 
-void write_facets(ByteWriter& writer, const PlacedMesh& placed, const Shells& shells) {
+void write_facets(ByteWriter& writer, const ExportedMesh& placed, const Shells& shells) {
   for (std::size_t t = 0; t < placed.mesh->triangles.size(); ++t) {
     const Facet facet = facet_of(placed, t, shells.is_turned(t));
     if (is_flat(facet)) continue;
@@ -52,9 +52,9 @@ void write_facets(ByteWriter& writer, const PlacedMesh& placed, const Shells& sh
 
 }  // namespace
 
-std::size_t flattened_triangles(std::span<const PlacedMesh> placed) {
+std::size_t flattened_triangles(std::span<const ExportedMesh> placed) {
   std::size_t count = 0;
-  for (const PlacedMesh& one : placed) {
+  for (const ExportedMesh& one : placed) {
     for (std::size_t t = 0; t < one.mesh->triangles.size(); ++t) {
       if (is_flat(facet_of(one, t, false))) ++count;
     }
@@ -63,13 +63,13 @@ std::size_t flattened_triangles(std::span<const PlacedMesh> placed) {
 }
 
 void write_stl(std::ostream& out, const MeshContent& content) {
-  const std::vector<PlacedMesh> meshes = placed_meshes(content);
+  const std::vector<ExportedMesh> meshes = placed_meshes(content);
   check_floats(meshes, "STL");
   std::vector<Shells> own;
   if (content.shells.empty()) own = shells_of(content.meshes);
   const std::span<const Shells> shells = own.empty() ? content.shells : own;
   std::size_t count = 0;
-  for (const PlacedMesh& placed : meshes) count += placed.mesh->triangles.size();
+  for (const ExportedMesh& placed : meshes) count += placed.mesh->triangles.size();
   count -= flattened_triangles(meshes);
   if (count > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(Status::Input, "the mesh has more triangles than an STL file can count", {},
@@ -81,7 +81,7 @@ void write_stl(std::ostream& out, const MeshContent& content) {
   header.resize(80);
   writer.put_text(header);
   writer.put(static_cast<std::uint32_t>(count));
-  for (const PlacedMesh& placed : meshes) {
+  for (const ExportedMesh& placed : meshes) {
     write_facets(writer, placed, shells[placed.surface]);
   }
   writer.flush();

@@ -18,6 +18,6 @@ namespace saddle {
 void write_stl(std::ostream& out, const MeshContent& content);
 
 /// Triangles that write_stl() leaves out.
-std::size_t flattened_triangles(std::span<const PlacedMesh> placed);
+std::size_t flattened_triangles(std::span<const ExportedMesh> placed);
 
 }  // namespace saddle

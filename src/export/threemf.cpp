@@ -97,7 +97,7 @@ class ModelWriter {
  public:
   ModelWriter(std::ostream& out, const MeshContent& content)
       : writer_(out), content_(content), meshes_(placed_meshes(content)) {
-    std::erase_if(meshes_, [](const PlacedMesh& placed) { return placed.is_line; });
+    std::erase_if(meshes_, [](const ExportedMesh& placed) { return placed.is_line; });
     doubles_ = float_rounding(meshes_) > kFloatRounding;
     if (content.shells.empty()) own_ = shells_of(content.meshes);
     shells_ = own_.empty() ? content.shells : own_;
@@ -109,7 +109,7 @@ class ModelWriter {
             << "</metadata>\n"
             << kSceneBegin << escaped(write_scene(scene)) << kSceneEnd << "\n<resources>\n";
     std::set<std::size_t> grouped;
-    for (const PlacedMesh& placed : meshes_) {
+    for (const ExportedMesh& placed : meshes_) {
       if (grouped.insert(placed.surface).second) write_colors(placed);
     }
     for (std::size_t i = 0; i < meshes_.size(); ++i) write_object(i);
@@ -123,10 +123,10 @@ class ModelWriter {
   }
 
  private:
-  static std::size_t group_id(const PlacedMesh& placed) { return placed.surface + 1; }
+  static std::size_t group_id(const ExportedMesh& placed) { return placed.surface + 1; }
   std::size_t object_id(std::size_t i) const { return content_.meshes.size() + 1 + i; }
 
-  void write_colors(const PlacedMesh& placed) {
+  void write_colors(const ExportedMesh& placed) {
     const SurfaceSpec& spec = *placed.spec;
     writer_ << "<m:colorgroup id=\"";
     writer_.whole(group_id(placed)) << "\">\n";
@@ -143,7 +143,7 @@ class ModelWriter {
   }
 
   void write_object(std::size_t i) {
-    const PlacedMesh& placed = meshes_[i];
+    const ExportedMesh& placed = meshes_[i];
     const Shells& shells = shells_[placed.surface];
     writer_ << "<object id=\"";
     writer_.whole(object_id(i)) << "\" type=\"" << (shells.is_solid() ? "model" : "surface")
@@ -157,7 +157,7 @@ class ModelWriter {
     writer_ << "</triangles>\n</mesh>\n</object>\n";
   }
 
-  void write_vertices(const PlacedMesh& placed) {
+  void write_vertices(const ExportedMesh& placed) {
     const Mesh& mesh = *placed.mesh;
     std::vector<std::uint32_t> corner_of(mesh.point_count);
     for (std::size_t i = mesh.point.size(); i-- > 0;) {
@@ -173,7 +173,7 @@ class ModelWriter {
   }
 
   /// `turned`: the back is outside.
-  void write_triangle(const PlacedMesh& placed, std::size_t t, bool turned) {
+  void write_triangle(const ExportedMesh& placed, std::size_t t, bool turned) {
     Triangle triangle = placed.triangle(t);
     if (turned) std::swap(triangle[1], triangle[2]);
     std::array<std::uint32_t, 3> point{};
@@ -188,7 +188,8 @@ class ModelWriter {
   }
 
   /// Nothing for the front, which the object has.
-  void write_color(const PlacedMesh& placed, std::size_t t, const Triangle& triangle, bool turned) {
+  void write_color(const ExportedMesh& placed, std::size_t t, const Triangle& triangle,
+                   bool turned) {
     const auto use = [&](std::size_t color) {
       writer_ << "\" pid=\"";
       writer_.whole(group_id(placed)) << "\" p1=\"";
@@ -207,14 +208,14 @@ class ModelWriter {
     }
   }
 
-  static std::size_t number_color(const PlacedMesh& placed, std::uint32_t corner) {
+  static std::size_t number_color(const ExportedMesh& placed, std::uint32_t corner) {
     const double place = placed.place_of(corner) * (kNumberColors - 1);
     return kFirstNumber + static_cast<std::size_t>(std::lround(place));
   }
 
   TextWriter writer_;
   const MeshContent& content_;
-  std::vector<PlacedMesh> meshes_;
+  std::vector<ExportedMesh> meshes_;
   std::vector<Shells> own_;
   std::span<const Shells> shells_;
   bool doubles_ = false;

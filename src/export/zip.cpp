@@ -139,7 +139,7 @@ void ZipWriter::add(const std::string& name, const std::function<void(std::ostre
   const std::size_t begin = written_;
   PackingBuffer buffer([this](const std::string& bytes) { put(bytes); }, threads_);
   std::ostream stream(&buffer);
-  // What the buffer throws is about the machine or the format.
+  // The stream passes on exceptions of the buffer.
   stream.exceptions(std::ios::badbit);
   write(stream);
   buffer.finish();

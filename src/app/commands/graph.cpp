@@ -185,7 +185,7 @@ class Run {
   Framing framing_;
   SceneMeshes meshes_;
   RunReport report_;
-  std::size_t told_ = 0;               ///< warnings of the report that are printed
+  std::size_t told_ = 0;  ///< warnings of the report that are printed
 };
 
 }  // namespace

@@ -605,8 +605,9 @@ constexpr auto kRows = std::to_array<Option>({
      .value = "AXIS",
      .section = Section::Mesh,
      .help = "the axis of exported meshes that points up, {choices}; GLB is always y",
-     .more = "z: the formula's own coordinates. y: what is up in the formula is along y, as Blender "
-             "and\nmany viewers expect of OBJ.",
+     .more =
+         "z: the formula's own coordinates. y: what is up in the formula is along y, as Blender "
+         "and\nmany viewers expect of OBJ.",
      .commands = kGraph,
      .run = [](RunSettings& r) -> kinds::Slot {
        return kinds::choice<MeshUp, MeshUp>(&r.mesh_up, {{"z", MeshUp::Z}, {"y", MeshUp::Y}});
@@ -686,7 +687,8 @@ constexpr auto kRows = std::to_array<Option>({
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.verbose}; }},
     {.name = "help",
      .letter = 'h',
-     .help = "this text; --help WORD: an option's name, functions, scene, status or keys",
+     .help = "this text; --help WORD: an option's name, functions, formats, scene, status "
+             "or keys",
      .commands = kAllCommands,
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.help}; }},
     {.name = "version",
