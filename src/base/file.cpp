@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <streambuf>
 #include <string_view>
@@ -187,17 +188,44 @@ void flush_to_disk(const Descriptor& file, const fs::path& path) {
   }
 }
 
-void write_and_rename(const fs::path& path, const fs::path& target, const Existing& existing,
-                      const Writer& write) {
-  const TemporaryName temporary(target);
-  Descriptor file(open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (!file) fail_write(path, reason(errno));
-  if (existing) keep_owner_and_mode(file, path, *existing);
-  write_through(file, path, write);
-  flush_to_disk(file, path);
-  if (!file.close_now()) fail_write(path, reason(errno));
-  if (rename(temporary.path().c_str(), target.c_str()) != 0) fail_write(path, reason(errno));
-}
+/// A file on its way: written beside its name, or straight to what is no regular file.
+class PendingFile {
+ public:
+  PendingFile(const fs::path& path, const Writer& write) : path_(path) {
+    if (const std::optional<int> number = inherited_descriptor(path)) {
+      write_straight(Descriptor(fcntl(*number, F_DUPFD_CLOEXEC, 0)), path, write);
+      return;
+    }
+    target_ = follow_links(path);
+    const Existing existing = check_target(path, target_);
+    if (existing && !S_ISREG(existing->st_mode)) {
+      write_straight(Descriptor(open(target_.c_str(), O_WRONLY | O_CLOEXEC)), path, write);
+    } else {
+      write_beside(existing, write);
+    }
+  }
+
+  void give_name() const {
+    if (!temporary_) return;
+    if (rename(temporary_->path().c_str(), target_.c_str()) != 0) fail_write(path_, reason(errno));
+  }
+
+ private:
+  void write_beside(const Existing& existing, const Writer& write) {
+    temporary_.emplace(target_);
+    const fs::path& name = temporary_->path();
+    Descriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!file) fail_write(path_, reason(errno));
+    if (existing) keep_owner_and_mode(file, path_, *existing);
+    write_through(file, path_, write);
+    flush_to_disk(file, path_);
+    if (!file.close_now()) fail_write(path_, reason(errno));
+  }
+
+  fs::path path_;
+  fs::path target_;
+  std::optional<TemporaryName> temporary_;
+};
 
 [[noreturn]] void fail_read(const std::string& name, int error) {
   throw Error(Status::Machine, "cannot read " + name + ": " + reason(error));
@@ -220,17 +248,13 @@ std::string read_all(int number, const std::string& name) {
 }  // namespace
 
 void write_file_whole(const fs::path& path, const Writer& write) {
-  if (const std::optional<int> number = inherited_descriptor(path)) {
-    write_straight(Descriptor(fcntl(*number, F_DUPFD_CLOEXEC, 0)), path, write);
-    return;
-  }
-  const fs::path target = follow_links(path);
-  const Existing existing = check_target(path, target);
-  if (existing && !S_ISREG(existing->st_mode)) {
-    write_straight(Descriptor(open(target.c_str(), O_WRONLY | O_CLOEXEC)), path, write);
-  } else {
-    write_and_rename(path, target, existing, write);
-  }
+  PendingFile(path, write).give_name();
+}
+
+void write_files_whole(std::span<const FileToWrite> files) {
+  std::deque<PendingFile> pending;
+  for (const FileToWrite& file : files) pending.emplace_front(file.path, file.write);
+  for (const PendingFile& file : pending) file.give_name();
 }
 
 void check_writable(const fs::path& path) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <span>
 #include <string>
 
 namespace saddle {
@@ -14,6 +15,15 @@ namespace saddle {
 /// files are written straight. Throws Error (Machine) that names the path and the system's reason.
 void write_file_whole(const std::filesystem::path& path,
                       const std::function<void(std::ostream&)>& write);
+
+struct FileToWrite {
+  std::filesystem::path path;
+  std::function<void(std::ostream&)> write;
+};
+
+/// The same of several files that belong together: none gets its name before all are written. The
+/// first file gets its name last.
+void write_files_whole(std::span<const FileToWrite> files);
 
 /// Throws Error (Machine) if a file could not be written there: a missing folder, no permission, a
 /// path that is a folder. Called before the computing starts, so that a run fails early.

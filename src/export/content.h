@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "base/image.h"
+#include "export/shells.h"
 #include "mesh/model/mesh.h"
 #include "scene/model/scene.h"
 
@@ -16,10 +18,17 @@ struct PictureContent {
   unsigned threads = 0;  ///< 0: all
 };
 
-/// The meshes of a scene at one moment.
+/// The meshes of a scene at one moment, and how their file has them.
 struct MeshContent {
   std::span<const Mesh> meshes;  ///< meshes[i] is that of scene.surfaces[i]
   const Scene& scene;
+  std::span<const Shells> shells = {};  ///< of the meshes; empty: the writer finds them if need be
+  unsigned threads = 0;                 ///< 0: all
+  double factor = 1;                    ///< from the scene's units to the file's
+  bool y_up = false;                    ///< the file's y axis is the scene's z axis
+  /// The file's name without its extension, with which names of the files beside it begin. Empty:
+  /// there are none, as beside standard output.
+  std::string stem = {};
 };
 
 }  // namespace saddle

@@ -21,7 +21,7 @@ constexpr MessageRow kRows[] = {
      "torus -q -o a.toml"},
     {"list --quiet", "saddle list takes no option --quiet", "saddle list --verbose",
      "list --verbose"},
-    {"--help foo", "there is no help on 'foo'", "other topics are functions, scene, status",
+    {"--help foo", "there is no help on 'foo'", "other topics are functions, formats, scene",
      "--help status"},
     {"--help shadnig", "there is no help on 'shadnig'", "did you mean 'shading'?",
      "--help shading"},

@@ -29,7 +29,7 @@ constexpr MessageRow kWarnings[] = {
      "", ""},
     {"curve x=s y=sqrt(s) s=-1:1 --radius 0.1", "curve: undefined over 50 % of the range of s", "",
      ""},
-    {"sphere + point 1,2,3", "point: a mesh has no lines and dots", "--radius",
+    {"sphere + point 1,2,3", "a.ply: .ply has no lines and dots: point is left out", "--radius",
      "sphere + point 1,2,3 --radius 0.1"},
     {"z=u^2+v^2 --contours z=7", "surface: the contours of z: none at 7; it runs from 0 to 2", "",
      ""},

@@ -239,6 +239,7 @@ std::string topic_text(const std::string& topic) {
   if (topic == "scene") return scene_text();
   if (topic == "status") return kStatus;
   if (topic == "keys") return key_help();
+  if (topic == "formats") return format_table();
   const std::string name = topic.substr(std::min(topic.find_first_not_of('-'), topic.size()));
   const Option* const option = name.size() == 1 && find_option(name[0]) != nullptr
                                    ? find_option(name[0])
@@ -248,15 +249,15 @@ std::string topic_text(const std::string& topic) {
   const auto key = std::ranges::find(options(), topic, &Option::name);
   if (key != options().end()) return option_text(*key);
   if (topic == "light" || topic == "node" || topic == "params") return scene_text();
-  std::vector<std::string> known = {"functions", "scene", "status", "keys"};
+  std::vector<std::string> known = {"functions", "formats", "scene", "status", "keys"};
   for (const Option& other : options()) {
     if (other.is_option()) known.emplace_back(other.name);
   }
   const std::string meant = did_you_mean(similar_names(name, known));
   throw Error(Status::Input, "there is no help on '" + topic + "'", {},
               (meant.empty() ? "" : meant + " ") +
-                  "saddle --help lists the options; other topics are functions, scene, status and "
-                  "keys");
+                  "saddle --help lists the options; other topics are functions, formats, scene, "
+                  "status and keys");
 }
 
 }  // namespace

@@ -17,7 +17,6 @@
 #include "app/run/scene_meshes.h"
 #include "base/format.h"
 #include "base/standard_streams.h"
-#include "export/placed_meshes.h"
 #include "render/picture/framing.h"
 #include "scene/model/prepare.h"
 #include "scene/model/strokes.h"
@@ -69,7 +68,7 @@ class Run {
         start_(start),
         plan_(line),
         reference_(reference_of(line)),
-        writer_(plan_.outputs, plan_.scene(), line.run.threads),
+        writer_(plan_.outputs, plan_.scene(), line.run),
         drawer_(drawer_for(line, plan_)),
         framing_(framing_of(plan_, line.run.threads)),
         meshes_(purpose_of(plan_, framing_, line.run.threads), line.run.threads) {}
@@ -132,8 +131,8 @@ class Run {
     framing_.apply(seen);
     const std::vector<std::size_t> updated = meshes_.update(seen, name_of(shot));
     if (line_.run.strict && meshes_.warn()) warn_and_fail();
-    note_lines(scene);
-    writer_.write_meshes_of(shot, scene, meshes_.meshes());
+    if (writer_.take_meshes(shot, scene, meshes_.meshes()) && line_.run.strict) warn_and_fail();
+    writer_.write_meshes();
     if (!drawer_) return;
     Image image = drawer_->draw(seen, meshes_.meshes(), updated);
     if (line_.run.strict && !drawer_->warnings().empty()) warn_and_fail();
@@ -142,33 +141,12 @@ class Run {
     writer_.start_writing(shot, scene, std::move(image));
   }
 
-  /// A mesh has no lines. Throws Error (Nothing) if the scene has nothing else.
-  void note_lines(const Scene& scene) {
-    const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
-    const auto output = std::ranges::find_if(plan_.outputs, is_mesh);
-    if (output == plan_.outputs.end()) return;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-      if (!is_line(scene, meshes_.meshes(), i)) continue;
-      const std::string& name = scene.surfaces[i].name;
-      ++count;
-      if (std::ranges::find(left_out_, name) == left_out_.end()) left_out_.push_back(name);
-    }
-    if (count < scene.surfaces.size()) return;
-    throw Error(Status::Nothing, "a mesh has no lines and dots, and there is nothing else",
-                {"--output", output->path, {0, output->path.size()}},
-                "--radius makes a tube of a curve and a ball of a point");
-  }
-
   void gather_warnings() {
     const auto add = [this](const std::vector<std::string>& warnings) {
       std::ranges::copy(warnings, std::back_inserter(report_.warnings));
     };
     add(warnings_of(plan_.scene()));
     meshes_.report(report_);
-    for (const std::string& name : left_out_) {
-      add({name + ": a mesh has no lines and dots, it is left out there; with --radius it is in"});
-    }
     if (drawer_) add(drawer_->warnings());
     add(writer_.warnings());
     print_warnings(line_, std::span(report_.warnings).subspan(told_));
@@ -207,8 +185,7 @@ class Run {
   Framing framing_;
   SceneMeshes meshes_;
   RunReport report_;
-  std::vector<std::string> left_out_;  ///< curves and points that meshes do not have
-  std::size_t told_ = 0;               ///< warnings of the report that are printed
+  std::size_t told_ = 0;  ///< warnings of the report that are printed
 };
 
 }  // namespace

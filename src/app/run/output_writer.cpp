@@ -19,22 +19,45 @@ VideoOptions video_options(const Output& output, const Scene& scene) {
 
 }  // namespace
 
-OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads)
-    : outputs_(outputs), threads_(threads) {
+OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene,
+                           const RunSettings& run)
+    : outputs_(outputs), threads_(static_cast<unsigned>(run.threads)), mesh_up_(run.mesh_up) {
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Animation)) continue;
     films_.push_back({output.path, std::make_unique<Video>(video_options(output, scene))});
   }
 }
 
-void OutputWriter::write_meshes_of(const Shot& shot, const Scene& scene,
-                                   std::span<const Mesh> meshes) {
+bool OutputWriter::take_meshes(const Shot& shot, const Scene& scene, std::span<const Mesh> meshes) {
   const auto begin = Clock::now();
+  mesh_files_.clear();
+  shells_.clear();
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Mesh) || !shot.is_for(output)) continue;
-    write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
-      output.format->write_mesh(out, {meshes, scene});
-    });
+    const Format& format = *output.format;
+    if (!format.holds.open && shells_.empty()) shells_ = shells_of(meshes);
+    MeshContent content{meshes, scene, shells_, threads_};
+    content.factor = factor_of(format, content);
+    content.y_up = mesh_up_ == MeshUp::Y;
+    add_losses(output, losses_of(format, content));
+    mesh_files_.push_back({output, shot.frame.value_or(0), std::move(content)});
+  }
+  milliseconds_ += milliseconds_since(begin);
+  return !warnings_.empty();
+}
+
+void OutputWriter::add_losses(const Output& output, const std::vector<Loss>& losses) {
+  for (const Loss& loss : losses) {
+    if (!known_losses_.insert({&output, loss.kind}).second) continue;
+    warnings_.push_back((output.path == "-" ? std::string(output.format->extension) : output.path) +
+                        ": " + loss.text);
+  }
+}
+
+void OutputWriter::write_meshes() {
+  const auto begin = Clock::now();
+  for (const MeshFile& file : mesh_files_) {
+    write_meshes_to(file.output, file.frame, file.content);
   }
   milliseconds_ += milliseconds_since(begin);
 }
@@ -74,7 +97,7 @@ void OutputWriter::write_films() {
 }
 
 std::vector<std::string> OutputWriter::warnings() const {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = warnings_;
   for (const Film& film : films_) {
     if (const auto warning = film.video->warning()) warnings.push_back(film.path + ": " + *warning);
   }

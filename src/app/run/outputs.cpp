@@ -151,6 +151,39 @@ void check_names_differ(const CommandLine& line, const std::vector<Output>& outp
   }
 }
 
+/// The files of an output's first frame.
+std::vector<std::string> files_of(const Output& output) {
+  if (output.path == "-") return {};
+  std::vector<std::string> files = {output.path_of(0)};
+  const std::string stem = output.stem_of(0);
+  for (const FileBeside& file : output.format->beside) {
+    if (!stem.empty()) files.push_back(stem + std::string(file.ending));
+  }
+  return files;
+}
+
+/// Files beside outputs replace nothing that the run reads or writes.
+void check_files_beside(const CommandLine& line, const std::vector<Output>& outputs) {
+  for (const Output& output : outputs) {
+    const std::vector<std::string> files = files_of(output);
+    for (std::size_t i = 1; i < files.size(); ++i) {
+      const auto meets = [&](const Output& other) {
+        if (other.path == output.path) return false;
+        const auto all = files_of(other);
+        return std::ranges::any_of(all, [&](const auto& path) { return clash(files[i], path); });
+      };
+      const bool other_result =
+          clash(line.run.report, files[i]) || clash(difference_path(line.run.reference), files[i]);
+      if (!other_result && !is_input(line, files[i]) && std::ranges::none_of(outputs, meets)) {
+        continue;
+      }
+      throw Error(Status::Input,
+                  output.path + " also writes " + files[i] + ", which is another file of this run",
+                  {}, "give each its own name");
+    }
+  }
+}
+
 }  // namespace
 
 std::string Output::path_of(int frame) const {
@@ -160,6 +193,15 @@ std::string Output::path_of(int frame) const {
   const std::size_t wanted = width.empty() ? 0 : std::stoul(width);
   if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), '0');
   return path.substr(0, number->begin) + digits + path.substr(number->end);
+}
+
+std::string Output::stem_of(int frame) const {
+  const std::filesystem::path file = path_of(frame);
+  std::error_code none;
+  const bool is_other =
+      std::filesystem::exists(file, none) && !std::filesystem::is_regular_file(file, none);
+  if (path == "-" || is_other) return "";
+  return (file.parent_path() / file.stem()).string();
 }
 
 bool wants_viewer(const CommandLine& line) {
@@ -181,8 +223,9 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   check_standard_output(line);
   check_report_replaces_no_input(line);
   check_names_differ(line, outputs);
+  check_files_beside(line, outputs);
   for (const Output& output : outputs) {
-    if (output.path != "-") check_writable(output.path_of(0));
+    for (const std::string& path : files_of(output)) check_writable(path);
   }
   if (!line.run.report.empty() && line.run.report != "-") check_writable(line.run.report);
   return outputs;
@@ -194,6 +237,27 @@ void write_to(const std::string& path, const std::function<void(std::ostream&)>&
   } else {
     write_file_whole(path, write);
   }
+}
+
+void write_meshes_to(const Output& output, int frame, MeshContent content) {
+  const Format& format = *output.format;
+  const std::string stem = output.stem_of(frame);
+  content.stem = format.beside.empty() ? "" : std::filesystem::path(stem).filename().string();
+  if (content.stem.empty()) {
+    write_to(output.path_of(frame), [&](std::ostream& out) { format.write_mesh(out, content); });
+    return;
+  }
+  std::vector<FileToWrite> files;
+  const auto add = [&](const std::string& path, auto* write) {
+    files.push_back({path, [&content, write](std::ostream& out) { write(out, content); }});
+  };
+  add(output.path_of(frame), format.write_mesh);
+  for (const FileBeside& file : format.beside) {
+    if (file.is_needed == nullptr || file.is_needed(content)) {
+      add(stem + std::string(file.ending), file.write);
+    }
+  }
+  write_files_whole(files);
 }
 
 }  // namespace saddle

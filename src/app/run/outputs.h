@@ -27,6 +27,8 @@ struct Output {
   bool is_still() const { return !takes_frames() && !is(Format::Kind::Scene); }
   /// The path of a frame.
   std::string path_of(int frame) const;
+  /// The path without its extension, which files beside it begin with; empty for what is no file.
+  std::string stem_of(int frame) const;
 };
 
 /// Nothing is written: the command line asks for the viewer.
@@ -39,5 +41,8 @@ std::vector<Output> checked_outputs(const CommandLine& line);
 
 /// Lets `write` write to the path, or to standard output for "-".
 void write_to(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+/// Writes the meshes to a frame's path, and the files beside it: all of them or none.
+void write_meshes_to(const Output& output, int frame, MeshContent content);
 
 }  // namespace saddle

@@ -30,8 +30,6 @@ class SignedSets {
     return true;
   }
   bool is_first(std::uint32_t a) const { return parent_[a] == a; }
-
- private:
   /// The first member of the set, and whether `a` is turned against it.
   std::pair<std::uint32_t, bool> find(std::uint32_t a) {
     std::uint32_t root = a;
@@ -50,6 +48,7 @@ class SignedSets {
     return {root, turned};
   }
 
+ private:
   std::vector<std::uint32_t> parent_;
   std::vector<std::uint8_t> turned_;
 };
@@ -154,9 +153,25 @@ std::size_t count_sets(const SignedSets& sets, std::span<const std::uint8_t> cou
   return count;
 }
 
+/// `open`, `one_sided`: triangles at edges that have not two sides, or that reverse the winding.
+void fill_parts(SignedSets& triangles, const std::vector<std::uint32_t>& open,
+                const std::vector<std::uint32_t>& one_sided, std::size_t count, Parts& parts) {
+  parts.first.resize(count);
+  parts.turned.resize(count);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const auto [first, turned] = triangles.find(t);
+    parts.first[t] = first;
+    parts.turned[t] = turned ? 1 : 0;
+  }
+  parts.is_open.assign(count, 0);
+  parts.is_one_sided.assign(count, 0);
+  for (const std::uint32_t t : open) parts.is_open[parts.first[t]] = 1;
+  for (const std::uint32_t t : one_sided) parts.is_one_sided[parts.first[t]] = 1;
+}
+
 }  // namespace
 
-Topology topology(const Mesh& mesh) {
+Topology topology(const Mesh& mesh, Parts* parts) {
   const HalfEdges edges = half_edges(mesh);
   Topology result;
   SignedSets triangles(mesh.triangles.size());  // turned: their winding is opposite
@@ -164,11 +179,13 @@ Topology topology(const Mesh& mesh) {
   SignedSets points(mesh.point_count);
   SignedSets boundary(mesh.point_count);
   std::vector<std::uint8_t> on_boundary(mesh.point_count);
+  std::vector<std::uint32_t> open, one_sided;  // triangles
   std::size_t edge_count = 0;
   const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
     // Neighbours run along their edge in opposite directions.
     if (!triangles.join(a.triangle, b.triangle, a.downward == b.downward)) {
       result.orientable = false;
+      one_sided.push_back(a.triangle);
     }
   };
   const auto join_fans = [&](const HalfEdge& a, const HalfEdge& b, std::uint32_t p) {
@@ -193,6 +210,7 @@ Topology topology(const Mesh& mesh) {
         ++edge_count;
         if (edge.size() == 1) {
           ++result.open_edges;
+          open.push_back(edge[0].triangle);
           boundary.join(p, to, false);
           on_boundary[p] = on_boundary[to] = 1;
         } else if (edge.size() == 2) {
@@ -200,7 +218,10 @@ Topology topology(const Mesh& mesh) {
           join_fans(edge[0], edge[1], p);
         } else {
           ++result.shared_edges;
-          for (const HalfEdge& side : edge) join_fans(edge[0], side, p);
+          for (const HalfEdge& side : edge) {
+            join_fans(edge[0], side, p);
+            open.push_back(side.triangle);
+          }
         }
       }
     }
@@ -210,6 +231,7 @@ Topology topology(const Mesh& mesh) {
   result.components = count_sets(points, std::vector<std::uint8_t>(mesh.point_count, 1));
   result.pinched_points = count_pinched(mesh, fans);
   result.boundary_loops = count_sets(boundary, on_boundary);
+  if (parts != nullptr) fill_parts(triangles, open, one_sided, mesh.triangles.size(), *parts);
   return result;
 }
 

@@ -276,6 +276,8 @@ struct MeshSettings {
   /// Default: 4000000; without a tolerance one per pixel, 1000000 at least.
   std::optional<int> max_triangles;
   std::optional<GridSize> samples;  ///< a uniform grid of so many cells instead
+  /// Millimetres of the longest side of an exported mesh; default: the scene's units.
+  std::optional<Number> print_size = {};
 };
 
 /// Most samples per pixel and side: 256 per pixel are more than eight bits can show.

@@ -603,6 +603,28 @@ constexpr auto kRows = std::to_array<Option>({
      .table = Table::Scene,
      .scene = [](Scene& s) -> kinds::Slot { return kinds::ClipBox{&s.clip}; }},
 
+    {.name = "print-size",
+     .value = "L",
+     .section = Section::Mesh,
+     .help = "millimetres of the longest side of an exported mesh; not of PLY, which keeps units",
+     .usual = "1 unit is 1 mm; 1 m in GLB",
+     .commands = kGraph,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot {
+       return kinds::Maybe<kinds::Real, Number>{&s.mesh.print_size, {nullptr, kPositive}};
+     }},
+    {.name = "mesh-up",
+     .value = "AXIS",
+     .section = Section::Mesh,
+     .help = "the axis of exported meshes that points up, {choices}; GLB is always y",
+     .more =
+         "z: the formula's own coordinates. y: what is up in the formula is along y, as Blender "
+         "and\nmany viewers expect of OBJ.",
+     .commands = kGraph,
+     .run = [](RunSettings& r) -> kinds::Slot {
+       return kinds::choice<MeshUp, MeshUp>(&r.mesh_up, {{"z", MeshUp::Z}, {"y", MeshUp::Y}});
+     }},
+
     // --- time -----------------------------------------------------------------------------------
     {.name = "t",
      .value = "T",
@@ -677,7 +699,8 @@ constexpr auto kRows = std::to_array<Option>({
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.verbose}; }},
     {.name = "help",
      .letter = 'h',
-     .help = "this text; --help WORD: an option's name, functions, scene, status or keys",
+     .help = "this text; --help WORD: an option's name, functions, formats, scene, status "
+             "or keys",
      .commands = kAllCommands,
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.help}; }},
     {.name = "version",

@@ -83,10 +83,10 @@ TEST(Formats, AreFoundByTheirExtension) {
 }
 
 TEST(Formats, AreListedInTheOrderOfTheTable) {
-  EXPECT_EQ(format_list(), "png, ply, toml, gif, mp4 or webm");
-  EXPECT_EQ(extension_list(), ".png .ply .toml .gif .mp4 .webm");
+  EXPECT_EQ(format_list(), "png, ply, stl, obj, glb, 3mf, toml, gif, mp4 or webm");
+  EXPECT_EQ(extension_list(), ".png .ply .stl .obj .glb .3mf .toml .gif .mp4 .webm");
   EXPECT_EQ(extension_list(Kind::Animation), ".gif .mp4 .webm");
-  EXPECT_EQ(extension_list(Kind::Mesh), ".ply");
+  EXPECT_EQ(extension_list(Kind::Mesh), ".ply .stl .obj .glb .3mf");
 }
 
 TEST(Formats, ThatAreDrawnAreThoseOfImages) {
@@ -114,6 +114,14 @@ TEST(Formats, ThatCarryASceneGiveItBack) {
     EXPECT_EQ(write_scene(load_scene(path)), write_scene(scene)) << format.extension;
     std::filesystem::remove(path);
   }
+}
+
+TEST(Formats, OfScenesAreKnownByTheirFirstBytes) {
+  for (const Format& format : formats()) {
+    if (format.scene_in == nullptr) continue;
+    EXPECT_EQ(format_of_bytes(written(format, one_surface())), &format) << format.extension;
+  }
+  EXPECT_EQ(format_of_bytes("title = 1"), nullptr);
 }
 
 TEST(LoadScene, ReadsAFileOfAnyOtherNameAsAScene) {

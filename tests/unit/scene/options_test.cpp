@@ -53,6 +53,7 @@ const std::map<std::string_view, std::string> kSamples = {
     {"tolerance", "0.25px"},
     {"normal-tolerance", "5"},
     {"max-triangles", "1000"},
+    {"print-size", "80"},
     {"samples", "20x10"},
     {"clip", "-1:1,-2:2,0:5"},
     {"t", "0.75"},

@@ -1,0 +1,110 @@
+// What each format of meshes costs beside PLY: a torus of a million vertices, written to nowhere.
+// Usage: saddle_exports. Exit 1 if a format takes longer than its limit.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <ostream>
+#include <streambuf>
+#include <string>
+
+#include "base/heap.h"
+#include "export/formats.h"
+#include "meshing/tessellate.h"
+#include "scene/model/gallery.h"
+#include "scene/options/resolve.h"
+
+namespace saddle {
+namespace {
+
+constexpr int kRounds = 5;
+constexpr int kSide = 1000;
+
+/// Counts bytes and forgets them.
+class Nowhere : public std::streambuf {
+ public:
+  std::size_t bytes = 0;
+
+ protected:
+  int_type overflow(int_type c) override {
+    ++bytes;
+    return traits_type::not_eof(c);
+  }
+  std::streamsize xsputn(const char*, std::streamsize count) override {
+    bytes += static_cast<std::size_t>(count);
+    return count;
+  }
+};
+
+/// Processor time of all threads, milliseconds.
+double spent() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto milliseconds = [](const timeval& t) {
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+  };
+  return milliseconds(used.ru_utime) + milliseconds(used.ru_stime);
+}
+
+struct Row {
+  const char* name;
+  const char* extension;
+  bool one_sheet;  ///< both sides of the surface are alike
+  double limit;    ///< times the PLY's
+};
+
+constexpr Row kRows[] = {{"PLY", "ply", false, 1},           {"STL", "stl", false, 3},
+                         {"GLB, one sheet", "glb", true, 2}, {"GLB, two sheets", "glb", false, 4},
+                         {"OBJ", "obj", false, 10},          {"3MF", "3mf", false, 25}};
+
+/// The least time of several rounds, and the bytes.
+double time_of(const Row& row, const MeshContent& content, std::size_t& bytes) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kRounds; ++i) {
+    Nowhere nowhere;
+    std::ostream out(&nowhere);
+    const double begin = spent();
+    find_format(row.extension)->write_mesh(out, content);
+    least = std::min(least, spent() - begin);
+    bytes = nowhere.bytes;
+  }
+  return least;
+}
+
+bool run() {
+  Scene scene = gallery_scene(*find_gallery_entry("torus"));
+  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 0;
+  scene.surfaces[0].u.max = "6";  // open, so that both sides can be seen
+  scene.mesh.samples = GridSize{kSide, kSide};
+  scene = resolve(scene);
+  Purpose purpose;
+  purpose.mesh = true;
+  const Mesh mesh = tessellate(scene, scene.surfaces[0], purpose, 0).mesh;
+  const std::vector<Shells> shells = {shells_of(mesh)};
+  std::printf("%zu vertices, %zu triangles; milliseconds of processor time\n", mesh.position.size(),
+              mesh.triangles.size());
+  std::printf("%-16s %8s %8s %8s %8s\n", "format", "ms", "x PLY", "limit", "MB");
+  double ply = 0;
+  bool is_good = true;
+  for (const Row& row : kRows) {
+    Scene own = scene;
+    if (row.one_sheet) own.surfaces[0].back = own.surfaces[0].front;
+    std::size_t bytes = 0;
+    const double time = time_of(row, {{&mesh, 1}, own, shells}, bytes);
+    if (ply == 0) ply = time;
+    const bool is_slow = time > row.limit * ply;
+    is_good = is_good && !is_slow;
+    std::printf("%-16s %8.0f %8.1f %8.0f %8.1f%s\n", row.name, time, time / ply, row.limit,
+                1e-6 * static_cast<double>(bytes), is_slow ? "  too slow" : "");
+  }
+  return is_good;
+}
+
+}  // namespace
+}  // namespace saddle
+
+int main() {
+  saddle::use_huge_pages();
+  return saddle::run() ? 0 : 1;
+}
