@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "meshing/solids.h"
 
 namespace saddle {
 namespace {
@@ -20,8 +21,16 @@ Meshed mesh_all(const Tessellate& tessellate, const Scene& scene, Detail detail)
   result.preview = detail == Detail::Preview;
   const auto begin = std::chrono::steady_clock::now();
   try {
+    std::vector<Tessellation> made;
     for (std::size_t& k = result.faulty_surface; k < scene.surfaces.size(); ++k) {
-      result.surfaces.push_back(std::make_shared<const Tessellation>(tessellate(scene, k, detail)));
+      made.push_back(tessellate(scene, k, detail));
+    }
+    result.faulty_surface = 0;
+    std::vector<Tessellation*> meshes;
+    for (Tessellation& surface : made) meshes.push_back(&surface);
+    thicken_scene(scene, meshes, false, 0);
+    for (Tessellation& surface : made) {
+      result.surfaces.push_back(std::make_shared<const Tessellation>(std::move(surface)));
     }
   } catch (const Abandoned&) {
     throw;

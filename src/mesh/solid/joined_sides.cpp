@@ -11,7 +11,6 @@
 
 #include "base/numbers.h"
 #include "mesh/model/edges.h"
-#include "mesh/model/tidy.h"
 
 namespace saddle {
 namespace {
@@ -136,7 +135,6 @@ bool has_flat_triangles(const Mesh& mesh) {
 
 Mesh without_flat_triangles(Mesh mesh) {
   std::erase_if(mesh.triangles, [&](const Triangle& t) { return is_flat(mesh, t); });
-  keep_used_corners(mesh);
   return mesh;
 }
 

@@ -74,6 +74,20 @@ class Thickener {
       if (is_new) places_.push_back(place);
       slot_[k] = known->second;
     }
+    keep_used_places();
+  }
+
+  /// Numbers the places of corners that triangles use.
+  void keep_used_places() {
+    number_.assign(places_.size(), kNoIndex);
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i].corner == kNoIndex) continue;
+      number_[i] = count;
+      places_[count++] = places_[i];
+    }
+    places_.resize(count);
+    for (std::uint32_t& slot : slot_) slot = number_[slot];
   }
 
   /// The point number and the position of a place in front of the triangle, or behind it.
@@ -170,7 +184,9 @@ class Thickener {
     for (const std::uint32_t shift : {0U, static_cast<std::uint32_t>(places_.size())}) {
       for (const std::vector<std::uint32_t>& line : sheet_.lines) {
         std::vector<std::uint32_t> chain;
-        for (const std::uint32_t corner : line) chain.push_back(corner + shift);
+        for (const std::uint32_t corner : line) {
+          if (number_[corner] != kNoIndex) chain.push_back(number_[corner] + shift);
+        }
         solid_.lines.push_back(std::move(chain));
       }
     }
@@ -199,9 +215,10 @@ class Thickener {
   const Thickening& thickening_;
   const JoinedSides& joined_;
   Fans fans_;
-  std::vector<Place> places_;        // each a corner in front and one behind
-  std::vector<std::uint32_t> slot_;  // of the corners of triangles, in places_
-  std::size_t borders_ = 0;          // sides on borders
+  std::vector<Place> places_;          // each a corner in front and one behind
+  std::vector<std::uint32_t> slot_;    // of the corners of triangles, in places_
+  std::vector<std::uint32_t> number_;  // of the sheet's corners, in places_
+  std::size_t borders_ = 0;            // sides on borders
   Mesh solid_;
 };
 

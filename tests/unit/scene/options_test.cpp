@@ -55,6 +55,7 @@ const std::map<std::string_view, std::string> kSamples = {
     {"max-triangles", "1000"},
     {"samples", "20x10"},
     {"clip", "-1:1,-2:2,0:5"},
+    {"thickness", "(t+1)mm,back"},
     {"t", "0.75"},
     {"fps", "24"},
     {"frames", "10"},
