@@ -25,7 +25,7 @@ struct SharpestBends {
 /// For a surface of second order. `threads` 0: all.
 SharpestBends sharpest_bends(const Surface& surface, const Mesh& mesh, unsigned threads);
 
-/// What is told of a solid.
+/// A solid in a report.
 struct SolidReport {
   SolidFacts facts;
   double thickness = 0;          ///< in the surface's units

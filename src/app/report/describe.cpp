@@ -216,7 +216,7 @@ std::string proof(const MeshReport& report, const Domain& domain) {
          " % of the domain within 4 tolerances of the mesh (proved), but for places where " + text;
 }
 
-/// What is true of it with its thickness.
+/// The solid that it is with its thickness.
 std::string thick(const SolidReport& s) {
   std::string text = words::number(s.thickness) + " thick, " + (s.facts.closed ? "closed" : "open");
   text += s.facts.shells == 1 ? ", 1 shell" : ", " + std::to_string(s.facts.shells) + " shells";

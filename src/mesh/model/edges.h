@@ -28,7 +28,7 @@ struct HalfEdge {
 /// smaller point is p begin at `begin[p]`.
 struct HalfEdges {
   std::vector<std::size_t> begin;
-  std::vector<HalfEdge> all;
+  Array<HalfEdge> all;
 };
 
 HalfEdges half_edges(const Mesh& mesh);

@@ -28,7 +28,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 struct MeshContours {
   std::vector<dvec3> position;
   std::vector<dvec3> on_mesh;
-  std::vector<dvec3> normal;  ///< of the triangles there, unit
+  std::vector<dvec3> normal;                      ///< of the triangles there, unit
   std::vector<std::vector<std::uint32_t>> lines;  ///< chains of vertices
 };
 

@@ -81,8 +81,8 @@ class FanFinder {
     for (std::uint32_t corner = 0; corner < corners; ++corner) {
       if (fans_.of[corner] != kNoIndex) continue;
       gather(corner);
-      fans_.point.push_back(point_of(corner));
-      fans_.direction.push_back(direction());
+      fans_.point.push_back(std::uint32_t{point_of(corner)});
+      fans_.direction.push_back(dvec3(direction()));
     }
     return std::move(fans_);
   }
@@ -189,7 +189,7 @@ class FanFinder {
   }
 
   const Mesh& mesh_;
-  const std::vector<std::uint32_t>& across_;
+  const Array<std::uint32_t>& across_;
   Fans fans_;
   std::vector<Member> members_;  // of the fan that is being gathered
 };

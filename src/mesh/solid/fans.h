@@ -13,13 +13,13 @@ namespace saddle {
 
 struct Fans {
   // One entry per corner of a triangle: 3 t + k.
-  std::vector<std::uint32_t> of;     ///< its fan
-  std::vector<std::uint8_t> turned;  ///< the triangle's front is the fan's back
+  Array<std::uint32_t> of;     ///< its fan
+  Array<std::uint8_t> turned;  ///< the triangle's front is the fan's back
   // One entry per fan.
-  std::vector<std::uint32_t> point;
+  Array<std::uint32_t> point;
   /// From the point to where the front goes for each unit of thickness: the front's normal where
   /// the surface is smooth, the mitre at creases, the axis at tips; no longer than kLongestMitre.
-  std::vector<dvec3> direction;
+  Array<dvec3> direction;
   bool one_sided = false;  ///< some triangle's front is the back of a fan
 };
 

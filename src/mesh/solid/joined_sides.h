@@ -12,12 +12,12 @@ namespace saddle {
 /// across[3 t + k] is the side that the side of triangle t from its corner k to the next is joined
 /// with, numbered in the same way; kNoIndex: none, it is a border.
 struct JoinedSides {
-  std::vector<std::uint32_t> across;
+  Array<std::uint32_t> across;
   /// Sides that are not the only edge between their points: all but the first one's.
   std::vector<std::uint32_t> doubled;
 };
 
-/// Sides that are the only two between their points are joined. Of more, those with the same
+/// Sides that are the only two between their points are joined. Among more, those with the same
 /// corners are, then those that go on most nearly straight; what is left over is a border. No
 /// triangle may have two corners at one point.
 JoinedSides join_sides(const Mesh& mesh);

@@ -1,5 +1,5 @@
-// What is true of a solid: whether it is closed, how many shells it has, what it encloses, and how
-// often it crosses itself.
+// Facts about a solid: whether it is closed, how many shells it has, its volume, and how often it
+// crosses itself.
 #pragma once
 
 #include <cstddef>

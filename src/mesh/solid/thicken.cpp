@@ -1,10 +1,10 @@
 #include "mesh/solid/thicken.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <optional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -32,8 +32,8 @@ class Thickener {
                   "could be on");
     }
     give_corners_fans();
+    make_room();
     add_sides();
-    add_side_triangles();
     add_walls();
     add_lines();
     add_contours();
@@ -79,7 +79,11 @@ class Thickener {
 
   /// Numbers the places of corners that triangles use.
   void keep_used_places() {
-    number_.assign(places_.size(), kNoIndex);
+    number_.resize(places_.size());
+    std::iota(number_.begin(), number_.end(), 0U);
+    const auto is_unused = [](const Place& place) { return place.corner == kNoIndex; };
+    if (std::ranges::none_of(places_, is_unused)) return;
+    std::ranges::fill(number_, kNoIndex);
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (places_[i].corner == kNoIndex) continue;
@@ -100,45 +104,42 @@ class Thickener {
     return behind != place.turned ? p - thickening_.back * d : p + thickening_.front * d;
   }
 
-  void add_corner(const Place& place, bool behind, const dvec3& normal) {
-    solid_.position.push_back(position_at(place, behind));
-    solid_.normal.push_back(dvec3(normal));
-    solid_.uv.push_back(dvec2(sheet_.uv[place.corner]));
-    solid_.point.push_back(point_at(place, behind));
-    if (!sheet_.color.empty()) solid_.color.push_back(double(sheet_.color[place.corner]));
+  void set_corner(std::size_t corner, const Place& place, bool behind, const dvec3& normal) {
+    solid_.position[corner] = position_at(place, behind);
+    solid_.normal[corner] = normal;
+    solid_.uv[corner] = sheet_.uv[place.corner];
+    solid_.point[corner] = point_at(place, behind);
+    if (!sheet_.color.empty()) solid_.color[corner] = sheet_.color[place.corner];
   }
 
-  /// The corners of the front, then those of the back.
-  void add_sides() {
-    reserve();
-    for (const bool behind : {false, true}) {
-      for (const Place& place : places_) {
-        const dvec3& normal = sheet_.normal[place.corner];
-        add_corner(place, behind, behind ? -normal : normal);
-      }
-    }
-  }
-
-  void reserve() {
-    for (const std::uint32_t across : joined_.across) borders_ += across == kNoIndex ? 1 : 0;
+  /// The corners of the front, those of the back, then four for each wall.
+  void make_room() {
+    borders_ = static_cast<std::size_t>(std::ranges::count(joined_.across, kNoIndex));
     const std::size_t corners = 2 * places_.size() + 4 * borders_;
-    solid_.position.reserve(corners);
-    solid_.normal.reserve(corners);
-    solid_.uv.reserve(corners);
-    solid_.point.reserve(corners);
-    if (!sheet_.color.empty()) solid_.color.reserve(corners);
-    solid_.triangles.reserve(2 * (sheet_.triangles.size() + borders_));
+    solid_.position.resize(corners);
+    solid_.normal.resize(corners);
+    solid_.uv.resize(corners);
+    solid_.point.resize(corners);
+    if (!sheet_.color.empty()) solid_.color.resize(corners);
+    const std::size_t triangles = sheet_.triangles.size();
+    solid_.triangles.resize(2 * (triangles + borders_));
+    solid_.solid = {triangles, triangles, 2 * borders_};
   }
 
-  void add_side_triangles() {
-    const auto back = static_cast<std::uint32_t>(places_.size());
-    for (std::size_t k = 0; k < slot_.size(); k += 3) {
-      solid_.triangles.push_back({slot_[k], slot_[k + 1], slot_[k + 2]});
+  void add_sides() {
+    const std::size_t back = places_.size();
+    for (std::size_t i = 0; i < back; ++i) {
+      const dvec3& normal = sheet_.normal[places_[i].corner];
+      set_corner(i, places_[i], false, normal);
+      set_corner(back + i, places_[i], true, -normal);
     }
-    for (std::size_t k = 0; k < slot_.size(); k += 3) {
-      solid_.triangles.push_back({slot_[k] + back, slot_[k + 2] + back, slot_[k + 1] + back});
+    const auto shift = static_cast<std::uint32_t>(back);
+    const std::size_t triangles = sheet_.triangles.size();
+    for (std::size_t t = 0; t < triangles; ++t) {
+      const auto [a, b, c] = Triangle{slot_[3 * t], slot_[3 * t + 1], slot_[3 * t + 2]};
+      solid_.triangles[t] = {a, b, c};
+      solid_.triangles[triangles + t] = {a + shift, c + shift, b + shift};
     }
-    solid_.solid = {sheet_.triangles.size(), sheet_.triangles.size(), 2 * borders_};
   }
 
   /// Out of the surface, at right angles to a side on a border: a unit vector, or 0.
@@ -164,18 +165,20 @@ class Thickener {
         sums.try_emplace(fans_.of[k], 0).first->second += outward(side);
       }
     }
+    auto corner = static_cast<std::uint32_t>(2 * places_.size());
+    std::size_t triangle = 2 * sheet_.triangles.size();
     for (const std::uint32_t side : borders) {
-      const auto first = static_cast<std::uint32_t>(solid_.position.size());
+      const std::uint32_t first = corner;
       const dvec3 own = outward(side);
       for (const std::uint32_t k : {side, next(side)}) {
         const dvec3& sum = sums.at(fans_.of[k]);
         const bool is_round = glm::dot(sum, own) > kRoundCosine * glm::length(sum);
         const dvec3 normal = is_round ? glm::normalize(sum) : own;
-        for (const bool behind : {false, true}) add_corner(place_of(k), behind, normal);
+        for (const bool behind : {false, true}) set_corner(corner++, place_of(k), behind, normal);
       }
       // The first corner in front and behind, then the second one.
-      solid_.triangles.push_back({first + 2, first, first + 1});
-      solid_.triangles.push_back({first + 2, first + 1, first + 3});
+      solid_.triangles[triangle++] = {first + 2, first, first + 1};
+      solid_.triangles[triangle++] = {first + 2, first + 1, first + 3};
     }
   }
 
@@ -215,10 +218,10 @@ class Thickener {
   const Thickening& thickening_;
   const JoinedSides& joined_;
   Fans fans_;
-  std::vector<Place> places_;          // each a corner in front and one behind
-  std::vector<std::uint32_t> slot_;    // of the corners of triangles, in places_
-  std::vector<std::uint32_t> number_;  // of the sheet's corners, in places_
-  std::size_t borders_ = 0;            // sides on borders
+  Array<Place> places_;          // each a corner in front and one behind
+  Array<std::uint32_t> slot_;    // of the corners of triangles, in places_
+  Array<std::uint32_t> number_;  // of the sheet's corners, in places_
+  std::size_t borders_ = 0;      // sides on borders
   Mesh solid_;
 };
 

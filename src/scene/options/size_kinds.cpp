@@ -199,8 +199,9 @@ std::string Thick::format() const {
   const Thickness& thickness = **value;
   if (thickness.where == Thickness::Where::Off) return "off";
   std::string text = expression_of(thickness.value);
-  const bool is_plain = thickness.value.text.empty();
-  if (thickness.millimetres) text = is_plain ? text + "mm" : "(" + text + ")mm";
+  if (thickness.millimetres) {
+    text = is_in_millimetres(text + "mm") ? text + "mm" : "(" + text + ")mm";
+  }
   if (thickness.where == Thickness::Where::Front) text += ",front";
   if (thickness.where == Thickness::Where::Back) text += ",back";
   return text;
