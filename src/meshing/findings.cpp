@@ -353,6 +353,8 @@ std::string name_of(Kind kind) {
                                         "contours-none",
                                         "contours-on-area",
                                         "contours-coarse",
+                                        "too-thick",
+                                        "solid-crosses",
                                         "unproved",
                                         "nothing"};
   return kNames[static_cast<std::size_t>(kind)];

@@ -32,6 +32,8 @@ struct Finding {
     ContoursNone,    ///< an expression has no level line
     ContoursOnArea,  ///< it has a level on a whole area
     ContoursCoarse,  ///< triangles are too large for its lines
+    TooThick,        ///< a solid is thicker than its surface bends
+    SolidCrosses,    ///< a solid goes through itself
     Unproved,        ///< a feature could hide between the samples
     Nothing,         ///< a frame of an animation has no surface
   };

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -18,11 +17,9 @@
 #include "mesh/model/topology.h"
 #include "mesh/sizing/effort.h"
 #include "meshing/clip_box.h"
-#include "meshing/findings.h"
 #include "meshing/mesh_numbers.h"
 #include "meshing/stretch.h"
 #include "meshing/stroke_mesh.h"
-#include "meshing/tolerance.h"
 #include "scene/model/strokes.h"
 #include "scene/model/values.h"
 #include "surface/defined_share.h"
@@ -326,6 +323,7 @@ MeshedSurface mesh_surface(const Scene& scene, const SurfaceSpec& spec, const Pu
     const GapReason why = is_off ? GapReason::Off : GapReason::NotTried;
     report.proof_gaps.push_back({why, {d.u0, d.v0}, {d.u1, d.v1}, 1});
   }
+  if (thickness_of(scene, spec)) result.bends = sharpest_bends(surface, mesh, threads);
   if (!spec.color.empty()) {
     result.color = color_as_asked(scene, spec, purpose, surface, result.mesh, threads);
   }
@@ -345,6 +343,7 @@ Tessellation tessellation_of(const SurfaceSpec& spec, MeshedSurface meshed) {
   result.parse_ms = meshed.prepared.parse_ms;
   result.compile_ms = meshed.prepared.compile_ms;
   result.tessellate_ms = meshed.tessellate_ms;
+  result.bends = meshed.bends;
   result.domain = name_parameters(meshed.prepared.surface, mesh);
   result.findings = mesh_findings(mesh, result.domain);
   if (meshed.color) {

@@ -9,7 +9,7 @@ import tree
 
 LAYERS = {
     "base": "", "formula": "", "eval": "", "surface": "",
-    "mesh": "model proof features sizing grid tree distance error mesher color curve",
+    "mesh": "model proof features sizing grid tree distance error mesher color curve solid",
     "scene": "model toml options files",
     "meshing": "",
     "render": "gl shading overlay picture",

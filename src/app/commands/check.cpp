@@ -10,19 +10,52 @@
 #include "app/report/run_report.h"
 #include "app/run/build_scene.h"
 #include "base/standard_streams.h"
+#include "meshing/solids.h"
 #include "meshing/tessellate.h"
 #include "scene/model/strokes.h"
 #include "study/check_surface.h"
 
 namespace saddle {
+namespace {
+
+/// Adds what is true of the solids of surfaces with a thickness. The meshes stay sheets: what else
+/// is told is about these.
+void add_solids(const Scene& scene, std::vector<CheckedSurface>& surfaces,
+                std::vector<Tessellation>& strokes, unsigned threads) {
+  std::vector<Tessellation*> made;
+  std::vector<Mesh> sheets;
+  for (CheckedSurface& surface : surfaces) {
+    made.push_back(&surface.tessellation);
+    sheets.push_back(surface.tessellation.mesh);
+  }
+  for (Tessellation& stroke : strokes) made.push_back(&stroke);
+  thicken_scene(scene, made, true, threads);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    surfaces[i].tessellation.mesh = std::move(sheets[i]);
+  }
+}
+
+}  // namespace
 
 void run_check(const CommandLine& line, Clock::time_point start) {
   const Scene scene = build_scene(line);
   RunReport report;
   report.warnings = warnings_of(scene);
   std::vector<std::string> words;
-  for (const SurfaceSpec& spec : scene.surfaces) {
-    CheckedSurface checked = check_surface(scene, spec, line.run.threads);
+  std::vector<CheckedSurface> all;
+  std::vector<Tessellation> strokes;
+  const Scene drawn = with_strokes(scene);
+  for (const SurfaceSpec& spec : drawn.surfaces) {
+    if (spec.is_stroke()) {
+      strokes.push_back(tessellate(drawn, spec, {.picture = true}, line.run.threads));
+    } else {
+      all.push_back(check_surface(scene, spec, line.run.threads));
+    }
+  }
+  add_solids(drawn, all, strokes, line.run.threads);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const SurfaceSpec& spec = scene.surfaces[i];
+    CheckedSurface& checked = all[i];
     add_times(checked.tessellation, report.times);
     std::ranges::move(checked.tessellation.warnings, std::back_inserter(report.warnings));
     SurfaceReport& surface =
@@ -30,10 +63,9 @@ void run_check(const CommandLine& line, Clock::time_point start) {
     surface.facts = std::move(checked.facts);
     std::ranges::move(describe(surface, checked.tessellation.mesh), std::back_inserter(words));
   }
-  const Scene drawn = with_strokes(scene);
-  for (const SurfaceSpec& spec : drawn.surfaces) {
-    if (!spec.is_stroke()) continue;
-    Tessellation made = tessellate(drawn, spec, {.picture = true}, line.run.threads);
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const SurfaceSpec& spec = drawn.surfaces[all.size() + i];
+    Tessellation& made = strokes[i];
     add_times(made, report.times);
     std::ranges::move(made.warnings, std::back_inserter(report.warnings));
     report.surfaces.push_back(report_of(spec.name, made));

@@ -172,6 +172,16 @@ void add_facts(const SurfaceReport& s, Json& json) {
   json["least_triangles"] = finite_or_null(s.mesh.least_triangles);
 }
 
+Json solid(const SolidReport& s) {
+  return {{"closed", s.facts.closed},
+          {"shells", s.facts.shells},
+          {"volume", finite_or_null(s.facts.volume)},
+          {"self_intersections", s.facts.crossings},
+          {"thickness", finite_or_null(s.thickness)},
+          {"largest_thickness", finite_or_null(s.largest_thickness)},
+          {"at", place_or_null(s.at)}};
+}
+
 Json surface(const SurfaceReport& s) {
   std::vector<dvec2> singular;
   for (const SingularPoint& point : s.mesh.singular_points) singular.push_back(point.uv);
@@ -202,6 +212,7 @@ Json surface(const SurfaceReport& s) {
                {"certified", s.mesh.certified},
                {"proved_fraction", finite_or_null(s.mesh.proved_fraction)},
                {"uncertified", doubts(s.mesh.proof_gaps)}};
+  if (s.solid) json["solid"] = solid(*s.solid);
   if (s.facts) add_facts(s, json);
   return json;
 }

@@ -10,6 +10,7 @@
 #include "mesh/model/mesh.h"
 #include "mesh/model/mesh_report.h"
 #include "meshing/findings.h"
+#include "meshing/thickness.h"
 #include "render/picture/picture.h"
 #include "study/facts.h"
 
@@ -22,10 +23,11 @@ struct SurfaceReport {
   Bounds bounds;
   MeshReport mesh;
   std::vector<Finding> findings;
-  int meshes = 1;                  ///< that an animation has made of it: several if t moves it
-  std::optional<Facts> facts;      ///< of `saddle check`
-  std::optional<CurveMesh> curve;  ///< of a curve, without its chains
-  std::optional<dvec3> place;      ///< of a point
+  int meshes = 1;                    ///< that an animation has made of it: several if t moves it
+  std::optional<Facts> facts;        ///< of `saddle check`
+  std::optional<SolidReport> solid;  ///< of a surface with a thickness
+  std::optional<CurveMesh> curve;    ///< of a curve, without its chains
+  std::optional<dvec3> place;        ///< of a point
 };
 
 /// Whether the mesh has an inside.

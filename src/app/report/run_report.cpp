@@ -18,6 +18,7 @@ SurfaceReport report_of(const std::string& name, Tessellation& tessellation) {
   report.bounds = mesh.bounds;
   report.mesh = std::move(tessellation.report);
   report.findings = std::move(tessellation.findings);
+  report.solid = tessellation.solid;
   report.curve = std::move(tessellation.curve);
   report.place = tessellation.place;
   return report;

@@ -139,7 +139,8 @@ bool set_line_width(int samples) {
 GpuMesh::GpuMesh(const Mesh& mesh)
     : bounds_(mesh.bounds),
       frame_(model_frame(mesh.bounds)),
-      hides_its_back_(saddle::hides_its_back(mesh)),
+      solid_(mesh.solid),
+      hides_its_back_(!mesh.solid && saddle::hides_its_back(mesh)),
       triangle_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       line_array_(make_name<GlVertexArray>(glGenVertexArrays)),
       vertices_(make_name<GlBuffer>(glGenBuffers)),
@@ -233,6 +234,13 @@ double GpuMesh::measure_trust(Program& program, std::span<const dvec2> uv) {
 void GpuMesh::draw_triangles() const {
   glBindVertexArray(triangle_array_.get());
   glDrawElements(GL_TRIANGLES, triangle_indices_, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuMesh::draw_triangles(std::size_t first, std::size_t count) const {
+  glBindVertexArray(triangle_array_.get());
+  // GL takes an offset into the buffer as a pointer.
+  const void* start = reinterpret_cast<const void*>(first * sizeof(Triangle));
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT, start);
 }
 
 void GpuMesh::draw_lines() const {

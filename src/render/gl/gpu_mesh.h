@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -45,7 +46,12 @@ class GpuMesh {
   /// Gives its corners their u and v, and what the program of trust_shader() finds out about each
   /// of them. Returns the share of corners that it trusts.
   double measure_trust(Program& program, std::span<const dvec2> uv);
+  /// The parts of a solid; nothing of a sheet.
+  const std::optional<SolidParts>& solid() const { return solid_; }
+  std::size_t triangle_count() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
   void draw_triangles() const;
+  /// So many of them, from one on.
+  void draw_triangles(std::size_t first, std::size_t count) const;
   void draw_lines() const;
   /// Its level lines; the second attribute of a vertex is its place on the triangles.
   void draw_contours() const;
@@ -61,6 +67,7 @@ class GpuMesh {
 
   Bounds bounds_;
   ModelFrame frame_;  ///< of the bounds
+  std::optional<SolidParts> solid_;
   bool hides_its_back_;
   std::optional<ColorRange> color_range_;
   GlVertexArray triangle_array_;

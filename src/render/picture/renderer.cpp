@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 
 #include "base/error.h"
+#include "render/picture/drawn_parts.h"
 #include "render/picture/tiles.h"
 #include "render/shading/normal_shader.h"
 #include "render/shading/shader_materials.h"
@@ -66,6 +67,7 @@ void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& 
   const bool exact = shading_of(scene, scene.surfaces[surface]) == Shading::Exact;
   if (!exact || mesh.triangles.empty()) return;
   ShaderNormal formula = shader_normal(scene, scene.surfaces[surface]);
+  if (mesh.solid) formula.obstacle = "the formula has no normal of the walls of a solid";
   if (!formula.obstacle) {
     Program& trust = program(trust_shader(formula), "trust_in_formula");
     trust.use();
@@ -298,8 +300,9 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
   add_light_needs(lights, lit);
   Program* program = nullptr;
   ShaderNeeds made_for;
-  for (const PlacedMesh& item : items) {
-    const SurfaceSpec& surface = scene.surfaces[item.surface];
+  for (const DrawnPart& part : parts_of(scene, items, meshes_)) {
+    const PlacedMesh& item = *part.item;
+    const SurfaceSpec& surface = part.surface;
     const Shading shading = shading_of(scene, surface);
     const bool is_unlit = shading == Shading::Unlit;
     if (is_unlit && !first) continue;
@@ -331,7 +334,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     program->check_all_set();
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.two_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
-    meshes_[item.surface].draw_triangles();
+    meshes_[item.surface].draw_triangles(part.first, part.count);
   }
   glFrontFace(GL_CCW);
   glDisable(GL_CULL_FACE);

@@ -9,6 +9,7 @@
 #include "eval/tape.h"
 #include "mesh/grid/grid.h"
 #include "meshing/clip_box.h"
+#include "meshing/thickness.h"
 #include "scene/model/strokes.h"
 
 namespace saddle {
@@ -25,16 +26,17 @@ void clip_poles(const Bounds& coarse, Sampled& surface) {
   if (surface.has_poles) surface.keep_to(clip_box(surface.bounds, surface.positions));
 }
 
-/// The corners of octahedra round a curve's points in place of the balls that make its tube.
-void add_tube(double radius, Sampled& curve) {
+/// The corners of octahedra round points in place of the balls that make a curve's tube, or hold a
+/// surface's solid.
+void add_balls(double radius, Sampled& around) {
   if (radius == 0) return;
-  const std::vector<dvec3> middles = std::exchange(curve.positions, {});
+  const std::vector<dvec3> middles = std::exchange(around.positions, {});
   for (const dvec3& middle : middles) {
     for (int k = 0; k < 6; ++k) {
       dvec3 p = middle;
       p[k / 2] += k % 2 == 0 ? radius : -radius;
-      curve.positions.push_back(p);
-      curve.bounds.add(p);
+      around.positions.push_back(p);
+      around.bounds.add(p);
     }
   }
 }
@@ -80,7 +82,10 @@ Sampled sample(const Scene& scene, const SurfaceSpec& spec, BoundSurface bound, 
   } else if (scene.clip.automatic) {
     clip_poles(coarse, result);
   }
-  if (spec.curve) add_tube(stroke_radius(scene, spec), result);
+  if (spec.curve) add_balls(stroke_radius(scene, spec), result);
+  if (!result.positions.empty()) {
+    add_balls(reach_of_solid(scene, spec, largest_of(result.bounds.size())), result);
+  }
   return result;
 }
 

@@ -119,6 +119,16 @@ struct ContourSpec {
   std::optional<ColorRange> range = {};
 };
 
+/// How thick a surface is made, and on which of its sides.
+struct Thickness {
+  enum class Where { Both, Front, Back, Off };
+  Number value = 0;           ///< more than 0: in the surface's units, or
+  bool millimetres = false;   ///< of what is printed; see print_size
+  Where where = Where::Both;  ///< half to each side, all to one, or: it has none
+
+  bool operator==(const Thickness&) const = default;
+};
+
 struct SurfaceSpec {
   std::string name = "surface";
   std::string x = "u";  ///< of the usual names; a coordinate that is a parameter has no formula
@@ -146,6 +156,7 @@ struct SurfaceSpec {
   std::optional<Shading> shading = {};
   std::optional<Specular> specular = {};
   std::optional<GridSize> samples = {};
+  std::optional<Thickness> thickness = {};
   Number opacity = 1;                     ///< 0 to 1; less than 1: one sees what is behind it
   std::optional<Number> line_width = {};  ///< of grid lines, pixels; default: line_width()
   Color line_color = kLineColor;
@@ -275,7 +286,8 @@ struct MeshSettings {
   double normal_tolerance = 3;              ///< degrees
   /// Default: 4000000; without a tolerance one per pixel, 1000000 at least.
   std::optional<int> max_triangles;
-  std::optional<GridSize> samples;  ///< a uniform grid of so many cells instead
+  std::optional<GridSize> samples;          ///< a uniform grid of so many cells instead
+  std::optional<Thickness> thickness = {};  ///< makes solids of surfaces
   /// Millimetres of the longest side of an exported mesh; default: the scene's units.
   std::optional<Number> print_size = {};
 };
@@ -339,6 +351,9 @@ struct Scene {
 Shading shading_of(const Scene& scene, const SurfaceSpec& spec);
 Specular specular_of(const Scene& scene, const SurfaceSpec& spec);
 std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec);
+
+/// The thickness that a surface has; nothing for one without, and for curves and points.
+std::optional<Thickness> thickness_of(const Scene& scene, const SurfaceSpec& spec);
 
 /// A surface is shaded with the normals of its formula.
 bool has_exact_normals(const Scene& scene);

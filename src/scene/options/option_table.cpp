@@ -402,6 +402,12 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kKeyOnly,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Cells{&s.samples}; }},
+    {.name = "thickness",
+     .value = "T[,SIDE]",
+     .help = "in place of the scene's",
+     .commands = kKeyOnly,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::Thick{&s.thickness}; }},
     {.name = "line-width",
      .value = "PX",
      .section = Section::Look,
@@ -624,6 +630,19 @@ constexpr auto kRows = std::to_array<Option>({
      .run = [](RunSettings& r) -> kinds::Slot {
        return kinds::choice<MeshUp, MeshUp>(&r.mesh_up, {{"z", MeshUp::Z}, {"y", MeshUp::Y}});
      }},
+    {.name = "thickness",
+     .value = "T[,SIDE]",
+     .section = Section::Mesh,
+     .help = "a closed solid, T thick: half to each side, or all to front or back; 2mm of a print",
+     .usual = "off",
+     .more = "A number or expression is in the surface's units; 2mm is in millimetres of what is "
+             "printed:\nof --print-size, else a unit is 1 mm. 0.1,front and 0.1,back go to one "
+             "side. off: none.\nPictures, meshes and the viewer show the solid; --report tells "
+             "whether it goes through itself.",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Scene,
+     .scene = [](Scene& s) -> kinds::Slot { return kinds::Thick{&s.mesh.thickness}; }},
 
     // --- time -----------------------------------------------------------------------------------
     {.name = "t",

@@ -1,9 +1,12 @@
 #include "view/model/mesh_worker.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 #include "base/parallel.h"
+#include "meshing/solids.h"
 #include "scene/model/prepare.h"
 #include "view/model/mesh_key.h"
 
@@ -19,6 +22,25 @@ constexpr GridSize kPreview{60, 60};
 /// Definitions that a surface does not use may be wrong, too. Throws Error (Input).
 void check_formulas(const Scene& scene, const SurfaceSpec& spec) {
   if (!spec.is_stroke()) bind_surface(scene, spec);
+}
+
+/// Puts solids in place of the meshes of surfaces with a thickness: of all surfaces together, as
+/// millimetres of a print depend on its size. Throws Error (Input).
+void make_solids(Meshed& meshed) {
+  const Scene& scene = meshed.scene;
+  const auto is_thick = [&](const SurfaceSpec& spec) {
+    return thickness_of(scene, spec).has_value();
+  };
+  if (std::ranges::none_of(scene.surfaces, is_thick)) return;
+  std::vector<Tessellation> sheets;
+  for (const auto& sheet : meshed.surfaces) sheets.push_back(*sheet);
+  std::vector<Tessellation*> made;
+  for (Tessellation& sheet : sheets) made.push_back(&sheet);
+  thicken_scene(scene, made, false, 0);
+  for (std::size_t k = 0; k < sheets.size(); ++k) {
+    if (is_thick(scene.surfaces[k]))
+      meshed.surfaces[k] = std::make_shared<const SightedMesh>(std::move(sheets[k]));
+  }
 }
 
 }  // namespace
@@ -109,6 +131,8 @@ Meshed MeshWorker::mesh_all(const Scene& scene, Detail detail) {
       wanted.insert(*known);
       result.surfaces.push_back(known->second);
     }
+    result.faulty_surface = 0;
+    make_solids(result);
   } catch (const Abandoned&) {
     throw;
   } catch (...) {

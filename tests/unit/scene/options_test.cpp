@@ -56,6 +56,7 @@ const std::map<std::string_view, std::string> kSamples = {
     {"print-size", "80"},
     {"samples", "20x10"},
     {"clip", "-1:1,-2:2,0:5"},
+    {"thickness", "(t+1)mm,back"},
     {"t", "0.75"},
     {"fps", "24"},
     {"frames", "10"},
