@@ -354,7 +354,9 @@ std::string name_of(Kind kind) {
                                         "contours-on-area",
                                         "contours-coarse",
                                         "unproved",
-                                        "nothing"};
+                                        "nothing",
+                                        "no-light",
+                                        "cone-lost"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/picture/light_findings.h"
 #include "view/marks.h"
 
 namespace saddle {
@@ -20,7 +21,7 @@ void Drawing::take_meshes(const Model& model) {
   const auto& meshes = model.meshes();
   Scene scene = model.last_good().scene;
   scene.picture.shading = model.scene().picture.shading;
-  const bool exact = has_exact_normals(scene);
+  const bool exact = draws_parameters(scene);
   // Without meshes until all of them are there: uploading may throw.
   auto before = std::exchange(uploaded_, {});
   if (exact && !exact_) before.clear();
@@ -67,7 +68,7 @@ void Drawing::draw(const Model& model) {
   const auto begin = Clock::now();
   const bool rested = is_due(begin);
   if (!stale_ && !rested) return;
-  if (!exact_ && has_exact_normals(model.scene())) take_meshes(model);
+  if (!exact_ && draws_parameters(model.scene())) take_meshes(model);
   if (uploaded_ != model.meshes()) return give_up();
   const bool fast_enough = figures_.frame_ms * (per_side_ == 1 ? 4 : 1) <= kSmoothMs;
   PictureSettings picture = model.scene().picture;
@@ -82,6 +83,7 @@ void Drawing::draw(const Model& model) {
   figures_.frame_ms = std::chrono::duration<double, std::milli>(passed).count();
   ++figures_.frames;
   figures_.warnings = renderer_.warnings();
+  if (const auto dark = no_light(model.scene())) figures_.warnings.push_back(warning_of(*dark));
   stale_ = false;
 }
 

@@ -32,6 +32,13 @@ std::optional<double> plain_number(const std::string& text) {
   return value;
 }
 
+/// The slider's nearest step.
+double stepped(double value, const Slider& slider) {
+  if (slider.step == 0) return value;
+  const double steps = std::round((value - slider.min) / slider.step);
+  return std::min(slider.min + steps * slider.step, double(slider.max));
+}
+
 /// Whether the error is that of the thing with this name: "x", "u", or "f" of "f(s)".
 bool is_about(const std::optional<Error>& error, const std::string& name) {
   return error && error->place().name == name;
@@ -123,6 +130,20 @@ void Panel::show_parameter(Model& model, const Scene& scene, const Parameter& pa
   if (name != definition.name) show_error_of(model, definition.name);
 }
 
+void Panel::show_choices(Model& model, const Scene& scene, const Parameter& parameter,
+                         const std::vector<std::string>& choices) {
+  Definition& definition = parameter.definition;
+  const std::size_t chosen = static_cast<std::size_t>(plain_number(definition.text).value_or(0));
+  if (!ImGui::BeginCombo("##choice", chosen < choices.size() ? choices[chosen].c_str() : ""))
+    return;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (!ImGui::Selectable(choices[i].c_str(), i == chosen)) continue;
+    definition.text = std::to_string(i);
+    model.edit(scene, parameter.owner + display_name(definition));
+  }
+  ImGui::EndCombo();
+}
+
 void Panel::show_slider(Model& model, const Scene& scene, const Parameter& parameter,
                         double number) {
   Definition& definition = parameter.definition;
@@ -134,8 +155,11 @@ void Panel::show_slider(Model& model, const Scene& scene, const Parameter& param
   const double high = has_ends ? double(slider->max) : reach;
   double value = number;
   ImGui::SetNextItemWidth(-1);
-  if (has_ends) {
+  if (has_ends && !slider->choices.empty()) {
+    show_choices(model, scene, parameter, slider->choices);
+  } else if (has_ends) {
     if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &low, &high, "")) {
+      value = stepped(value, *slider);
       definition.text = format_number(value);
       model.edit(scene, parameter.owner + display_name(definition));
     }

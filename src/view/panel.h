@@ -46,6 +46,8 @@ class Panel {
     bool may_be_wrong;  ///< the error may be about it
   };
   void show_parameter(Model& model, const Scene& scene, const Parameter& parameter);
+  void show_choices(Model& model, const Scene& scene, const Parameter& parameter,
+                    const std::vector<std::string>& choices);
   void show_slider(Model& model, const Scene& scene, const Parameter& parameter, double number);
   void show_time(Model& model);
   void show_look(Model& model);

@@ -245,6 +245,7 @@ Scene build_scene(const CommandLine& line) {
   if (alone && !is_stroke(segments[0])) {
     for (const auto& [option, text] : segments[0].given) apply_option(*option, text, scene);
     check_colors_are_used(segments[0].given, scene.surfaces);
+    check_textures_are_used(segments[0].given, scene.surfaces);
   } else {
     apply_object_options(objects, scene);
   }

@@ -278,6 +278,17 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
   return scene;
 }
 
+void check_textures_are_used(const std::vector<GivenOption>& options,
+                             std::span<const SurfaceSpec> surfaces) {
+  const auto given = std::ranges::find_if(
+      options, [](const GivenOption& g) { return g.option->name.starts_with("texture-"); });
+  const auto has_picture = [](const SurfaceSpec& spec) { return spec.texture.picture != nullptr; };
+  if (given == options.end() || surfaces.empty() || std::ranges::any_of(surfaces, has_picture))
+    return;
+  throw Error(Status::Input, "there is no picture", {dashed(*given->option), "", {}},
+              "--texture FILE.png is one; checker has the cells of --grid");
+}
+
 void check_colors_are_used(const std::vector<GivenOption>& options,
                            std::span<const SurfaceSpec> surfaces) {
   const auto given = std::ranges::find_if(options, [](const GivenOption& g) {
@@ -323,6 +334,7 @@ void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene)
       }
     }
     check_colors_are_used(object.options, surfaces);
+    check_textures_are_used(object.options, surfaces);
     begin += surfaces.size();
     const std::size_t own_curves = object.scene.curves.size();
     const std::size_t own_points = object.scene.points.size();

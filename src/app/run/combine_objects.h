@@ -28,6 +28,10 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
                       const std::vector<std::string>& common,
                       const std::vector<GivenOption>& options);
 
+/// Options of a texture without a picture would do nothing: throws Error (Input).
+void check_textures_are_used(const std::vector<GivenOption>& options,
+                             std::span<const SurfaceSpec> surfaces);
+
 /// Colours of a scale without anything to colour would do nothing: throws Error (Input).
 void check_colors_are_used(const std::vector<GivenOption>& options,
                            std::span<const SurfaceSpec> surfaces);

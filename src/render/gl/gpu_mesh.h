@@ -45,6 +45,9 @@ class GpuMesh {
   /// Gives its corners their u and v, and what the program of trust_shader() finds out about each
   /// of them. Returns the share of corners that it trusts.
   double measure_trust(Program& program, std::span<const dvec2> uv);
+  /// Gives its corners their places on a texture, 0 to 1 over the ranges of u and v.
+  void set_texture_places(std::span<const dvec2> places);
+  bool has_texture_places() const { return texture_places_.has_value(); }
   void draw_triangles() const;
   void draw_lines() const;
   /// Its level lines; the second attribute of a vertex is its place on the triangles.
@@ -71,6 +74,7 @@ class GpuMesh {
   std::optional<GlBuffer> colors_;  ///< of the corners, 0 to 1 in that range, -1: undefined
   std::optional<GlBuffer> parameters_;
   std::optional<GlBuffer> trust_;
+  std::optional<GlBuffer> texture_places_;
   std::optional<Contours> contours_;
   GLsizei triangle_indices_ = 0;
   GLsizei line_indices_ = 0;

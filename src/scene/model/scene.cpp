@@ -25,9 +25,9 @@ std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec) 
   return spec.samples ? spec.samples : scene.mesh.samples;
 }
 
-bool has_exact_normals(const Scene& scene) {
+bool draws_parameters(const Scene& scene) {
   return std::ranges::any_of(scene.surfaces, [&](const SurfaceSpec& spec) {
-    return shading_of(scene, spec) == Shading::Exact;
+    return shading_of(scene, spec) == Shading::Exact || spec.texture;
   });
 }
 
