@@ -356,7 +356,9 @@ std::string name_of(Kind kind) {
                                         "too-thick",
                                         "solid-crosses",
                                         "unproved",
-                                        "nothing"};
+                                        "nothing",
+                                        "no-light",
+                                        "cone-lost"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -18,7 +18,8 @@ constexpr auto kVerbs = std::to_array<Verb>({
      "it writes no pictures and no meshes, but a report: --report FILE; --t T sets the moment"},
     {"chart", Command::Chart, "it compares all methods: saddle chart ... -o FILE.svg"},
     {"list", Command::List, "saddle list, or saddle list --verbose"},
-    {"show", Command::Show, "saddle show NAME, with assignments"},
+    {"show", Command::Show,
+     "it takes assignments and options of the scene; saddle show --shader NAME"},
 });
 
 /// `--size WxH`
@@ -151,6 +152,8 @@ class Splitter {
 /// An option that the command does not take is refused.
 void check_command(const CommandLine& line, const Option& option) {
   if ((option.commands & bit(line.command)) != 0) return;
+  const bool changes_scene = option.scene || option.surface || option.stroke;
+  if (line.command == Command::Show && changes_scene) return;
   const auto verb = std::ranges::find(kVerbs, line.command, &Verb::command);
   const bool has_verb = verb != kVerbs.end();
   throw Error(Status::Input,

@@ -34,6 +34,7 @@ constexpr const char* kUsage =
                                                        this surface: .svg .png .csv
   saddle list [-v]                                     names of the built-in surfaces, described
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
+  saddle show --shader ...the same arguments...        the GLSL that draws it
 
 Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
 (default -1:1; the ends of v may depend on u), which may have other names: x=-3:3, theta=0:pi;
@@ -55,7 +56,8 @@ constexpr const char* kScene =
 expression of the parameters and t in quotes. Here are all keys with their defaults, in capitals
 without a fixed one. `saddle --help KEY` explains a key, docs/SCENES.md has examples of all.
 
-  [params]     NAME = 1, or NAME = { value = 1, min = 0, max = 2 } with a slider
+  [params]     NAME = 1, or NAME = { value = 1, min = 0, max = 2, step = 0.5 } with a slider,
+               or NAME = { value = 0, choices = ["sun", "lamp"] }: NAME=lamp and NAME=1 choose
   [functions]  "f(s)" = "exp(-s*s)"
                a [[surface]] may have both of its own: params = { NAME = 1 }
 )text";

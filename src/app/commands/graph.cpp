@@ -147,9 +147,27 @@ class Run {
     };
     add(warnings_of(plan_.scene()));
     meshes_.report(report_);
-    if (drawer_) add(drawer_->warnings());
+    if (drawer_) {
+      add(drawer_->warnings());
+      report_.findings = drawer_->findings();
+      for (const SceneFinding& found : report_.findings) add({warning_of(found)});
+    }
     add(writer_.warnings());
+    add(textures_left_out());
     print_warnings(line_, std::span(report_.warnings).subspan(told_));
+  }
+
+  /// No mesh file has textures.
+  std::vector<std::string> textures_left_out() const {
+    std::vector<std::string> warnings;
+    const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
+    if (std::ranges::none_of(plan_.outputs, is_mesh)) return warnings;
+    for (const SurfaceSpec& spec : plan_.scene().surfaces) {
+      if (spec.texture) {
+        warnings.push_back(spec.name + ": a mesh file has no texture, it is left out there");
+      }
+    }
+    return warnings;
   }
 
   void warn_and_fail() {
@@ -169,7 +187,9 @@ class Run {
     report_.times.encode = writer_.milliseconds();
     if (drawer_) {
       report_.times.render = drawer_->times();
-      report_.image->shaders = drawer_->shader_texts();
+      for (std::size_t i = 0; i < report_.surfaces.size(); ++i) {
+        report_.surfaces[i].culls_backs = drawer_->culls(i);
+      }
     }
     report_.times.total = milliseconds_since(start_);
     send_report(line_.run.report, report_);

@@ -257,6 +257,18 @@ Scene combine_objects(const std::vector<SceneObject>& objects,
 
 namespace {
 
+/// Options of a texture without a picture would do nothing: throws Error (Input).
+void check_textures_are_used(const std::vector<GivenOption>& options,
+                             std::span<const SurfaceSpec> surfaces) {
+  const auto given = std::ranges::find_if(
+      options, [](const GivenOption& g) { return g.option->name.starts_with("texture-"); });
+  const auto has_picture = [](const SurfaceSpec& spec) { return spec.texture.picture != nullptr; };
+  if (given == options.end() || surfaces.empty() || std::ranges::any_of(surfaces, has_picture))
+    return;
+  throw Error(Status::Input, "there is no picture", {dashed(*given->option), "", {}},
+              "--texture FILE.png is one; checker has the cells of --grid");
+}
+
 /// Colours of a scale without anything to colour would do nothing: throws Error (Input).
 void check_colors_are_used(const std::vector<GivenOption>& options,
                            std::span<const SurfaceSpec> surfaces) {
@@ -316,6 +328,7 @@ void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene)
   if (objects.size() == 1) {  // its options are the scene's
     for (const auto& [option, text] : objects[0].options) apply_option(*option, text, scene);
     check_colors_are_used(objects[0].options, scene.surfaces);
+    check_textures_are_used(objects[0].options, scene.surfaces);
     return;
   }
   struct Parts {
@@ -333,6 +346,7 @@ void apply_object_options(const std::vector<SceneObject>& objects, Scene& scene)
     apply_to(object, own.curves.of(scene.curves), scene);
     apply_to(object, own.points.of(scene.points), scene);
     check_colors_are_used(object.options, own.surfaces.of(scene.surfaces));
+    check_textures_are_used(object.options, own.surfaces.of(scene.surfaces));
     parts.push_back(own);
   }
   std::vector<std::string> names;

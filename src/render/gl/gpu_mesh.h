@@ -49,6 +49,9 @@ class GpuMesh {
   /// The parts of a solid; nothing of a sheet.
   const std::optional<SolidParts>& solid() const { return solid_; }
   std::size_t triangle_count() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
+  /// Gives its corners their places on a texture, 0 to 1 over the ranges of u and v.
+  void set_texture_places(std::span<const dvec2> places);
+  bool has_texture_places() const { return texture_places_.has_value(); }
   void draw_triangles() const;
   /// So many of them, from one on.
   void draw_triangles(std::size_t first, std::size_t count) const;
@@ -78,6 +81,7 @@ class GpuMesh {
   std::optional<GlBuffer> colors_;  ///< of the corners, 0 to 1 in that range, -1: undefined
   std::optional<GlBuffer> parameters_;
   std::optional<GlBuffer> trust_;
+  std::optional<GlBuffer> texture_places_;
   std::optional<Contours> contours_;
   GLsizei triangle_indices_ = 0;
   GLsizei line_indices_ = 0;

@@ -87,8 +87,12 @@ std::string PictureMaker::renderer() const {
   return gpu_->context->name();
 }
 
-std::string PictureMaker::shader_texts() const {
-  return gpu_->renderer.shader_texts();
+const std::vector<SurfaceProgram>& PictureMaker::surface_programs() const {
+  return gpu_->renderer.surface_programs();
+}
+
+const std::map<std::size_t, bool>& PictureMaker::culled() const {
+  return gpu_->renderer.culled();
 }
 
 std::vector<std::string> PictureMaker::warnings() const {
@@ -134,7 +138,9 @@ Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
   result.image = maker.draw_in_tiles(scene, meshes, options, tile_samples);
   result.times = maker.times();
   result.renderer = maker.renderer();
-  result.shaders = maker.shader_texts();
+  for (const SurfaceProgram& program : maker.surface_programs()) {
+    result.shaders += program.text.vertex + program.text.fragment;
+  }
   result.warnings = maker.warnings();
   return result;
 }

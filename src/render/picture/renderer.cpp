@@ -19,6 +19,7 @@
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
 #include "scene/model/strokes.h"
+#include "scene/model/texture.h"
 #include "scene/model/theme.h"
 
 namespace saddle {
@@ -64,7 +65,11 @@ void Renderer::set_mesh(std::size_t surface, const Mesh& mesh) {
 
 void Renderer::set_surface(const Scene& scene, std::size_t surface, const Mesh& mesh) {
   set_mesh(surface, mesh);
-  const bool exact = shading_of(scene, scene.surfaces[surface]) == Shading::Exact;
+  const SurfaceSpec& spec = scene.surfaces[surface];
+  if (spec.texture && !mesh.triangles.empty()) {
+    meshes_[surface].set_texture_places(texture_places(scene, spec, mesh.uv));
+  }
+  const bool exact = shading_of(scene, spec) == Shading::Exact;
   if (!exact || mesh.triangles.empty()) return;
   ShaderNormal formula = shader_normal(scene, scene.surfaces[surface]);
   if (mesh.solid) formula.obstacle = "the formula has no normal of the walls of a solid";
@@ -115,6 +120,11 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   const PixelRect& rect = viewport.rect;
   const glm::dmat4 to_rect = clip_to_rect(viewport.width, viewport.height, rect, viewport.margin);
   std::vector<PlacedMesh> items = items_of(scene, camera, unit, look);
+  culled_.clear();
+  for (const PlacedMesh& item : items) {
+    const auto [known, is_first] = culled_.try_emplace(item.surface, !item.two_sided);
+    if (!is_first) known->second &= !item.two_sided;
+  }
   for (PlacedMesh& item : items) item.model_to_clip = to_rect * item.model_to_clip;
   const std::vector<ShaderLight> lights = shader_lights(scene, camera, unit);
   scales_ = scales_of(scene);
@@ -197,10 +207,21 @@ std::vector<std::string> Renderer::warnings() const {
   return all;
 }
 
-std::string Renderer::shader_texts() const {
-  std::string all;
-  for (const auto& [text, program] : programs_) all += text;
-  return all;
+/// The program for a surface, which is noted.
+Program& Renderer::surface_program(const ShaderNeeds& needs, const std::string& surface) {
+  const ShaderText text = assemble_surface_shader(needs);
+  const auto is_it = [&](const SurfaceProgram& known) {
+    return known.text.vertex == text.vertex && known.text.fragment == text.fragment;
+  };
+  auto known = std::ranges::find_if(surface_programs_, is_it);
+  if (known == surface_programs_.end()) {
+    surface_programs_.push_back({text, {}, parts_left_out(needs)});
+    known = surface_programs_.end() - 1;
+  }
+  if (std::ranges::find(known->surfaces, surface) == known->surfaces.end()) {
+    known->surfaces.push_back(surface);
+  }
+  return program(text);
 }
 
 bool Renderer::has_lines() const {
@@ -238,6 +259,13 @@ void Renderer::set_color(Program& program, const Scene& scene, std::size_t surfa
   program.set("color_scale", place_on(scale, range.high) - first);
   program.set_texture("colormap", 0);
   colormaps_.bind(scale.colormap);
+}
+
+void Renderer::set_texture(Program& program, const SurfaceSpec& surface) {
+  program.set("texture_scale", dvec3(texture_scale(surface), 1));
+  if (!surface.texture.picture) return;
+  program.set_texture("picture", 0);
+  pictures_.bind(surface.texture);
 }
 
 /// Faces are pushed back by the depth they have across half a line's width, at which a sample of
@@ -314,10 +342,13 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     needs.normal_matrix = !item.is_similar;
     const auto& formula = normals_[item.surface].formula;
     needs.normal = shading == Shading::Exact && formula ? &*formula : nullptr;
+    if (surface.texture && meshes_[item.surface].has_texture_places()) {
+      needs.textured = surface.texture.picture ? TextureUse::Picture : TextureUse::Checker;
+    }
     needs.colored = meshes_[item.surface].color_range() && !surface.color.empty();
     add_material_needs(surface, first, needs);
     if (program == nullptr || needs != made_for) {
-      program = &this->program(assemble_surface_shader(needs));
+      program = &surface_program(needs, surface.name);
       program->use();
       set_lights(*program, is_unlit ? Lights() : lights, needs);
       made_for = needs;
@@ -330,6 +361,7 @@ void Renderer::draw_pass(const Scene& scene, std::span<const PlacedMesh> items, 
     }
     if (needs.see_through) program->set("opacity", item.opacity);
     if (needs.colored) set_color(*program, scene, item.surface);
+    if (needs.textured != TextureUse::None) set_texture(*program, surface);
     set_materials(*program, surface, needs);
     program->check_all_set();
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);

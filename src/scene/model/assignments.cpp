@@ -13,6 +13,7 @@
 #include "base/nearest.h"
 #include "formula/language.h"
 #include "formula/lexer.h"
+#include "scene/model/choices.h"
 
 namespace saddle {
 namespace {
@@ -348,9 +349,10 @@ Error unknown_override(const Scene& scene, const std::string& assignment) {
 }
 
 void override_assignment(Scene& scene, const std::string& assignment) {
-  const Definition definition = parse_definition(assignment);
+  Definition definition = parse_definition(assignment);
   const std::string& name = definition.name;
   if (!has_name(scene, name)) throw unknown_override(scene, assignment);
+  take_choice(scene.sliders, scene.definitions, definition);
   if (scene.surfaces.size() > 1 && is_of_surface(definition)) {
     throw Error(Status::Input, "each of the scene's surfaces has its own '" + name + "'",
                 {"argument", assignment, name_span(assignment)},

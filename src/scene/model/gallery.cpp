@@ -37,6 +37,13 @@ constexpr Clip within(const dvec3& low, const dvec3& high) {
 // NOLINTNEXTLINE(readability-function-size): all of it is data
 const auto& entries() {
   static const auto kEntries = std::to_array<GalleryEntry>({
+      {.name = "eck-default",
+       .description = "egg-box waves, the first scene of Eck's function grapher",
+       .assignments = "x=u y=2*sin(u)*cos(2*v) z=v u=-6:6 v=-6:6",
+       .camera = grapher_camera(),
+       .flip = true,
+       .size = GridSize{500, 500}},
+
       // Quadrics and surfaces of revolution.
       {"sphere", "sphere of radius r",
        "x=r*cos(u)*cos(v) y=r*sin(u)*cos(v) z=r*sin(v) u=0:2*pi v=-pi/2:pi/2 r=1"},
@@ -230,8 +237,6 @@ const auto& entries() {
        "n(s)=(abs(cos(s))^(2/e)+abs(sin(s))^(2/e))^(-e/2) "
        "cu=cos(u)*n(u) su=sin(u)*n(u) cv=cos(v)*n(v) sv=sin(v)*n(v)",
        from({2, -3, 3})},
-      {"eck-default", "egg-box waves, the first scene of Eck's function grapher",
-       "x=u y=2*sin(u)*cos(2*v) z=v u=-6:6 v=-6:6", grapher_camera()},
   });
   return kEntries;
 }
@@ -255,6 +260,11 @@ Scene gallery_scene(const GalleryEntry& entry) {
   spec.name = entry.name;
   scene.camera = entry.camera;
   scene.clip = entry.clip;
+  spec.flip = entry.flip;
+  if (entry.size) {
+    scene.picture.width = entry.size->u;
+    scene.picture.height = entry.size->v;
+  }
   for (std::size_t begin = 0; begin < entry.assignments.size();) {
     const std::size_t end = std::min(entry.assignments.find(' ', begin), entry.assignments.size());
     assign(scene, std::string(entry.assignments.substr(begin, end - begin)));

@@ -31,9 +31,9 @@ std::optional<Thickness> thickness_of(const Scene& scene, const SurfaceSpec& spe
   return has_none ? std::nullopt : asked;
 }
 
-bool has_exact_normals(const Scene& scene) {
+bool draws_parameters(const Scene& scene) {
   return std::ranges::any_of(scene.surfaces, [&](const SurfaceSpec& spec) {
-    return shading_of(scene, spec) == Shading::Exact;
+    return shading_of(scene, spec) == Shading::Exact || spec.texture;
   });
 }
 

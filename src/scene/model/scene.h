@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/bounds.h"
+#include "base/image.h"
 #include "base/vec.h"
 #include "formula/scope.h"
 #include "mesh/color/drawn_colors.h"
@@ -85,6 +87,9 @@ struct Slider {
   std::string name;
   Number min = 0;
   Number max = 1;
+  Number step = 0;  ///< from `min` on; 0: any value between
+  /// The parameter is the number of one of these, from 0 on, and nothing else.
+  std::vector<std::string> choices = {};
 };
 
 /// `MxN`: M in u, N in v; or across and down.
@@ -129,6 +134,33 @@ struct Thickness {
   bool operator==(const Thickness&) const = default;
 };
 
+/// A picture file in memory.
+struct TexturePicture {
+  Image image;
+  std::string file;  ///< its bytes
+};
+
+/// Where a surface's diffuse colour comes from in place of its materials'. The picture covers the
+/// ranges of u, to the right, and v, upward.
+struct Texture {
+  enum class Wrap { Repeat, Mirror, Clamp };
+  enum class Filter { Smooth, Nearest };
+
+  /// The picture's file as the user names it, or kChecker; empty with a picture: it came with the
+  /// scene's text.
+  std::string name;
+  std::shared_ptr<const TexturePicture> picture;  ///< loaded once; null: a chequerboard, or none
+  Wrap wrap = Wrap::Repeat;
+  Filter filter = Filter::Smooth;
+  GridSize repeat{1, 1};  ///< how often the picture fits into the ranges of u and v
+
+  bool is_checker() const { return !picture && !name.empty(); }
+  explicit operator bool() const { return picture || !name.empty(); }
+};
+
+/// Grid lines each way unless a surface has others.
+inline constexpr int kUsualGridLines = 16;
+
 struct SurfaceSpec {
   std::string name = "surface";
   std::string x = "u";  ///< of the usual names; a coordinate that is a parameter has no formula
@@ -138,8 +170,8 @@ struct SurfaceSpec {
   ParameterNames parameters = kUsualParameters;  ///< what u and v are called
   Range u;
   Range v;
-  int grid_u = 16;  ///< lines of constant u and of constant v; 0 and 0: no lines
-  int grid_v = 16;
+  int grid_u = kUsualGridLines;  ///< lines of constant u and of constant v; 0 and 0: no lines
+  int grid_v = kUsualGridLines;
   Material front = kFrontMaterial;
   Material back = kBackMaterial;
   std::string color;  ///< in place of the materials': of u, v, x, y, z, gauss, mean; empty: none
@@ -148,6 +180,7 @@ struct SurfaceSpec {
   /// its time, which is computed: scene files have none.
   std::optional<ColorRange> color_range = {};
   std::optional<ColorEnds> color_ends = {};  ///< in place of that range
+  Texture texture;
   std::vector<ContourSpec> contours;
   bool flip = false;
   std::vector<Definition> definitions;  ///< of its own: they hide the scene's of the same name
@@ -355,8 +388,8 @@ std::optional<GridSize> samples_of(const Scene& scene, const SurfaceSpec& spec);
 /// The thickness that a surface has; nothing for one without, and for curves and points.
 std::optional<Thickness> thickness_of(const Scene& scene, const SurfaceSpec& spec);
 
-/// A surface is shaded with the normals of its formula.
-bool has_exact_normals(const Scene& scene);
+/// A surface is drawn by its u and v: with the normals of its formula, or a texture.
+bool draws_parameters(const Scene& scene);
 
 /// The range of time becomes this one, and its start the moment that is drawn.
 void set_time_range(Scene& scene, const Number& from, const Number& to);

@@ -22,6 +22,7 @@
 #include "scene/options/contour_kinds.h"
 #include "scene/options/number_kinds.h"
 #include "scene/options/size_kinds.h"
+#include "scene/options/texture_kinds.h"
 #include "scene/options/value_source.h"
 #include "scene/options/word_kinds.h"
 
@@ -61,7 +62,7 @@ struct Maybe {
 using Slot = std::variant<Flag, Text, Title, Labels, Texts, Formula, Ends, Times, Moment, Names,
                           Parameters, Real, Plain, Whole, Point, ViewDirection, ViewAngles, Stretch,
                           Paint, Side, ColormapName, ColorEndsOf, Contours, Choice, PictureSize,
-                          GridLines, Cells, Length, ClipBox, Thick, Frames, Maybe<Real, Number>,
+                          GridLines, Cells, Length, ClipBox, Thick, Frames, TexturePictureOf, TextureRepeat, Maybe<Real, Number>,
                           Maybe<Point, Vector>, Maybe<Whole, int>>;
 
 }  // namespace saddle::kinds

@@ -28,6 +28,18 @@ kinds::Choice specular(auto* value) {
       value, {{"phong", Specular::Phong}, {"blinn", Specular::Blinn}});
 }
 
+kinds::Choice texture_wrap(Texture& texture) {
+  using Wrap = Texture::Wrap;
+  return kinds::choice<Wrap, Wrap>(
+      &texture.wrap, {{"repeat", Wrap::Repeat}, {"mirror", Wrap::Mirror}, {"clamp", Wrap::Clamp}});
+}
+
+kinds::Choice texture_filter(Texture& texture) {
+  using Filter = Texture::Filter;
+  return kinds::choice<Filter, Filter>(&texture.filter,
+                                       {{"smooth", Filter::Smooth}, {"nearest", Filter::Nearest}});
+}
+
 /// In the order of Theme. Another theme changes what the last one gave.
 kinds::Choice theme_of(Scene& scene) {
   kinds::Choice choice = kinds::choice<Theme, Theme>(
@@ -331,6 +343,44 @@ constexpr auto kRows = std::to_array<Option>({
      .object = true,
      .table = Table::Surface,
      .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::ColorEndsOf{&s}; }},
+    {.name = "texture",
+     .value = "FILE",
+     .section = Section::Look,
+     .help = "PNG picture for the diffuse colour, over the ranges of u and v; or checker: the "
+             "grid's cells; or off",
+     .usual = "off",
+     .more = "u goes to the right, v up. Scenes that saddle writes hold pictures of up to 1 MiB.\n"
+             "In a scene file the picture is in the file's folder or below it.",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return kinds::TexturePictureOf{&s.texture}; }},
+    {.name = "texture-repeat",
+     .value = "MxN",
+     .section = Section::Look,
+     .help = "how often the picture fits into the ranges of u and v; N for both",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot {
+       return kinds::TextureRepeat{&s.texture.repeat};
+     }},
+    {.name = "texture-wrap",
+     .value = "HOW",
+     .section = Section::Look,
+     .help = "how it goes on after its edge: {choices}",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return texture_wrap(s.texture); }},
+    {.name = "texture-filter",
+     .value = "HOW",
+     .section = Section::Look,
+     .help = "between its pixels: {choices}",
+     .commands = kGraphCheck,
+     .object = true,
+     .table = Table::Surface,
+     .surface = [](SurfaceSpec& s) -> kinds::Slot { return texture_filter(s.texture); }},
     {.name = "contours",
      .value = "EXPR",
      .section = Section::Look,
@@ -716,6 +766,10 @@ constexpr auto kRows = std::to_array<Option>({
      .commands = kGraphCheck | bit(Command::List),
      .excludes = "quiet",
      .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.verbose}; }},
+    {.name = "shader",
+     .help = "of saddle show: the shaders that the scene needs, and what is left out of them",
+     .commands = bit(Command::Show),
+     .run = [](RunSettings& r) -> kinds::Slot { return kinds::Flag{&r.shader}; }},
     {.name = "help",
      .letter = 'h',
      .help = "this text; --help WORD: an option's name, functions, formats, scene, status "

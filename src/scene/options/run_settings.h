@@ -37,6 +37,7 @@ struct RunSettings {
   int threads = 0;  ///< 0: all
   bool quiet = false;
   bool verbose = false;
+  bool shader = false;  ///< show prints shaders in place of the scene
   bool help = false;
   bool version = false;
 };

@@ -63,6 +63,10 @@ double step_between(double low, double high, double steps) {
 }
 
 std::string rounded_text(double value, const Slider& ends, double steps) {
+  if (ends.step > 0) {
+    const double whole = std::round((value - ends.min) / ends.step);
+    return format_number(std::min(ends.min + whole * ends.step, double(ends.max)));
+  }
   const double step = step_between(ends.min, ends.max, steps);
   if (step == 0) return format_number(value);
   for (const double end : {double(ends.min), double(ends.max)}) {

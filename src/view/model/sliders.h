@@ -40,7 +40,7 @@ inline constexpr double kPlayedSteps = 2000;
 double step_between(double low, double high, double steps);
 
 /// The nearest number of whole steps, with no more digits than the step has; an end if that is
-/// nearer.
+/// nearer. A slider with steps of its own keeps to them.
 std::string rounded_text(double value, const Slider& ends, double steps);
 
 }  // namespace saddle

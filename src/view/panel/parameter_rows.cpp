@@ -56,6 +56,21 @@ void show_end(Desk& desk, const ParameterRow& row, const char* id, double value,
   desk.edit(row.what + id, [&](Scene& scene) { slider_in(scene, row.place).*end = number; });
 }
 
+/// The names that a parameter chooses from.
+void show_choices(Desk& desk, const ParameterRow& row, const std::vector<std::string>& choices,
+                  double number) {
+  const auto chosen = static_cast<std::size_t>(std::max(0.0, number));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - icons_width(1));
+  if (!ImGui::BeginCombo("##choice", chosen < choices.size() ? choices[chosen].c_str() : ""))
+    return;
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    if (!ImGui::Selectable(choices[k].c_str(), k == chosen)) continue;
+    desk.edit(row.what,
+              [&](Scene& scene) { definition_in(scene, row.place).text = std::to_string(k); });
+  }
+  ImGui::EndCombo();
+}
+
 /// From end to end, in round steps.
 void show_slider(Desk& desk, const ParameterRow& row, double number) {
   const Slider ends = slider_of(desk.scene(), row.place, number);
@@ -93,7 +108,11 @@ void show_definition(Desk& desk, const ParameterRow& row) {
   ImGui::TextUnformatted((name + (definition.is_function ? " =" : "")).c_str());
   ImGui::SameLine();
   const auto number = plain_number(definition);
-  if (number) {
+  const std::vector<std::string> choices =
+      number ? slider_of(scene, row.place, *number).choices : std::vector<std::string>();
+  if (!choices.empty()) {
+    show_choices(desk, row, choices, *number);
+  } else if (number) {
     show_text(desk, row, definition.text, kValueLetters, wrong);
     ImGui::SameLine();
     show_slider(desk, row, *number);

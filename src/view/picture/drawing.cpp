@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render/picture/light_findings.h"
 #include "view/picture/marks.h"
 
 namespace saddle {
@@ -39,7 +40,7 @@ void Drawing::take_meshes(const Model& model) {
   const auto& meshes = model.meshes();
   Scene scene = model.last_good().scene;
   scene.picture.shading = model.scene().picture.shading;
-  const bool exact = has_exact_normals(scene);
+  const bool exact = draws_parameters(scene);
   // Without meshes until all of them are there: uploading may throw.
   auto before = std::exchange(uploaded_, {});
   if (exact && !exact_) before.clear();
@@ -87,7 +88,7 @@ std::optional<Drawing::Clock::time_point> Drawing::due() const {
 bool Drawing::draw(const Model& model) {
   const auto begin = Clock::now();
   if (!is_due(begin)) return false;
-  if (!exact_ && has_exact_normals(model.scene())) take_meshes(model);
+  if (!exact_ && draws_parameters(model.scene())) take_meshes(model);
   if (has_marks_ != model.view().normals) make_marks(model);
   if (uploaded_ != model.meshes()) {
     give_up();
@@ -129,6 +130,7 @@ void Drawing::draw_whole(const Model& model) {
   cursor_ = {};
   ++figures_.frames;
   figures_.warnings = renderer_.warnings();
+  if (const auto dark = no_light(model.scene())) figures_.warnings.push_back(warning_of(*dark));
   if (std::exchange(is_new_, false)) return;
   figures_.moving_ms = passed;
   ms_per_sample_ = passed / (per_side * per_side * picture.width * picture.height);
