@@ -6,6 +6,8 @@
 #include <ostream>
 #include <vector>
 
+#include "export/figure.h"
+#include "export/page.h"
 #include "export/ply.h"
 #include "export/scene_png.h"
 #include "export/video.h"
@@ -26,6 +28,19 @@ constexpr std::array kFormats = {
            .write_picture = write_scene_png,
            .scene_in = scene_in_png},
     Format{.extension = "ply", .kind = Kind::Mesh, .write_mesh = write_scene_ply},
+    Format{.extension = "html",
+           .kind = Kind::Page,
+           .write_page = write_page,
+           .takes_sliders = true,
+           .scene_in = scene_in_page},
+    Format{.extension = "svg",
+           .kind = Kind::Page,
+           .write_page = write_svg,
+           .scene_in = scene_in_svg},
+    Format{.extension = "pdf",
+           .kind = Kind::Page,
+           .write_page = write_pdf,
+           .scene_in = scene_in_pdf},
     Format{.extension = "toml", .kind = Kind::Scene, .write_scene = write_toml},
     Format{.extension = "gif", .kind = Kind::Animation, .video = &kGif},
     Format{.extension = "mp4", .kind = Kind::Animation, .video = &kMp4},

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/image_png.h"
 #include "export/formats.h"
+#include "export/page.h"
 #include "scene/toml/scene_file.h"
 
 namespace saddle {
@@ -25,7 +26,7 @@ Scene scene_of(const std::string& bytes, const std::string& name, const Format* 
     const std::optional<std::string> text = format->scene_in(bytes, name);
     if (text) return read_scene({name, *text}, theme);
     throw Error(Status::Input, name + " holds no scene", {},
-                "a picture keeps its scene until another program saves it");
+                "a file keeps its scene until another program saves it");
   }
   if (bytes.size() > kMaxTomlBytes) {
     throw Error(Status::Input, name + " is larger than 4 MiB", {},
@@ -52,7 +53,10 @@ Scene load_standard_input(const std::optional<Theme>& theme) {
     throw Error(Status::Input, name + " is empty", {},
                 "for example saddle show torus | saddle - -o torus.png");
   }
-  return scene_of(bytes, name, is_png(bytes) ? find_format("png") : nullptr, theme);
+  return scene_of(bytes, name, find_format(is_png(bytes)    ? "png"
+                                           : is_page(bytes) ? "html"
+                                                            : ""),
+                  theme);
 }
 
 }  // namespace saddle

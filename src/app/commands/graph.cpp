@@ -41,7 +41,7 @@ std::optional<ReferenceCheck> reference_of(const CommandLine& line) {
 }
 
 std::optional<PictureDrawer> drawer_for(const CommandLine& line, const Plan& plan) {
-  if (!plan.purpose.picture) return std::nullopt;
+  if (!plan.draws(line)) return std::nullopt;
   return PictureDrawer(line.run.renderer);
 }
 
@@ -134,6 +134,8 @@ class Run {
     if (line_.run.strict && meshes_.warn()) warn_and_fail();
     note_lines(scene);
     writer_.write_meshes_of(shot, scene, meshes_.meshes());
+    writer_.write_pages_of(shot, {meshes_.meshes(), scene, seen, line_.run.sliders,
+                                  line_.run.fragment, line_.run.renderer});
     if (!drawer_) return;
     Image image = drawer_->draw(seen, meshes_.meshes(), updated);
     if (line_.run.strict && !drawer_->warnings().empty()) warn_and_fail();
