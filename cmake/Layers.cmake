@@ -16,7 +16,7 @@ if(SADDLE_VIEWER)
   list(APPEND libraries saddle_window)
 endif()
 target_link_libraries(saddle_core
-  PUBLIC saddle_needs PRIVATE ${libraries} saddle_kernels saddle_shaders ${CMAKE_DL_LIBS})
+  PUBLIC saddle_needs PRIVATE ${libraries} saddle_kernels saddle_shaders saddle_page ${CMAKE_DL_LIBS})
 
 # add_objects(NAME SOURCE...): objects of saddle_core.
 function(add_objects name)

@@ -8,6 +8,7 @@
 #include "export/shells.h"
 #include "mesh/model/mesh.h"
 #include "scene/model/scene.h"
+#include "scene/options/run_settings.h"
 
 namespace saddle {
 
@@ -29,6 +30,16 @@ struct MeshContent {
   /// The file's name without its extension, with which names of the files beside it begin. Empty:
   /// there are none, as beside standard output.
   std::string stem = {};
+};
+
+/// A scene at one moment, for a page that draws it.
+struct PageContent {
+  std::span<const Mesh> meshes;  ///< meshes[i] is that of scene.surfaces[i]
+  const Scene& scene;
+  const Scene& seen;    ///< the same with the camera and the colours of the picture
+  std::string sliders;  ///< the parameters that the page offers: "all", "off", or names
+  bool fragment = false;  ///< without html and body, for another page
+  Backend renderer = Backend::Any;  ///< of a figure's image
 };
 
 }  // namespace saddle

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "export/figure.h"
 #include "export/glb.h"
 #include "export/obj.h"
+#include "export/page.h"
 #include "export/ply.h"
 #include "export/scene_png.h"
 #include "export/stl.h"
@@ -93,6 +95,22 @@ constexpr std::array kFormats = {
         .holds = {.front = true, .back = true, .numbers = true, .opacity = true, .doubles = true},
         .unit = 1,
         .use = "printers, with colours and units"},
+    Format{.extension = "html",
+           .kind = Kind::Page,
+           .write_page = write_page,
+           .takes_sliders = true,
+           .scene_in = scene_in_page,
+           .magic = "<!DOCTYPE html>"},
+    Format{.extension = "svg",
+           .kind = Kind::Page,
+           .write_page = write_svg,
+           .scene_in = scene_in_svg,
+           .magic = "<?xml"},
+    Format{.extension = "pdf",
+           .kind = Kind::Page,
+           .write_page = write_pdf,
+           .scene_in = scene_in_pdf,
+           .magic = "%PDF"},
     Format{.extension = "toml", .kind = Kind::Scene, .write_scene = write_toml},
     Format{.extension = "gif", .kind = Kind::Animation, .video = &kGif},
     Format{.extension = "mp4", .kind = Kind::Animation, .video = &kMp4},

@@ -46,6 +46,7 @@ struct Format {
   enum class Kind {
     Picture,    ///< the image of a moment
     Mesh,       ///< the triangles of a moment
+    Page,       ///< the scene of a moment, drawn by a browser or a printer
     Animation,  ///< the images of all frames
     Scene       ///< the scene as it was written
   };
@@ -54,6 +55,8 @@ struct Format {
   Kind kind = Kind::Picture;
   void (*write_picture)(std::ostream& out, const PictureContent& content) = nullptr;
   void (*write_mesh)(std::ostream& out, const MeshContent& content) = nullptr;
+  void (*write_page)(std::ostream& out, const PageContent& content) = nullptr;
+  bool takes_sliders = false;  ///< --sliders and --fragment are about it
   void (*write_scene)(std::ostream& out, const Scene& scene) = nullptr;
   const VideoFormat* video = nullptr;
   /// Returns the text of the scene file inside a file of this format, if there is one. Not set: the
@@ -74,6 +77,8 @@ struct Format {
 
   /// Such a file is made of images.
   bool is_drawn() const { return kind == Kind::Picture || kind == Kind::Animation; }
+  /// Its tolerance is that of a picture.
+  bool is_seen() const { return is_drawn() || kind == Kind::Page; }
   /// load_scene() can open such a file.
   bool carries_scene() const { return kind == Kind::Scene || scene_in != nullptr; }
 };
@@ -90,13 +95,13 @@ const Format* format_of_bytes(std::string_view bytes);
 /// The extension of a path without its point; empty if it has none.
 std::string extension_of(const std::filesystem::path& path);
 
-/// "png, ply, toml, gif, mp4 or webm".
+/// "png, ply, stl, obj, glb, 3mf, html, svg, pdf, toml, gif, mp4 or webm".
 std::string format_list();
 
 /// A table of what the formats of meshes have room for, for people.
 std::string format_table();
 
-/// ".png .ply .toml .gif .mp4 .webm", or only those of one kind.
+/// ".png .ply .html .svg .pdf .toml .gif .mp4 .webm", or only those of one kind.
 std::string extension_list(std::optional<Format::Kind> kind = std::nullopt);
 
 }  // namespace saddle

@@ -98,7 +98,7 @@ struct ChainRule {
       case Op::Constant:
       case Op::Variable:
         break;
-#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, kind, infinite, \
+#define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, kind, infinite, \
                   derivative)                                                                 \
   case Op::id:                                                                                \
     return derivative;

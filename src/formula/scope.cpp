@@ -190,7 +190,7 @@ struct Scope::Impl {
                                names({}, {}, is_of_surface(entry.definition)));
     // A parameter stays a variable until bind(), so that diff() can differentiate by it.
     if (!graph.is_constant(entry.node) || is_coordinate(entry.definition.name)) return;
-    const Symbol symbol = graph.new_symbol();
+    const Symbol symbol = entry.definition.kept.value_or(graph.new_symbol());
     parameter_values[symbol] = entry.node;
     entry.node = graph.variable(symbol);
   }
@@ -358,7 +358,8 @@ bool Scope::has_used_time() const {
 
 std::vector<NodeId> Scope::bind(std::span<const NodeId> roots, double t) {
   std::unordered_map<Symbol, NodeId> values = impl_->parameter_values;
-  values[kSymbolT] = impl_->graph.constant(t);
+  std::erase_if(values, [](const auto& value) { return value.first >= kFirstKeptSymbol; });
+  if (!impl_->view.keeps_time) values[kSymbolT] = impl_->graph.constant(t);
   return substitute(impl_->graph, roots, values);
 }
 

@@ -25,7 +25,13 @@ struct Definition {
   std::vector<std::string> arguments = {};
   bool is_function = false;
   bool own = false;  ///< of one surface: there it hides a shared one of the same name
+  /// A parameter's variable that bind() leaves in place, for code that runs elsewhere; from
+  /// kFirstKeptSymbol on.
+  std::optional<Symbol> kept = {};
 };
+
+/// No graph makes so many variables of its own.
+inline constexpr Symbol kFirstKeptSymbol = Symbol{1} << 24;
 
 /// How a definition is shown in messages: "r", or "f(s, t)".
 std::string display_name(const Definition& definition);
@@ -44,6 +50,7 @@ class Scope {
     bool lazy = false;
     /// parse() and constant() are for formulas of the surface; else for shared ones.
     bool of_surface = true;
+    bool keeps_time = false;  ///< bind() leaves t in place, as it leaves parameters that are kept
   };
 
   /// `definitions`: parameters, shared sub-expressions, helper functions and the surface's own x,
@@ -81,7 +88,8 @@ class Scope {
   /// A value of constant() depended on t.
   bool has_used_time() const;
 
-  /// The roots with every parameter replaced by its value and t by `t`.
+  /// The roots with every parameter replaced by its value and t by `t`, but for those that are
+  /// kept.
   std::vector<NodeId> bind(std::span<const NodeId> roots, double t);
 
   /// The variables that stand for constants with a name, and their values.

@@ -40,7 +40,7 @@ std::optional<ReferenceCheck> reference_of(const CommandLine& line) {
 }
 
 std::optional<PictureDrawer> drawer_for(const CommandLine& line, const Plan& plan) {
-  if (!plan.purpose.picture) return std::nullopt;
+  if (!plan.draws(line)) return std::nullopt;
   return PictureDrawer(line.run.renderer);
 }
 
@@ -133,6 +133,8 @@ class Run {
     if (line_.run.strict && meshes_.warn()) warn_and_fail();
     if (writer_.take_meshes(shot, scene, meshes_.meshes()) && line_.run.strict) warn_and_fail();
     writer_.write_meshes();
+    writer_.write_pages_of(shot, {meshes_.meshes(), scene, seen, line_.run.sliders,
+                                  line_.run.fragment, line_.run.renderer});
     if (!drawer_) return;
     Image image = drawer_->draw(seen, meshes_.meshes(), updated);
     if (line_.run.strict && !drawer_->warnings().empty()) warn_and_fail();

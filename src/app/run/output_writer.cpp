@@ -62,6 +62,16 @@ void OutputWriter::write_meshes() {
   milliseconds_ += milliseconds_since(begin);
 }
 
+void OutputWriter::write_pages_of(const Shot& shot, const PageContent& content) {
+  const auto begin = Clock::now();
+  for (const Output& output : outputs_) {
+    if (!output.is(Format::Kind::Page) || !shot.is_for(output)) continue;
+    write_to(output.path_of(shot.frame.value_or(0)),
+             [&](std::ostream& out) { output.format->write_page(out, content); });
+  }
+  milliseconds_ += milliseconds_since(begin);
+}
+
 void OutputWriter::start_writing(const Shot& shot, const Scene& scene, Image image) {
   behind_.start(
       [this, shot, scene, image = std::move(image)] { write_picture_of(shot, scene, image); });

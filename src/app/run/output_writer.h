@@ -64,6 +64,9 @@ class OutputWriter {
   /// there.
   void write_meshes();
 
+  /// Into the pages that show this moment.
+  void write_pages_of(const Shot& shot, const PageContent& content);
+
   /// Into the files and films that show this moment, while the caller goes on. Throws what writing
   /// the picture before has thrown.
   void start_writing(const Shot& shot, const Scene& scene, Image image);

@@ -108,6 +108,17 @@ void check_format_is_used(const CommandLine& line) {
               "--format is for -o - and for names without an extension");
 }
 
+/// Of pages alone.
+void check_page_options(const CommandLine& line, const std::vector<Output>& outputs) {
+  const auto is_page = [](const Output& output) { return output.format->takes_sliders; };
+  if (std::ranges::any_of(outputs, is_page)) return;
+  const bool has_sliders = line.run.sliders != RunSettings{}.sliders;
+  if (!has_sliders && !line.run.fragment) return;
+  throw Error(Status::Input, "no output is a page",
+              {has_sliders ? "--sliders" : "--fragment", has_sliders ? line.run.sliders : "", {}},
+              "for example -o page.html");
+}
+
 void check_standard_output(const CommandLine& line) {
   const auto outputs = std::ranges::count(line.run.outputs, "-");
   if (outputs + (line.run.report == "-" ? 1 : 0) > 1) {
@@ -220,6 +231,7 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
     outputs.push_back({path, format_of(path, fallback), checked_number(path)});
     unescape(outputs.back());
   }
+  check_page_options(line, outputs);
   check_standard_output(line);
   check_report_replaces_no_input(line);
   check_names_differ(line, outputs);

@@ -14,6 +14,7 @@ struct BoundCurve {
   Graph graph;
   std::array<NodeId, 3> r = {};
   double from = 0, to = 1;  ///< the range of s
+  std::array<NodeId, 2> ends = {};
   bool moves = false;       ///< it is another one at another time
 };
 

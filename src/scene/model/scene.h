@@ -377,6 +377,8 @@ struct Scene {
   MeshSettings mesh;
   PictureSettings picture;
   Number t = 0;  ///< the moment that is drawn; an animation's start unless it is another
+  /// Formulas are bound with t as a variable, for code that runs elsewhere; scene files have none.
+  bool keeps_time = false;
   std::optional<Animation> animation;
 };
 

@@ -97,7 +97,7 @@ Scope::View surface_view(const Scene& scene, const SurfaceSpec& spec) {
   // Definitions of a scene with curves may use s.
   const bool is_lazy =
       !scene.curves.empty() || std::ranges::any_of(scene.surfaces, has_other_names);
-  return {spec.parameters, is_lazy};
+  return {spec.parameters, is_lazy, true, scene.keeps_time};
 }
 
 RangeText::RangeText(std::string parameter, const Range& range)

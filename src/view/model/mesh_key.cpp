@@ -21,6 +21,7 @@ std::string text_of(SurfaceSpec spec) {
   spec.line_color = standard.line_color;
   spec.line_width = standard.line_width;
   spec.visible = true;
+  spec.texture = standard.texture;
   spec.shading.reset();
   spec.specular.reset();
   std::string text = write_keys(spec, Theme::Dark);
