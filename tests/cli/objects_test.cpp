@@ -43,13 +43,14 @@ class Objects : public ProgramTest {
     }
     return boxes;
   }
-  /// The names in the report of a command, in its order.
+  /// The names in the report of a command: of surfaces, curves, then points.
   Words names_in(const std::string& command) {
     make(command + " -o a.toml -s 64x48 -o a.png --report r.json");
     Words names;
     const auto report = nlohmann::json::parse(content("r.json"));
-    for (const auto& surface : report["surfaces"]) {
-      names.push_back(surface["name"]);
+    for (const char* kind : {"surfaces", "curves", "points"}) {
+      if (!report.contains(kind)) continue;
+      for (const auto& object : report[kind]) names.push_back(object["name"]);
     }
     return names;
   }
