@@ -122,7 +122,8 @@ TEST_F(Objects, HaveOptionsOfTheirOwn) {
 TEST_F(Objects, AreToldApartByANumberBehindTheirName) {
   EXPECT_EQ(names_in("torus + torus + torus"), (Words{"torus", "torus 2", "torus 3"}));
   EXPECT_EQ(names_in("--name ring + torus + sphere + curve x=s + curve x=2*s"),
-            (Words{"ring", "ring 2", "curve", "curve 2"}));
+            (Words{"ring", "ring 2", "ring 3", "ring 4"}));
+  EXPECT_EQ(names_in("torus + curve x=s + curve x=2*s"), (Words{"torus", "curve", "curve 2"}));
   std::ofstream(path("on.toml")) << "[[surface]]\nname = 'torus'\nz = '5'\n"
                                     "[[point]]\nu = 0\nv = 0\non = 'torus'\n";
   EXPECT_EQ(names_in("torus + on.toml"), (Words{"torus", "torus 2", "point"}));
