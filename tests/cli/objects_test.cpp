@@ -43,13 +43,14 @@ class Objects : public ProgramTest {
     }
     return boxes;
   }
-  /// The names in the report of a command, in its order.
+  /// The names in the report of a command: of surfaces, curves, then points.
   Words names_in(const std::string& command) {
     make(command + " -o a.toml -s 64x48 -o a.png --report r.json");
     Words names;
     const auto report = nlohmann::json::parse(content("r.json"));
-    for (const auto& surface : report["surfaces"]) {
-      names.push_back(surface["name"]);
+    for (const char* kind : {"surfaces", "curves", "points"}) {
+      if (!report.contains(kind)) continue;
+      for (const auto& object : report[kind]) names.push_back(object["name"]);
     }
     return names;
   }
@@ -121,7 +122,8 @@ TEST_F(Objects, HaveOptionsOfTheirOwn) {
 TEST_F(Objects, AreToldApartByANumberBehindTheirName) {
   EXPECT_EQ(names_in("torus + torus + torus"), (Words{"torus", "torus 2", "torus 3"}));
   EXPECT_EQ(names_in("--name ring + torus + sphere + curve x=s + curve x=2*s"),
-            (Words{"ring", "ring 2", "curve", "curve 2"}));
+            (Words{"ring", "ring 2", "ring 3", "ring 4"}));
+  EXPECT_EQ(names_in("torus + curve x=s + curve x=2*s"), (Words{"torus", "curve", "curve 2"}));
   std::ofstream(path("on.toml")) << "[[surface]]\nname = 'torus'\nz = '5'\n"
                                     "[[point]]\nu = 0\nv = 0\non = 'torus'\n";
   EXPECT_EQ(names_in("torus + on.toml"), (Words{"torus", "torus 2", "point"}));

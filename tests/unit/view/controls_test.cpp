@@ -82,8 +82,8 @@ TEST(Ball, TurnsWhatIsInFrontWithTheHand) {
   const Grip grip = grip_of(Camera{});
   // The point of the ball that is nearest to the eye, at a radius where the ball is the sphere.
   const dvec3 front = grip.fitted.target + unit(grip.camera.view);
-  const Grip after = grip_of(turned_on_ball(grip, {400, 300}, {500, 300}));
-  EXPECT_GT(pixel_of(after, front).x, 450);
+  const Grip after = grip_of(turned_on_ball(grip, {350, 300}, {450, 300}));
+  EXPECT_GT(pixel_of(after, front).x, 400);
   EXPECT_NEAR(pixel_of(after, front).y, 300, kRounding * 1000);
   const double sine = 100.0 / 300;
   EXPECT_NEAR(degrees_between(after.camera.view, grip.camera.view),
