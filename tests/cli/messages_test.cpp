@@ -49,7 +49,7 @@ constexpr Row kRows[] = {
      "mobius -o a.toml"},
     {"helicod -o a.toml", "no surface is called 'helicod'", "did you mean 'helicoid'",
      "helicoid -o a.toml"},
-    {"qqq -o a.toml", "no surface is called 'qqq'", "known surfaces: sphere ", "list"},
+    {"qqq -o a.toml", "no surface is called 'qqq'", "known surfaces: eck-default ", "list"},
     {"none.toml -o a.toml", "there is no file none.toml", "saddle list", "list"},
     {"torus sphere -o a.toml", "two scenes, 'torus' and 'sphere'", "torus + sphere",
      "torus + sphere -o a.toml"},
