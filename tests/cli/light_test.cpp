@@ -97,8 +97,8 @@ TEST_F(LitScenes, WarnWhereVerticesLoseACone) {
       "[[surface]]\nz = \"0*x\"\nu = [-2, 2]\nv = [-2, 2]\n"
       "[[light]]\nframe = \"world\"\nposition = [0.3, 0.2, 2]\nspot = { cutoff = 10 }\n";
   write("s.toml", scene);
-  const Outcome run = small(
-      {"s.toml", "--shading", "vertex", "--samples", "2x2", "-o", "a.png", "--report", "r.json"});
+  const Outcome run = saddle({"-s", "40x30", "s.toml", "--shading", "vertex", "--samples", "2x2",
+                              "-o", "a.png", "--report", "r.json"});
   EXPECT_TRUE(contains(run.err, "surface: lit per vertex, it loses 100 % of a spot light's cone"))
       << run.err;
   const auto report = nlohmann::json::parse(content("r.json"));

@@ -12,7 +12,7 @@ constexpr MessageRow kRows[] = {
      "mobius -o a.toml"},
     {"helicod -o a.toml", "no surface is called 'helicod'", "did you mean 'helicoid'",
      "helicoid -o a.toml"},
-    {"qqq -o a.toml", "no surface is called 'qqq'", "known surfaces: sphere ", "list"},
+    {"qqq -o a.toml", "no surface is called 'qqq'", "known surfaces: eck-default ", "list"},
     {"help", "no surface is called 'help'", "did you mean --help?", "--help"},
     {"show torus sphere", "two scenes, 'torus' and 'sphere'", "torus + sphere",
      "show torus + sphere"},

@@ -100,7 +100,8 @@ std::vector<Golden> golden_pictures() {
            {"spot-edges", "edge=2"}}) {
     std::string suffix = arguments;
     for (char& c : suffix) c = c == ' ' || c == '=' ? '-' : c;
-    while (suffix.starts_with('-')) suffix.erase(0, 1);
+    for (std::size_t at = 0; (at = suffix.find("--")) != std::string::npos;) suffix.erase(at, 1);
+    if (suffix.starts_with('-')) suffix.erase(0, 1);
     pictures.push_back({"lighting-" + name + (suffix.empty() ? "" : "-" + suffix),
                         examples + name + ".toml " + arguments +
                             (name == "low-resolution" ? " -s 400x160"

@@ -143,6 +143,7 @@ bool is_lit(const Scene& scene) {
   const auto is_unlit = [&](const SurfaceSpec& spec) {
     return shading_of(scene, spec) == Shading::Unlit;
   };
+  if (scene.surfaces.empty()) return scene.picture.shading != Shading::Unlit;
   return !std::ranges::all_of(scene.surfaces, is_unlit);
 }
 
