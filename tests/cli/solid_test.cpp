@@ -82,6 +82,18 @@ TEST_F(Solids, FollowTimeAndTheScene) {
   EXPECT_EQ(steps["solid"]["shells"], 4);
 }
 
+TEST_F(Solids, AreHeldByTheCameraOfAnAnimationAtTheirThickest) {
+  ASSERT_EQ(run({"torus", "t=0:1", "--thickness", "0.1+1.4*t", "--frames", "4", "--grid", "off",
+                 "-s", "80x60", "-o", "f-%d.png", "-q"})
+                .status,
+            0);
+  const Image image = read_png(path("f-3.png")).image;
+  for (int x = 0; x < image.width; ++x) {
+    EXPECT_EQ(image.pixel(x, 0)[0], 0) << x;
+    EXPECT_EQ(image.pixel(x, image.height - 1)[0], 0) << x;
+  }
+}
+
 TEST_F(Solids, ShowTheFrontAboveTheBackBelowAndWallsBetween) {
   const auto middle = [&](const std::string& view) {
     EXPECT_EQ(run({"z=0", "--thickness", "0.8", "--view", view, "--shading", "unlit", "--grid",

@@ -222,7 +222,7 @@ TEST_F(Usage, WatchesOnlySceneFilesInTheViewer) {
 
 TEST_F(Usage, NamesTheNearestOption) {
   EXPECT_TRUE(contains(refusal({"torus", "--smaples", "3x3", "-o", "a.png"}), "'--samples'?"));
-  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--thickness", "0.1"}), "unknown option"));
+  EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "--lacquer", "0.1"}), "unknown option"));
   EXPECT_TRUE(contains(refusal({"torus", "-o", "a.png", "-x"}), "unknown option '-x'"));
 }
 

@@ -21,8 +21,8 @@ struct DrawnPart {
 };
 
 /// The parts of all items, in their order. A sheet is one part. Each part of a solid has one
-/// material on both sides: the surface's front or back, or for walls the mean of both, which is
-/// grey for yellow and blue. `meshes`: of the scene's surfaces.
+/// material on both sides: the surface's front or back, or wall_material(). `meshes`: of the
+/// scene's surfaces.
 std::vector<DrawnPart> parts_of(const Scene& scene, std::span<const PlacedMesh> items,
                                 std::span<const GpuMesh> meshes);
 

@@ -299,7 +299,7 @@ TEST(Solid, NeedsNoRepairByAdmesh) {
 
 TEST(Solid, OfRandomFormulasIsAManifold) {
   int meshed = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     testing::RandomFormula formula(seed);
     Scene scene = gallery_scene(*find_gallery_entry("hyperbolic-paraboloid"));
     SurfaceSpec& spec = scene.surfaces.at(0);
@@ -317,7 +317,7 @@ TEST(Solid, OfRandomFormulasIsAManifold) {
       EXPECT_NE(error.status(), Status::Machine) << spec.z;
     }
   }
-  EXPECT_GT(meshed, 30);
+  EXPECT_GT(meshed, 20);
 }
 
 TEST(SolidFacts, CountTrianglesThatGoThroughEachOther) {
