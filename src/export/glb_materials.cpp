@@ -32,7 +32,7 @@ Json json_of(const GlbMaterial& look) {
   Json pbr = {{"baseColorFactor", base},
               {"metallicFactor", 0.0},
               {"roughnessFactor", look.unlit ? 1.0 : roughness_of(look.material.shininess)}};
-  if (look.textured) pbr["baseColorTexture"] = {{"index", 0}, {"texCoord", 1}};
+  if (look.textured) pbr["baseColorTexture"] = {{"index", 0}, {"texCoord", 0}};
   Json json = {{"pbrMetallicRoughness", pbr}};
   const Json emission = linear_of(look.material.emission);
   if (emission != Json{0.0, 0.0, 0.0}) json["emissiveFactor"] = emission;

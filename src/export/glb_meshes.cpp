@@ -175,8 +175,16 @@ class MeshAdder {
     return file_.add_accessor(view, GlbComponent::Float, count, "VEC2");
   }
 
-  /// The parameters as shares of their ranges, v from above, and places in the picture of colours.
+  /// Places in the picture of colours, if there is one, and the parameters as shares of their
+  /// ranges, v from above. The picture's are the first: some readers know of no others.
   void add_coordinates() {
+    if (surface_.scale) {
+      coordinates_.push_back(add_pairs([&surface = surface_](std::size_t i) {
+        const double place = place_on(*surface.scale, surface.mesh.color[i]);
+        return place_in_image(std::isnan(place) ? 0 : std::clamp(place, 0.0, 1.0), surface.row,
+                              surface.rows);
+      }));
+    }
     dvec2 low(std::numeric_limits<double>::infinity());
     dvec2 high(-low);
     for (const dvec2& uv : mesh_.uv) {
@@ -187,12 +195,6 @@ class MeshAdder {
     coordinates_.push_back(add_pairs([&mesh = mesh_, low, size](std::size_t i) {
       const dvec2 share = (mesh.uv[i] - low) / size;
       return dvec2(share.x, 1 - share.y);
-    }));
-    if (!surface_.scale) return;
-    coordinates_.push_back(add_pairs([&surface = surface_](std::size_t i) {
-      const double place = place_on(*surface.scale, surface.mesh.color[i]);
-      return place_in_image(std::isnan(place) ? 0 : std::clamp(place, 0.0, 1.0), surface.row,
-                            surface.rows);
     }));
   }
 

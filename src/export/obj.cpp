@@ -113,7 +113,10 @@ class ObjWriter {
       writer_.real(place.y, doubles_) << "\n";
     }
     for (std::size_t i = 0; i < mesh.position.size(); ++i) {
-      put_vector("vn", placed.normal(i), false);
+      const dvec3 normal = placed.normal(i);
+      writer_ << "vn";
+      for (int k = 0; k < 3; ++k) (writer_ << " ").unit(normal[k]);
+      writer_ << "\n";
     }
     next_.corner += mesh.position.size();
   }

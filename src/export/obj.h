@@ -11,7 +11,8 @@ namespace saddle {
 
 /// Writes each mesh as an object: `v` per point, `vt` and `vn` per corner, so that positions are
 /// welded and normals split. `vt` is (u, v), or a place in the picture of colours where there are
-/// some. Numbers are those of floats, or of doubles as in write_ply(). Grid lines, level lines and
+/// some. Numbers are those of floats, or of doubles as in write_ply(); normals
+/// have six digits. Grid lines, level lines and
 /// curves are `l` of two vertices each, in objects of their own at the end; points are `p`.
 /// Comments hold the scene. Without MeshContent::stem there are no materials. Streamed. Source:
 /// Wavefront, "Object files", Advanced Visualizer manual, appendix B1.

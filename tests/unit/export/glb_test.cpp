@@ -228,7 +228,7 @@ TEST(Glb, ColoursByATextureAndUndefinedTrianglesGrey) {
   mesh.triangles.push_back({4, 5, 6});
   const Glb glb = glb_of(mesh, scene);
   const Json& look = glb.material(0)["pbrMetallicRoughness"];
-  EXPECT_EQ(look["baseColorTexture"]["texCoord"], 1);
+  EXPECT_EQ(look["baseColorTexture"]["texCoord"], 0);
   EXPECT_EQ(glb.json["images"][0]["mimeType"], "image/png");
   EXPECT_EQ(glb.indices(glb.primitive(1)["indices"]), (std::vector<std::size_t>{4, 5, 6}));
   const Json& grey = glb.material(1)["pbrMetallicRoughness"];

@@ -39,6 +39,8 @@ TEST(Obj, WeldsPositionsAndSplitsNormals) {
   EXPECT_EQ(lines["vt"].size(), 12U);
   EXPECT_EQ(lines["f"], (std::vector<std::string>{"1/1/1 3/2/2 2/3/3", "1/4/4 2/5/5 4/6/6",
                                                   "2/7/7 3/8/8 4/9/9", "1/10/10 4/11/11 3/12/12"}));
+  EXPECT_EQ(lines["vn"][0], "0 0 -1");
+  EXPECT_EQ(lines["vn"][6], "0.577350 0.577350 0.577350");
   EXPECT_EQ(lines["mtllib"], (std::vector<std::string>{"a b.mtl"}));
 }
 
