@@ -26,7 +26,7 @@ struct MeshContent {
   std::span<const Shells> shells = {};  ///< of the meshes; empty: the writer finds them if need be
   unsigned threads = 0;                 ///< 0: all
   double factor = 1;                    ///< from the scene's units to the file's
-  bool y_up = false;                    ///< the file's y axis is the scene's z axis
+  bool y_up = false;  ///< the file's y axis is the scene's z axis, as in GLB always
   /// The file's name without its extension, with which names of the files beside it begin. Empty:
   /// there are none, as beside standard output.
   std::string stem = {};

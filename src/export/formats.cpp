@@ -84,7 +84,6 @@ constexpr std::array kFormats = {
                      .doubles = true,
                      .open = true},
            .unit = 1000,
-           .y_up = true,
            .use = "the web, phones, Blender"},
     Format{
         .extension = "3mf",

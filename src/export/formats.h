@@ -72,7 +72,6 @@ struct Format {
   double unit = 0;
   /// Triangles that rounding makes vanish. Not set: it does not.
   std::size_t (*flattened)(std::span<const ExportedMesh> placed) = nullptr;
-  bool y_up = false;          ///< whatever --mesh-up says
   std::string_view use = {};  ///< what it is for, in a table of docs
 
   /// Such a file is made of images.

@@ -86,6 +86,11 @@ class GlbWriter {
   }
 
   void write(std::ostream& out) {
+    MeshContent own = content_;
+    own.factor = 1;
+    own.y_up = false;
+    const std::vector<ExportedMesh> placed = placed_meshes(own);
+    check_floats(placed, "GLB");
     Json& json = file_.json;
     json["asset"] = {{"version", "2.0"},
                      {"generator", "saddle"},
@@ -95,7 +100,7 @@ class GlbWriter {
     add_root();
     add_colormap();
     for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) add_surface(i);
-    add_camera();
+    add_camera(bounds_of(placed, true));
     file_.write(out);
   }
 
@@ -169,11 +174,7 @@ class GlbWriter {
     return frames_[name] = number;
   }
 
-  void add_camera() {
-    MeshContent own = content_;
-    own.factor = 1;
-    own.y_up = false;
-    const Bounds bounds = bounds_of(placed_meshes(own), true);
+  void add_camera(const Bounds& bounds) {
     if (bounds.empty()) return;
     const double aspect = static_cast<double>(scene_.picture.width) / scene_.picture.height;
     const FittedCamera camera = fit_camera(scene_.camera, bounds, aspect);

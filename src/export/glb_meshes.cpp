@@ -11,7 +11,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "base/error.h"
 #include "export/glb_materials.h"
 #include "export/looks.h"
 #include "export/nearest_corner.h"
@@ -55,10 +54,6 @@ std::size_t add_points(std::size_t count, const PointAt& at, GlbFile& file) {
     const glm::vec3 p = at(i);
     low = glm::min(low, p);
     high = glm::max(high, p);
-  }
-  if (!is_finite(dvec3(low)) || !is_finite(dvec3(high))) {
-    throw Error(Status::Input, "the mesh is too large for the numbers of GLB files", {},
-                "PLY and OBJ have doubles: -o mesh.ply");
   }
   const std::size_t view =
       file.add_view(12 * count, GlbTarget::Vertices, [count, at](ByteWriter& writer) {

@@ -128,7 +128,9 @@ void check_floats(std::span<const ExportedMesh> placed, const std::string& forma
   const Bounds bounds = bounds_of(placed, true);
   const double largest =
       std::max(largest_of(glm::abs(bounds.low)), largest_of(glm::abs(bounds.high)));
-  if (bounds.empty() || largest <= static_cast<double>(std::numeric_limits<float>::max())) return;
+  // Differences of positions fit, too.
+  const double most = static_cast<double>(std::numeric_limits<float>::max()) / 4;
+  if (bounds.empty() || largest <= most) return;
   throw Error(Status::Input, "the mesh is too large for the numbers of " + format + " files", {},
               "PLY and OBJ have doubles: -o mesh.ply");
 }

@@ -248,6 +248,10 @@ TEST(Glb, HasThePicturesCamera) {
   EXPECT_EQ(glb_of(tetrahedron(), scene).json["cameras"][0]["type"], "orthographic");
 }
 
+TEST(Glb, RefusesWhatFloatsCannotHold) {
+  EXPECT_THROW(glb_of(tetrahedron({1e39, 0, 0})), Error);
+}
+
 TEST(Glb, RefusesWhatIsNoGlb) {
   EXPECT_THROW(scene_in_glb("glTF", "a.glb"), Error);
   std::string file = bytes_of(write_glb, {{}, Scene()});
