@@ -99,7 +99,7 @@ struct ChainRule {
       case Op::Variable:
         break;
 #define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, function, kind, infinite, \
-                  derivative)                                                                 \
+                  numbers, derivative)                                                        \
   case Op::id:                                                                                \
     return derivative;
 #include "formula/ops.def"

@@ -66,9 +66,11 @@ void Panel::show_surface(Model& model, std::size_t index) {
     if (text_field(name, text, wrong)) model.edit(scene, spec.name + name);
     if (is_faulty) show_error_of(model, name);
   };
-  if (!is_parameter(spec, "x")) formula("x", spec.x);
-  if (!is_parameter(spec, "y")) formula("y", spec.y);
-  if (!is_parameter(spec, "z")) formula("z", spec.z);
+  const bool is_whole = !spec.xyz.empty();
+  if (is_whole) formula("xyz", spec.xyz);
+  if (!is_whole && !is_parameter(spec, "x")) formula("x", spec.x);
+  if (!is_whole && !is_parameter(spec, "y")) formula("y", spec.y);
+  if (!is_whole && !is_parameter(spec, "z")) formula("z", spec.z);
   const auto range = [&](const std::string& name, Range& ends) {
     const float half = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetFontSize()) / 2;
     ImGui::PushID(name.c_str());
