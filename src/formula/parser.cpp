@@ -214,8 +214,8 @@ class Lifter {
     return {tokens_[first.first].span.begin, tokens_[last.last].span.end};
   }
 
-  /// Of the last two operands, makes the exponent of a complex base a number where it is known to
-  /// be whole, so that the power is a product. Its parameters cannot be differentiated by any more.
+  /// Makes the exponent of a complex base, the last operand, a number where it is known to be
+  /// whole, so that the power is a product. Its parameters cannot be differentiated by any more.
   void fix_exponent() {
     const Value& base = stack_[stack_.size() - 2].value;
     Value& exponent = stack_.back().value;
