@@ -321,7 +321,7 @@ std::vector<std::string> names_of(const Scene& scene) {
     if (std::ranges::find(parameters, name) == parameters.end()) names.emplace_back(name);
   }
   names.insert(names.end(), parameters.begin(), parameters.end());
-  names.insert(names.end(), {"xyz", "t", "where"});
+  names.insert(names.end(), {"t", "where", "xyz"});
   return names;
 }
 
