@@ -8,7 +8,7 @@ import tree
 # study a method that others are compared with. std::cout and std::cerr are in the one file that keeps
 # control characters from terminals.
 HOMES = {
-    r"muParser\w*\.h": r"src/formula/parser\.cpp|src/study/muparser_method\.cpp|tests/.*",
+    r"muParser\w*\.h": r"src/formula/program\.cpp|src/study/muparser_method\.cpp|tests/.*",
     r"GL/osmesa\.h": r"src/render/gl/context_osmesa\.cpp",
     r"EGL/.*": r"src/render/gl/context_egl\.cpp",
     r"(glad|GL|GLES\d|EGL)/.*": r"src/render/.*|tests/image/.*",

@@ -36,11 +36,11 @@ constexpr const char* kUsage =
   saddle show GALLERY-NAME [NAME=EXPRESSION...]        print one as a scene file
   saddle show --shader ...the same arguments...        the GLSL that draws it
 
-Assignments: x=, y= (default u and v) and z= are the surface; u=MIN:MAX and v=MIN:MAX its ranges
-(default -1:1; the ends of v may depend on u), which may have other names: x=-3:3, theta=0:pi;
-where=CONDITION the part that is graphed; t=VALUE the moment, t=MIN:MAX the range of time of an
-animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function. Between the + of several objects
---front, --back, --color, --grid, --opacity and the like hold for one object.
+Assignments: x=, y= (default u and v) and z=, or xyz='(a,b,c)', are the surface; u=MIN:MAX and
+v=MIN:MAX its ranges (default -1:1; the ends of v may depend on u), which may have other names:
+x=-3:3, theta=0:pi; where=CONDITION the part that is graphed; t=VALUE the moment, t=MIN:MAX the
+range of time of an animation; NAME= a parameter; NAME(ARGUMENTS)= a helper function. Between the
++ of several objects --front, --back, --color, --grid, --opacity and the like hold for one object.
 
 Examples:
   saddle z='sin(u)*cos(v)' u=-3:3 v=-3:3 -o waves.png

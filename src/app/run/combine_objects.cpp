@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -131,7 +132,9 @@ void keep_definitions(const Scene& scene, std::set<std::string> names, SurfaceSp
 }
 
 /// The text of a constant that a shared definition hides.
-std::string constant_text(double value) {
+std::string constant_text(const std::complex<double>& constant) {
+  if (constant.imag() != 0) return std::string(kImaginaryUnit);
+  const double value = constant.real();
   return std::isnan(value) ? "0/0" : std::isinf(value) ? "1/0" : format_number(value);
 }
 

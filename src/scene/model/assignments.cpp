@@ -19,9 +19,6 @@ namespace saddle {
 namespace {
 
 /// Names with a meaning of their own; they cannot be helper functions.
-bool is_coordinate(const std::string& name) {
-  return name == "x" || name == "y" || name == "z";
-}
 bool is_usual_parameter(const std::string& name) {
   return name == "u" || name == "v" || name == "t";
 }
@@ -140,10 +137,11 @@ void file(Scene& scene, const Definition& definition) {
     (*parameter == 0 ? spec.u : spec.v) = parse_range(definition);
   } else if (is_coordinate(name) || name == "where") {
     SurfaceSpec& spec = last_surface(scene);
-    (name == "x"   ? spec.x
-     : name == "y" ? spec.y
-     : name == "z" ? spec.z
-                   : spec.where) = definition.text;
+    (name == "x"     ? spec.x
+     : name == "y"   ? spec.y
+     : name == "z"   ? spec.z
+     : name == "xyz" ? spec.xyz
+                     : spec.where) = definition.text;
   } else if (name == "t") {
     set_time(scene, definition);
   } else {
@@ -215,7 +213,10 @@ std::string fault_of_parameter(const std::string& name) {
   if (!is_name(name)) return "'" + name + "' is not a name";
   if (name == "where") return "'where' is the condition of a surface";
   if (name == "t") return "t is the time, not a parameter of a surface";
-  if (find_built_in(name) != nullptr) return "'" + name + "' is a function of the language";
+  if (name == "xyz") return "'xyz' is the position of a surface";
+  const BuiltIn* const function = find_built_in(name);
+  if (function != nullptr && !can_be_hidden(*function))
+    return "'" + name + "' is a function of the language";
   return "";
 }
 
@@ -321,7 +322,7 @@ std::vector<std::string> names_of(const Scene& scene) {
     if (std::ranges::find(parameters, name) == parameters.end()) names.emplace_back(name);
   }
   names.insert(names.end(), parameters.begin(), parameters.end());
-  names.insert(names.end(), {"t", "where"});
+  names.insert(names.end(), {"t", "where", "xyz"});
   return names;
 }
 

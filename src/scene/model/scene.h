@@ -166,6 +166,7 @@ struct SurfaceSpec {
   std::string x = "u";  ///< of the usual names; a coordinate that is a parameter has no formula
   std::string y = "v";
   std::string z;
+  std::string xyz;    ///< a vector of 3, in place of these; empty: none
   std::string where;  ///< a condition: the part of the surface that is there; empty: all
   ParameterNames parameters = kUsualParameters;  ///< what u and v are called
   Range u;

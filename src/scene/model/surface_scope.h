@@ -21,7 +21,7 @@ std::string coordinate_formula(const SurfaceSpec& spec, std::size_t axis);
 /// One of the surface's parameters has that name.
 bool is_parameter(const SurfaceSpec& spec, const std::string& name);
 
-/// z has a formula, or is a parameter.
+/// z or xyz has a formula, or z is a parameter.
 bool has_height(const SurfaceSpec& spec);
 
 /// All that has a name in the formulas: the scene's definitions, the surface's own, and its x, y

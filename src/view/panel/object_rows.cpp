@@ -131,9 +131,13 @@ void show_surface(Desk& desk, std::size_t i) {
     if (!changed) return;
     desk.edit(spec.name + name, [&](Scene& scene) { scene.surfaces[i].*text = *changed; });
   };
-  formula("x", &SurfaceSpec::x);
-  formula("y", &SurfaceSpec::y);
-  formula("z", &SurfaceSpec::z);
+  if (!spec.xyz.empty()) {
+    formula("xyz", &SurfaceSpec::xyz);
+  } else {
+    formula("x", &SurfaceSpec::x);
+    formula("y", &SurfaceSpec::y);
+    formula("z", &SurfaceSpec::z);
+  }
   const auto range = [&](const std::string& name, Range SurfaceSpec::*ends) {
     range_field(desk, name, spec.name + name, is_faulty && desk.is_wrong(name),
                 [i, ends](Scene& scene) -> Range& { return scene.surfaces[i].*ends; });
