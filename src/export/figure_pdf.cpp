@@ -11,6 +11,8 @@
 #include "base/utf8.h"
 #include "export/figure.h"
 #include "export/markup.h"
+#include "export/page_meshes.h"
+#include "render/shading/colormap_textures.h"
 #include "scene/toml/scene_file.h"
 
 namespace saddle {
@@ -156,20 +158,31 @@ void write_pdf(std::ostream& out, const PageContent& content) {
   const std::string width = pdf_number(kPoints * figure.size.x);
   const std::string height = pdf_number(kPoints * figure.size.y);
   const PdfPath path(figure.size.y);
+  const std::string alpha = alpha_of(figure.image);
   std::string code = "q " + width + " 0 0 " + height + " 0 0 cm /Image Do Q\n1 J 1 j\n";
+  std::string shadings;
+  std::size_t next = alpha.empty() ? 9 : 10;
+  for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+    const ColorBar& bar = figure.bars[i];
+    const dvec2 lower_left = bar.upper_left + dvec2(0, bar.size.y);
+    code += "q " + path.point(lower_left) + pdf_number(kPoints * bar.size.x) + " " +
+            pdf_number(kPoints * bar.size.y) + " re W n /Bar" + std::to_string(i) + " sh Q\n";
+    shadings += "/Bar" + std::to_string(i) + " << /ShadingType 2 /ColorSpace /DeviceRGB /Coords [" +
+                path.point(lower_left) + path.point(bar.upper_left) + "] /Function " +
+                std::to_string(next++) + " 0 R /Extend [true true] >> ";
+  }
   for (const FigureLines& lines : figure.lines) code += path.lines(lines);
   code += path.letters(figure.letters, figure.ink);
 
   const std::string columns = std::to_string(figure.image.width);
   const std::string size = "/Width " + columns + " /Height " + std::to_string(figure.image.height) +
                            " /BitsPerComponent 8 ";
-  const std::string alpha = alpha_of(figure.image);
   PdfFile file;
   file.add("<< /Type /Catalog /Pages 2 0 R /Names << /EmbeddedFiles << /Names [(scene.toml) 6 0 R] "
            ">> >> >>");
   file.add("<< /Type /Pages /Kids [3 0 R] /Count 1 >>");
   file.add("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 " + width + " " + height +
-           "] /Contents 4 0 R /Resources << /XObject << /Image 5 0 R >> >> /Group << /S "
+           "] /Contents 4 0 R /Resources << /XObject << /Image 5 0 R >> /Shading << " + shadings + ">> >> /Group << /S "
            "/Transparency /CS /DeviceRGB >> >>");
   file.add_stream("/Filter /FlateDecode /Length ", zlib_stream(code));
   file.add_stream("/Type /XObject /Subtype /Image /ColorSpace /DeviceRGB " + size +
@@ -187,6 +200,11 @@ void write_pdf(std::ostream& out, const PageContent& content) {
     file.add_stream("/Type /XObject /Subtype /Image /ColorSpace /DeviceGray " + size +
                         "/Filter /FlateDecode /Length ",
                     zlib_stream(alpha));
+  }
+  for (const ColorBar& bar : figure.bars) {
+    file.add_stream("/FunctionType 0 /Domain [0 1] /Range [0 1 0 1 0 1] /Size [" +
+                        std::to_string(kColormapTexels) + "] /BitsPerSample 8 /Length ",
+                    colormap_bytes(bar.colormap));
   }
   out << file.finish(" /Root 1 0 R /Info 8 0 R");
 }

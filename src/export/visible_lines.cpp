@@ -18,8 +18,9 @@ constexpr double kStep = 0.5;
 /// From there, halvings to the end of a part: 0.5 / 2^4 is a thirty-second of a pixel.
 constexpr int kHalvings = 4;
 /// Lines lie on the triangles' own sides. Triangles are pushed back by the depth that they have
-/// across so many pixels, as pictures do, and by a share of all depths for those seen straight on.
-constexpr double kPushPixels = 0.5;
+/// across so many pixels, less than hidden parts may be wrong by, and by a share of all depths for
+/// those seen straight on.
+constexpr double kPushPixels = 0.1;
 constexpr double kPushDepth = 1e-6;
 /// Triangles of less area, in square pixels, hide nothing.
 constexpr double kLeastArea = 1e-9;

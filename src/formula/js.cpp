@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/format.h"
 #include "formula/lower.h"
@@ -40,7 +41,7 @@ std::string js_number(double value) {
   if (std::isinf(value)) return value > 0 ? "(1/0)" : "(-1/0)";
   const std::string text = formatted("%.17g", value);
   const std::string shorter = formatted("%.15g", value);
-  const std::string& result = std::stod(shorter) == value ? shorter : text;
+  const std::string& result = std::strtod(shorter.c_str(), nullptr) == value ? shorter : text;
   return result.front() == '-' ? "(" + result + ")" : result;  // - -1 would be a decrement
 }
 
