@@ -86,8 +86,8 @@ class FigureMaker {
   void add_lines(Figure& figure, const Instance& instance) const {
     const SurfaceSpec& spec = scene_.surfaces[instance.surface];
     const Mesh& mesh = meshes_[instance.surface];
-    FigureLines lines{{}, {spec.line_color.r, spec.line_color.g, spec.line_color.b},
-                      line_width_of(spec, size_)};
+    FigureLines lines{
+        {}, {spec.line_color.r, spec.line_color.g, spec.line_color.b}, line_width_of(spec, size_)};
     const bool is_line = spec.is_stroke() && mesh.triangles.empty();
     if (spec.is_stroke() && !is_line) return;
     const double nearer = is_line ? kHalfWidthsNearer * lines.width / 2 + kPixelsNearer : 0;

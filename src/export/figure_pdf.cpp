@@ -97,7 +97,8 @@ std::string png_data(const Image& image) {
   const std::string png = out.str();
   const auto number = [&](std::size_t at) {
     std::size_t value = 0;
-    for (std::size_t k = 0; k < 4; ++k) value = value << 8 | static_cast<unsigned char>(png[at + k]);
+    for (std::size_t k = 0; k < 4; ++k)
+      value = value << 8 | static_cast<unsigned char>(png[at + k]);
     return value;
   };
   std::string data;
@@ -140,8 +141,8 @@ class PdfFile {
     const std::size_t table = text_.size();
     text_ += "xref\n0 " + std::to_string(places_.size() + 1) + "\n0000000000 65535 f \n";
     for (const std::size_t place : places_) text_ += formatted("%010zu 00000 n \n", place);
-    text_ += "trailer\n<< /Size " + std::to_string(places_.size() + 1) + entries + " >>\nstartxref\n" +
-             std::to_string(table) + "\n%%EOF\n";
+    text_ += "trailer\n<< /Size " + std::to_string(places_.size() + 1) + entries +
+             " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
     return text_;
   }
 
@@ -178,19 +179,22 @@ void write_pdf(std::ostream& out, const PageContent& content) {
   const std::string size = "/Width " + columns + " /Height " + std::to_string(figure.image.height) +
                            " /BitsPerComponent 8 ";
   PdfFile file;
-  file.add("<< /Type /Catalog /Pages 2 0 R /Names << /EmbeddedFiles << /Names [(scene.toml) 6 0 R] "
-           ">> >> >>");
+  file.add(
+      "<< /Type /Catalog /Pages 2 0 R /Names << /EmbeddedFiles << /Names [(scene.toml) 6 0 R] "
+      ">> >> >>");
   file.add("<< /Type /Pages /Kids [3 0 R] /Count 1 >>");
   file.add("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 " + width + " " + height +
-           "] /Contents 4 0 R /Resources << /XObject << /Image 5 0 R >> /Shading << " + shadings + ">> >> /Group << /S "
+           "] /Contents 4 0 R /Resources << /XObject << /Image 5 0 R >> /Shading << " + shadings +
+           ">> >> /Group << /S "
            "/Transparency /CS /DeviceRGB >> >>");
   file.add_stream("/Filter /FlateDecode /Length ", zlib_stream(code));
-  file.add_stream("/Type /XObject /Subtype /Image /ColorSpace /DeviceRGB " + size +
-                      (alpha.empty() ? "" : "/SMask 9 0 R ") +
-                      "/Interpolate true /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors "
-                      "3 /BitsPerComponent 8 /Columns " +
-                      columns + " >> /Length ",
-                  png_data(opaque(figure.image)));
+  file.add_stream(
+      "/Type /XObject /Subtype /Image /ColorSpace /DeviceRGB " + size +
+          (alpha.empty() ? "" : "/SMask 9 0 R ") +
+          "/Interpolate true /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors "
+          "3 /BitsPerComponent 8 /Columns " +
+          columns + " >> /Length ",
+      png_data(opaque(figure.image)));
   file.add("<< /Type /Filespec /F (scene.toml) /UF (scene.toml) /EF << /F 7 0 R >> >>");
   file.add_stream("/Type /EmbeddedFile /Subtype /application#2Ftoml " + std::string(kPdfSceneMark),
                   write_scene(content.scene));

@@ -31,7 +31,8 @@ std::string svg_point(const dvec2& p) {
 std::string svg_color(const dvec3& color) {
   std::string text = "#";
   for (int k = 0; k < 3; ++k) {
-    text += formatted("%02x", static_cast<int>(std::lround(255 * std::fmin(1, std::fmax(0, color[k])))));
+    text += formatted("%02x",
+                      static_cast<int>(std::lround(255 * std::fmin(1, std::fmax(0, color[k])))));
   }
   return text;
 }

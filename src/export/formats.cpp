@@ -33,14 +33,10 @@ constexpr std::array kFormats = {
            .write_page = write_page,
            .takes_sliders = true,
            .scene_in = scene_in_page},
-    Format{.extension = "svg",
-           .kind = Kind::Page,
-           .write_page = write_svg,
-           .scene_in = scene_in_svg},
-    Format{.extension = "pdf",
-           .kind = Kind::Page,
-           .write_page = write_pdf,
-           .scene_in = scene_in_pdf},
+    Format{
+        .extension = "svg", .kind = Kind::Page, .write_page = write_svg, .scene_in = scene_in_svg},
+    Format{
+        .extension = "pdf", .kind = Kind::Page, .write_page = write_pdf, .scene_in = scene_in_pdf},
     Format{.extension = "toml", .kind = Kind::Scene, .write_scene = write_toml},
     Format{.extension = "gif", .kind = Kind::Animation, .video = &kGif},
     Format{.extension = "mp4", .kind = Kind::Animation, .video = &kMp4},

@@ -53,9 +53,10 @@ Scene load_standard_input(const std::optional<Theme>& theme) {
     throw Error(Status::Input, name + " is empty", {},
                 "for example saddle show torus | saddle - -o torus.png");
   }
-  return scene_of(bytes, name, find_format(is_png(bytes)    ? "png"
-                                           : is_page(bytes) ? "html"
-                                                            : ""),
+  return scene_of(bytes, name,
+                  find_format(is_png(bytes)    ? "png"
+                              : is_page(bytes) ? "html"
+                                               : ""),
                   theme);
 }
 

@@ -76,21 +76,21 @@ int frame_number(const Scene& scene, const std::string& name) {
 
 std::string light_code(NumberCode& numbers, const Scene& scene, const Light& light) {
   const Attenuation& a = light.attenuation;
-  const std::string attenuation = a.range ? vector_code(attenuation_of_range(*a.range))
-                                          : list({numbers.of(a.constant), numbers.of(a.linear),
-                                                  numbers.of(a.quadratic)});
+  const std::string attenuation =
+      a.range ? vector_code(attenuation_of_range(*a.range))
+              : list({numbers.of(a.constant), numbers.of(a.linear), numbers.of(a.quadratic)});
   std::string spot = "null";
   if (light.spot) {
     const Spot& s = *light.spot;
-    spot = list({numbers.of(s.direction), numbers.of(s.cutoff), numbers.of(s.inner.value_or(s.cutoff)),
-                 numbers.of(s.exponent)});
+    spot = list({numbers.of(s.direction), numbers.of(s.cutoff),
+                 numbers.of(s.inner.value_or(s.cutoff)), numbers.of(s.exponent)});
   }
   return "{frame:" + std::to_string(frame_number(scene, light.frame)) +
          ",directional:" + truth(light.directional) + ",position:" + numbers.of(light.position) +
          ",color:" + numbers.of(light.color) +
          ",highlight:" + numbers.of(light.specular.value_or(light.color)) +
-         ",ambient:" + numbers.of(light.ambient) + ",attenuation:" + attenuation +
-         ",spot:" + spot + ",enabled:" + numbers.of(light.enabled) + "}";
+         ",ambient:" + numbers.of(light.ambient) + ",attenuation:" + attenuation + ",spot:" + spot +
+         ",enabled:" + numbers.of(light.enabled) + "}";
 }
 
 std::string node_code(NumberCode& numbers, const Scene& scene, const SceneNode& node) {
@@ -183,8 +183,7 @@ std::string scale_code(const PageScene& page, const SurfaceSpec& spec, const Mes
   const double first = place_on(scale, mesh.color_range.low);
   return "colored:true,scale:" + std::to_string(&scale - page.scales.data()) + ",onScale:" +
          list({js_number(place_on(scale, mesh.color_range.high) - first), js_number(first)}) +
-         ",range:" +
-         list({js_number(mesh.color_range.low), js_number(mesh.color_range.high)});
+         ",range:" + list({js_number(mesh.color_range.low), js_number(mesh.color_range.high)});
 }
 
 std::string surface_code(const PageScene& page, std::size_t index, std::size_t program) {
@@ -199,17 +198,17 @@ std::string surface_code(const PageScene& page, std::size_t index, std::size_t p
                      ",line_color:" + numbers.of(spec.line_color);
   if (spec.line_width) look += ",line_width:" + numbers.of(*spec.line_width);
   const std::size_t extra = 1 + (spec.color.empty() ? 0 : 1) + spec.contours.size();
-  std::string code = "{name:" + js_string(spec.name) + ",make:" + make_code(scene, spec, numbers) +
-                     ",lookOf:n=>({" + look + "}),parameters:" +
-                     list({js_string(spec.parameters[0]), js_string(spec.parameters[1])}) +
-                     ",program:" + std::to_string(program) + ",extra:" + std::to_string(extra) +
-                     ",levels:" + levels_code(spec) + ",in:" + in_code(scene, spec) +
-                     ",stroke:" + truth(spec.is_stroke()) + ",dot:" + truth(spec.point.has_value()) +
-                     ",flip:" + truth(bind_surface(scene, spec).flip) +
-                     ",fixed:" + truth(packed.fixed) + ",unlit:" +
-                     truth(shading_of(scene, spec) == Shading::Unlit) + ",box:{low:" +
-                     vector_code(packed.box.low) + ",high:" + vector_code(packed.box.high) + "}," +
-                     scale_code(page, spec, mesh);
+  std::string code =
+      "{name:" + js_string(spec.name) + ",make:" + make_code(scene, spec, numbers) +
+      ",lookOf:n=>({" + look +
+      "}),parameters:" + list({js_string(spec.parameters[0]), js_string(spec.parameters[1])}) +
+      ",program:" + std::to_string(program) + ",extra:" + std::to_string(extra) +
+      ",levels:" + levels_code(spec) + ",in:" + in_code(scene, spec) +
+      ",stroke:" + truth(spec.is_stroke()) + ",dot:" + truth(spec.point.has_value()) +
+      ",flip:" + truth(bind_surface(scene, spec).flip) + ",fixed:" + truth(packed.fixed) +
+      ",unlit:" + truth(shading_of(scene, spec) == Shading::Unlit) +
+      ",box:{low:" + vector_code(packed.box.low) + ",high:" + vector_code(packed.box.high) + "}," +
+      scale_code(page, spec, mesh);
   if (!spec.label.empty() && mesh.anchor) {
     code += ",label:" + js_string(spec.label) + ",anchor:" + vector_code(*mesh.anchor);
   }
@@ -223,8 +222,8 @@ std::string sliders_code(const PageScene& page, const std::string& code) {
                        double max) {
     const bool is_used = code.find(parameter_of(index)) != std::string::npos ||
                          (index == 0 && scene.camera.turntable && scene.animation);
-    return list({js_string(name), js_number(value), js_number(min), js_number(max), "0",
-                 truth(!is_used)});
+    return list(
+        {js_string(name), js_number(value), js_number(min), js_number(max), "0", truth(!is_used)});
   };
   Parts rows = {row(0, "t", scene.t, film.from, film.to)};
   for (std::size_t i = 0; i < page.parameters.size(); ++i) {
@@ -239,7 +238,8 @@ std::string scales_code(const std::vector<ColorScale>& scales) {
   for (const ColorScale& scale : scales) {
     const ColorRange& r = scale.range;
     all.push_back("{name:" + js_string(scale.formula) + ",range:" +
-                  list({js_number(r.low), js_number(r.high), truth(r.below), truth(r.above)}) + "}");
+                  list({js_number(r.low), js_number(r.high), truth(r.below), truth(r.above)}) +
+                  "}");
   }
   return list(all);
 }
@@ -289,28 +289,33 @@ std::string page_scene_code(const PageScene& page) {
   const bool is_titled =
       !scene.title.empty() && (scene.show_title || (scene.axes && scene.title != Scene{}.title));
   const Color& b = scene.background;
-  code += ",\nprograms:" + list(programs) + ",\nsliders:" + sliders_code(page, code) +
-          ",scales:" + scales_code(page.scales) + ",title:" + js_string(scene.title) +
-          ",titled:" + truth(is_titled) + ",axes:" + truth(scene.axes) + ",labels:" +
-          list({js_string(scene.labels[0]), js_string(scene.labels[1]), js_string(scene.labels[2])}) +
-          ",ink:" + vector_code(ink_of(scene)) + ",grey:" + truth(shaders.grey) + ",background:" +
-          list({js_number(b.r), js_number(b.g), js_number(b.b), js_number(b.a)}) +
-          ",root:" + vector_code(dvec3(scene.scale.factors)) + ",unit:" + js_number(page.unit) +
-          ",target:" + vector_code(page.camera.target) + ",distance:" + js_number(page.camera.distance) +
-          ",width:" + std::to_string(scene.picture.width) +
-          ",height:" + std::to_string(scene.picture.height) + ",dot:" +
-          js_number(line_width_of([] {
+  code +=
+      ",\nprograms:" + list(programs) + ",\nsliders:" + sliders_code(page, code) +
+      ",scales:" + scales_code(page.scales) + ",title:" + js_string(scene.title) +
+      ",titled:" + truth(is_titled) + ",axes:" + truth(scene.axes) + ",labels:" +
+      list({js_string(scene.labels[0]), js_string(scene.labels[1]), js_string(scene.labels[2])}) +
+      ",ink:" + vector_code(ink_of(scene)) + ",grey:" + truth(shaders.grey) +
+      ",background:" + list({js_number(b.r), js_number(b.g), js_number(b.b), js_number(b.a)}) +
+      ",root:" + vector_code(dvec3(scene.scale.factors)) + ",unit:" + js_number(page.unit) +
+      ",target:" + vector_code(page.camera.target) +
+      ",distance:" + js_number(page.camera.distance) +
+      ",width:" + std::to_string(scene.picture.width) +
+      ",height:" + std::to_string(scene.picture.height) + ",dot:" +
+      js_number(line_width_of(
+          [] {
             SurfaceSpec point;
             point.point = 0;
             return point;
-          }(), {0, 0})) +
-          ",plays:" + truth(scene.animation.has_value()) +
-          ",approximate:" + js_string(approximate(page));
+          }(),
+          {0, 0})) +
+      ",plays:" + truth(scene.animation.has_value()) +
+      ",approximate:" + js_string(approximate(page));
   if (scene.animation) {
     code += ",time:" + list({js_number(scene.t), js_number(scene.animation->from),
                              js_number(scene.animation->to)});
   }
-  if (scene.box) code += ",box:" + list({vector_code(scene.box->low), vector_code(scene.box->high)});
+  if (scene.box)
+    code += ",box:" + list({vector_code(scene.box->low), vector_code(scene.box->high)});
   return "const scene={" + code + "};\n";
 }
 

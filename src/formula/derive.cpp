@@ -99,8 +99,8 @@ struct ChainRule {
       case Op::Variable:
         break;
 #define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, kind, infinite, \
-                  derivative)                                                                 \
-  case Op::id:                                                                                \
+                  derivative)                                                                     \
+  case Op::id:                                                                                    \
     return derivative;
 #include "formula/ops.def"
     }

@@ -58,7 +58,8 @@ JsCode print_js(const Graph& graph, std::span<const NodeId> outputs,
     for (int i = 0; i < arity(node.op); ++i) arguments[i] = js_operand(lowered, node.args[i], name);
     const bool is_each = (node.depends & (kDependsU | kDependsV)) != 0;
     std::string& part = is_each ? code.each : code.once;
-    part += "const t" + std::to_string(id) + "=" + with_arguments(js_text(node.op), arguments) + ";\n";
+    part +=
+        "const t" + std::to_string(id) + "=" + with_arguments(js_text(node.op), arguments) + ";\n";
   }
   for (const NodeId root : roots) code.outputs.push_back(js_operand(lowered, root, name));
   return code;

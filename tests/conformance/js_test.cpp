@@ -56,7 +56,8 @@ TEST(Conformance, EveryOperationIsExactInJavaScript) {
     ASSERT_EQ(std::system(("nodejs " + script).c_str()), 0) << row.id;
     const std::vector<double> values = doubles_in(file);
     ASSERT_EQ(values.size(), all.size()) << row.id;
-    const double bound = std::max(row.op == Op::Polygamma ? kMostUlpsOfPolygamma : kMostUlps, row.ulps);
+    const double bound =
+        std::max(row.op == Op::Polygamma ? kMostUlpsOfPolygamma : kMostUlps, row.ulps);
     Worst worst;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Real exact = reference(row.op, all[i]);
