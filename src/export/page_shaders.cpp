@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "export/page_code.h"
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
