@@ -53,4 +53,4 @@ with tempfile.TemporaryDirectory() as name:
             if scenes[0] != scenes[1]:
                 print(f"{scene}.{kind} holds another scene")
                 failed = True
-sys.exit(failed)
+sys.exit(1 if failed else 0)

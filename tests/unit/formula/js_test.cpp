@@ -10,7 +10,7 @@
 namespace saddle {
 namespace {
 
-JsCode print(const std::string& formula) {
+JsCode code_of(const std::string& formula) {
   Graph graph;
   const std::array roots = {testing::parse(graph, formula)};
   return print_js(graph, roots, [](Symbol) { return "p"; });
@@ -28,9 +28,9 @@ TEST(Js, ComputesOnceWhatDependsOnNeitherUNorV) {
 }
 
 TEST(Js, HasNoStatementsForAVariableOrANumber) {
-  EXPECT_EQ(print("v").outputs[0], "v");
-  EXPECT_EQ(print("0.1").outputs[0], "0.1");
-  EXPECT_EQ(print("v").once + print("v").each, "");
+  EXPECT_EQ(code_of("v").outputs[0], "v");
+  EXPECT_EQ(code_of("0.1").outputs[0], "0.1");
+  EXPECT_EQ(code_of("v").once + code_of("v").each, "");
 }
 
 TEST(Js, HasATextForEveryOperation) {
