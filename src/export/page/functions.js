@@ -131,7 +131,7 @@ function besselJ(n, x) {
     for (let k = 1; k <= n; ++k) term *= a / 2 / k;
     return a == a ? term : a;
   }
-  if (a > 30 + n * n) {
+  if (a > 22 + n * n / 2) {
     let term = 1, p = 1, q = 0;
     for (let k = 1; Math.abs(term) > 1e-17; ++k) {
       term *= (4 * n * n - (2 * k - 1) ** 2) / (8 * k * a);
