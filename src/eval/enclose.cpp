@@ -36,7 +36,7 @@ Interval enclose(Op op, [[maybe_unused]] const Interval& a, [[maybe_unused]] con
 #define SADDLE_ARGUMENTS_2 a, b
 #define SADDLE_ARGUMENTS_3 a, b, c
 #define SADDLE_OP(id, name, arity, help, value, vector, ulps, glsl, js, function, ...) \
-  case Op::id:                                                                     \
+  case Op::id:                                                                         \
     return function(SADDLE_ARGUMENTS_##arity);
 #include "formula/ops.def"
   }

@@ -36,9 +36,9 @@ struct MeshContent {
 struct PageContent {
   std::span<const Mesh> meshes;  ///< meshes[i] is that of scene.surfaces[i]
   const Scene& scene;
-  const Scene& seen;    ///< the same with the camera and the colours of the picture
-  std::string sliders;  ///< the parameters that the page offers: "all", "off", or names
-  bool fragment = false;  ///< without html and body, for another page
+  const Scene& seen;                ///< the same with the camera and the colours of the picture
+  std::string sliders;              ///< the parameters that the page offers: "all", "off", or names
+  bool fragment = false;            ///< without html and body, for another page
   Backend renderer = Backend::Any;  ///< of a figure's image
 };
 

@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "export/visible_lines.h"
-#include "render/overlay/annotations.h"
 #include "render/picture/picture.h"
 #include "render/picture/picture_in_tiles.h"
 #include "scene/model/color_scale.h"
@@ -29,27 +28,6 @@ constexpr double kContourNearer = 1;
 /// The box is less conspicuous than its labels.
 constexpr double kBoxInk = 0.3;
 
-/// The scene with the camera that its picture has, without what the figure draws as lines.
-Scene without_lines(Scene scene, const FittedCamera& camera) {
-  scene.axes = scene.show_title = false;
-  scene.camera.target = camera.target / dvec3(scene.scale.factors);
-  scene.camera.distance = camera.distance;
-  for (SurfaceSpec& spec : scene.surfaces) spec.label.clear();
-  scene.picture.width *= kFiner;
-  scene.picture.height *= kFiner;
-  return scene;
-}
-
-std::vector<Mesh> without_lines(std::span<const Mesh> meshes) {
-  std::vector<Mesh> result(meshes.begin(), meshes.end());
-  for (Mesh& mesh : result) {
-    mesh.lines.clear();
-    mesh.contours = {};
-  }
-  return result;
-}
-
-/// Whole scenes are larger than any memory for their figure's finer image only by mistake.
 void check_size(const Scene& scene) {
   const int most = kMaxPixels / kFiner;
   if (scene.picture.width <= most && scene.picture.height <= most) return;
@@ -80,8 +58,10 @@ class FigureMaker {
     Figure figure;
     figure.size = size_;
     figure.ink = ink_of(scene_);
-    const Scene plain = without_lines(scene_, camera_);
-    figure.image = render(plain, without_lines(meshes_), plain.picture, content.renderer).image;
+    PictureSettings finer = scene_.picture;
+    finer.width *= kFiner;
+    finer.height *= kFiner;
+    figure.image = render_surfaces(scene_, meshes_, camera_, finer, content.renderer);
     for (const Instance& instance : instances(scene_)) add_lines(figure, instance);
     annotate_figure(figure);
     return figure;
@@ -106,8 +86,8 @@ class FigureMaker {
   void add_lines(Figure& figure, const Instance& instance) const {
     const SurfaceSpec& spec = scene_.surfaces[instance.surface];
     const Mesh& mesh = meshes_[instance.surface];
-    FigureLines lines{{}, {spec.line_color.r, spec.line_color.g, spec.line_color.b},
-                      line_width_of(spec, size_)};
+    FigureLines lines{
+        {}, {spec.line_color.r, spec.line_color.g, spec.line_color.b}, line_width_of(spec, size_)};
     const bool is_line = spec.is_stroke() && mesh.triangles.empty();
     if (spec.is_stroke() && !is_line) return;
     const double nearer = is_line ? kHalfWidthsNearer * lines.width / 2 + kPixelsNearer : 0;
@@ -137,6 +117,7 @@ class FigureMaker {
     for (const Mesh& mesh : meshes_) ranges.push_back(color_range_of(mesh));
     const std::vector<ColorScale> scales = color_scales(scene_, ranges);
     const Annotations all = annotate(scene_, camera_, bounds_, scales, size_, labels());
+    figure.bars = all.bars;
     const double width = fit_line_width(size_);
     FigureLines box{{}, glm::mix(dvec3(0.5), figure.ink, kBoxInk), width};
     for (const auto& [a, b] : all.edges) add_chain(box, {a, b}, 0);

@@ -10,6 +10,7 @@
 #include "base/image.h"
 #include "base/vec.h"
 #include "export/content.h"
+#include "render/overlay/annotations.h"
 #include "render/overlay/font.h"
 
 namespace saddle {
@@ -25,6 +26,7 @@ struct Figure {
   dvec2 size{0, 0};  ///< pixels
   Image image;       ///< of all of it, in finer pixels
   std::vector<FigureLines> lines;
+  std::vector<ColorBar> bars;
   std::vector<OutlinePiece> letters;
   dvec3 ink{0, 0, 0};
 };

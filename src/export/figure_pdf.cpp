@@ -11,6 +11,8 @@
 #include "base/utf8.h"
 #include "export/figure.h"
 #include "export/markup.h"
+#include "export/page_meshes.h"
+#include "render/shading/colormap_textures.h"
 #include "scene/toml/scene_file.h"
 
 namespace saddle {
@@ -95,7 +97,8 @@ std::string png_data(const Image& image) {
   const std::string png = out.str();
   const auto number = [&](std::size_t at) {
     std::size_t value = 0;
-    for (std::size_t k = 0; k < 4; ++k) value = value << 8 | static_cast<unsigned char>(png[at + k]);
+    for (std::size_t k = 0; k < 4; ++k)
+      value = value << 8 | static_cast<unsigned char>(png[at + k]);
     return value;
   };
   std::string data;
@@ -138,8 +141,8 @@ class PdfFile {
     const std::size_t table = text_.size();
     text_ += "xref\n0 " + std::to_string(places_.size() + 1) + "\n0000000000 65535 f \n";
     for (const std::size_t place : places_) text_ += formatted("%010zu 00000 n \n", place);
-    text_ += "trailer\n<< /Size " + std::to_string(places_.size() + 1) + entries + " >>\nstartxref\n" +
-             std::to_string(table) + "\n%%EOF\n";
+    text_ += "trailer\n<< /Size " + std::to_string(places_.size() + 1) + entries +
+             " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
     return text_;
   }
 
@@ -156,28 +159,42 @@ void write_pdf(std::ostream& out, const PageContent& content) {
   const std::string width = pdf_number(kPoints * figure.size.x);
   const std::string height = pdf_number(kPoints * figure.size.y);
   const PdfPath path(figure.size.y);
+  const std::string alpha = alpha_of(figure.image);
   std::string code = "q " + width + " 0 0 " + height + " 0 0 cm /Image Do Q\n1 J 1 j\n";
+  std::string shadings;
+  std::size_t next = alpha.empty() ? 9 : 10;
+  for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+    const ColorBar& bar = figure.bars[i];
+    const dvec2 lower_left = bar.upper_left + dvec2(0, bar.size.y);
+    code += "q " + path.point(lower_left) + pdf_number(kPoints * bar.size.x) + " " +
+            pdf_number(kPoints * bar.size.y) + " re W n /Bar" + std::to_string(i) + " sh Q\n";
+    shadings += "/Bar" + std::to_string(i) + " << /ShadingType 2 /ColorSpace /DeviceRGB /Coords [" +
+                path.point(lower_left) + path.point(bar.upper_left) + "] /Function " +
+                std::to_string(next++) + " 0 R /Extend [true true] >> ";
+  }
   for (const FigureLines& lines : figure.lines) code += path.lines(lines);
   code += path.letters(figure.letters, figure.ink);
 
   const std::string columns = std::to_string(figure.image.width);
   const std::string size = "/Width " + columns + " /Height " + std::to_string(figure.image.height) +
                            " /BitsPerComponent 8 ";
-  const std::string alpha = alpha_of(figure.image);
   PdfFile file;
-  file.add("<< /Type /Catalog /Pages 2 0 R /Names << /EmbeddedFiles << /Names [(scene.toml) 6 0 R] "
-           ">> >> >>");
+  file.add(
+      "<< /Type /Catalog /Pages 2 0 R /Names << /EmbeddedFiles << /Names [(scene.toml) 6 0 R] "
+      ">> >> >>");
   file.add("<< /Type /Pages /Kids [3 0 R] /Count 1 >>");
   file.add("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 " + width + " " + height +
-           "] /Contents 4 0 R /Resources << /XObject << /Image 5 0 R >> >> /Group << /S "
+           "] /Contents 4 0 R /Resources << /XObject << /Image 5 0 R >> /Shading << " + shadings +
+           ">> >> /Group << /S "
            "/Transparency /CS /DeviceRGB >> >>");
   file.add_stream("/Filter /FlateDecode /Length ", zlib_stream(code));
-  file.add_stream("/Type /XObject /Subtype /Image /ColorSpace /DeviceRGB " + size +
-                      (alpha.empty() ? "" : "/SMask 9 0 R ") +
-                      "/Interpolate true /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors "
-                      "3 /BitsPerComponent 8 /Columns " +
-                      columns + " >> /Length ",
-                  png_data(opaque(figure.image)));
+  file.add_stream(
+      "/Type /XObject /Subtype /Image /ColorSpace /DeviceRGB " + size +
+          (alpha.empty() ? "" : "/SMask 9 0 R ") +
+          "/Interpolate true /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors "
+          "3 /BitsPerComponent 8 /Columns " +
+          columns + " >> /Length ",
+      png_data(opaque(figure.image)));
   file.add("<< /Type /Filespec /F (scene.toml) /UF (scene.toml) /EF << /F 7 0 R >> >>");
   file.add_stream("/Type /EmbeddedFile /Subtype /application#2Ftoml " + std::string(kPdfSceneMark),
                   write_scene(content.scene));
@@ -187,6 +204,11 @@ void write_pdf(std::ostream& out, const PageContent& content) {
     file.add_stream("/Type /XObject /Subtype /Image /ColorSpace /DeviceGray " + size +
                         "/Filter /FlateDecode /Length ",
                     zlib_stream(alpha));
+  }
+  for (const ColorBar& bar : figure.bars) {
+    file.add_stream("/FunctionType 0 /Domain [0 1] /Range [0 1 0 1 0 1] /Size [" +
+                        std::to_string(kColormapTexels) + "] /BitsPerSample 8 /Length ",
+                    colormap_bytes(bar.colormap));
   }
   out << file.finish(" /Root 1 0 R /Info 8 0 R");
 }

@@ -8,6 +8,7 @@
 #include "base/packed_text.h"
 #include "export/figure.h"
 #include "export/markup.h"
+#include "scene/model/colormap.h"
 #include "scene/toml/scene_file.h"
 
 namespace saddle {
@@ -15,6 +16,7 @@ namespace {
 
 /// Digits of lengths in pixels: hundredths of the largest picture's.
 constexpr int kPlaces = 7;
+constexpr int kBarStops = 64;
 constexpr std::string_view kSvgSceneBegins = "<metadata id=\"saddle-scene\">";
 constexpr std::string_view kSvgSceneEnds = "</metadata>";
 
@@ -29,7 +31,8 @@ std::string svg_point(const dvec2& p) {
 std::string svg_color(const dvec3& color) {
   std::string text = "#";
   for (int k = 0; k < 3; ++k) {
-    text += formatted("%02x", static_cast<int>(std::lround(255 * std::fmin(1, std::fmax(0, color[k])))));
+    text += formatted("%02x",
+                      static_cast<int>(std::lround(255 * std::fmin(1, std::fmax(0, color[k])))));
   }
   return text;
 }
@@ -53,6 +56,19 @@ std::string path_of(const std::vector<OutlinePiece>& letters) {
   return path + "Z";
 }
 
+/// A gradient between the colormap's places.
+std::string svg_bar(const ColorBar& bar, const std::string& name) {
+  std::string text = "<linearGradient id=\"" + name + "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">";
+  for (int i = 0; i <= kBarStops; ++i) {
+    const double place = static_cast<double>(i) / kBarStops;
+    text += "<stop offset=\"" + rounded(place, kPlaces) + "\" stop-color=\"" +
+            svg_color(colormap_at(bar.colormap, place)) + "\"/>";
+  }
+  return text + "</linearGradient>\n<rect x=\"" + svg_number(bar.upper_left.x) + "\" y=\"" +
+         svg_number(bar.upper_left.y) + "\" width=\"" + svg_number(bar.size.x) + "\" height=\"" +
+         svg_number(bar.size.y) + "\" fill=\"url(#" + name + ")\"/>\n";
+}
+
 }  // namespace
 
 void write_svg(std::ostream& out, const PageContent& content) {
@@ -70,6 +86,9 @@ void write_svg(std::ostream& out, const PageContent& content) {
       << kSvgSceneBegins << escaped_markup(write_scene(content.scene)) << kSvgSceneEnds
       << "\n<image width=\"" << width << "\" height=\"" << height
       << "\" xlink:href=\"data:image/png;base64," << base64(png.str()) << "\"/>\n";
+  for (std::size_t i = 0; i < figure.bars.size(); ++i) {
+    out << svg_bar(figure.bars[i], "bar" + std::to_string(i));
+  }
   for (const FigureLines& lines : figure.lines) {
     out << "<path fill=\"none\" stroke=\"" << svg_color(lines.color) << "\" stroke-width=\""
         << svg_number(lines.width) << "\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\""

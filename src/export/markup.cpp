@@ -15,9 +15,8 @@ constexpr std::array<std::pair<char, std::string_view>, 4> kEscapes = {
 std::string unescaped(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
-    const auto* const found = std::ranges::find_if(kEscapes, [&](const auto& escape) {
-      return text.substr(at).starts_with(escape.second);
-    });
+    const auto* const found = std::ranges::find_if(
+        kEscapes, [&](const auto& escape) { return text.substr(at).starts_with(escape.second); });
     const bool is_plain = found == kEscapes.end();
     result += is_plain ? text[at] : found->first;
     at += is_plain ? 1 : found->second.size();
@@ -30,7 +29,8 @@ std::string unescaped(std::string_view text) {
 std::string escaped_markup(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    const auto* const found = std::ranges::find(kEscapes, c, &decltype(kEscapes)::value_type::first);
+    const auto* const found =
+        std::ranges::find(kEscapes, c, &decltype(kEscapes)::value_type::first);
     found == kEscapes.end() ? result += c : result += found->second;
   }
   return result;
@@ -53,7 +53,8 @@ std::string formulas_as_text(const Scene& scene) {
     std::string line;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string formula = coordinate_formula(spec, axis);
-      if (!formula.empty()) line += std::string(line.empty() ? "" : "   ") + "xyz"[axis] + " = " + formula;
+      if (!formula.empty())
+        line += std::string(line.empty() ? "" : "   ") + "xyz"[axis] + " = " + formula;
     }
     line += "   " + spec.parameters[0] + " = " + spec.u.min + " : " + spec.u.max + "   " +
             spec.parameters[1] + " = " + spec.v.min + " : " + spec.v.max;

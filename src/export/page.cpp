@@ -33,8 +33,9 @@ constexpr std::string_view kSceneBegins = "<template class=\"saddle-scene\">";
 constexpr std::string_view kSceneEnds = "</template>";
 
 /// In the order in which they need each other.
-constexpr std::array kScripts = {"vectors.js", "payload.js", "mesh.js", "camera.js", "lights.js",
-                                 "gl.js",      "flat.js",    "overlay.js", "controls.js", "main.js"};
+constexpr std::array kScripts = {"vectors.js",  "payload.js", "mesh.js", "camera.js",
+                                 "lights.js",   "gl.js",      "flat.js", "overlay.js",
+                                 "controls.js", "main.js"};
 
 /// Without indentation and comments.
 std::string stripped(std::string_view text) {
@@ -159,8 +160,8 @@ PageScene page_scene(const PageContent& content, std::vector<PageMesh>& packed) 
   const double pixel = 2 * page.camera.half_height / scene.picture.height;
   std::vector<std::optional<ColorRange>> ranges;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    packed.push_back(page_mesh(scene, scene.surfaces[i], content.meshes[i],
-                               kPixelShare * pixel / stretch[i]));
+    packed.push_back(
+        page_mesh(scene, scene.surfaces[i], content.meshes[i], kPixelShare * pixel / stretch[i]));
     ranges.push_back(color_range_of(content.meshes[i]));
   }
   page.scales = color_scales(scene, ranges);
@@ -172,29 +173,32 @@ PageScene page_scene(const PageContent& content, std::vector<PageMesh>& packed) 
 constexpr const char* kLoader =
     "(async root=>{const text=root.querySelector('.saddle-code').textContent,"
     "script=document.createElement('script');"
-    "script.textContent=await new Response(new Blob([Uint8Array.from(atob(text),c=>c.charCodeAt(0))])"
+    "script.textContent=await new Response(new "
+    "Blob([Uint8Array.from(atob(text),c=>c.charCodeAt(0))])"
     ".stream().pipeThrough(new DecompressionStream('deflate'))).text();"
     "root.append(script)})(document.currentScript.parentElement)"
     ".catch(()=>document.querySelectorAll('.saddle-note').forEach(e=>"
     "e.textContent='This page needs a browser of 2023 or later.'))";
 
-std::string body_of(const PageContent& content, const std::string& script, const std::string& meshes,
-                    const std::string& style) {
+std::string body_of(const PageContent& content, const std::string& script,
+                    const std::string& meshes, const std::string& style) {
   const std::string formula = formulas_as_text(content.scene);
   const std::string title = escaped_markup(content.scene.title);
   const std::string tag = content.fragment ? "div" : "main";
-  std::string text = "<" + tag + " class=\"saddle\"" +
-                     (content.fragment ? " data-fragment" : "") + ">\n";
+  std::string text =
+      "<" + tag + " class=\"saddle\"" + (content.fragment ? " data-fragment" : "") + ">\n";
   if (content.fragment) text += "<style>" + style + "</style>\n";
   text += (content.fragment ? "" : "<h1>" + title + "</h1>\n") +
           ("<p class=\"saddle-formula\">" + escaped_markup(formula) + "</p>\n") +
           "<div class=\"saddle-view\"><canvas class=\"saddle-canvas\" role=\"img\" tabindex=\"0\" "
-          "aria-label=\"" + title + ": " + escaped_markup(formula) +
+          "aria-label=\"" +
+          title + ": " + escaped_markup(formula) +
           "\"></canvas><canvas class=\"saddle-over\" aria-hidden=\"true\"></canvas></div>\n"
           "<p class=\"saddle-place\" aria-live=\"polite\"></p>\n"
           "<p class=\"saddle-note\"><noscript>This page needs JavaScript.</noscript></p>\n"
           "<div class=\"saddle-panel\"></div>\n";
-  text += std::string(kSceneBegins) + escaped_markup(write_scene(content.scene)) + std::string(kSceneEnds) + "\n";
+  text += std::string(kSceneBegins) + escaped_markup(write_scene(content.scene)) +
+          std::string(kSceneEnds) + "\n";
   text += "<script type=\"text/plain\" class=\"saddle-meshes\">" + base64(zlib_stream(meshes)) +
           "</script>\n<script type=\"text/plain\" class=\"saddle-code\">" +
           base64(zlib_stream(script)) + "</script>\n<script>" + kLoader + "</script>\n";
@@ -225,7 +229,8 @@ void write_page(std::ostream& out, const PageContent& content) {
          "'none'; form-action 'none'; script-src "
       << hash_of(kLoader) << " " << hash_of(script) << "; style-src " << hash_of(style)
       << "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
-      << escaped_markup(content.scene.title) << "</title>\n<style>" << style << "</style>\n</head>\n<body>\n"
+      << escaped_markup(content.scene.title) << "</title>\n<style>" << style
+      << "</style>\n</head>\n<body>\n"
       << body << "</body>\n</html>\n";
 }
 

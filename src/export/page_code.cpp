@@ -38,7 +38,7 @@ std::string variable_name(Symbol symbol) {
 /// first.
 class NumberCode {
  public:
-  /// Of the scene, or of one of its surfaces, which may have definitions of its own.
+  /// The numbers are the scene's, or one of its surfaces', which may have definitions of its own.
   explicit NumberCode(const Scene& scene, const SurfaceSpec* own = nullptr)
       : scope_(graph_, constant_names(scene, own), constant_view(scene, own)) {}
 

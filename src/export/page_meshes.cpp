@@ -156,8 +156,8 @@ PageMesh page_mesh(const Scene& scene, const SurfaceSpec& spec, const Mesh& mesh
     const dvec3& position = mesh.position[order.corners[i]];
     const dvec3& normal = mesh.normal[order.corners[i]];
     if (is_near(there[i], position, within)) ++known;
-    const bool has_normal = mesh.triangles.empty() ||
-                            is_near(normal_of(points[i], surface.flip), normal, kSameNormal);
+    const bool has_normal =
+        mesh.triangles.empty() || is_near(normal_of(points[i], surface.flip), normal, kSameNormal);
     if (has_normal && is_near(points[i].position, position, within)) continue;
     baked.push_back(i);
     positions.push_back(position);

@@ -9,7 +9,7 @@
 
 namespace saddle {
 
-/// What of a mesh the formulas do not give.
+/// The part of a mesh that formulas do not give.
 struct PageMesh {
   std::string bytes;
   Bounds box;          ///< in which its baked places are numbers of 16 bits

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "export/page_code.h"
 #include "render/shading/shader_materials.h"
 #include "render/shading/shaders.h"
 #include "render/shading/surface_shader.h"
@@ -108,7 +107,8 @@ ShaderNeeds needs_of(const PageScene& page, std::size_t surface, const ShaderNee
 
 std::vector<Light> page_lights(const Scene& scene) {
   std::vector<Light> lights;
-  for (auto& [light, uniforms] : shining(scene, fit_camera(scene.camera, {dvec3(-1), dvec3(1)}, 1))) {
+  for (auto& [light, uniforms] :
+       shining(scene, fit_camera(scene.camera, {dvec3(-1), dvec3(1)}, 1))) {
     lights.push_back(std::move(light));
   }
   return lights;

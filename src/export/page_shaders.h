@@ -4,13 +4,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "export/page_scene.h"
 #include "render/shading/shader_lights.h"
 #include "render/shading/shader_text.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
-
-struct PageScene;
 
 /// The lights that shine, or may shine at another moment, in the order in which the shaders count
 /// them.

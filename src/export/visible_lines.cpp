@@ -18,8 +18,9 @@ constexpr double kStep = 0.5;
 /// From there, halvings to the end of a part: 0.5 / 2^4 is a thirty-second of a pixel.
 constexpr int kHalvings = 4;
 /// Lines lie on the triangles' own sides. Triangles are pushed back by the depth that they have
-/// across so many pixels, as pictures do, and by a share of all depths for those seen straight on.
-constexpr double kPushPixels = 0.5;
+/// across so many pixels, less than hidden parts may be wrong by, and by a share of all depths for
+/// those seen straight on.
+constexpr double kPushPixels = 0.1;
 constexpr double kPushDepth = 1e-6;
 /// Triangles of less area, in square pixels, hide nothing.
 constexpr double kLeastArea = 1e-9;
@@ -38,8 +39,8 @@ PictureDepths::PictureDepths(const FittedCamera& camera, const dvec2& size)
       bins_(static_cast<std::size_t>(columns_) * rows_) {}
 
 std::optional<dvec3> PictureDepths::screen(const dvec3& point, double nearer) const {
-  dvec3 eye = glm::dmat3(camera_.world_to_eye) * (point - camera_.target) -
-              dvec3(0, 0, camera_.distance);
+  dvec3 eye =
+      glm::dmat3(camera_.world_to_eye) * (point - camera_.target) - dvec3(0, 0, camera_.distance);
   const bool ortho = camera_.eye_to_clip[2][3] == 0;
   const double way = nearer * camera_.half_height;
   if (ortho) {
@@ -74,9 +75,10 @@ void PictureDepths::add(const std::array<dvec3, 3>& corners) {
   };
   const auto number = static_cast<std::uint32_t>(triangles_.size());
   triangles_.push_back(drawn);
-  for (int y = std::max(0, first(a.y, b.y, c.y)); y <= std::min(rows_ - 1, last(a.y, b.y, c.y)); ++y) {
-    for (int x = std::max(0, first(a.x, b.x, c.x)); x <= std::min(columns_ - 1, last(a.x, b.x, c.x));
-         ++x) {
+  for (int y = std::max(0, first(a.y, b.y, c.y)); y <= std::min(rows_ - 1, last(a.y, b.y, c.y));
+       ++y) {
+    for (int x = std::max(0, first(a.x, b.x, c.x));
+         x <= std::min(columns_ - 1, last(a.x, b.x, c.x)); ++x) {
       bins_[static_cast<std::size_t>(y) * columns_ + x].push_back(number);
     }
   }
@@ -84,8 +86,8 @@ void PictureDepths::add(const std::array<dvec3, 3>& corners) {
 
 bool PictureDepths::is_hidden(const dvec3& at) const {
   if (!(at.x >= 0 && at.y >= 0 && at.x < size_.x && at.y < size_.y)) return true;  // not in it
-  const auto bin = static_cast<std::size_t>(at.y / kBin) * columns_ +
-                   static_cast<std::size_t>(at.x / kBin);
+  const auto bin =
+      static_cast<std::size_t>(at.y / kBin) * columns_ + static_cast<std::size_t>(at.x / kBin);
   return std::ranges::any_of(bins_[bin], [&](std::uint32_t number) {
     const auto& [corners, push] = triangles_[number];
     const auto& [a, b, c] = corners;

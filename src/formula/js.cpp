@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/format.h"
 #include "formula/lower.h"
@@ -40,7 +41,7 @@ std::string js_number(double value) {
   if (std::isinf(value)) return value > 0 ? "(1/0)" : "(-1/0)";
   const std::string text = formatted("%.17g", value);
   const std::string shorter = formatted("%.15g", value);
-  const std::string& result = std::stod(shorter) == value ? shorter : text;
+  const std::string& result = std::strtod(shorter.c_str(), nullptr) == value ? shorter : text;
   return result.front() == '-' ? "(" + result + ")" : result;  // - -1 would be a decrement
 }
 
@@ -57,7 +58,8 @@ JsCode print_js(const Graph& graph, std::span<const NodeId> outputs,
     for (int i = 0; i < arity(node.op); ++i) arguments[i] = js_operand(lowered, node.args[i], name);
     const bool is_each = (node.depends & (kDependsU | kDependsV)) != 0;
     std::string& part = is_each ? code.each : code.once;
-    part += "const t" + std::to_string(id) + "=" + with_arguments(js_text(node.op), arguments) + ";\n";
+    part +=
+        "const t" + std::to_string(id) + "=" + with_arguments(js_text(node.op), arguments) + ";\n";
   }
   for (const NodeId root : roots) code.outputs.push_back(js_operand(lowered, root, name));
   return code;

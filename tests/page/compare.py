@@ -17,9 +17,18 @@ def read(png):
     return numpy.asarray(Image.open(source).convert("RGB")).astype(int)
 
 
+# Neighbours that differ by so many levels are beside an edge: another sheet's, or another side's.
+EDGE = 25
+
+
 def inside(picture, background, pixels):
-    """Where everything within so many pixels is another colour than the background."""
+    """Where everything within so many pixels is another colour than the background, and no edge."""
     shown = (abs(picture - numpy.array(background)) > 0).any(axis=2)
+    for axis in (0, 1):
+        jump = abs(numpy.diff(picture, axis=axis)).max(axis=2) > EDGE
+        before, after = [(slice(None, -1), slice(None)), (slice(1, None), slice(None))]
+        for part in (before, after):
+            shown[part if axis == 0 else part[::-1]] &= ~jump
     result = shown.copy()
     for _ in range(pixels):
         result[1:] &= shown[:-1]

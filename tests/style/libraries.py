@@ -17,7 +17,7 @@ HOMES = {
     r"GLFW/.*|backends/imgui.*": r"src/view/window/(window|events)\.cpp",
     r"imgui.*": r"src/view/panel/.*\.cpp|src/view/window/window\.cpp",
     r"stb_truetype\.h": r"src/render/overlay/font\.cpp",
-    r"zlib\.h": r"src/base/(png_pixels|deflate)\.cpp|tests/.*",
+    r"zlib\.h": r"src/base/(png_pixels|deflate|packed_text)\.cpp|tests/.*",
     r"png\.h": r"src/base/image_png\.cpp|tests/.*",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -108,7 +108,7 @@ void check_format_is_used(const CommandLine& line) {
               "--format is for -o - and for names without an extension");
 }
 
-/// Of pages alone.
+/// They are about pages alone. Throws Error (Input) without one.
 void check_page_options(const CommandLine& line, const std::vector<Output>& outputs) {
   const auto is_page = [](const Output& output) { return output.format->takes_sliders; };
   if (std::ranges::any_of(outputs, is_page)) return;

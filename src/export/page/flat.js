@@ -9,7 +9,7 @@ function flatPainter(canvas) {
       for (const chain of chains) {
         chain.forEach((p, i) => {
           const ends = [chain[Math.max(i - 1, 0)], p].map(q => onScreen(c, placed(matrix, q)));
-          if ((i || chain.length == 1) && ends[0] && ends[1]) list.push([Math.max(ends[0][2], ends[1][2]) * (1 - 1e-3), ends, css(color), width]);
+          if ((i || chain.length == 1) && ends[0] && ends[1]) list.push([Math.min(ends[0][2], ends[1][2]) - 0.03 * c.half, ends, css(color), width]);
         });
       }
     };

@@ -8,7 +8,7 @@ function power(a, b) {
 
 // The value at z of the polynomial with these coefficients, the constant one first.
 function polynomial(coefficients, z) {
-  return coefficients.reduceRight((sum, c) => sum * z + c, 0);
+  return coefficients.reduceRight((sum, c) => sum * z + c);
 }
 
 // e^(-x^2): the square in two parts, as its rounding would be a factor of the result.
@@ -23,10 +23,9 @@ function erf(x) {
   const a = Math.abs(x);
   if (!(a < 6)) return Math.sign(x);
   if (a < 2) {
-    let term = x;
-    let sum = x;
-    for (let k = 1; Math.abs(term) > 1e-18 * Math.abs(sum); ++k) sum += term *= 2 * x * x / (2 * k + 1);
-    return 1.1283791670955126 * sum * gauss(x);
+    const terms = [x];
+    for (let k = 1; k < 60; ++k) terms.push(terms[k - 1] * 2 * x * x / (2 * k + 1));
+    return 1.1283791670955126 * terms.reduceRight((sum, term) => sum + term) * gauss(x);
   }
   let f = a;
   for (let k = 60; k > 0; --k) f = a + k / 2 / f;
@@ -36,7 +35,7 @@ function erf(x) {
 // From 1 to 2 a polynomial; elsewhere that times the factors between. Their product carries its
 // rounding errors with it, by T. Dekker, "A floating-point technique", 1971.
 function gamma(x) {
-  if (x == 0) return 1 / x;
+  if (Math.abs(x) < 1e-17) return 1 / x;
   if (x < 0 && x == Math.floor(x)) return NaN;
   if (x > 172) return 1 / 0;
   if (x < -190) return 0;
@@ -127,8 +126,12 @@ function besselJ(n, x) {
   const sign = (n < 0) != (x < 0) && n % 2 ? -1 : 1;
   n = Math.abs(n);
   if (a == 1 / 0) return 0;
-  if (a == 0) return n ? 0 : 1;
-  if (a > 30 + n * n) {
+  if (!(a > 1e-9)) {  // the first term of the series
+    let term = sign;
+    for (let k = 1; k <= n; ++k) term *= a / 2 / k;
+    return a == a ? term : a;
+  }
+  if (a > 22 + n * n / 2) {
     let term = 1, p = 1, q = 0;
     for (let k = 1; Math.abs(term) > 1e-17; ++k) {
       term *= (4 * n * n - (2 * k - 1) ** 2) / (8 * k * a);
@@ -137,7 +140,7 @@ function besselJ(n, x) {
     }
     const s = Math.sin(a), c = Math.cos(a);
     const quarter = [c + s, s - c, -c - s, c - s];  // cosines of a - (2 n + 1) pi/4, times sqrt(2)
-    return sign * (p * quarter[n % 4] - q * quarter[(n + 1) % 4]) / Math.sqrt(Math.PI * a);
+    return sign * (p * quarter[n % 4] - q * quarter[(n + 1) % 4]) / Math.sqrt(Math.PI) / Math.sqrt(a);
   }
   const top = 2 * Math.ceil((Math.max(n, a) + 20 + 8 * Math.sqrt(Math.max(n, a))) / 2);
   let high = 0, low = 1e-300, sum = 0, value = 0;

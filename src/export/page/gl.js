@@ -154,7 +154,7 @@ function glPainter(canvas) {
     const wide = Math.max(...scene.surfaces.map(s => s.look.line_width || 1));
     const hasContours = scene.surfaces.some(s => s.contours.length);
     gl.polygonOffset((hasContours ? 2 : 1) * wide * per / 2 + 0.5, 1);
-    gl.enable(gl.POLYGON_OFFSET_FILL);
+    if (hasContours || scene.surfaces.some(s => s.chains.length)) gl.enable(gl.POLYGON_OFFSET_FILL);
     const faces = placedItems.filter(({s}) => s.drawn.length && s.look.opacity > 0);
     for (const item of faces) if (item.s.look.opacity >= 1) drawFaces(item, array, false);
     gl.disable(gl.POLYGON_OFFSET_FILL);

@@ -67,12 +67,13 @@ function drawOverlay(context, view) {
     if (below && all[0] != low) all.unshift(low);
     if (above && all.at(-1) != high) all.push(high);
     const widest = Math.max(...all.map(x => context.measureText(label(x)).width));
-    const x = right - widest - (1.2 + 0.45 + 0.35 + 1.1) * em, top = Math.round(0.08 * c.height + em), height = Math.round(0.84 * c.height - em);
+    const x = right - widest - (1.2 + 0.45 + 0.35 + 1.1) * em, top = Math.round(0.08 * c.height + em), height = Math.round(0.84 * c.height);
     for (let y = 0; y < height; ++y) {
       context.fillStyle = `rgb(${scene.maps[i].slice(3 * Math.round(255 * (1 - y / height)))})`.split(',').slice(0, 3).join() + ')';
       context.fillRect(x, top + y, 1.1 * em, 1.5);
     }
     context.fillStyle = ink;
+    context.strokeRect(x, top, 1.1 * em, height);
     for (const value of all) {
       const y = top + height * (1 - (high > low ? (value - low) / (high - low) : 0.5));
       tick([x + 1.1 * em, y], [1, 0]);

@@ -47,7 +47,7 @@ class Font {
   TextBitmap draw(const std::string& text, double size) const;
 
   /// Its outlines where draw() has it, in pixels from the bitmap's upper left, y down; each begins
-  /// with a move, and is closed. What they wind round is ink.
+  /// with a move, and is closed. Ink is all that they wind round.
   std::vector<OutlinePiece> outlines(const std::string& text, double size) const;
 
  private:

@@ -145,6 +145,14 @@ Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
   return result;
 }
 
+Image render_surfaces(const Scene& scene, std::span<const Mesh> meshes, const FittedCamera& camera,
+                      const PictureSettings& options, Backend backend) {
+  const std::unique_ptr<Context> context = make_context(backend);
+  Renderer renderer;
+  for (std::size_t i = 0; i < meshes.size(); ++i) renderer.set_surface(scene, i, meshes[i]);
+  return draw_image(renderer, scene, camera, options, kTileSamples, {.bare = true});
+}
+
 Rendering render(const Scene& scene, std::span<const Mesh> meshes, const PictureSettings& options,
                  Backend backend) {
   return render_in_tiles(scene, meshes, options, kTileSamples, backend);

@@ -12,6 +12,7 @@
 #include "mesh/model/mesh.h"
 #include "render/gl/context.h"
 #include "render/shading/surface_program.h"
+#include "scene/model/camera.h"
 #include "scene/model/scene.h"
 
 namespace saddle {
@@ -82,6 +83,10 @@ Rendering render(const Scene& scene, std::span<const Mesh> meshes, const Picture
 Rendering render_in_tiles(const Scene& scene, std::span<const Mesh> meshes,
                           const PictureSettings& options, int tile_samples,
                           Backend backend = Backend::Any);
+
+/// The surfaces alone, seen by this camera: no lines, no curves, nothing written.
+Image render_surfaces(const Scene& scene, std::span<const Mesh> meshes, const FittedCamera& camera,
+                      const PictureSettings& options, Backend backend);
 
 /// A maker that has warmed up, entered by no thread. For a thread beside tessellation, which takes
 /// about as long.

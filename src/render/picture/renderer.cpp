@@ -138,8 +138,11 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
     if (item.opacity > 0 && item.opacity < 1) see_through.push_back(item);
   }
   if (scene.box) bounds.add(*scene.box);
-  const Annotations annotations = annotate(scene, camera, bounds, scales_, viewport.size(),
-                                           stroke_drawer_.labels(scene, camera, viewport.size()));
+  Annotations annotations;
+  if (!look.bare) {
+    annotations = annotate(scene, camera, bounds, scales_, viewport.size(),
+                           stroke_drawer_.labels(scene, camera, viewport.size()));
+  }
   unknown_letters_ = annotations.unknown;
   const dvec3 ink = ink_of(scene);
   Color background = scene.background;
@@ -149,9 +152,11 @@ void Renderer::draw(const Scene& scene, const FittedCamera& camera, const Viewpo
   clear(background);
   glEnable(GL_DEPTH_TEST);
   draw_surfaces(scene, hiding, lights, line, look);
-  if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
-  if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
-  stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
+  if (!look.bare) {
+    if (look.lines) line_drawer_.draw_lines(scene, items, meshes_, viewport);
+    if (has_contours()) line_drawer_.draw_contours(scene, items, meshes_, viewport);
+    stroke_drawer_.draw(scene, meshes_, {camera, viewport, unit});
+  }
   if (marks_) {
     PlacedMesh item({}, *marks_, camera, unit);
     item.model_to_clip = to_rect * item.model_to_clip;

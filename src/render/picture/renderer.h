@@ -32,6 +32,7 @@ namespace saddle {
 struct Look {
   bool lines = true;       ///< the surfaces' grid lines
   bool wireframe = false;  ///< the edges of the triangles in place of the triangles
+  bool bare = false;       ///< the surfaces alone: no lines, no curves, nothing written
 };
 
 /// Needs the same current context from the first to the last of its calls.

@@ -26,7 +26,7 @@ enum class MeshUp { Z, Y };
 struct RunSettings {
   std::vector<std::string> outputs;       ///< paths; "-": standard output
   std::string format;                     ///< of outputs without an extension of their own
-  std::string sliders = "all";  ///< of pages: "all", "off", or names of parameters
+  std::string sliders = "all";            ///< of pages: "all", "off", or names of parameters
   bool fragment = false;                  ///< pages without html and body
   std::string reference;                  ///< the picture to compare with; empty: none
   double threshold = kDefaultThreshold;   ///< largest difference from it that passes, 0 to 1

@@ -26,6 +26,7 @@ Scene one_surface() {
   Scene scene;
   assign(scene, "z=u*v");
   scene.background = {0, 0, 1, 1};
+  scene.picture.width = scene.picture.height = 16;
   return scene;
 }
 
@@ -41,6 +42,9 @@ std::string written(const Format& format, const Scene& scene) {
     case Kind::Mesh:
       format.write_mesh(out, {{&mesh, 1}, scene});
       break;
+    case Kind::Page:
+      format.write_page(out, {{&mesh, 1}, scene, scene, "all"});
+      break;
     case Kind::Scene:
       format.write_scene(out, scene);
       break;
@@ -54,6 +58,7 @@ TEST(Formats, HaveTheWriterOfTheirKindAndNoOther) {
   for (const Format& format : formats()) {
     EXPECT_EQ(format.write_picture != nullptr, format.kind == Kind::Picture) << format.extension;
     EXPECT_EQ(format.write_mesh != nullptr, format.kind == Kind::Mesh) << format.extension;
+    EXPECT_EQ(format.write_page != nullptr, format.kind == Kind::Page) << format.extension;
     EXPECT_EQ(format.write_scene != nullptr, format.kind == Kind::Scene) << format.extension;
     EXPECT_EQ(format.video != nullptr, format.kind == Kind::Animation) << format.extension;
   }
@@ -100,6 +105,9 @@ TEST(Formats, BeginAsTheirSpecificationsSay) {
   const Scene scene = one_surface();
   EXPECT_TRUE(written(*find_format("png"), scene).starts_with("\x89PNG\r\n\x1a\n"));
   EXPECT_TRUE(written(*find_format("ply"), scene).starts_with("ply\nformat binary_little_endian"));
+  EXPECT_TRUE(written(*find_format("html"), scene).starts_with("<!DOCTYPE html>\n"));
+  EXPECT_TRUE(written(*find_format("svg"), scene).starts_with("<?xml version=\"1.0\""));
+  EXPECT_TRUE(written(*find_format("pdf"), scene).starts_with("%PDF-1.7\n"));
   EXPECT_EQ(written(*find_format("toml"), scene), write_scene(scene));
 }
 
