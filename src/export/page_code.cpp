@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "export/page_shaders.h"
+#include "export/page_solids.h"
 #include "formula/js.h"
 #include "scene/model/instances.h"
 #include "scene/model/prepare.h"
@@ -188,9 +189,9 @@ std::string scale_code(const PageScene& page, const SurfaceSpec& spec, const Mes
 }
 
 std::string surface_code(const PageScene& page, std::size_t index, std::size_t program) {
-  const Scene& scene = page.scene;
-  const SurfaceSpec& spec = scene.surfaces[index];
   const Mesh& mesh = page.meshes[index];
+  const Scene scene = mesh.solid ? without_sliders(page.scene) : page.scene;
+  const SurfaceSpec& spec = scene.surfaces[index];
   const PageMesh& packed = page.packed[index];
   NumberCode numbers(scene, spec.is_stroke() ? nullptr : &spec);
   std::string look = material_code(numbers, "front", spec.front) + "," +
