@@ -124,7 +124,7 @@ class MeshAdder {
     }
   }
 
-  /// Each part has one side: nobody sees the other one.
+  /// Each part has one side; the solid hides the other one.
   void add_solid() {
     hides_back_ = true;
     const Json attributes = attributes_of(0, 1);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "export/page_shaders.h"
-#include "export/page_solids.h"
 #include "formula/js.h"
 #include "scene/model/instances.h"
 #include "scene/model/prepare.h"
@@ -186,6 +185,13 @@ std::string scale_code(const PageScene& page, const SurfaceSpec& spec, const Mes
   return "colored:true,scale:" + std::to_string(&scale - page.scales.data()) + ",onScale:" +
          list({js_number(place_on(scale, mesh.color_range.high) - first), js_number(first)}) +
          ",range:" + list({js_number(mesh.color_range.low), js_number(mesh.color_range.high)});
+}
+
+/// The scene whose formulas no slider moves: a page has no way to make solids.
+Scene without_sliders(Scene scene) {
+  scene.keeps_time = false;
+  for (Definition& definition : scene.definitions) definition.kept.reset();
+  return scene;
 }
 
 std::string surface_code(const PageScene& page, std::size_t index, std::size_t program) {

@@ -43,10 +43,4 @@ void split_solids(PageScene& page, std::vector<Mesh>& meshes) {
   page.meshes = meshes;
 }
 
-Scene without_sliders(Scene scene) {
-  scene.keeps_time = false;
-  for (Definition& definition : scene.definitions) definition.kept.reset();
-  return scene;
-}
-
 }  // namespace saddle

@@ -12,7 +12,4 @@ namespace saddle {
 /// what page.meshes is afterwards.
 void split_solids(PageScene& page, std::vector<Mesh>& meshes);
 
-/// The scene whose formulas no slider moves: a page has no way to make solids.
-Scene without_sliders(Scene scene);
-
 }  // namespace saddle

@@ -24,7 +24,7 @@ struct PartRange {
 /// The parts that have triangles, in the order of the triangles. A sheet is a front alone.
 std::vector<PartRange> parts_of(const Mesh& mesh);
 
-/// What is seen of a part from outside. The surface is resolved.
+/// The material of a part, seen from outside. The surface is resolved.
 Material material_of(const SurfaceSpec& surface, SolidPart part);
 
 }  // namespace saddle
