@@ -10,6 +10,7 @@
 
 #include "export/content.h"
 #include "mesh/model/mesh.h"
+#include "mesh/solid/thicken.h"
 #include "scene/model/assignments.h"
 #include "scene/model/scene.h"
 
@@ -81,6 +82,11 @@ inline Mesh numbered_square() {
   for (const dvec3& p : mesh.position) mesh.color.push_back(double(p.x));
   mesh.color_range = {0, 1};
   return mesh;
+}
+
+/// The open square as a solid, or the numbered one: 2 triangles in front, 2 behind, 8 of walls.
+inline Mesh thick_square(bool numbered = false) {
+  return thicken(numbered ? numbered_square() : open_square(), {0.1, 0.1});
 }
 
 inline Scene scene_of_surface() {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@
 
 #include "export/glb_materials.h"
 #include "export/looks.h"
-#include "export/nearest_corner.h"
+#include "export/solid_parts.h"
 #include "mesh/model/hidden_back.h"
 
 namespace saddle {
@@ -108,6 +109,10 @@ class MeshAdder {
   void add_sheets() {
     const SurfaceSpec& spec = surface_.spec;
     add_coordinates();
+    if (mesh_.solid) {
+      add_solid();
+      return;
+    }
     hides_back_ = spec.opacity == 1 && hides_its_back(mesh_);
     if (hides_back_) {
       add_sheet(Side::Front, 0);
@@ -116,6 +121,17 @@ class MeshAdder {
     } else {
       add_sheet(Side::Front, kSheetGap);
       add_sheet(Side::Back, -kSheetGap);
+    }
+  }
+
+  /// Each part has one side; the solid hides the other one.
+  void add_solid() {
+    hides_back_ = true;
+    const Json attributes = attributes_of(0, 1);
+    for (const PartRange& part : parts_of(mesh_)) {
+      GlbMaterial look = material_of(Side::Front);
+      look.material = saddle::material_of(surface_.spec, part.part);
+      add_part(attributes, false, part, look);
     }
   }
 
@@ -199,30 +215,42 @@ class MeshAdder {
 
   void add_sheet(Side side, double gap) {
     const bool is_back = side == Side::Back;
+    const PartRange all{SolidPart::Front, 0, mesh_.triangles.size()};
+    add_part(attributes_of(gap, is_back ? -1 : 1), is_back, all, material_of(side));
+  }
+
+  /// `gap`: off the surface, as a share of the diagonal. `sign`: of the normals.
+  Json attributes_of(double gap, double sign) {
     Json attributes = {{"POSITION", add_points(mesh_.position.size(), point_at(gap), file_)},
-                       {"NORMAL", add_normals(is_back ? -1 : 1)}};
+                       {"NORMAL", add_normals(sign)}};
     for (std::size_t i = 0; i < coordinates_.size(); ++i) {
       attributes["TEXCOORD_" + std::to_string(i)] = coordinates_[i];
     }
-    add_triangles(attributes, is_back, false, material_of(side));
-    GlbMaterial grey = material_of(side);
-    grey.textured = false;
-    grey.material.diffuse = {kUndefinedGrey, kUndefinedGrey, kUndefinedGrey};
-    if (surface_.scale) add_triangles(attributes, is_back, true, grey);
+    return attributes;
   }
 
-  /// Adds the triangles with a number to be coloured by, or the others.
-  void add_triangles(const Json& attributes, bool reversed, bool undefined,
+  void add_part(const Json& attributes, bool reversed, const PartRange& part,
+                const GlbMaterial& look) {
+    add_triangles(attributes, reversed, false, part, look);
+    GlbMaterial grey = look;
+    grey.textured = false;
+    grey.material.diffuse = {kUndefinedGrey, kUndefinedGrey, kUndefinedGrey};
+    if (surface_.scale) add_triangles(attributes, reversed, true, part, grey);
+  }
+
+  /// Adds those triangles of a part that have a number to be coloured by, or the others.
+  void add_triangles(const Json& attributes, bool reversed, bool undefined, const PartRange& part,
                      const GlbMaterial& material) {
     const auto belongs = [this, undefined](const Triangle& t) {
       return is_undefined(t) == undefined;
     };
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(mesh_.triangles, belongs));
+    const std::span triangles(mesh_.triangles.data() + part.first, part.count);
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(triangles, belongs));
     if (count == 0) return;
     const GlbSurface& surface = surface_;
-    const auto each = [&surface, reversed, undefined](const auto& take) {
+    const auto each = [&surface, triangles, reversed, undefined](const auto& take) {
       const Mesh& mesh = surface.mesh;
-      for (const Triangle& t : mesh.triangles) {
+      for (const Triangle& t : triangles) {
         const bool is_undefined = surface.scale && std::isnan(mesh.color[t[0]]);
         if (is_undefined != undefined) continue;
         take(t[0]);
@@ -252,11 +280,8 @@ class MeshAdder {
 
   Strokes contour_lines() const {
     Strokes strokes;
-    const NearestCorner nearest(mesh_);
-    for (const dvec3& p : mesh_.contours.on_mesh) {
-      strokes.position.push_back(p);
-      strokes.normal.push_back(mesh_.normal[nearest.to(p)]);
-    }
+    strokes.position = mesh_.contours.on_mesh;
+    strokes.normal = mesh_.contours.normal;
     for (const std::vector<std::uint32_t>& chain : mesh_.contours.lines) {
       for (std::size_t i = 1; i < chain.size(); ++i) {
         strokes.lines.insert(strokes.lines.end(), {chain[i - 1], chain[i]});

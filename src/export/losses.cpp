@@ -41,6 +41,7 @@ struct Feature {
   bool Holds::*held;
   const char* name;
   bool (*is_there)(const Scene& scene, const ExportedMesh& placed);
+  bool Holds::*held_of_solids = held;
 };
 
 /// Colours that a scene has without being asked are no loss; grid lines are not, either.
@@ -54,7 +55,8 @@ constexpr Feature kFeatures[] = {
      [](const Scene& scene, const ExportedMesh& placed) {
        return !placed.scale && !placed.spec->is_stroke() &&
               !same_color(placed.spec->back.diffuse, look_of(scene.theme).back.diffuse);
-     }},
+     },
+     &Holds::front},
     {&Holds::numbers, "the colours of --color",
      [](const Scene&, const ExportedMesh& placed) { return placed.scale.has_value(); }},
     {&Holds::opacity, "--opacity",
@@ -124,10 +126,12 @@ class LossFinder {
     std::vector<const Feature*> missing;
     std::vector<std::string> names;
     for (const Feature& feature : kFeatures) {
-      const auto is_there = [&](const ExportedMesh& placed) {
-        return feature.is_there(content_.scene, placed);
+      const auto is_lost = [&](const ExportedMesh& placed) {
+        const bool is_held =
+            format_.holds.*(placed.mesh->solid ? feature.held_of_solids : feature.held);
+        return !is_held && feature.is_there(content_.scene, placed);
       };
-      if (format_.holds.*feature.held || std::ranges::none_of(meshes_, is_there)) continue;
+      if (std::ranges::none_of(meshes_, is_lost)) continue;
       missing.push_back(&feature);
       names.emplace_back(feature.name);
     }

@@ -9,6 +9,7 @@
 #include "export/looks.h"
 #include "export/placed_meshes.h"
 #include "export/scene_lines.h"
+#include "export/solid_parts.h"
 #include "export/writers.h"
 
 namespace saddle {
@@ -23,6 +24,12 @@ std::string word_of(const std::string& name) {
     if (static_cast<unsigned char>(c) <= ' ' || c == 0x7f || c == '#') c = '_';
   }
   return word;
+}
+
+/// The material of a part of the mesh of this name.
+std::string material_name(const std::string& name, SolidPart part) {
+  if (part == SolidPart::Front) return name;
+  return name + (part == SolidPart::Back ? "-back" : "-walls");
 }
 
 /// Numbers of the first element of a mesh in the file; OBJ counts from 1.
@@ -87,11 +94,13 @@ class ObjWriter {
     const Firsts first = next_;
     write_points(placed);
     write_corners(placed);
-    use(name);
     bool some_undefined = false;
-    for (std::size_t t = 0; t < placed.mesh->triangles.size(); ++t) {
-      placed.is_undefined(t) ? static_cast<void>(some_undefined = true)
-                             : write_face(placed, t, first);
+    for (const PartRange& part : parts_of(*placed.mesh)) {
+      use(material_name(name, part.part));
+      for (std::size_t t = part.first; t < part.end(); ++t) {
+        placed.is_undefined(t) ? static_cast<void>(some_undefined = true)
+                               : write_face(placed, t, first);
+      }
     }
     if (!some_undefined) return;
     use("undefined");
@@ -217,13 +226,15 @@ void write_mtl(std::ostream& out, const MeshContent& content) {
     lines.diffuse = placed.spec->line_color;
     write_material(writer, name + "-lines", lines, 1);
     if (placed.is_line) continue;
-    Material material = placed.spec->front;
-    // The picture is multiplied by the colour.
-    if (placed.scale) material.diffuse = {1, 1, 1};
-    write_material(writer, name, material, placed.spec->opacity);
-    if (!placed.scale) continue;
-    some_colored = true;
-    writer << "map_Kd " << content.stem << "-color.png\n";
+    for (const PartRange& part : parts_of(*placed.mesh)) {
+      Material material = material_of(*placed.spec, part.part);
+      // The picture is multiplied by the colour.
+      if (placed.scale) material.diffuse = {1, 1, 1};
+      write_material(writer, material_name(name, part.part), material, placed.spec->opacity);
+      if (!placed.scale) continue;
+      some_colored = true;
+      writer << "map_Kd " << content.stem << "-color.png\n";
+    }
   }
   Material undefined;
   undefined.diffuse = {kUndefinedGrey, kUndefinedGrey, kUndefinedGrey};

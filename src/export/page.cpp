@@ -16,6 +16,7 @@
 #include "base/sha256.h"
 #include "export/markup.h"
 #include "export/page_code.h"
+#include "export/page_solids.h"
 #include "export/page_sources.h"
 #include "render/gl/gpu_mesh.h"
 #include "render/picture/picture_in_tiles.h"
@@ -87,9 +88,16 @@ class Sliders {
     std::istringstream words(wanted);
     for (std::string word; std::getline(words, word, ',');) wanted_.push_back(word);
     Scene& scene = page_.scene;
+    const auto is_solid = [](const Mesh& mesh) { return mesh.solid.has_value(); };
+    if (std::ranges::all_of(page_.meshes, is_solid)) hold(scene.definitions);
     keep(scene.definitions, scene.sliders, "");
-    for (SurfaceSpec& spec : scene.surfaces) {
-      keep(spec.definitions, spec.sliders, " (" + spec.name + ")");
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+      SurfaceSpec& spec = scene.surfaces[i];
+      if (page_.meshes[i].solid) {
+        hold(spec.definitions);
+      } else {
+        keep(spec.definitions, spec.sliders, " (" + spec.name + ")");
+      }
     }
     check();
     if (is("off")) return;
@@ -100,6 +108,10 @@ class Sliders {
   bool is(const char* word) const { return wanted_.size() == 1 && wanted_[0] == word; }
   bool is_wanted(const std::string& name) const {
     return is("all") || std::ranges::find(wanted_, name) != wanted_.end();
+  }
+
+  void hold(const std::vector<Definition>& definitions) {
+    for (const Definition& definition : definitions) still_.insert(definition.name);
   }
 
   void keep(std::vector<Definition>& definitions, const std::vector<Slider>& sliders,
@@ -125,6 +137,10 @@ class Sliders {
   void check() const {
     if (is("all") || is("off")) return;
     for (const std::string& word : wanted_) {
+      if (still_.contains(word)) {
+        throw Error(Status::Input, "solids follow no sliders, and '" + word + "' is of one",
+                    {"--sliders", word, {0, word.size()}}, "--thickness off, or --sliders all");
+      }
       if (word == "t" || std::ranges::find(names_, word) != names_.end()) continue;
       std::vector<std::string> known = names_;
       known.insert(known.end(), {"t", "all", "off"});
@@ -140,31 +156,36 @@ class Sliders {
   PageScene& page_;
   std::vector<std::string> wanted_;
   std::vector<std::string> names_;
+  std::set<std::string> still_;  ///< parameters of solids
 };
 
-PageScene page_scene(const PageContent& content, std::vector<PageMesh>& packed) {
+/// `parts`, `packed`: keep what the page refers to.
+PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
+                     std::vector<PageMesh>& packed) {
   PageScene page;
   page.scene = content.seen;
   page.meshes = content.meshes;
   const Scene& scene = page.scene;
   const dvec2 size(scene.picture.width, scene.picture.height);
   page.camera = fit_to_meshes(scene, content.meshes, size);
+  std::vector<std::optional<ColorRange>> ranges;
+  for (const Mesh& mesh : content.meshes) ranges.push_back(color_range_of(mesh));
+  page.scales = color_scales(scene, ranges);
+  split_solids(page, parts);
   Bounds bounds;
   std::vector<double> stretch(scene.surfaces.size(), 1);
   for (const Instance& instance : instances(scene)) {
-    bounds.add(transformed(content.meshes[instance.surface].bounds, instance.to_world));
+    bounds.add(transformed(page.meshes[instance.surface].bounds, instance.to_world));
     double& most = stretch[instance.surface];
     most = std::max(most, largest_stretch(instance.to_world));
   }
   page.unit = model_frame(bounds).size;
   const double pixel = 2 * page.camera.half_height / scene.picture.height;
-  std::vector<std::optional<ColorRange>> ranges;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     packed.push_back(
-        page_mesh(scene, scene.surfaces[i], content.meshes[i], kPixelShare * pixel / stretch[i]));
-    ranges.push_back(color_range_of(content.meshes[i]));
+        page_mesh(scene, scene.surfaces[i], page.meshes[i], kPixelShare * pixel / stretch[i]));
+    packed.back().fixed |= page.meshes[i].solid.has_value();
   }
-  page.scales = color_scales(scene, ranges);
   page.packed = packed;
   return page;
 }
@@ -209,7 +230,8 @@ std::string body_of(const PageContent& content, const std::string& script,
 
 void write_page(std::ostream& out, const PageContent& content) {
   std::vector<PageMesh> packed;
-  PageScene page = page_scene(content, packed);
+  std::vector<Mesh> parts;
+  PageScene page = page_scene(content, parts, packed);
   const Sliders sliders(page, content.sliders);
   std::string meshes;
   for (const PageMesh& mesh : packed) meshes += mesh.bytes;

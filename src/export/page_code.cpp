@@ -187,10 +187,17 @@ std::string scale_code(const PageScene& page, const SurfaceSpec& spec, const Mes
          ",range:" + list({js_number(mesh.color_range.low), js_number(mesh.color_range.high)});
 }
 
+/// The scene whose formulas no slider moves: a page has no way to make solids.
+Scene without_sliders(Scene scene) {
+  scene.keeps_time = false;
+  for (Definition& definition : scene.definitions) definition.kept.reset();
+  return scene;
+}
+
 std::string surface_code(const PageScene& page, std::size_t index, std::size_t program) {
-  const Scene& scene = page.scene;
-  const SurfaceSpec& spec = scene.surfaces[index];
   const Mesh& mesh = page.meshes[index];
+  const Scene scene = mesh.solid ? without_sliders(page.scene) : page.scene;
+  const SurfaceSpec& spec = scene.surfaces[index];
   const PageMesh& packed = page.packed[index];
   NumberCode numbers(scene, spec.is_stroke() ? nullptr : &spec);
   std::string look = material_code(numbers, "front", spec.front) + "," +

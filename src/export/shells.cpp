@@ -8,6 +8,11 @@ namespace saddle {
 
 Shells shells_of(const Mesh& mesh) {
   Shells result;
+  if (mesh.solid) {
+    // Its triangles face outward as they are: those of a cavity toward its inside.
+    result.topology = topology(mesh);
+    return result;
+  }
   Parts parts;
   result.topology = topology(mesh, &parts);
   const std::size_t count = mesh.triangles.size();

@@ -14,6 +14,7 @@
 #include "base/printable.h"
 #include "export/looks.h"
 #include "export/placed_meshes.h"
+#include "export/solid_parts.h"
 #include "export/writers.h"
 #include "export/zip.h"
 #include "scene/model/colormap.h"
@@ -49,7 +50,7 @@ constexpr const char* kModelBegin = R"(<?xml version="1.0" encoding="UTF-8"?>
 )";
 
 /// Places in a surface's group of colours; those of numbers are behind them.
-enum GroupColor : std::size_t { kFrontColor, kBackColor, kNoNumberColor, kFirstNumber };
+enum GroupColor : std::size_t { kFrontColor, kBackColor, kNoNumberColor, kWallColor, kFirstNumber };
 constexpr std::size_t kNumberColors = 256;
 
 /// A triangle of the second extruder.
@@ -136,6 +137,7 @@ class ModelWriter {
     put(rgb_of(spec.front.diffuse));
     put(rgb_of(spec.back.diffuse));
     put(dvec3(kUndefinedGrey));
+    put(rgb_of(material_of(spec, SolidPart::Walls).diffuse));
     for (std::size_t k = 0; placed.scale && k < kNumberColors; ++k) {
       put(colormap_at(placed.scale->colormap, static_cast<double>(k) / (kNumberColors - 1)));
     }
@@ -151,8 +153,10 @@ class ModelWriter {
     writer_.whole(group_id(placed)) << "\" pindex=\"0\">\n<mesh>\n<vertices>\n";
     write_vertices(placed);
     writer_ << "</vertices>\n<triangles>\n";
-    for (std::size_t t = 0; t < placed.mesh->triangles.size(); ++t) {
-      write_triangle(placed, t, shells.is_turned(t));
+    for (const PartRange& part : parts_of(*placed.mesh)) {
+      for (std::size_t t = part.first; t < part.end(); ++t) {
+        write_triangle(placed, t, part.part, shells.is_turned(t));
+      }
     }
     writer_ << "</triangles>\n</mesh>\n</object>\n";
   }
@@ -173,7 +177,7 @@ class ModelWriter {
   }
 
   /// `turned`: the back is outside.
-  void write_triangle(const ExportedMesh& placed, std::size_t t, bool turned) {
+  void write_triangle(const ExportedMesh& placed, std::size_t t, SolidPart part, bool turned) {
     Triangle triangle = placed.triangle(t);
     if (turned) std::swap(triangle[1], triangle[2]);
     std::array<std::uint32_t, 3> point{};
@@ -183,13 +187,15 @@ class ModelWriter {
     writer_.whole(point[0]) << "\" v2=\"";
     writer_.whole(point[1]) << "\" v3=\"";
     writer_.whole(point[2]);
-    write_color(placed, t, triangle, turned);
+    const bool is_back = turned || part == SolidPart::Back;
+    const GroupColor side = part == SolidPart::Walls ? kWallColor : kFrontColor;
+    write_color(placed, t, triangle, is_back ? kBackColor : side);
     writer_ << "\"/>\n";
   }
 
   /// Nothing for the front, which the object has.
   void write_color(const ExportedMesh& placed, std::size_t t, const Triangle& triangle,
-                   bool turned) {
+                   GroupColor side) {
     const auto use = [&](std::size_t color) {
       writer_ << "\" pid=\"";
       writer_.whole(group_id(placed)) << "\" p1=\"";
@@ -202,9 +208,9 @@ class ModelWriter {
       writer_ << "\" p2=\"";
       writer_.whole(number_color(placed, triangle[1])) << "\" p3=\"";
       writer_.whole(number_color(placed, triangle[2]));
-    } else if (turned) {
-      use(kBackColor);
-      writer_ << kSecondExtruder;
+    } else if (side != kFrontColor) {
+      use(side);
+      if (side == kBackColor) writer_ << kSecondExtruder;
     }
   }
 

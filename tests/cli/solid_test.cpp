@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "base/image_png.h"
 #include "cli/program.h"
+#include "exported.h"
 
 namespace saddle {
 namespace {
@@ -107,6 +108,54 @@ TEST_F(Solids, ShowTheFrontAboveTheBackBelowAndWallsBetween) {
   EXPECT_EQ(middle("0,0,1"), (std::vector<int>{255, 255, 128}));
   EXPECT_EQ(middle("0,0,-1"), (std::vector<int>{128, 128, 255}));
   EXPECT_EQ(middle("0,-1,0"), (std::vector<int>{191, 191, 191}));
+}
+
+TEST_F(Solids, ArePrintedInMillimetres) {
+  const Outcome outcome =
+      run({"z=0", "--thickness", "2mm", "--print-size", "80", "-o", "a.stl", "-o", "a.3mf"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "") << "no open edges";
+  const std::string stl = read_file(path("a.stl"));
+  Bounds bounds;
+  for (std::size_t at = 84; at < stl.size(); at += 50) {
+    for (std::size_t k = 12; k < 48; k += 12) {
+      bounds.add({number_in<float>(stl, at + k), number_in<float>(stl, at + k + 4),
+                  number_in<float>(stl, at + k + 8)});
+    }
+  }
+  EXPECT_NEAR(bounds.size().x, 80, 1e-4);
+  EXPECT_NEAR(bounds.size().y, 80, 1e-4);
+  EXPECT_NEAR(bounds.size().z, 2, 1e-4);
+}
+
+TEST_F(Solids, AreWhatTheWarningOfOpenEdgesProposes) {
+  const std::vector<std::vector<std::string>> scenes = {{"z=u*v"},
+                                                        {"mobius"},
+                                                        {"enneper", "--print-size", "80"},
+                                                        {"z=1e-6*u*v", "u=0:1e-3", "v=0:1e-3"}};
+  for (std::vector<std::string> words : scenes) {
+    words.insert(words.end(), {"-o", "a.stl"});
+    const std::string err = run(words).err;
+    const std::string option = "--thickness ";
+    const std::size_t begin = err.find(option);
+    ASSERT_NE(begin, std::string::npos) << err;
+    const std::size_t number = begin + option.size();
+    words.insert(words.end(), {"--thickness", err.substr(number, err.find(' ', number) - number)});
+    const Outcome solid = run(words);
+    EXPECT_EQ(solid.status, 0) << solid.err;
+    EXPECT_FALSE(contains(solid.err, "no solid that can be printed")) << solid.err;
+  }
+}
+
+TEST_F(Solids, AreOnPagesAsTheyAreAndFollowNoSliders) {
+  const Outcome outcome = run({"torus", "v=0:4", "--thickness", "0.3", "-o", "a.html"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err, "");
+  const Outcome slider = run({"torus", "--thickness", "0.3", "--sliders", "r", "-o", "b.html"});
+  EXPECT_EQ(slider.status, 2);
+  EXPECT_TRUE(contains(slider.err, "solids follow no sliders")) << slider.err;
+  EXPECT_FALSE(exists("b.html"));
+  EXPECT_EQ(run({"torus", "--sliders", "r", "-o", "b.html"}).status, 0);
 }
 
 TEST_F(Solids, RefuseWhatIsNoThickness) {

@@ -198,6 +198,8 @@ TEST_F(Textures, WarnOfWhatIsNotShown) {
       contains(small({"torus", "--texture", "clear.png", "-o", "a.png"}).err, "transparent"));
   EXPECT_TRUE(
       contains(small({"torus", "--texture", "four.png", "-o", "a.ply"}).err, "has no texture"));
+  EXPECT_TRUE(contains(small({"torus", "--texture", "four.png", "-o", "a.html"}).err,
+                       "a page has no texture"));
   EXPECT_EQ(small({"torus", "--texture", "four.png", "-o", "a.png"}).err, "");
 }
 

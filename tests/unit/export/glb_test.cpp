@@ -104,6 +104,44 @@ Glb glb_of(const Mesh& mesh, const Scene& scene = kSurfaceScene) {
   return Glb(bytes_of(write_glb, {{&mesh, 1}, scene}));
 }
 
+TEST(Glb, HasAPrimitiveOfOneSideForEachPartOfASolid) {
+  Scene scene = scene_of_surface();
+  scene.surfaces[0].front.diffuse = {1, 0, 0};
+  scene.surfaces[0].back.diffuse = {0, 0, 1};
+  const Mesh mesh = thick_square();
+  const Glb glb(bytes_of(write_glb, {{&mesh, 1}, scene}));
+  ASSERT_EQ(glb.json["meshes"][0]["primitives"].size(), 3U);
+  const std::size_t counts[] = {2, 2, 8};
+  const dvec3 red_to_blue[] = {{1, 0, 0}, {0, 0, 1}, {0.21404, 0, 0.21404}};
+  const auto position = glb.vectors(glb.primitive(0)["attributes"]["POSITION"]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto corner = glb.indices(glb.primitive(k)["indices"]);
+    EXPECT_EQ(corner.size(), 3 * counts[k]);
+    EXPECT_EQ(glb.primitive(k)["attributes"], glb.primitive(0)["attributes"]);
+    const Json& material = glb.material(k);
+    EXPECT_FALSE(material.contains("doubleSided"));
+    const Json& color = material["pbrMetallicRoughness"]["baseColorFactor"];
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(color[c].get<double>(), red_to_blue[k][c], 1e-4);
+    // The box is around the origin: each triangle looks away from it.
+    for (std::size_t i = 0; i < corner.size(); i += 3) {
+      const dvec3 a = position[corner[i]];
+      const dvec3 area = glm::cross(position[corner[i + 1]] - a, position[corner[i + 2]] - a);
+      EXPECT_GT(glm::dot(area, a), 0) << k;
+    }
+  }
+}
+
+TEST(Glb, ColoursAllPartsOfASolidByNumbers) {
+  Scene scene = scene_of_surface();
+  scene.surfaces[0].color = "u";
+  const Mesh mesh = thick_square(true);
+  const Glb glb(bytes_of(write_glb, {{&mesh, 1}, scene}));
+  ASSERT_EQ(glb.json["meshes"][0]["primitives"].size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_TRUE(glb.material(k)["pbrMetallicRoughness"].contains("baseColorTexture")) << k;
+  }
+}
+
 TEST(Glb, HasTwoSheetsThatAreSeenFromOneSideEach) {
   const Glb glb = glb_of(open_square());
   ASSERT_EQ(glb.json["meshes"][0]["primitives"].size(), 2U);

@@ -29,6 +29,16 @@ TEST(Losses, AreNoneOfASolidWithItsOwnColours) {
   }
 }
 
+TEST(Losses, AreNoneOfASheetMadeSolidInTwoColours) {
+  Scene scene = scene_of_surface();
+  scene.surfaces[0].back.diffuse = {1, 0, 0};
+  for (const char* extension : {"obj", "glb", "3mf"}) {
+    EXPECT_TRUE(losses(extension, thick_square(), scene).empty()) << extension;
+  }
+  EXPECT_EQ(text_of(losses("stl", thick_square(), scene), Loss::Kind::Open), "");
+  EXPECT_NE(text_of(losses("stl", thick_square(), scene), Loss::Kind::LeftOut), "");
+}
+
 TEST(Losses, TellOpenEdgesWhereFormatsAreForSolids) {
   for (const char* extension : {"stl", "3mf"}) {
     EXPECT_TRUE(text_of(losses(extension, open_square()), Loss::Kind::Open).find("4 open edges") !=

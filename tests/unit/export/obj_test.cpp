@@ -44,6 +44,34 @@ TEST(Obj, WeldsPositionsAndSplitsNormals) {
   EXPECT_EQ(lines["mtllib"], (std::vector<std::string>{"a b.mtl"}));
 }
 
+TEST(Obj, HasAMaterialForEachPartOfASolid) {
+  Scene scene = scene_of_surface();
+  scene.surfaces[0].name = "s";
+  scene.surfaces[0].front.diffuse = {1, 0, 0};
+  scene.surfaces[0].back.diffuse = {0, 0, 1};
+  for (const bool numbered : {false, true}) {
+    if (numbered) scene.surfaces[0].color = "u";
+    const Mesh mesh = thick_square(numbered);
+    std::istringstream obj(bytes_of(write_obj, named(mesh, scene)));
+    std::map<std::string, int> count;  // of the faces of each material
+    std::string material;
+    for (std::string line; std::getline(obj, line);) {
+      if (line.starts_with("usemtl ")) material = line.substr(7);
+      if (line.starts_with("f ")) ++count[material];
+    }
+    EXPECT_EQ(count, (std::map<std::string, int>{{"s", 2}, {"s-back", 2}, {"s-walls", 8}}));
+    auto mtl = lines_of(bytes_of(write_mtl, named(mesh, scene)));
+    const std::string white = "1 1 1";
+    EXPECT_EQ(mtl["newmtl"][1], "s");
+    EXPECT_EQ(mtl["newmtl"][2], "s-back");
+    EXPECT_EQ(mtl["newmtl"][3], "s-walls");
+    EXPECT_EQ(mtl["Kd"][1], numbered ? white : "1 0 0");
+    EXPECT_EQ(mtl["Kd"][2], numbered ? white : "0 0 1");
+    EXPECT_EQ(mtl["Kd"][3], numbered ? white : "0.5 0 0.5");
+    EXPECT_EQ(mtl["map_Kd"].size(), numbered ? 3U : 0U);
+  }
+}
+
 TEST(Obj, HasLinesInAnObjectOfTheirOwnAfterAllFaces) {
   const Mesh mesh = tetrahedron();
   const Scene scene = scene_of_surface();

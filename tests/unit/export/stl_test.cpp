@@ -47,6 +47,17 @@ TEST(Stl, HasAHeaderACountAndFacetsWithNormals) {
   }
 }
 
+TEST(Stl, LeavesTheWallOfAHollowSolidHollow) {
+  const double full = sixfold_volume(stl_of(tetrahedron()));
+  const Mesh outside = thicken(tetrahedron(), {0.01, 0});
+  const Mesh inside = thicken(tetrahedron({}, true), {0, 0.01});
+  for (const Mesh& hollow : {outside, inside}) {
+    const double volume = sixfold_volume(stl_of(hollow));
+    EXPECT_GT(volume, 0);
+    EXPECT_LT(volume, 0.3 * full);
+  }
+}
+
 TEST(Stl, FacesOutwardWhateverTheSurfaceDoes) {
   EXPECT_NEAR(sixfold_volume(stl_of(tetrahedron())), 1, 1e-6);
   EXPECT_NEAR(sixfold_volume(stl_of(tetrahedron({}, true))), 1, 1e-6);

@@ -59,13 +59,33 @@ TEST(ThreeMf, PaintsTheBackThatIsOutsideForTheSecondExtruder) {
   EXPECT_EQ(count_of(model_of(tetrahedron()), "mmu_segmentation=\"8\""), 0U);
 }
 
+TEST(ThreeMf, PaintsTheBackAndTheWallsOfASolid) {
+  Scene scene = scene_of_surface();
+  scene.surfaces[0].front.diffuse = {1, 0, 0};
+  scene.surfaces[0].back.diffuse = {0, 0, 1};
+  const std::string model = model_of(thick_square(), scene);
+  EXPECT_NE(model.find("type=\"model\""), std::string::npos);
+  EXPECT_EQ(count_of(model, "<triangle "), 12U);
+  EXPECT_EQ(count_of(model, "p1=\"1\" slic3rpe:mmu_segmentation=\"8\""), 2U);
+  EXPECT_EQ(count_of(model, "mmu_segmentation=\"8\""), 2U);
+  EXPECT_EQ(count_of(model, "p1=\"3\"/>"), 8U);
+  EXPECT_EQ(count_of(model, "<m:color color=\"#800080FF\"/>"), 1U) << "walls: the mean";
+}
+
+TEST(ThreeMf, HasColoursOfNumbersOnAllOfASolid) {
+  Scene scene = scene_of_surface();
+  scene.surfaces[0].color = "u";
+  const std::string model = model_of(thick_square(true), scene);
+  EXPECT_EQ(count_of(model, " p2=\""), 12U);
+}
+
 TEST(ThreeMf, HasColoursOfNumbersAtCorners) {
   Scene scene = scene_of_surface();
   scene.surfaces[0].color = "u";
   const std::string model = model_of(numbered_square(), scene);
-  EXPECT_EQ(count_of(model, "<m:color "), 3 + 256U);
-  EXPECT_NE(model.find("<triangle v1=\"0\" v2=\"1\" v3=\"3\" pid=\"1\" p1=\"3\" p2=\"258\" "
-                       "p3=\"258\"/>"),
+  EXPECT_EQ(count_of(model, "<m:color "), 4 + 256U);
+  EXPECT_NE(model.find("<triangle v1=\"0\" v2=\"1\" v3=\"3\" pid=\"1\" p1=\"4\" p2=\"259\" "
+                       "p3=\"259\"/>"),
             std::string::npos);
 }
 
