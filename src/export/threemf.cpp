@@ -56,14 +56,14 @@ constexpr std::size_t kNumberColors = 256;
 /// A triangle of the second extruder.
 constexpr std::string_view kSecondExtruder = "\" slic3rpe:mmu_segmentation=\"8";
 
-constexpr std::pair<char, std::string_view> kEscapes[] = {
+constexpr std::pair<char, std::string_view> kXmlEscapes[] = {
     {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
 
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
     std::string_view written(&c, 1);
-    for (const auto& [plain, escape] : kEscapes) {
+    for (const auto& [plain, escape] : kXmlEscapes) {
       if (c == plain) written = escape;
     }
     result += written;
@@ -71,12 +71,12 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string unescaped(std::string_view text) {
+std::string xml_unescaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     std::size_t taken = 1;
     char c = text.front();
-    for (const auto& [plain, escape] : kEscapes) {
+    for (const auto& [plain, escape] : kXmlEscapes) {
       if (!text.starts_with(escape)) continue;
       c = plain;
       taken = escape.size();
@@ -245,7 +245,7 @@ std::optional<std::string> scene_in_3mf(const std::string& bytes, const std::str
   const std::size_t text = begin + kSceneBegin.size();
   const std::size_t end = head->find(kSceneEnd, text);
   if (end == std::string::npos) return std::nullopt;
-  return unescaped(std::string_view(*head).substr(text, end - text));
+  return xml_unescaped(std::string_view(*head).substr(text, end - text));
 }
 
 }  // namespace saddle

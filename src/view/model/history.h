@@ -11,7 +11,7 @@
 namespace saddle {
 
 /// A state that a change led away from.
-struct Step {
+struct PastState {
   State state;
   bool has_camera = false;  ///< the change was one of the camera, too: going back takes it back
 };
@@ -20,14 +20,14 @@ class History {
  public:
   /// Remembers the state before a change. Changes of the same thing in a row, such as letters typed
   /// into one field, are one; an empty `what` is a thing of its own.
-  void record(Step before, const std::string& what);
+  void record(PastState before, const std::string& what);
 
   /// The next change is one of its own, even if it is of the same thing.
   void end_edit() { last_.clear(); }
 
   /// The state before the last change that is not undone; `now` is kept for redo().
-  std::optional<Step> undo(const State& now);
-  std::optional<Step> redo(const State& now);
+  std::optional<PastState> undo(const State& now);
+  std::optional<PastState> redo(const State& now);
 
   bool has_past() const { return !past_.empty(); }
   bool has_future() const { return !future_.empty(); }
@@ -35,10 +35,11 @@ class History {
   std::size_t version() const { return version_; }
 
  private:
-  std::optional<Step> exchange(std::vector<Step>& from, std::vector<Step>& to, const State& now);
+  std::optional<PastState> exchange(std::vector<PastState>& from, std::vector<PastState>& to,
+                                    const State& now);
 
-  std::vector<Step> past_;
-  std::vector<Step> future_;
+  std::vector<PastState> past_;
+  std::vector<PastState> future_;
   std::string last_;
   std::size_t version_ = 0;
 };

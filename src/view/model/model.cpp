@@ -180,7 +180,7 @@ void Model::redo() {
 
 /// Takes a state of the history, if there is one. The window's size stays; so do the moment and the
 /// camera, unless it was they that had changed.
-void Model::restore(std::optional<Step> step) {
+void Model::restore(std::optional<PastState> step) {
   if (!step) return;
   played_.reset();
   auto& [scene, view] = step->state;

@@ -123,7 +123,7 @@ class Model {
   void advance_played(double seconds);
   void request_meshes(Manner manner);
   void record(const std::string& what, bool has_camera);
-  void restore(std::optional<Step> step);
+  void restore(std::optional<PastState> step);
   void take_place(Scene scene);
   void look_anew(Camera camera);
   bool keeps_up() const;

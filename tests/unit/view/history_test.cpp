@@ -13,7 +13,7 @@ State titled(const std::string& title) {
   return state;
 }
 
-Step step(const std::string& title, bool has_camera = false) {
+PastState step(const std::string& title, bool has_camera = false) {
   return {titled(title), has_camera};
 }
 
