@@ -220,7 +220,7 @@ constexpr MessageRow kNoScenes[] = {
     {"plain.png -o a.toml", "plain.png is not a PNG file", "", ""},
     {"cut.png -o a.toml", "cut.png is a damaged PNG file: ", "", ""},
     {"bare.png -o a.toml", "bare.png holds no scene",
-     "a picture keeps its scene until another program saves it", ""},
+     "a file keeps its scene until another program saves it", ""},
     {"large.toml -o a.toml", "large.toml is larger than 4 MiB", "saddle show torus prints one",
      "show torus"},
 };
