@@ -49,8 +49,7 @@ Image draw_image(Renderer& renderer, const Scene& scene, const FittedCamera& cam
   const bool opaque = scene.background.a >= 1;  // no sample is see-through
   Image image(options.width, options.height);
   for (const PixelRect& tile : tiling.tiles) {
-    renderer.draw(scene, camera, {options.width, options.height, tile, margin, double(n)},
-                  look);
+    renderer.draw(scene, camera, {options.width, options.height, tile, margin, double(n)}, look);
     target.read(margin * n, margin * n, n, opaque, tile, image);
   }
   return image;

@@ -89,7 +89,8 @@ TEST(Formats, AreFoundByTheirExtension) {
 
 TEST(Formats, AreListedInTheOrderOfTheTable) {
   EXPECT_EQ(format_list(), "png, ply, stl, obj, glb, 3mf, html, svg, pdf, toml, gif, mp4 or webm");
-  EXPECT_EQ(extension_list(), ".png .ply .stl .obj .glb .3mf .html .svg .pdf .toml .gif .mp4 .webm");
+  EXPECT_EQ(extension_list(),
+            ".png .ply .stl .obj .glb .3mf .html .svg .pdf .toml .gif .mp4 .webm");
   EXPECT_EQ(extension_list(Kind::Animation), ".gif .mp4 .webm");
   EXPECT_EQ(extension_list(Kind::Mesh), ".ply .stl .obj .glb .3mf");
 }
