@@ -62,6 +62,16 @@ bool is_there(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// A part of a picture; nothing if it is not that large.
+Image cut_out(const Image& image, int x, int y, int width, int height) {
+  if (image.width < x + width || image.height < y + height) return {};
+  Image part(width, height);
+  for (int row = 0; row < height; ++row) {
+    std::copy_n(image.pixel(x, y + row), 4 * width, part.pixel(0, row));
+  }
+  return part;
+}
+
 }  // namespace
 
 void ViewerTest::SetUp() {
@@ -184,14 +194,13 @@ Image ViewerTest::screenshot() const {
   return read_png(file).image;
 }
 
+Image ViewerTest::error_strip() const {
+  constexpr int kTop = 460;
+  return cut_out(screenshot(), 0, kTop, kPanelWidth, 600 - kTop);
+}
+
 Image ViewerTest::picture() const {
-  const Image screen = screenshot();
-  if (screen.width < kPanelWidth + 800 || screen.height < 600) return {};
-  Image part(800, 600);
-  for (int y = 0; y < part.height; ++y) {
-    std::copy_n(screen.pixel(kPanelWidth, y), 4 * part.width, part.pixel(0, y));
-  }
-  return part;
+  return cut_out(screenshot(), kPanelWidth, 0, 800, 600);
 }
 
 bool ViewerTest::eventually(const std::function<bool()>& condition) {

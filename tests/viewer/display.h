@@ -48,6 +48,8 @@ class ViewerTest : public ::testing::Test {
   void enter_new_definition() const;
 
   Image screenshot() const;
+  /// The bottom of the panel, where it says what is wrong.
+  Image error_strip() const;
   /// The picture at the right of the panel.
   Image picture() const;
   /// Whether it becomes true within some seconds.

@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "base/error.h"
-#include "base/image_compare.h"
 #include "base/random.h"
 #include "meshing/tessellate.h"
 #include "random_formula.h"
@@ -32,8 +31,6 @@ constexpr int kSomeEvents = 200;
 constexpr int kEventsToRest = 100;
 constexpr int kEventsToResize = 30;
 constexpr std::chrono::minutes kPatience{2};
-/// Of pictures of which one was drawn in parts.
-constexpr double kLeastDifference = 0.01;
 
 std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   const char* const text = std::getenv(variable);
@@ -248,12 +245,13 @@ class RandomHands : public ViewerTest {
     }
     const PictureSettings& picture = model.scene().picture;
     const Scene drawn = model.drawn_scene();
+    const int finest = std::min(2, picture.antialias);
     canvas.draw(renderer, {drawn, model.grip().fitted, model.look()}, picture.width, picture.height,
-                std::min(2, picture.antialias));
+                finest, finest);
     return canvas.read();
   }
 
-  static std::string describe(Viewer& viewer) {
+  static std::string describe(const Viewer& viewer) {
     const Model& model = viewer.model();
     return std::string(model.playing ? "playing " : "") + (model.is_meshing() ? "meshing " : "") +
            (model.next_pass() ? "refining " : "") +
@@ -295,9 +293,7 @@ TEST_F(RandomHands, LeaveAPictureThatIsRightAndNothingBehind) {
       if (i % kEventsToRest != kEventsToRest - 1) continue;
       ASSERT_TRUE(rests(viewer, hand))
           << "stuck after " << i << " deeds of seed " << seed << ": " << describe(viewer);
-      // In parts, positions are rounded anew: a few samples differ.
-      ASSERT_LT(compare_images(viewer.drawing().read(), drawn_afresh(viewer.model())).error,
-                kLeastDifference)
+      ASSERT_EQ(viewer.drawing().read().rgba, drawn_afresh(viewer.model()).rgba)
           << "after " << i << " deeds of seed " << seed;
     }
     EXPECT_GT(names->made(), 10) << "the count sees what is made";

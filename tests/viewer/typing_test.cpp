@@ -47,10 +47,11 @@ class Typing : public ViewerTest {
 TEST_F(Typing, GoesOnWhileAMessageIsShown) {
   open({"z=u*v"});
   enter_field(kFieldOfZ);
-  const Image before = settled_picture();
+  settled_picture();
+  const Image before = error_strip();
   act("key ctrl+a");
   act("type --delay 20 'sqrt(u-2)'");
-  ASSERT_TRUE(eventually([&] { return picture().rgba != before.rgba; })) << "no message";
+  ASSERT_TRUE(eventually([&] { return error_strip().rgba != before.rgba; })) << "no message";
   settled_picture();
   for (const std::string part : {"+s", "q", "rt(2)"}) {
     act("type --delay 20 '" + part + "'");

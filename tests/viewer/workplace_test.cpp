@@ -1,6 +1,7 @@
 // The window as a place to work in: lists, files, the start page, and work that is not lost.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -12,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/image_compare.h"
 #include "export/load_scene.h"
 #include "paths.h"
 #include "scene/model/gallery.h"
@@ -28,6 +28,17 @@ constexpr std::chrono::seconds kPatience{30};
 constexpr int kReturn = 257;
 constexpr int kEscape = 256;
 constexpr int kDown = 264;
+
+/// So many of a picture of 640x360 are no seam.
+constexpr int kFewPixels = 20;
+
+int differing_pixels(const Image& a, const Image& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+    count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
+  }
+  return count;
+}
 
 /// The viewer in this process, with events that are made up.
 class Workplace : public ViewerTest {
@@ -250,8 +261,10 @@ TEST_F(Workplace, RefinesAPictureThatRestsPartByPart) {
   Canvas canvas;
   renderer.set_surface(model.last_good().scene, 0, model.meshes()[0]->mesh);
   const Scene drawn = model.drawn_scene();
-  canvas.draw(renderer, {drawn, model.grip().fitted, model.look()}, shown.width, shown.height, 2);
-  EXPECT_LT(compare_images(shown, canvas.read()).error, 0.002) << "no seams between parts";
+  canvas.draw(renderer, {drawn, model.grip().fitted, model.look()}, shown.width, shown.height, 2,
+              2);
+  // Layers as near to each other as their depths are rounded may change places.
+  EXPECT_LE(differing_pixels(shown, canvas.read()), kFewPixels) << "no seams between parts";
 }
 
 TEST_F(Workplace, AnswersKeysBetweenParts) {

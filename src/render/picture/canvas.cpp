@@ -4,18 +4,16 @@
 #include <cassert>
 
 #include "render/gl/gl.h"
-#include "render/picture/tiles.h"
-#include "scene/model/theme.h"
 
 namespace saddle {
 namespace {
 
-/// While it lives, nothing outside of the lower left corner is cleared or drawn.
+/// While it lives, nothing outside of a rectangle of samples is cleared or drawn.
 class Scissors {
  public:
-  Scissors(int width, int height) {
+  Scissors(int x, int y, int width, int height) {
     glEnable(GL_SCISSOR_TEST);
-    glScissor(0, 0, width, height);
+    glScissor(x, y, width, height);
   }
   ~Scissors() { glDisable(GL_SCISSOR_TEST); }
   Scissors(const Scissors&) = delete;
@@ -24,90 +22,95 @@ class Scissors {
 
 }  // namespace
 
-void Canvas::Room::fit(int wanted_width, int wanted_height) {
-  if (target && wanted_width <= width && wanted_height <= height) return;
-  width = std::max(width, wanted_width);
-  height = std::max(height, wanted_height);
-  target.reset();  // first the old one: there need not be memory for both
-  target.emplace(width, height);
+/// Binds it, too.
+void Canvas::Samples::fit(const Viewport& viewport) {
+  per_side = viewport.per_side;
+  if (!target || viewport.samples_across() > width || viewport.samples_down() > height) {
+    width = std::max(width, viewport.samples_across());
+    height = std::max(height, viewport.samples_down());
+    target.reset();  // first the old one: there need not be memory for both
+    target.emplace(width, height);
+  }
+  target->bind();
 }
 
-void Canvas::draw(Renderer& renderer, const DrawnView& view, int width, int height,
-                  double per_side) {
+Viewport Canvas::whole(double per_side) const {
+  return {width_, height_, {0, 0, width_, height_}, 0, per_side};
+}
+
+void Canvas::draw(Renderer& renderer, const DrawnView& view, int width, int height, double per_side,
+                  int finest) {
+  assert(finest == 1 || finest == 2);
   if (width != width_ || height != height_) {
-    for (Room* const room : {&pixels_, &samples_}) *room = Room();
+    for (Samples* const samples : {&fine_, &coarse_}) *samples = Samples();
   }
   width_ = width;
   height_ = height;
-  const Viewport whole{width, height, {0, 0, width, height}, 0, per_side};
-  is_coarse_ = per_side < 1;
-  if (per_side == 1) {
-    pixels_.fit(width, height);
-    pixels_.target->bind();
-    renderer.draw(view.scene, view.camera, whole, view.look);
-  } else {
-    draw_samples(renderer, view, whole);
-    if (!is_coarse_) copy_samples(0, whole.rect);
-  }
-  glFinish();
-}
-
-void Canvas::draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part,
-                       int per_side) {
-  assert(per_side == 1 || per_side == 2);
-  if (is_coarse_) enlarge();
-  const int margin = tile_margin(widest_line(view.scene, dvec2(width_, height_)));
-  draw_samples(renderer, view, {width_, height_, part, margin, static_cast<double>(per_side)});
-  copy_samples(margin, part);
-  glFinish();
-}
-
-void Canvas::draw_samples(Renderer& renderer, const DrawnView& view, const Viewport& viewport) {
-  samples_.fit(viewport.samples_across(), viewport.samples_down());
-  samples_.target->bind();
-  const Scissors scissors(viewport.samples_across(), viewport.samples_down());
+  finest_ = finest;
+  parts_.clear();
+  is_coarse_ = per_side < finest;
+  const Viewport viewport = whole(per_side);
+  (is_coarse_ ? coarse_ : fine_).fit(viewport);
+  const Scissors scissors(0, 0, viewport.samples_across(), viewport.samples_down());
   renderer.draw(view.scene, view.camera, viewport, view.look);
-  per_side_ = viewport.per_side;
+  glFinish();
 }
 
-/// Linear filtering of two by two samples to one takes their mean.
-void Canvas::copy_samples(int margin, const PixelRect& to) {
-  const auto sample = [&](int pixel) { return static_cast<int>(per_side_ * pixel); };
-  pixels_.fit(width_, height_);
-  pixels_.target->bind();
-  samples_.target->bind_for_reading();
-  const int bottom = height_ - (to.y + to.height);
-  glBlitFramebuffer(sample(margin), sample(margin), sample(margin + to.width),
-                    sample(margin + to.height), to.x, bottom, to.x + to.width, bottom + to.height,
-                    GL_COLOR_BUFFER_BIT, GL_LINEAR);
+void Canvas::draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part) {
+  const int n = finest_;
+  fine_.fit(whole(n));
+  const int bottom = height_ - (part.y + part.height);
+  const Scissors scissors(n * part.x, n * bottom, n * part.width, n * part.height);
+  renderer.draw(view.scene, view.camera, whole(n), view.look);
+  glFinish();
+  add_part(part);
 }
 
-/// The coarse picture becomes one of pixels, for finer parts to be put into.
-void Canvas::enlarge() {
-  copy_samples(0, {0, 0, width_, height_});
-  is_coarse_ = false;
+/// Parts that stand side by side are one, and so are whole rows of them.
+void Canvas::add_part(const PixelRect& part) {
+  const auto joins = [](const PixelRect& a, const PixelRect& b) {
+    return a.y == b.y && a.height == b.height && a.x + a.width == b.x;
+  };
+  if (!parts_.empty() && joins(parts_.back(), part)) {
+    parts_.back().width += part.width;
+  } else {
+    parts_.push_back(part);
+  }
+  if (parts_.size() < 2 || parts_.back().width != width_) return;
+  parts_[parts_.size() - 2].height += parts_.back().height;
+  parts_.pop_back();
+}
+
+/// To the window. Linear filtering of two by two samples to one takes their mean.
+void Canvas::copy(const Samples& from, const PixelRect& part, int x, int y) const {
+  const auto sample = [&](int pixel) { return static_cast<int>(from.per_side * pixel); };
+  const int bottom = height_ - (part.y + part.height);
+  const int top = bottom + part.height;
+  const int right = part.x + part.width;
+  from.target->bind_for_reading();
+  glBlitFramebuffer(sample(part.x), sample(bottom), std::max(1, sample(right)),
+                    std::max(1, sample(top)), x + part.x, y + bottom, x + right, y + top,
+                    GL_COLOR_BUFFER_BIT, from.per_side == 1 ? GL_NEAREST : GL_LINEAR);
 }
 
 void Canvas::show(int x, int y) const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  const Room& room = is_coarse_ ? samples_ : pixels_;
-  if (!room.target) return;
-  const double n = is_coarse_ ? per_side_ : 1;
-  const auto sample = [n](int pixel) { return std::max(1, static_cast<int>(n * pixel)); };
-  room.target->bind_for_reading();
-  glBlitFramebuffer(0, 0, sample(width_), sample(height_), x, y, x + width_, y + height_,
-                    GL_COLOR_BUFFER_BIT, is_coarse_ ? GL_LINEAR : GL_NEAREST);
+  const Samples& samples = is_coarse_ ? coarse_ : fine_;
+  if (!samples.target) return;
+  copy(samples, {0, 0, width_, height_}, x, y);
+  for (const PixelRect& part : parts_) {
+    if (is_coarse_) copy(fine_, part, x, y);
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Image Canvas::read() {
-  if (is_coarse_) enlarge();
-  if (!pixels_.target) return {};
+Image Canvas::read() const {
+  if (!fine_.target || is_coarse_) return {};
   Image image(width_, height_);
-  pixels_.target->bind();
-  pixels_.target->read(0, 0, 1, false, {0, 0, width_, height_}, image);
+  fine_.target->bind();
+  fine_.target->read(0, 0, finest_, false, {0, 0, width_, height_}, image);
   return image;
 }
 

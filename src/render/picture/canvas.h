@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/image.h"
 #include "render/gl/target.h"
@@ -21,39 +22,44 @@ struct DrawnView {
 /// that is done.
 class Canvas {
  public:
-  /// The picture of this many pixels, with `per_side` samples per pixel and side, 2 or less; of
-  /// less than one, it is shown enlarged.
-  void draw(Renderer& renderer, const DrawnView& view, int width, int height, double per_side);
+  /// The picture of this many pixels, with `per_side` samples per pixel and side, `finest` (1 or 2)
+  /// or less; one of fewer than `finest` is coarse.
+  void draw(Renderer& renderer, const DrawnView& view, int width, int height, double per_side,
+            int finest);
 
-  /// A part of the picture that was drawn last, with `per_side` samples, 1 or 2, in place of those
-  /// it has.
-  void draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part, int per_side);
+  /// A part of the picture, which was coarse as a whole, with all of its samples. In all of its
+  /// parts it is the picture that draw() would have made.
+  void draw_part(Renderer& renderer, const DrawnView& view, const PixelRect& part);
+  /// It has all parts.
+  void finish() { is_coarse_ = false; }
 
   /// Fills the window with black and copies the picture into it, its lower left at (x, y).
   void show(int x, int y) const;
 
-  /// The pixels of the picture that was drawn last; of none, none.
-  Image read();
+  /// The pixels of the picture that was drawn last; of none or a coarse one, none.
+  Image read() const;
 
  private:
   /// A target that is as large as the pictures of it that were asked for.
-  struct Room {
+  struct Samples {
     std::optional<Target> target;
     int width = 0;
     int height = 0;
+    double per_side = 1;  ///< of the picture that is in it
 
-    void fit(int wanted_width, int wanted_height);
+    void fit(const Viewport& viewport);
   };
-  void draw_samples(Renderer& renderer, const DrawnView& view, const Viewport& viewport);
-  void copy_samples(int margin, const PixelRect& to);
-  void enlarge();
+  Viewport whole(double per_side) const;
+  void add_part(const PixelRect& part);
+  void copy(const Samples& from, const PixelRect& part, int x, int y) const;
 
   int width_ = 0;  ///< of the picture, in pixels
   int height_ = 0;
-  Room pixels_;             ///< the picture, unless it is in `samples_`
-  Room samples_;            ///< what was drawn last, before it becomes pixels
-  double per_side_ = 1;     ///< of them
-  bool is_coarse_ = false;  ///< the picture is in `samples_`
+  int finest_ = 1;
+  Samples fine_;
+  Samples coarse_;
+  bool is_coarse_ = false;        ///< but for parts of it
+  std::vector<PixelRect> parts_;  ///< those that are fine, rows of them together
 };
 
 }  // namespace saddle

@@ -115,8 +115,6 @@ bool Layers::draw(const Surfaces& surfaces) {
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   const auto framebuffer = static_cast<GLuint>(bound);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(0, 0, width_, height_);
   clear(front_buffer_, kClear);
   clear(depth_buffers_[1], kBeforeAll);
   const std::size_t most = layers_seen(surfaces.least_opacity);
@@ -127,7 +125,6 @@ bool Layers::draw(const Surfaces& surfaces) {
     ++count;
   }
   put_over(framebuffer);
-  glDisable(GL_SCISSOR_TEST);
   return count < kMostLayers;
 }
 

@@ -16,7 +16,7 @@ namespace saddle {
 /// Layers behind each other that are drawn, at the most: each is a picture of its own.
 inline constexpr std::size_t kMostLayers = 1000;
 
-/// Needs a current context.
+/// Needs a current context. Scissors hold for layers, too.
 class Layers {
  public:
   Layers();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 
@@ -185,8 +184,8 @@ void show_error(const Error& error) {
 std::string for_panel(const std::string& sentence) {
   std::string text;
   for (std::size_t i = 0; i < sentence.size(); ++i) {
-    const bool is_dashes = sentence.compare(i, 2, "--") == 0 && i + 2 < sentence.size() &&
-                           std::isalpha(static_cast<unsigned char>(sentence[i + 2])) != 0;
+    const bool begins = i == 0 || sentence[i - 1] == ' ';
+    const bool is_dashes = begins && sentence.compare(i, 2, "--") == 0;
     if (is_dashes) {
       ++i;
     } else {

@@ -1,7 +1,6 @@
 #include "view/picture/drawing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "render/picture/light_findings.h"
@@ -18,10 +17,13 @@ constexpr double kCoarsest = 0.125;
 /// The first picture, of which nothing is known, has at most so many samples.
 constexpr double kFirstSamples = 1e6;
 
-/// Parts of a picture that rests, in pixels each way, take about so long: a key never waits longer.
-constexpr double kPartMs = 12;
-constexpr int kSmallestPart = 64;
+/// Parts of a picture that rests, in pixels each way. They are smaller if one takes longer than
+/// this: a key waits for it; larger if all are quicker than that: each part takes all corners of
+/// the mesh.
+constexpr int kSmallestPart = 128;
 constexpr int kLargestPart = 1024;
+constexpr double kSlowPartMs = 24;
+constexpr double kQuickPartMs = 6;
 
 /// draw() returns after this time, and has something to show after that one.
 constexpr std::chrono::milliseconds kTurn{12};
@@ -35,6 +37,8 @@ double ms_of(Drawing::Clock::duration d) {
 }
 
 }  // namespace
+
+Drawing::Drawing() : part_side_(kSmallestPart) {}
 
 void Drawing::take_meshes(const Model& model) {
   const auto& meshes = model.meshes();
@@ -124,7 +128,8 @@ void Drawing::draw_whole(const Model& model) {
   const FittedCamera camera = model.grip().fitted;
   const Look look = model.look();
   const auto begin = Clock::now();
-  canvas_.draw(renderer_, {scene, camera, look}, picture.width, picture.height, per_side);
+  canvas_.draw(renderer_, {scene, camera, look}, picture.width, picture.height, per_side,
+               finest(model));
   const double passed = ms_of(Clock::now() - begin);
   stage_ = per_side < most ? Stage::Coarse : Stage::Done;
   cursor_ = {};
@@ -133,7 +138,6 @@ void Drawing::draw_whole(const Model& model) {
   if (const auto dark = no_light(model.scene())) figures_.warnings.push_back(warning_of(*dark));
   if (std::exchange(is_new_, false)) return;
   figures_.moving_ms = passed;
-  ms_per_sample_ = passed / (per_side * per_side * picture.width * picture.height);
   adapt(passed);
 }
 
@@ -148,7 +152,6 @@ void Drawing::adapt(double milliseconds) {
 /// Some parts of the picture, from the top, with all of their samples.
 bool Drawing::refine(const Model& model, Clock::time_point begin) {
   const PictureSettings& picture = model.scene().picture;
-  const int per_side = finest(model);
   const Scene scene = model.drawn_scene();
   const FittedCamera camera = model.grip().fitted;
   const Look look = model.look();
@@ -157,28 +160,29 @@ bool Drawing::refine(const Model& model, Clock::time_point begin) {
     const auto start = Clock::now();
     if (start > begin + kTurn) return false;
     const PixelRect part = next_part(picture);
-    canvas_.draw_part(renderer_, {scene, camera, look}, part, per_side);
-    const double samples = static_cast<double>(per_side) * per_side * part.width * part.height;
-    ms_per_sample_ = ms_of(Clock::now() - start) / samples;
+    canvas_.draw_part(renderer_, {scene, camera, look}, part);
+    advance(part, picture, ms_of(Clock::now() - start));
   }
+  canvas_.finish();
   stage_ = Stage::Done;
   ++figures_.frames;
   return true;
 }
 
-/// A square of a row of them, of a size for which there is time.
-PixelRect Drawing::next_part(const PictureSettings& picture) {
-  if (cursor_.x == 0) {
-    const double samples = kPartMs / ms_per_sample_;
-    const double side = std::sqrt(samples) / std::min(2, picture.antialias);
-    cursor_.side = kSmallestPart;
-    while (2 * cursor_.side <= std::min<double>(side, kLargestPart)) cursor_.side *= 2;
-  }
-  const PixelRect part{cursor_.x, cursor_.y, std::min(cursor_.side, picture.width - cursor_.x),
-                       std::min(cursor_.side, picture.height - cursor_.y)};
+PixelRect Drawing::next_part(const PictureSettings& picture) const {
+  return {cursor_.x, cursor_.y, std::min(part_side_, picture.width - cursor_.x),
+          std::min(part_side_, picture.height - cursor_.y)};
+}
+
+/// All parts of a row have one size.
+void Drawing::advance(const PixelRect& part, const PictureSettings& picture, double milliseconds) {
   cursor_.x += part.width;
-  if (cursor_.x >= picture.width) cursor_ = {0, cursor_.y + cursor_.side, 0};
-  return part;
+  cursor_.slowest_ms = std::max(cursor_.slowest_ms, milliseconds);
+  if (cursor_.x < picture.width) return;
+  const double slowest = cursor_.slowest_ms;
+  cursor_ = {0, cursor_.y + part_side_, 0};
+  if (slowest > kSlowPartMs) part_side_ = std::max(part_side_ / 2, kSmallestPart);
+  if (slowest < kQuickPartMs) part_side_ = std::min(part_side_ * 2, kLargestPart);
 }
 
 }  // namespace saddle

@@ -26,6 +26,8 @@ class Drawing {
  public:
   using Clock = std::chrono::steady_clock;
 
+  Drawing();
+
   /// Uploads those meshes that are not on the GPU yet.
   void take_meshes(const Model& model);
 
@@ -48,7 +50,7 @@ class Drawing {
   /// Copies it to the window, its left side at pixel x.
   void show(int x) const { canvas_.show(x, 0); }
   /// The picture's pixels.
-  Image read() { return canvas_.read(); }
+  Image read() const { return canvas_.read(); }
 
   const Figures& figures() const { return figures_; }
   Clock::duration spent() const { return spent_; }  ///< on drawing
@@ -64,16 +66,18 @@ class Drawing {
     Done
   };
 
-  /// The next part of the picture to be refined is at (x, y), a square unless the picture ends.
+  /// The next part of the picture to be refined is at (x, y).
   struct Cursor {
-    int x = 0, y = 0, side = 0;
+    int x = 0, y = 0;
+    double slowest_ms = 0;  ///< of the parts of its row so far
   };
 
   void make_marks(const Model& model);
   void draw_whole(const Model& model);
   void adapt(double milliseconds);
   bool refine(const Model& model, Clock::time_point begin);
-  PixelRect next_part(const PictureSettings& picture);
+  PixelRect next_part(const PictureSettings& picture) const;
+  void advance(const PixelRect& part, const PictureSettings& picture, double milliseconds);
   int finest(const Model& model) const;
 
   Renderer renderer_;
@@ -84,8 +88,8 @@ class Drawing {
   bool is_new_ = true;  ///< shaders may have to be compiled
   Stage stage_ = Stage::Stale;
   double per_side_ = 0;  ///< samples of what moves, per pixel and side; 0: none was drawn yet
-  double ms_per_sample_ = 1e-4;
   Cursor cursor_;
+  int part_side_;  ///< of a part, which is a square unless the picture ends, in pixels
   Clock::time_point moved_;
   Clock::time_point shown_;  ///< when draw() has last had something to show
   Figures figures_;

@@ -51,7 +51,7 @@ class Viewer {
   bool is_at_rest() const;
   const Model& model() const { return model_; }
   Spent spent() const { return {busy_, drawing_.spent(), showing_, paints_}; }
-  Drawing& drawing() { return drawing_; }
+  const Drawing& drawing() const { return drawing_; }
 
  private:
   using Clock = Model::Clock;

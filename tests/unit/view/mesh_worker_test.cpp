@@ -18,6 +18,7 @@ Scene titled_scene(const std::string& title) {
   Scene scene;
   scene.title = title;
   scene.surfaces.resize(1);
+  scene.surfaces[0].label = title;  // a mesh of its own
   return scene;
 }
 
@@ -161,7 +162,7 @@ TEST(MeshWorker, MakesAgainOnlyThatWhichHasChanged) {
       },
       [&] { results.announce(); });
   Scene scene = titled_scene("first");
-  scene.surfaces.resize(3);
+  scene.surfaces.assign(3, SurfaceSpec());
   for (SurfaceSpec& spec : scene.surfaces) spec.z = "u";
   scene.surfaces[1].z = "v";
   worker.request(scene, Manner::PreviewFirst);
