@@ -306,7 +306,7 @@ std::string page_scene_code(const PageScene& page) {
       ",background:" + list({js_number(b.r), js_number(b.g), js_number(b.b), js_number(b.a)}) +
       ",root:" + vector_code(dvec3(scene.scale.factors)) + ",unit:" + js_number(page.unit) +
       ",target:" + vector_code(page.camera.target) +
-      ",distance:" + js_number(page.camera.distance) +
+      ",distance:" + js_number(page.camera.distance) + ",middle:" + js_number(page.camera.middle) +
       ",width:" + std::to_string(scene.picture.width) +
       ",height:" + std::to_string(scene.picture.height) + ",dot:" +
       js_number(line_width_of(

@@ -262,7 +262,7 @@ TEST_F(AnimationTest, KeepsTheBoxAndTheColoursOfAllItsTime) {
   // What is around the surface stays: the bar with its numbers, and the box's labels at the left.
   const Image third = read_png(path("f-2.png")).image;
   for (int y = 0; y < first.height; ++y) {
-    for (const auto& [begin, end] : {std::pair(0, 112), std::pair(250, 320)}) {
+    for (const auto& [begin, end] : {std::pair(0, 90), std::pair(250, 320)}) {
       EXPECT_TRUE(std::equal(first.pixel(begin, y), first.pixel(begin, y) + 4 * (end - begin),
                              third.pixel(begin, y)))
           << y;

@@ -49,10 +49,10 @@ struct Square {
     return render(scene, std::span(&mesh, 1), {size, size, 1}).image;
   }
 
-  /// Where on its bar, from 0 to 1, the number in the middle of a column of pixels is. The bar
-  /// pushes the square to the left.
-  double place_on_bar(int column, int size = 200) const {
-    const std::vector<ColorScale> scales = {{"x", scene.surfaces[0].colormap, {-1, 1}}};
+  /// Where the middle of a column of pixels is on the square, from 0 at the left to 1. The bar,
+  /// which has the colours of `range`, pushes the square to the left.
+  double place_of(int column, int size = 200, const ColorRange& range = {-1, 1}) const {
+    const std::vector<ColorScale> scales = {{"x", scene.surfaces[0].colormap, range}};
     const auto camera = drawn_camera(scene);
     const auto seen = pyramid_beside_annotations(scene, camera, {}, scales, dvec2(size));
     return (column + 0.5) / size - seen.room().middle / 2;
@@ -76,7 +76,7 @@ TEST(ColouredSurface, HasTheColourOfItsNumberAtEachPixel) {
     const Square square(name);
     const Image image = square.draw();
     for (int x = 1; x < kColumns; x += 3) {
-      expect_color(image, x, 150, colormap_at(name, square.place_on_bar(x)));
+      expect_color(image, x, 150, colormap_at(name, square.place_of(x)));
     }
   }
 }
@@ -97,7 +97,7 @@ TEST(ColouredSurface, HasItOnBothSides) {
   square.scene.camera.view = {0, 0, -1};
   const Image image = square.draw();
   for (int x = 1; x < kColumns; x += 3) {
-    expect_color(image, x, 150, colormap_at("viridis", 1 - square.place_on_bar(x)));
+    expect_color(image, x, 150, colormap_at("viridis", 1 - square.place_of(x)));
   }
 }
 
@@ -114,7 +114,7 @@ TEST(ColouredSurface, KeepsToTheScaleThatSurfacesShare) {
   meshes[1].color_range = {-3, 1};
   square.scene.surfaces.push_back(square.scene.surfaces[0]);
   const Image image = render(square.scene, meshes, {200, 200, 1}).image;
-  expect_color(image, 50, 150, colormap_at("viridis", (1 + square.place_on_bar(50)) / 2));
+  expect_color(image, 50, 150, colormap_at("viridis", (1 + square.place_of(50, 200, {-3, 1})) / 2));
 }
 
 TEST(ColouredSurface, KeepsHugeAndTinyNumbersApart) {
@@ -122,7 +122,7 @@ TEST(ColouredSurface, KeepsHugeAndTinyNumbersApart) {
     Square square;
     for (double& number : square.mesh.color) number *= factor;
     square.mesh.color_range = {-factor, factor};
-    expect_color(square.draw(), 50, 150, colormap_at("viridis", square.place_on_bar(50)));
+    expect_color(square.draw(), 50, 150, colormap_at("viridis", square.place_of(50)));
   }
 }
 
@@ -143,11 +143,11 @@ TEST(ColouredSurface, HasTheColourOfItsBarIfItIsUnlit) {
     const std::vector<ColorScale> scales = {{"x", name, {-1, 1}}};
     const ColorBar bar = annotate(square.scene, {}, {}, scales, dvec2(400)).bars.at(0);
     for (int x = 2; x < 2 * kColumns; x += 3) {
-      const double from_top = 1 - square.place_on_bar(x, 400);  // the same number on the bar
+      const double from_top = 1 - square.place_of(x, 400);  // the same number on the bar
       const auto y = static_cast<int>(bar.upper_left.y + from_top * bar.size.y);
       const auto* on_bar = image.pixel(static_cast<int>(bar.upper_left.x) + 3, y);
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(image.pixel(x, 300)[k], on_bar[k], 2) << name << x;
-      expect_color(image, x, 300, colormap_at(name, square.place_on_bar(x, 400)));
+      expect_color(image, x, 300, colormap_at(name, square.place_of(x, 400)));
     }
   }
 }

@@ -15,6 +15,8 @@ function fitCamera(camera, width, height, items, time) {
   const target = eye.moved || !camera.target ? eye.target : camera.target;
   const distance = eye.moved || !camera.distance ? eye.distance : camera.distance;
   const aspect = width / height;
+  // Bars keep their share of the picture, whose shape the window may widen.
+  const middle = scene.middle * Math.min(1, scene.width / scene.height / aspect);
   const slope = Math.tan(camera.fov * Math.PI / 360) / camera.zoom * Math.max(1, scene.width / scene.height / aspect);
   let near = 1 / 0, far = -1 / 0, radius = 0;
   for (const {box, matrix} of items) {
@@ -36,7 +38,9 @@ function fitCamera(camera, width, height, items, time) {
   m[11] = camera.ortho ? 0 : -1;
   m[14] = camera.ortho ? -(f + n) / (f - n) : -2 * f * (n / (f - n));
   m[15] = camera.ortho ? 1 : 0;
-  return {axes, target, distance, half: slope * distance, toClip: m, ortho: camera.ortho, width, height, up: camera.up};
+  m[8] = middle * m[11];
+  m[12] = middle * m[15];
+  return {axes, target, distance, middle, half: slope * distance, toClip: m, ortho: camera.ortho, width, height, up: camera.up};
 }
 
 const inEye = (c, p) => {
@@ -46,12 +50,14 @@ const inEye = (c, p) => {
 // Pixels of the page from the picture's upper left, and the depth; nothing behind the eye.
 const onScreen = (c, p) => {
   const q = inEye(c, p), m = c.toClip, w = m[11] * q[2] + m[15];
-  return w > 0 ? [(1 + m[0] * q[0] / w) / 2 * c.width, (1 - m[5] * q[1] / w) / 2 * c.height, -q[2]] : null;
+  return w > 0 ? [(1 + c.middle + m[0] * q[0] / w) / 2 * c.width, (1 - m[5] * q[1] / w) / 2 * c.height, -q[2]] : null;
 };
+// How far right of the target and above it a pixel is, in the plane through the target.
+const beside = (c, x, y) => [(2 * x / c.width - 1 - c.middle) * c.half * c.width / c.height, (1 - 2 * y / c.height) * c.half];
 // A line of sight through a pixel: a point and a direction.
 const sight = (c, x, y) => {
-  const h = c.half, a = (2 * x / c.width - 1) * h * c.width / c.height, b = (1 - 2 * y / c.height) * h;
-  const point = plus(plus(c.target, c.axes[0], a), c.axes[1], b);
+  const [across, up] = beside(c, x, y);
+  const point = plus(plus(c.target, c.axes[0], across), c.axes[1], up);
   const origin = plus(c.ortho ? point : c.target, c.axes[2], c.distance);
   return [origin, plus(point, origin, c.ortho ? 0 : -1).map((x, k) => c.ortho ? -c.axes[2][k] : x)];
 };

@@ -20,7 +20,7 @@ function pan(page, across, down) {
 function zoom(page, factor, x, y) {
   const {c} = page;
   hold(page);
-  const h = c.half, across = (2 * x / c.width - 1) * h * c.width / c.height, up = (1 - 2 * y / c.height) * h;
+  const [across, up] = beside(c, x, y);
   eye.target = plus(plus(eye.target, c.axes[0], across * (1 - factor)), c.axes[1], up * (1 - factor));
   eye.distance *= factor;
 }

@@ -217,9 +217,8 @@ glm::dmat4 view_matrix(const Axes& axes, const dvec3& eye) {
   return m;
 }
 
-/// `half_height`: half the visible height, at distance 1 in perspective. `middle`: the room's.
-glm::dmat4 projection(const FittedCamera& fitted, double half_height, double aspect, bool ortho,
-                      double middle) {
+/// `half_height`: half the visible height, at distance 1 in perspective.
+glm::dmat4 projection(const FittedCamera& fitted, double half_height, double aspect, bool ortho) {
   const double n = fitted.near_plane;
   const double f = fitted.far_plane;
   glm::dmat4 m(0);
@@ -229,7 +228,7 @@ glm::dmat4 projection(const FittedCamera& fitted, double half_height, double asp
   m[2][3] = ortho ? 0 : -1;
   m[3][2] = ortho ? -(f + n) / (f - n) : -2 * f * (n / (f - n));
   m[3][3] = ortho ? 1 : 0;
-  for (int column = 0; column < 4; ++column) m[column][0] += middle * m[column][3];
+  for (int column = 0; column < 4; ++column) m[column][0] += fitted.middle * m[column][3];
   return m;
 }
 
@@ -253,13 +252,13 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
                         const ViewPyramid* seen) {
   check_camera(camera);
   const Axes axes = camera_axes(camera);
-  const double middle = seen != nullptr ? seen->room().middle : 0;
+  FittedCamera fitted;
+  fitted.middle = seen != nullptr ? seen->room().middle : 0;
   ViewPyramid corners(camera, aspect, bounds.centre());
   if (!seen || seen->empty()) {
     corners.add(bounds);
     seen = &corners;
   }
-  FittedCamera fitted;
   fitted.target = camera.target ? dvec3(*camera.target) : seen->target();
   const auto fit = [&]() -> double {
     const double distance = seen->distance_from(fitted.target);
@@ -275,7 +274,7 @@ FittedCamera fit_camera(const Camera& camera, const Bounds& bounds, double aspec
   fit_depth(fitted, bounds, axes[2], camera.ortho);
   fitted.half_height = slope_of(camera) / camera.zoom * fitted.distance;
   fitted.eye_to_clip = projection(fitted, fitted.half_height / (camera.ortho ? 1 : fitted.distance),
-                                  aspect, camera.ortho, middle);
+                                  aspect, camera.ortho);
   return fitted;
 }
 

@@ -17,6 +17,7 @@ struct FittedCamera {
   dvec3 target;
   double distance = 1;      ///< of eye and target
   double half_height = 1;   ///< half of the height that is seen at the target
+  double middle = 0;        ///< where the axis meets the picture: Room::middle
   glm::dmat4 world_to_eye;  ///< rigid: the eye at the origin, looking down -z, y up
   glm::dmat4 eye_to_clip;   ///< perspective or orthographic, depth -1 to 1
   double near_plane = 0;    ///< distances along the view, both > 0 in perspective
