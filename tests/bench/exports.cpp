@@ -11,7 +11,7 @@
 #include "base/file.h"
 #include "base/heap.h"
 #include "base/temporary.h"
-#include "export/formats.h"
+#include "export/formats/formats.h"
 #include "meshing/tessellate.h"
 #include "scene/model/gallery.h"
 #include "scene/options/resolve.h"

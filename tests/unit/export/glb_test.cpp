@@ -1,4 +1,4 @@
-#include "export/glb.h"
+#include "export/meshes/glb.h"
 
 #include <gtest/gtest.h>
 
