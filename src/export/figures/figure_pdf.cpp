@@ -110,11 +110,6 @@ std::string png_data(const Image& image) {
   return data;
 }
 
-Image opaque(Image image) {
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
-  return image;
-}
-
 /// Nothing where all of it is opaque.
 std::string alpha_of(const Image& image) {
   std::string alpha;

@@ -75,6 +75,7 @@ constexpr std::array kFormats = {
            .holds = {.front = true,
                      .back = true,
                      .numbers = true,
+                     .texture = true,
                      .opacity = true,
                      .lines = true,
                      .strokes = true,
@@ -152,10 +153,10 @@ std::string format_list() {
 
 std::string format_table() {
   constexpr std::pair<const char*, bool Holds::*> kColumns[] = {
-      {"front", &Holds::front},     {"back", &Holds::back},   {"color", &Holds::numbers},
-      {"opacity", &Holds::opacity}, {"lines", &Holds::lines}, {"curves", &Holds::strokes},
-      {"normals", &Holds::normals}, {"u,v", &Holds::uv},      {"nodes", &Holds::nodes},
-      {"doubles", &Holds::doubles}, {"open", &Holds::open}};
+      {"front", &Holds::front},     {"back", &Holds::back},       {"color", &Holds::numbers},
+      {"texture", &Holds::texture}, {"opacity", &Holds::opacity}, {"lines", &Holds::lines},
+      {"curves", &Holds::strokes},  {"normals", &Holds::normals}, {"u,v", &Holds::uv},
+      {"nodes", &Holds::nodes},     {"doubles", &Holds::doubles}, {"open", &Holds::open}};
   const auto padded = [](std::string_view word, std::size_t width) {
     return std::string(word) + std::string(width - word.size() + 2, ' ');
   };
@@ -172,9 +173,10 @@ std::string format_table() {
     text += padded(format.carries_scene() ? "+" : "-", 5) + std::string(format.use) + "\n";
   }
   return text +
-         "\nfront, back: colours of the sides. color: of --color. lines: on surfaces. curves: and "
-         "points,\nwithout a radius. nodes: a mesh once for all of its places. open: surfaces that "
-         "are no solid.\nscene: saddle FILE opens it again.\n";
+         "\nfront, back: colours of the sides. color: of --color. texture: of --texture. lines: on "
+         "surfaces.\ncurves: and points, without a radius. nodes: a mesh once for all of its "
+         "places. "
+         "open: surfaces\nthat are no solid. scene: saddle FILE opens it again.\n";
 }
 
 std::string extension_list(std::optional<Format::Kind> kind) {

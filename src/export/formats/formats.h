@@ -23,6 +23,7 @@ struct Holds {
   bool front = false;    ///< the colour of a surface
   bool back = false;     ///< another one of its back
   bool numbers = false;  ///< colours of --color
+  bool texture = false;  ///< a surface's own picture, or its chequerboard
   bool opacity = false;  ///< surfaces that are see-through
   bool lines = false;    ///< grid lines and level lines
   bool strokes = false;  ///< curves and points without a radius

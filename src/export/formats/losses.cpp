@@ -59,6 +59,8 @@ constexpr Feature kFeatures[] = {
      &Holds::front},
     {&Holds::numbers, "the colours of --color",
      [](const Scene&, const ExportedMesh& placed) { return placed.scale.has_value(); }},
+    {&Holds::texture, "the texture",
+     [](const Scene&, const ExportedMesh& placed) { return bool(placed.spec->texture); }},
     {&Holds::opacity, "--opacity",
      [](const Scene&, const ExportedMesh& placed) { return placed.spec->opacity < 1; }},
     {&Holds::lines, "the level lines of --contours",

@@ -6,7 +6,6 @@
 #include <deque>
 #include <map>
 #include <ostream>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -14,12 +13,11 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "base/image_png.h"
 #include "export/meshes/glb_file.h"
 #include "export/meshes/glb_meshes.h"
-#include "export/meshes/looks.h"
 #include "export/meshes/placed_meshes.h"
 #include "scene/model/camera.h"
+#include "scene/model/texture.h"
 #include "scene/toml/scene_file.h"
 
 namespace saddle {
@@ -81,9 +79,11 @@ std::vector<NodeStep> steps_of(const SceneNode& node) {
 
 class GlbWriter {
  public:
-  explicit GlbWriter(const MeshContent& content) : content_(content), scene_(content.scene) {
-    scales_ = scales_of(scene_, content.meshes);
-  }
+  explicit GlbWriter(const MeshContent& content)
+      : content_(content),
+        scene_(content.scene),
+        scales_(scales_of(scene_, content.meshes)),
+        textures_(file_, content.threads) {}
 
   void write(std::ostream& out) {
     MeshContent own = content_;
@@ -98,7 +98,7 @@ class GlbWriter {
     json["scene"] = 0;
     json["scenes"] = {{{"name", scene_.title}, {"nodes", {0}}}};
     add_root();
-    add_colormap();
+    if (!scales_.empty()) colors_ = textures_.add_scales(scales_);
     for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) add_surface(i);
     add_camera(bounds_of(placed, true));
     file_.write(out);
@@ -124,23 +124,6 @@ class GlbWriter {
     nodes().push_back(std::move(root));
   }
 
-  void add_colormap() {
-    if (scales_.empty()) return;
-    std::ostringstream png;
-    write_png(png, colormap_image(scales_), {}, content_.threads);
-    const std::string bytes = png.str();
-    const std::size_t view = file_.add_view(
-        bytes.size(), GlbTarget::None, [bytes](ByteWriter& writer) { writer.put_text(bytes); });
-    constexpr int kLinear = 9729;
-    constexpr int kClampToEdge = 33071;
-    file_.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
-    file_.json["samplers"] = {{{"magFilter", kLinear},
-                               {"minFilter", kLinear},
-                               {"wrapS", kClampToEdge},
-                               {"wrapT", kClampToEdge}}};
-    file_.json["textures"] = {{{"sampler", 0}, {"source", 0}}};
-  }
-
   void add_surface(std::size_t i) {
     const Mesh& mesh = content_.meshes[i];
     const SurfaceSpec& spec = scene_.surfaces[i];
@@ -152,9 +135,13 @@ class GlbWriter {
       surface.scale = scale;
       surface.row = static_cast<std::size_t>(&scale - scales_.data());
       surface.rows = scales_.size();
+      surface.colors = colors_;
+    }
+    if (spec.texture && !mesh.triangles.empty()) {
+      surface.places = texture_places(scene_, spec, mesh.uv);
     }
     surfaces_.push_back(std::move(surface));
-    const std::size_t number = add_mesh(surfaces_.back(), file_);
+    const std::size_t number = add_mesh(surfaces_.back(), textures_, file_);
     const Json node = {
         {"name", spec.name}, {"mesh", number}, {"translation", json_of(mesh.bounds.centre())}};
     if (spec.in.empty()) add_node(node, 0);
@@ -213,6 +200,8 @@ class GlbWriter {
   const Scene& scene_;
   std::vector<ColorScale> scales_;
   GlbFile file_;
+  GlbTextures textures_;
+  std::size_t colors_ = 0;                     ///< the texture of the scales
   std::deque<GlbSurface> surfaces_;            ///< the file refers to them
   std::map<std::string, std::size_t> frames_;  ///< nodes of the scene's nodes
 };

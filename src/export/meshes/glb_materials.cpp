@@ -27,12 +27,12 @@ double roughness_of(double shininess) {
 }
 
 Json json_of(const GlbMaterial& look) {
-  Json base = look.textured ? Json{1.0, 1.0, 1.0} : linear_of(look.material.diffuse);
+  Json base = look.texture ? Json{1.0, 1.0, 1.0} : linear_of(look.material.diffuse);
   base.push_back(look.opacity);
   Json pbr = {{"baseColorFactor", base},
               {"metallicFactor", 0.0},
               {"roughnessFactor", look.unlit ? 1.0 : roughness_of(look.material.shininess)}};
-  if (look.textured) pbr["baseColorTexture"] = {{"index", 0}, {"texCoord", 0}};
+  if (look.texture) pbr["baseColorTexture"] = {{"index", *look.texture}, {"texCoord", 0}};
   Json json = {{"pbrMetallicRoughness", pbr}};
   const Json emission = linear_of(look.material.emission);
   if (emission != Json{0.0, 0.0, 0.0}) json["emissiveFactor"] = emission;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "export/meshes/glb_file.h"
 #include "scene/model/scene.h"
@@ -11,7 +12,7 @@ namespace saddle {
 struct GlbMaterial {
   Material material;
   double opacity = 1;
-  bool textured = false;  ///< by the picture of colours
+  std::optional<std::size_t> texture = {};  ///< its number, in place of the diffuse colour
   bool unlit = false;
   bool double_sided = false;
 };

@@ -88,9 +88,10 @@ struct Strokes {
 
 class MeshAdder {
  public:
-  MeshAdder(const GlbSurface& surface, GlbFile& file)
+  MeshAdder(const GlbSurface& surface, GlbTextures& textures, GlbFile& file)
       : surface_(surface),
         mesh_(surface.mesh),
+        textures_(textures),
         file_(file),
         centre_(mesh_.bounds.centre()),
         diagonal_(mesh_.bounds.diagonal()) {}
@@ -129,9 +130,7 @@ class MeshAdder {
     hides_back_ = true;
     const Json attributes = attributes_of(0, 1);
     for (const PartRange& part : parts_of(mesh_)) {
-      GlbMaterial look = material_of(Side::Front);
-      look.material = saddle::material_of(surface_.spec, part.part);
-      add_part(attributes, false, part, look);
+      add_part(attributes, false, part, look_with(saddle::material_of(surface_.spec, part.part)));
     }
   }
 
@@ -139,17 +138,24 @@ class MeshAdder {
   using Look = std::array<double, 8>;
   Look look_of(Side side) const {
     const Material& m = side == Side::Back ? surface_.spec.back : surface_.spec.front;
-    const Color d = surface_.scale ? Color{} : m.diffuse;
+    const bool has_own_color = surface_.scale || surface_.spec.texture.picture;
+    const Color d = has_own_color ? Color{} : m.diffuse;
     const double shine = surface_.unlit ? 0.0 : m.shininess.value;
     return {d.r, d.g, d.b, shine, m.emission.r, m.emission.g, m.emission.b, 0};
   }
 
-  GlbMaterial material_of(Side side) const {
+  GlbMaterial look_with(const Material& material) {
     GlbMaterial look;
-    look.material = side == Side::Back ? surface_.spec.back : surface_.spec.front;
+    look.material = material;
     look.opacity = surface_.spec.opacity;
-    look.textured = surface_.scale.has_value();
+    if (surface_.scale) look.texture = surface_.colors;
+    if (!surface_.places.empty()) look.texture = textures_.add(surface_.spec.texture, material);
     look.unlit = surface_.unlit;
+    return look;
+  }
+
+  GlbMaterial material_of(Side side) {
+    GlbMaterial look = look_with(side == Side::Back ? surface_.spec.back : surface_.spec.front);
     look.double_sided = side == Side::Both;
     return look;
   }
@@ -187,8 +193,17 @@ class MeshAdder {
   }
 
   /// Places in the picture of colours, if there is one, and the parameters as shares of their
-  /// ranges, v from above. The picture's are the first: some readers know of no others.
+  /// ranges, v from above. The picture's are the first: some readers know of no others. A texture
+  /// has its parameters, as often as it is there.
   void add_coordinates() {
+    if (!surface_.places.empty()) {
+      const dvec2 across = pictures_across(surface_.spec);
+      coordinates_.push_back(add_pairs([&surface = surface_, across](std::size_t i) {
+        const dvec2 place = across * surface.places[i];
+        return dvec2(place.x, 1 - place.y);
+      }));
+      return;
+    }
     if (surface_.scale) {
       coordinates_.push_back(add_pairs([&surface = surface_](std::size_t i) {
         const double place = place_on(*surface.scale, surface.mesh.color[i]);
@@ -233,7 +248,7 @@ class MeshAdder {
                 const GlbMaterial& look) {
     add_triangles(attributes, reversed, false, part, look);
     GlbMaterial grey = look;
-    grey.textured = false;
+    grey.texture.reset();
     grey.material.diffuse = {kUndefinedGrey, kUndefinedGrey, kUndefinedGrey};
     if (surface_.scale) add_triangles(attributes, reversed, true, part, grey);
   }
@@ -323,6 +338,7 @@ class MeshAdder {
 
   const GlbSurface& surface_;
   const Mesh& mesh_;
+  GlbTextures& textures_;
   GlbFile& file_;
   dvec3 centre_;
   double diagonal_;
@@ -333,8 +349,8 @@ class MeshAdder {
 
 }  // namespace
 
-std::size_t add_mesh(const GlbSurface& surface, GlbFile& file) {
-  return MeshAdder(surface, file).add();
+std::size_t add_mesh(const GlbSurface& surface, GlbTextures& textures, GlbFile& file) {
+  return MeshAdder(surface, textures, file).add();
 }
 
 }  // namespace saddle

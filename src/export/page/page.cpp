@@ -13,6 +13,7 @@
 #include "base/base64.h"
 #include "base/deflate.h"
 #include "base/error.h"
+#include "base/image_png.h"
 #include "base/nearest.h"
 #include "base/sha256.h"
 #include "export/common/markup.h"
@@ -161,6 +162,26 @@ class Sliders {
   std::set<std::string> still_;  ///< parameters of solids
 };
 
+void add_picture(const TexturePicture* picture, PageScene& page) {
+  if (picture == nullptr) return;
+  if (std::ranges::find(page.pictures, picture, &PagePicture::picture) != page.pictures.end()) {
+    return;
+  }
+  Image image = opaque(picture->image);
+  for (int y = 0; y < image.height / 2; ++y) {
+    std::swap_ranges(image.pixel(0, y), image.pixel(0, y + 1),
+                     image.pixel(0, image.height - 1 - y));
+  }
+  std::ostringstream png;
+  write_png(png, image);
+  page.pictures.push_back({picture, std::move(png).str()});
+}
+
+bool has_texture(const PageScene& page) {
+  return std::ranges::any_of(page.scene.surfaces,
+                             [](const SurfaceSpec& spec) { return bool(spec.texture); });
+}
+
 /// `parts`, `packed`: keep what the page refers to.
 PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
                      std::vector<PageMesh>& packed) {
@@ -174,6 +195,7 @@ PageScene page_scene(const PageContent& content, std::vector<Mesh>& parts,
   for (const Mesh& mesh : content.meshes) ranges.push_back(color_range_of(mesh));
   page.scales = color_scales(scene, ranges);
   split_solids(page, parts);
+  for (const SurfaceSpec& spec : page.scene.surfaces) add_picture(spec.texture.picture.get(), page);
   Bounds bounds;
   std::vector<double> stretch(scene.surfaces.size(), 1);
   for (const Instance& instance : instances(scene)) {
@@ -238,8 +260,10 @@ void write_page(std::ostream& out, const PageContent& content) {
   std::string meshes;
   for (const PageMesh& mesh : packed) meshes += mesh.bytes;
   for (const ColorScale& scale : page.scales) meshes += colormap_bytes(scale.colormap);
+  for (const PagePicture& picture : page.pictures) meshes += picture.png;
   std::string script = page_scene_code(page);
   script = functions_for(script) + script;
+  if (has_texture(page)) script += stripped(page_source("textures.js"));
   for (const char* const name : kScripts) script += stripped(page_source(name));
   script = "{\n" + script + "}\n";
   const std::string style = stripped(page_source("page.css"));

@@ -6,6 +6,7 @@
 #include "formula/js.h"
 #include "scene/model/instances.h"
 #include "scene/model/prepare.h"
+#include "scene/model/texture.h"
 #include "scene/model/theme.h"
 #include "scene/model/values.h"
 #include "surface/forms.h"
@@ -187,6 +188,21 @@ std::string scale_code(const PageScene& page, const SurfaceSpec& spec, const Mes
          ",range:" + list({js_number(mesh.color_range.low), js_number(mesh.color_range.high)});
 }
 
+/// A surface's own texture: the number of its picture, or -1 for a chequerboard.
+std::string texture_code(const PageScene& page, const SurfaceSpec& spec) {
+  const Texture& texture = spec.texture;
+  if (!texture) return "";
+  const auto found = std::ranges::find(page.pictures, texture.picture.get(), &PagePicture::picture);
+  const auto number = texture.picture ? found - page.pictures.begin() : -1;
+  const char* const wrap = texture.wrap == Texture::Wrap::Repeat   ? "'REPEAT'"
+                           : texture.wrap == Texture::Wrap::Mirror ? "'MIRRORED_REPEAT'"
+                                                                   : "'CLAMP_TO_EDGE'";
+  return ",texture:{picture:" + std::to_string(number) + ",wrap:" + wrap +
+         ",smooth:" + truth(texture.filter == Texture::Filter::Smooth) +
+         ",scale:" + vector_code(dvec3(texture_scale(spec), 1)) + ",dark:" + js_number(kDarkCell) +
+         "}";
+}
+
 /// The scene whose formulas no slider moves: a page has no way to make solids.
 Scene without_sliders(Scene scene) {
   scene.keeps_time = false;
@@ -216,7 +232,7 @@ std::string surface_code(const PageScene& page, std::size_t index, std::size_t p
       ",flip:" + truth(bind_surface(scene, spec).flip) + ",fixed:" + truth(packed.fixed) +
       ",unlit:" + truth(shading_of(scene, spec) == Shading::Unlit) +
       ",box:{low:" + vector_code(packed.box.low) + ",high:" + vector_code(packed.box.high) + "}," +
-      scale_code(page, spec, mesh);
+      scale_code(page, spec, mesh) + texture_code(page, spec);
   if (!spec.label.empty() && mesh.anchor) {
     code += ",label:" + js_string(spec.label) + ",anchor:" + vector_code(*mesh.anchor);
   }
@@ -294,6 +310,10 @@ std::string page_scene_code(const PageScene& page) {
   for (const ShaderText& text : shaders.programs) {
     programs.push_back(list({js_string(text.vertex), js_string(text.fragment)}));
   }
+  PageParts pictures;  // their bytes
+  for (const PagePicture& picture : page.pictures) {
+    pictures.push_back(std::to_string(picture.png.size()));
+  }
   const bool is_titled =
       !scene.title.empty() && (scene.show_title || (scene.axes && scene.title != Scene{}.title));
   const Color& b = scene.background;
@@ -318,6 +338,7 @@ std::string page_scene_code(const PageScene& page) {
           {0, 0})) +
       ",plays:" + truth(scene.animation.has_value()) +
       ",approximate:" + js_string(approximate(page));
+  if (!pictures.empty()) code += ",pictures:" + list(pictures);
   if (scene.animation) {
     code += ",time:" + list({js_number(scene.t), js_number(scene.animation->from),
                              js_number(scene.animation->to)});

@@ -19,6 +19,12 @@ struct PageParameter {
   double value = 0, min = 0, max = 1;
 };
 
+/// A texture's picture as a PNG file with rows from below, as OpenGL has them.
+struct PagePicture {
+  const TexturePicture* picture = nullptr;
+  std::string png;
+};
+
 /// Everything that the code of a page is about.
 struct PageScene {
   Scene scene;                       ///< framed, with strokes; parameters of sliders are kept
@@ -26,6 +32,7 @@ struct PageScene {
   std::span<const PageMesh> packed;  ///< the same
   std::vector<PageParameter> parameters;
   std::vector<ColorScale> scales;
+  std::vector<PagePicture> pictures;  ///< of the surfaces' textures, each one once
   FittedCamera camera;
   double unit = 1;  ///< what shaders measure lengths in
 };

@@ -99,6 +99,9 @@ ShaderNeeds needs_of(const PageScene& page, std::size_t surface, const ShaderNee
   needs.see_through = spec.opacity < 1;
   needs.normal_matrix = !spec.in.empty() || dvec3(scene.scale.factors) != dvec3(1);
   needs.colored = !page.meshes[surface].color.empty() && !spec.color.empty();
+  if (spec.texture && !page.meshes[surface].triangles.empty()) {
+    needs.textured = spec.texture.picture ? TextureUse::Picture : TextureUse::Checker;
+  }
   add_material_needs(spec, true, needs);
   return needs;
 }
