@@ -100,8 +100,6 @@ class ModelWriter {
       : writer_(out), content_(content), meshes_(placed_meshes(content)) {
     std::erase_if(meshes_, [](const ExportedMesh& placed) { return placed.is_line; });
     doubles_ = float_rounding(meshes_) > kFloatRounding;
-    if (content.shells.empty()) own_ = shells_of(content.meshes);
-    shells_ = own_.empty() ? content.shells : own_;
   }
 
   void write() {
@@ -146,7 +144,7 @@ class ModelWriter {
 
   void write_object(std::size_t i) {
     const ExportedMesh& placed = meshes_[i];
-    const Shells& shells = shells_[placed.surface];
+    const Shells& shells = content_.shells[placed.surface];
     writer_ << "<object id=\"";
     writer_.whole(object_id(i)) << "\" type=\"" << (shells.is_solid() ? "model" : "surface")
                                 << "\" name=\"" << escaped(printable(placed.name)) << "\" pid=\"";
@@ -222,14 +220,15 @@ class ModelWriter {
   TextWriter writer_;
   const MeshContent& content_;
   std::vector<ExportedMesh> meshes_;
-  std::vector<Shells> own_;
-  std::span<const Shells> shells_;
   bool doubles_ = false;
 };
 
 }  // namespace
 
-void write_3mf(std::ostream& out, const MeshContent& content) {
+void write_3mf(std::ostream& out, const MeshContent& given) {
+  MeshContent content = given;
+  std::vector<Shells> own;  // found before there is memory for packing
+  if (given.shells.empty()) content.shells = own = shells_of(given.meshes);
   ZipWriter zip(out, content.threads);
   zip.add("[Content_Types].xml", [](std::ostream& part) { part << kContentTypes; });
   zip.add("_rels/.rels", [](std::ostream& part) { part << kRelations; });
