@@ -5,7 +5,7 @@ set(PAGE_CPP ${CMAKE_BINARY_DIR}/page/page_sources.cpp)
 add_custom_command(
   OUTPUT ${PAGE_CPP}
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${PAGE_CPP} "-DFILES=${SADDLE_PAGE}"
-          -DHEADER=export/page_sources.h -DFUNCTION=page_source
+          -DHEADER=export/page/page_sources.h -DFUNCTION=page_source
           -P ${CMAKE_SOURCE_DIR}/cmake/WriteTexts.cmake
   DEPENDS ${SADDLE_PAGE} ${CMAKE_SOURCE_DIR}/cmake/WriteTexts.cmake
   COMMENT "Embedding the page"

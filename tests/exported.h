@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "export/content.h"
+#include "export/common/content.h"
 #include "mesh/model/mesh.h"
 #include "mesh/solid/thicken.h"
 #include "scene/model/assignments.h"

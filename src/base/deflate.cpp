@@ -68,6 +68,16 @@ std::string inflated(std::string_view stream, std::size_t most, const std::strin
   throw Error(Status::Input, name + " is damaged");
 }
 
+std::string zlib_stream(std::string_view bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string result(size, '\0');
+  const int status = compress2(reinterpret_cast<Bytef*>(result.data()), &size,
+                               input_of(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+  if (status != Z_OK) throw std::bad_alloc();
+  result.resize(size);
+  return result;
+}
+
 std::uint32_t crc_of(std::span<const std::uint8_t> bytes, std::uint32_t before) {
   return static_cast<std::uint32_t>(crc32_z(before, bytes.data(), bytes.size()));
 }

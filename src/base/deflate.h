@@ -23,6 +23,10 @@ std::string deflated(std::span<const std::uint8_t> bytes, bool last,
 /// damaged stream; messages call it `name`.
 std::string inflated(std::string_view stream, std::size_t most, const std::string& name);
 
+/// A zlib stream of the bytes, as small as zlib makes it. Throws std::bad_alloc.
+/// Source: P. Deutsch, J.-L. Gailly, "ZLIB compressed data format specification", RFC 1950, 1996.
+std::string zlib_stream(std::string_view bytes);
+
 /// The checksum of ZIP files, CRC-32, of the bytes after those whose checksum is `before`.
 std::uint32_t crc_of(std::span<const std::uint8_t> bytes, std::uint32_t before = 0);
 

@@ -33,4 +33,10 @@ inline bool is_opaque(const Image& image) {
   return true;
 }
 
+/// The same without transparency.
+inline Image opaque(Image image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
 }  // namespace saddle

@@ -6,7 +6,7 @@
 
 #include "base/format.h"
 #include "formula/lower.h"
-#include "formula/row_text.h"
+#include "formula/operations.h"
 
 namespace saddle {
 namespace {

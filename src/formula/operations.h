@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "formula/graph.h"
@@ -57,5 +58,8 @@ inline bool takes_an_order(Op op) {
 inline bool is_special(Op op) {
   return row_of(op).kind == Kind::Special || takes_an_order(op);
 }
+
+/// A row's text in another language, with the words a, b and c replaced by the arguments.
+std::string with_arguments(std::string_view text, const std::array<std::string, 3>& arguments);
 
 }  // namespace saddle

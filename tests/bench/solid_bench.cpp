@@ -6,7 +6,7 @@
 #include <streambuf>
 
 #include "bench_surfaces.h"
-#include "export/ply.h"
+#include "export/meshes/ply.h"
 #include "mesh/mesher/grid_mesh.h"
 #include "mesh/solid/solid_facts.h"
 #include "mesh/solid/thicken.h"

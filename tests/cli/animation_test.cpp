@@ -12,7 +12,7 @@
 #include "base/file.h"
 #include "base/image_png.h"
 #include "cli/program.h"
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 #include "paths.h"
 
 namespace saddle {

@@ -196,10 +196,11 @@ TEST_F(Textures, WarnOfWhatIsNotShown) {
   write_picture("clear.png", {{kRed, kLime}}, 100);
   EXPECT_TRUE(
       contains(small({"torus", "--texture", "clear.png", "-o", "a.png"}).err, "transparent"));
-  EXPECT_TRUE(
-      contains(small({"torus", "--texture", "four.png", "-o", "a.ply"}).err, "has no texture"));
-  EXPECT_TRUE(contains(small({"torus", "--texture", "four.png", "-o", "a.html"}).err,
-                       "a page has no texture"));
+  EXPECT_TRUE(contains(small({"torus", "--texture", "four.png", "-o", "a.ply"}).err,
+                       "a.ply: the texture is left out; .glb can hold all of it"));
+  for (const char* file : {"a.html", "a.glb"}) {
+    EXPECT_EQ(small({"torus", "--texture", "four.png", "-o", file}).err, "") << file;
+  }
   EXPECT_EQ(small({"torus", "--texture", "four.png", "-o", "a.png"}).err, "");
 }
 

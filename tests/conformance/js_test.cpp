@@ -11,7 +11,7 @@
 #include "conformance/evaluators.h"
 #include "conformance/reference.h"
 #include "conformance/report.h"
-#include "export/page_sources.h"
+#include "export/page/page_sources.h"
 #include "formula/js.h"
 #include "temporary_folder.h"
 

@@ -15,6 +15,7 @@ WIDTH, HEIGHT = 480, 360
 MOST_LEVELS = 2
 MOST_BYTES = 25_000  # beside the meshes
 DRAWN = "document.querySelector('.saddle').dataset.drawn > 0"
+BRICKS = str(pathlib.Path(__file__).resolve().parents[2] / "examples" / "bricks.png")
 SURFACES = {
     "torus": ["torus"],
     "boy": ["boy"],
@@ -26,6 +27,10 @@ SURFACES = {
     "blinn": ["torus", "--specular", "blinn"],
     "vertex": ["torus", "--shading", "vertex"],
     "see-through": ["sphere", "--opacity", "0.5"],
+    "textured": ["torus", "--texture", BRICKS, "--texture-repeat", "6x2"],
+    "pixels": ["z=x*y", "--texture", BRICKS, "--texture-filter", "nearest", "--texture-wrap",
+               "mirror", "--texture-repeat", "3x2", "--shading", "vertex"],
+    "checker": ["sphere", "--texture", "checker"],
 }
 
 program = sys.argv[1]
@@ -68,11 +73,25 @@ def check_pictures(browser, folder):
         most, mean, share = difference(*pictures, background)
         print(f"{name}: largest difference {most}, mean {mean:.2f} over {share:.0%}", flush=True)
         expect(most <= MOST_LEVELS, f"{name}: {most} levels from saddle's picture")
-        text = page.read_text()
+        text = re.sub("data:image/png;base64,[^&]*", "", page.read_text())  # a texture's
         meshes = re.search(r'saddle-meshes">([^<]*)<', text)[1]
         kilobytes = (len(text) - len(meshes)) / 1000
         print(f"  {kilobytes:.1f} kB and {len(meshes) / 1000:.1f} kB of meshes", flush=True)
         expect(len(text) - len(meshes) <= MOST_BYTES, f"{name}: {kilobytes} kB")
+
+
+def check_flat_texture(browser, folder):
+    """Without WebGL2: bricks are red and mortar grey."""
+    page = folder / "flat.html"
+    saddle("z=0*x", "--texture", BRICKS, "--grid", "off", "--view", "0,0,1", "--samples", "64x64",
+           "--shading", "unlit", "-o", str(page))
+    browser.open(page.as_uri() + "?flat")
+    browser.wait_for(DRAWN)
+    shown = read(full_size(browser))
+    red = (shown[:, :, 0] > shown[:, :, 1] + 60).mean()
+    grey = ((abs(shown[:, :, 0] - shown[:, :, 1]) < 30) & (shown[:, :, 0] > 100)).mean()
+    expect(red > 0.2 and grey > 0.03, f"a texture without WebGL2: {red:.2f} red, {grey:.2f} grey")
+    expect(not browser.errors, f"flat: no error, not {browser.errors}")
 
 
 def differs(browser, act, what):
@@ -156,6 +175,7 @@ with tempfile.TemporaryDirectory() as name:
     try:
         chromium.size(WIDTH, HEIGHT + 200)
         check_pictures(chromium, path)
+        check_flat_texture(chromium, path)
         check_hands(chromium, path)
         check_hostile(chromium, path)
     finally:

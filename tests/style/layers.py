@@ -13,13 +13,15 @@ LAYERS = {
     "scene": "model toml options files",
     "meshing": "",
     "render": "gl shading overlay picture",
-    "export": "", "study": "",
+    "export": "common meshes page figures pictures formats",
+    "study": "",
     "view": "model picture panel window",
     "app": "command_line report run commands",
 }
 FOLDERS = [f"{layer}/{room}" for layer, rooms in LAYERS.items() for room in rooms.split() or [""]]
 FOLDERS = [folder.rstrip("/") for folder in FOLDERS] + ["app"]  # main.cpp
-UNITS_IN_A_FOLDER = 33  # of src/export; the aim is 25, with rooms in it
+UNITS_IN_A_FOLDER = 25
+ROOMY = {"base": 30}  # tools that need each other little
 LONG_FILE = 400  # lines
 LONG_FILES = 4
 INCLUDE_DEPTH = {"mesh": 9}  # the longest chain of includes within a layer, its source included
@@ -103,8 +105,9 @@ def crowded_folders(files):
     for file in files:
         units[folder_of(file)].add(unit_of(file))
     for folder, inside in units.items():
-        if len(inside) > UNITS_IN_A_FOLDER:
-            yield f"src/{folder}: {len(inside)} units, {UNITS_IN_A_FOLDER} at most"
+        most = ROOMY.get(folder, UNITS_IN_A_FOLDER)
+        if len(inside) > most:
+            yield f"src/{folder}: {len(inside)} units, {most} at most"
 
 
 def long_files(files):

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 #include "meshing/tessellate.h"
 #include "scene/model/gallery.h"
 #include "view/window/viewer.h"

@@ -9,7 +9,7 @@
 #include "base/image_compare.h"
 #include "base/image_png.h"
 #include "base/random.h"
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 #include "viewer/display.h"
 
 namespace saddle {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 #include "paths.h"
 #include "scene/model/gallery.h"
 #include "view/window/viewer.h"

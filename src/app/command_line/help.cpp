@@ -8,7 +8,7 @@
 #include "app/command_line/cli.h"
 #include "base/error.h"
 #include "base/nearest.h"
-#include "export/formats.h"
+#include "export/formats/formats.h"
 #include "formula/language.h"
 #include "scene/options/lights.h"
 #include "scene/options/options.h"

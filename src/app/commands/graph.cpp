@@ -155,26 +155,7 @@ class Run {
       for (const SceneFinding& found : report_.findings) add({warning_of(found)});
     }
     add(writer_.warnings());
-    add(textures_left_out());
     print_warnings(line_, std::span(report_.warnings).subspan(told_));
-  }
-
-  /// No mesh file has textures, and no page.
-  std::vector<std::string> textures_left_out() const {
-    std::vector<std::string> warnings;
-    const auto is_mesh = [](const Output& output) { return output.is(Format::Kind::Mesh); };
-    const auto is_page = [](const Output& output) { return output.format->takes_sliders; };
-    const bool some_mesh = std::ranges::any_of(plan_.outputs, is_mesh);
-    const bool some_page = std::ranges::any_of(plan_.outputs, is_page);
-    const std::string file = some_mesh && some_page ? "a mesh file or page"
-                             : some_page            ? "a page"
-                                                    : "a mesh file";
-    if (!some_mesh && !some_page) return warnings;
-    for (const SurfaceSpec& spec : plan_.scene().surfaces) {
-      if (!spec.texture) continue;
-      warnings.push_back(spec.name + ": " + file + " has no texture, it is left out there");
-    }
-    return warnings;
   }
 
   void warn_and_fail() {

@@ -10,7 +10,7 @@
 
 #include "app/run/combine_objects.h"
 #include "base/error.h"
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 #include "formula/lexer.h"
 #include "scene/model/assignments.h"
 #include "scene/model/gallery.h"

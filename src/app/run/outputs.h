@@ -9,7 +9,7 @@
 
 #include "app/command_line/cli.h"
 #include "base/error.h"
-#include "export/formats.h"
+#include "export/formats/formats.h"
 
 namespace saddle {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "export/video.h"
+#include "export/pictures/video.h"
 #include "scene/model/assignments.h"
 #include "scene/model/values.h"
 

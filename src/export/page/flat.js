@@ -27,6 +27,7 @@ function flatPainter(canvas) {
           const place = Math.min(Math.max(s.onScale[0] * share(s, s.numbers[0][s.drawn[i]]) + s.onScale[1], 0), 1);
           base = Array.from(scene.maps[s.scale].slice(3 * Math.round(place * 255)).slice(0, 3), x => x / 255);
         }
+        if (s.texture) base = texelOf(s, s.drawn.subarray(i, i + 3), base);
         let lit = s.unlit ? [1, 1, 1] : [0, 0, 0];
         for (const light of s.unlit ? [] : lights) {
           const way = light.directional ? light.light_position : unit(plus(light.light_position, times(eyes[0], 1 / scene.unit), -1));

@@ -51,7 +51,10 @@ function glPainter(canvas) {
       return texture;
     });
     indices = gl.createBuffer();
-    for (const s of scene.surfaces) s.buffers = null;
+    for (const s of scene.surfaces) {
+      s.buffers = null;
+      s.map = s.colored ? maps[s.scale] : s.texture?.picture >= 0 ? glPicture(gl, s.texture) : null;
+    }
     box = null;
   }
 
@@ -97,6 +100,7 @@ function glPainter(canvas) {
     const attributes = [[0, 3, Float32Array.from(p, (x, i) => (x - centre[i % 3]) / size), 0, 0, 0],
       [1, 3, Float32Array.from(s.normal), 0, 0, 0]];
     if (s.colored) attributes.push([3, 1, Float32Array.from(s.numbers[0], x => share(s, x)), 0, 0, 0]);
+    if (s.texture) attributes.push([7, 2, placesOf(s), 0, 0, 0]);
     const at = i => p.subarray(3 * i, 3 * i + 3);
     s.buffers = {
       faces: vertexArray(attributes, s.drawn),
@@ -127,8 +131,9 @@ function glPainter(canvas) {
   function drawFaces({s, placed}, lights, clear) {
     const {toEye, toClip, normals, mirrored} = placed;
     use(programs[s.program], {...lights, ...s.look, model_to_clip: toClip, model_to_eye: toEye, normal_to_eye: normals,
-      colormap: 0, color_scale: s.onScale[0], color_offset: s.onScale[1]});
-    if (s.colored) gl.bindTexture(gl.TEXTURE_2D, maps[s.scale]);
+      colormap: 0, color_scale: s.onScale[0], color_offset: s.onScale[1],
+      picture: 0, texture_scale: s.texture?.scale});
+    if (s.map) gl.bindTexture(gl.TEXTURE_2D, s.map);
     gl.frontFace(mirrored ? gl.CW : gl.CCW);
     gl.bindVertexArray(s.buffers.faces.array);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, clear ? indices : s.buffers.faces.buffers.get(s.drawn));

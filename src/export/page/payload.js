@@ -53,4 +53,5 @@ async function unpack(text) {
     s.contourChains = Array.from({length: varint()}, () => Array.from({length: varint()}, () => first++));
   }
   scene.maps = scene.scales.map(() => bytes.slice(at, at += 768));
+  if (scene.pictures) await unpackPictures(bytes, at);
 }

@@ -7,17 +7,6 @@
 namespace saddle {
 namespace {
 
-template <class F>
-void for_each_side(const Mesh& mesh, F f) {
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.point[mesh.triangles[t][k]];
-      const std::uint32_t b = mesh.point[mesh.triangles[t][(k + 1) % 3]];
-      f(std::min(a, b), HalfEdge{std::max(a, b), 3 * t + k, a > b});
-    }
-  }
-}
-
 /// The corners at the ends of a triangle's side, in order.
 IndexPair corners_of(const Mesh& mesh, const HalfEdge& side) {
   const Triangle& t = mesh.triangles[side.triangle()];
@@ -27,23 +16,36 @@ IndexPair corners_of(const Mesh& mesh, const HalfEdge& side) {
 
 }  // namespace
 
-HalfEdges half_edges(const Mesh& mesh) {
-  HalfEdges edges;
-  edges.begin.resize(std::size_t{mesh.point_count} + 1);
-  for_each_side(mesh, [&](std::uint32_t point, const HalfEdge&) { ++edges.begin[point + 1]; });
-  std::partial_sum(edges.begin.begin(), edges.begin.end(), edges.begin.begin());
-  edges.all.resize(edges.begin.back());
-  std::vector<std::size_t> next(edges.begin.begin(), edges.begin.end() - 1);
-  for_each_side(
-      mesh, [&](std::uint32_t point, const HalfEdge& side) { edges.all[next[point]++] = side; });
-  for (std::size_t p = 0; p < mesh.point_count; ++p) {
-    std::sort(edges.all.begin() + static_cast<std::ptrdiff_t>(edges.begin[p]),
-              edges.all.begin() + static_cast<std::ptrdiff_t>(edges.begin[p + 1]),
-              [](const HalfEdge& a, const HalfEdge& b) {
-                return a.to != b.to ? a.to < b.to : a.side < b.side;
-              });
+CornersOfPoints corners_of_points(const Mesh& mesh) {
+  CornersOfPoints corners;
+  const auto count = static_cast<std::uint32_t>(3 * mesh.triangles.size());
+  const auto point_of = [&](std::uint32_t corner) {
+    return mesh.point[mesh.triangles[corner / 3][corner % 3]];
+  };
+  corners.begin.resize(std::size_t{mesh.point_count} + 1);
+  for (std::uint32_t c = 0; c < count; ++c) ++corners.begin[point_of(c)];
+  std::partial_sum(corners.begin.begin(), corners.begin.end(), corners.begin.begin());
+  corners.all.resize(count);
+  // From the ends of points' parts to their beginnings.
+  for (std::uint32_t c = count; c-- > 0;) corners.all[--corners.begin[point_of(c)]] = c;
+  return corners;
+}
+
+void find_sides(const Mesh& mesh, std::span<const std::uint32_t> corners,
+                std::vector<HalfEdge>& sides) {
+  sides.clear();
+  for (const std::uint32_t corner : corners) {
+    const std::uint32_t t = corner / 3;
+    const std::uint32_t k = corner % 3;
+    const std::uint32_t before = (k + 2) % 3;
+    const Triangle& triangle = mesh.triangles[t];
+    const std::uint32_t last = mesh.point[triangle[before]];
+    sides.push_back({mesh.point[triangle[(k + 1) % 3]], corner, false});
+    if (last != mesh.point[triangle[k]]) sides.push_back({last, 3 * t + before, true});
   }
-  return edges;
+  std::ranges::sort(sides, [](const HalfEdge& a, const HalfEdge& b) {
+    return a.to != b.to ? a.to < b.to : a.side < b.side;
+  });
 }
 
 std::vector<std::vector<HalfEdge>> edges_between(const Mesh& mesh,

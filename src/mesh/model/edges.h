@@ -1,5 +1,5 @@
 // The edges of a mesh: which sides of triangles lie between the same two points, and belong
-// together. By counting sort: millions of sides, and no hash table.
+// together. By counting sort: millions of corners, and no hash table.
 #pragma once
 
 #include <cstddef>
@@ -15,33 +15,52 @@ namespace saddle {
 /// Two points or corners, in order.
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A side of a triangle, without the smaller one of its points.
+/// A side of a triangle, as one of its points sees it.
 struct HalfEdge {
-  std::uint32_t to;    ///< the larger point
+  std::uint32_t to;    ///< the other point
   std::uint32_t side;  ///< 3 t + k: of triangle t, from its corner k to the next
-  bool downward;       ///< it runs from the larger to the smaller point
+  bool arrives;        ///< it runs from the other point to this one
 
   std::uint32_t triangle() const { return side / 3; }
 };
 
-/// All sides of triangles, sorted by their smaller and then by their larger point. Sides whose
-/// smaller point is p begin at `begin[p]`.
-struct HalfEdges {
-  std::vector<std::size_t> begin;
-  Array<HalfEdge> all;
+/// The corners of triangles by their points; 3 t + k: corner k of triangle t. Four bytes a corner,
+/// as writers of files have little memory.
+struct CornersOfPoints {
+  std::vector<std::uint32_t> begin;  ///< those of point p are from begin[p] to begin[p + 1]
+  Array<std::uint32_t> all;          ///< of a point in increasing order
+
+  std::span<const std::uint32_t> of(std::uint32_t p) const {
+    return std::span(all).subspan(begin[p], begin[p + 1] - begin[p]);
+  }
 };
 
-HalfEdges half_edges(const Mesh& mesh);
+CornersOfPoints corners_of_points(const Mesh& mesh);
+
+/// The sides that end at a point, by the other point and then by their numbers. `corners`: of the
+/// point. A side between corners of one point is there once. `sides` is used again, for speed.
+void find_sides(const Mesh& mesh, std::span<const std::uint32_t> corners,
+                std::vector<HalfEdge>& sides);
+
+/// Calls visit(sides) for those of each other point.
+template <class Visit>
+void for_each_neighbour(std::span<const HalfEdge> sides, Visit visit) {
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].to == sides[first].to) ++last;
+    visit(sides.subspan(first, last - first));
+  }
+}
 
 /// Calls visit(p, sides) for each pair of points that have sides between them: p is the smaller.
 template <class Visit>
-void for_each_pair(const HalfEdges& edges, Visit visit) {
-  for (std::uint32_t p = 0; p + 1 < edges.begin.size(); ++p) {
-    for (std::size_t first = edges.begin[p], last = first; first < edges.begin[p + 1];
-         first = last) {
-      while (last < edges.begin[p + 1] && edges.all[last].to == edges.all[first].to) ++last;
-      visit(p, std::span(edges.all).subspan(first, last - first));
-    }
+void for_each_pair(const Mesh& mesh, Visit visit) {
+  const CornersOfPoints corners = corners_of_points(mesh);
+  std::vector<HalfEdge> sides;
+  for (std::uint32_t p = 0; p < mesh.point_count; ++p) {
+    find_sides(mesh, corners.of(p), sides);
+    for_each_neighbour(sides, [&](std::span<const HalfEdge> shared) {
+      if (shared[0].to >= p) visit(p, shared);
+    });
   }
 }
 

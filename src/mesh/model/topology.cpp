@@ -30,7 +30,12 @@ class SignedSets {
     turned_[root_b] = (turned_a != turned_b) != turned ? 1 : 0;
     return true;
   }
-  bool is_first(std::uint32_t a) const { return parent_[a] == a; }
+  /// How many sets there are.
+  std::size_t count() const {
+    std::size_t count = 0;
+    for (std::size_t a = 0; a < parent_.size(); ++a) count += parent_[a] == a ? 1 : 0;
+    return count;
+  }
   /// The first member of the set, and whether `a` is turned against it.
   std::pair<std::uint32_t, bool> find(std::uint32_t a) {
     std::uint32_t root = a;
@@ -54,29 +59,51 @@ class SignedSets {
   std::vector<std::uint8_t> turned_;
 };
 
-/// Number of a triangle's corner at a point, among all corners of triangles.
-std::uint32_t corner_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t point) {
-  std::uint32_t k = 0;
-  while (k < 2 && mesh.point[mesh.triangles[triangle][k]] != point) ++k;
-  return 3 * triangle + k;
-}
-
-/// Points whose triangles are parts that share no edge there. `fans`: corners of triangles that do.
-std::size_t count_pinched(const Mesh& mesh, const SignedSets& fans) {
-  std::vector<std::uint8_t> parts(mesh.point_count);
-  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
-    std::uint8_t& count = parts[mesh.point[mesh.triangles[corner / 3][corner % 3]]];
-    if (fans.is_first(corner) && count < 2) ++count;
+/// The parts that the triangles at a point make, which share edges there.
+class Fans {
+ public:
+  /// Every corner is a part of its own. `corners`: of triangles at the point, in order.
+  void start(std::span<const std::uint32_t> corners) {
+    corners_ = corners;
+    next_.resize(corners.size());
+    std::iota(next_.begin(), next_.end(), std::size_t{0});
   }
-  return static_cast<std::size_t>(std::ranges::count(parts, 2));
-}
-
-std::size_t count_sets(const SignedSets& sets, std::span<const std::uint8_t> counted) {
-  std::size_t count = 0;
-  for (std::uint32_t k = 0; k < counted.size(); ++k) {
-    if (counted[k] != 0 && sets.is_first(k)) ++count;
+  void join(std::uint32_t triangle, std::uint32_t other) {
+    next_[part_of(place_of(other))] = part_of(place_of(triangle));
   }
-  return count;
+  std::size_t count() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < next_.size(); ++i) count += next_[i] == i ? 1 : 0;
+    return count;
+  }
+
+ private:
+  /// The first corner of a triangle; one without an area may have several at a point.
+  std::size_t place_of(std::uint32_t triangle) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(corners_, 3 * triangle) -
+                                    corners_.begin());
+  }
+  std::size_t part_of(std::size_t i) const {
+    while (next_[i] != i) i = next_[i];
+    return i;
+  }
+  std::span<const std::uint32_t> corners_;
+  std::vector<std::size_t> next_;  ///< in the same part; itself: it stands for the part
+};
+
+/// The parts of edges that share no point.
+std::size_t count_loops(const std::vector<IndexPair>& edges) {
+  std::vector<std::uint32_t> points;
+  for (const auto& [a, b] : edges) points.insert(points.end(), {a, b});
+  std::ranges::sort(points);
+  const auto [rest, end] = std::ranges::unique(points);
+  points.erase(rest, end);
+  const auto place = [&](std::uint32_t point) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(points, point) - points.begin());
+  };
+  SignedSets sets(points.size());
+  for (const auto& [a, b] : edges) sets.join(place(a), place(b), false);
+  return sets.count();
 }
 
 /// `open`, `one_sided`: triangles at edges that have not two sides, or that reverse the winding.
@@ -95,64 +122,80 @@ void fill_parts(SignedSets& triangles, const std::vector<std::uint32_t>& open,
   for (const std::uint32_t t : one_sided) parts.is_one_sided[parts.first[t]] = 1;
 }
 
+/// Goes from point to point, so that no list of all edges is needed.
+class TopologyFinder {
+ public:
+  explicit TopologyFinder(const Mesh& mesh)
+      : mesh_(mesh), triangles_(mesh.triangles.size()), points_(mesh.point_count) {}
+
+  Topology find() {
+    const CornersOfPoints corners = corners_of_points(mesh_);
+    std::vector<HalfEdge> sides;
+    for (std::uint32_t p = 0; p < mesh_.point_count; ++p) {
+      fans_.start(corners.of(p));
+      find_sides(mesh_, corners.of(p), sides);
+      for_each_neighbour(sides, [&](std::span<const HalfEdge> shared) { add(p, shared); });
+      if (fans_.count() > 1) ++result_.pinched_points;
+    }
+    result_.euler_number = static_cast<long>(mesh_.point_count) - static_cast<long>(edges_) +
+                           static_cast<long>(mesh_.triangles.size());
+    result_.components = points_.count();
+    result_.open_edges = boundary_.size();
+    result_.boundary_loops = count_loops(boundary_);
+    return result_;
+  }
+
+  void fill(Parts& parts) {
+    fill_parts(triangles_, open_, one_sided_, mesh_.triangles.size(), parts);
+  }
+
+ private:
+  void add(std::uint32_t p, std::span<const HalfEdge> sides) {
+    if (sides.size() == 2) {
+      add_edge(p, sides);
+    } else {
+      for (const std::vector<HalfEdge>& edge : edges_between(mesh_, sides)) add_edge(p, edge);
+    }
+  }
+
+  /// Both ends see an edge and have fans; all else is done at the smaller one.
+  void add_edge(std::uint32_t p, std::span<const HalfEdge> edge) {
+    for (const HalfEdge& side : edge.subspan(1)) fans_.join(edge[0].triangle(), side.triangle());
+    const std::uint32_t to = edge[0].to;
+    if (to < p) return;
+    ++edges_;
+    points_.join(p, to, false);
+    if (edge.size() == 1) {
+      open_.push_back(edge[0].triangle());
+      boundary_.emplace_back(p, to);
+    } else if (edge.size() == 2) {
+      // Neighbours run along their edge in opposite directions.
+      const bool turned = edge[0].arrives == edge[1].arrives;
+      if (triangles_.join(edge[0].triangle(), edge[1].triangle(), turned)) return;
+      result_.orientable = false;
+      one_sided_.push_back(edge[0].triangle());
+    } else {
+      ++result_.shared_edges;
+      for (const HalfEdge& side : edge) open_.push_back(side.triangle());
+    }
+  }
+
+  const Mesh& mesh_;
+  Topology result_;
+  SignedSets triangles_;  ///< turned: their winding is opposite
+  SignedSets points_;
+  Fans fans_;
+  std::vector<IndexPair> boundary_;              ///< ends of open edges
+  std::vector<std::uint32_t> open_, one_sided_;  ///< triangles
+  std::size_t edges_ = 0;
+};
+
 }  // namespace
 
 Topology topology(const Mesh& mesh, Parts* parts) {
-  const HalfEdges edges = half_edges(mesh);
-  Topology result;
-  SignedSets triangles(mesh.triangles.size());  // turned: their winding is opposite
-  SignedSets fans(3 * mesh.triangles.size());   // corners of triangles around a point
-  SignedSets points(mesh.point_count);
-  SignedSets boundary(mesh.point_count);
-  std::vector<std::uint8_t> on_boundary(mesh.point_count);
-  std::vector<std::uint32_t> open, one_sided;  // triangles
-  std::size_t edge_count = 0;
-  const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
-    // Neighbours run along their edge in opposite directions.
-    if (!triangles.join(a.triangle(), b.triangle(), a.downward == b.downward)) {
-      result.orientable = false;
-      one_sided.push_back(a.triangle());
-    }
-  };
-  const auto join_fans = [&](const HalfEdge& a, const HalfEdge& b, std::uint32_t p) {
-    for (const std::uint32_t end : {p, a.to}) {
-      fans.join(corner_at(mesh, a.triangle(), end), corner_at(mesh, b.triangle(), end), false);
-    }
-  };
-  for_each_pair(edges, [&](std::uint32_t p, std::span<const HalfEdge> sides) {
-    const std::uint32_t to = sides[0].to;
-    points.join(p, to, false);
-    if (sides.size() == 2) {
-      ++edge_count;
-      join(sides[0], sides[1]);
-      join_fans(sides[0], sides[1], p);
-      return;
-    }
-    for (const std::vector<HalfEdge>& edge : edges_between(mesh, sides)) {
-      ++edge_count;
-      if (edge.size() == 1) {
-        ++result.open_edges;
-        open.push_back(edge[0].triangle());
-        boundary.join(p, to, false);
-        on_boundary[p] = on_boundary[to] = 1;
-      } else if (edge.size() == 2) {
-        join(edge[0], edge[1]);
-        join_fans(edge[0], edge[1], p);
-      } else {
-        ++result.shared_edges;
-        for (const HalfEdge& side : edge) {
-          join_fans(edge[0], side, p);
-          open.push_back(side.triangle());
-        }
-      }
-    }
-  });
-  result.euler_number = static_cast<long>(mesh.point_count) - static_cast<long>(edge_count) +
-                        static_cast<long>(mesh.triangles.size());
-  result.components = count_sets(points, std::vector<std::uint8_t>(mesh.point_count, 1));
-  result.pinched_points = count_pinched(mesh, fans);
-  result.boundary_loops = count_sets(boundary, on_boundary);
-  if (parts != nullptr) fill_parts(triangles, open, one_sided, mesh.triangles.size(), *parts);
+  TopologyFinder finder(mesh);
+  const Topology result = finder.find();
+  if (parts != nullptr) finder.fill(*parts);
   return result;
 }
 

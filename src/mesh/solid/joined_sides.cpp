@@ -114,7 +114,7 @@ JoinedSides join_sides(const Mesh& mesh) {
     joined.across[a.side] = b.side;
     joined.across[b.side] = a.side;
   };
-  for_each_pair(half_edges(mesh), [&](std::uint32_t, std::span<const HalfEdge> sides) {
+  for_each_pair(mesh, [&](std::uint32_t, std::span<const HalfEdge> sides) {
     if (sides.size() == 2) join(sides[0], sides[1]);
     if (sides.size() <= 2) return;
     bool is_first = true;

@@ -15,6 +15,8 @@ namespace saddle {
 
 /// The name of the texture that is no picture: a chequerboard of the cells between grid lines.
 inline constexpr std::string_view kChecker = "checker";
+/// Every other cell reflects this share of the light, as in shaders/surface.frag.glsl.
+inline constexpr double kDarkCell = 0.4;
 
 /// The texture `name` of an option: a path of the user's own, kChecker, or what texture_text()
 /// gives; `subject` for messages. Throws Error: Input for a file that is missing, no PNG, damaged

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 
 namespace saddle {
 namespace {

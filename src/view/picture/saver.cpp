@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "export/scene_png.h"
+#include "export/pictures/scene_png.h"
 #include "render/picture/picture_in_tiles.h"
 #include "render/picture/renderer.h"
 #include "scene/model/strokes.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 #include "scene/model/gallery.h"
 #include "scene/options/command_text.h"
 #include "scene/toml/scene_file.h"

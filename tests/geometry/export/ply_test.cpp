@@ -1,4 +1,4 @@
-#include "export/ply.h"
+#include "export/meshes/ply.h"
 
 #include <gtest/gtest.h>
 

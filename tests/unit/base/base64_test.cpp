@@ -14,6 +14,7 @@ TEST(Base64, HasTheVectorsOfItsStandard) {
   EXPECT_EQ(base64_of("fo"), "Zm8=");
   EXPECT_EQ(base64_of("foo"), "Zm9v");
   EXPECT_EQ(base64_of("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64_of("\xff\xfe\xfd"), "//79");  // bytes are not signed
 }
 
 TEST(Base64, GivesAllBytesBack) {

@@ -1,5 +1,5 @@
 // The table of formats: its rows are whole, and what a format carries can be read back.
-#include "export/formats.h"
+#include "export/formats/formats.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "export/load_scene.h"
+#include "export/formats/load_scene.h"
 #include "scene/model/assignments.h"
 #include "scene/toml/scene_file.h"
 

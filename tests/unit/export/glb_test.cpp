@@ -1,17 +1,22 @@
-#include "export/glb.h"
+#include "export/meshes/glb.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "base/error.h"
+#include "base/image_png.h"
 #include "exported.h"
+#include "scene/model/texture.h"
 
 namespace saddle {
 namespace {
@@ -60,6 +65,18 @@ struct Glb {
       at += is_long ? 4 : 2;
     }
     return result;
+  }
+  std::vector<dvec2> pairs(std::size_t number) const {
+    std::vector<dvec2> result(json["accessors"][number]["count"].get<std::size_t>());
+    std::size_t at = begin_of(json["accessors"][number]);
+    for (dvec2& v : result) {
+      for (int k = 0; k < 2; ++k, at += 4) v[k] = number_in<float>(bytes, at);
+    }
+    return result;
+  }
+  Image picture(std::size_t number) const {
+    const Json& view = json["bufferViews"][json["images"][number]["bufferView"].get<std::size_t>()];
+    return decode_png(bytes.substr(view["byteOffset"], view["byteLength"]), "the picture").image;
   }
   const Json& primitive(std::size_t k) const { return json["meshes"][0]["primitives"][k]; }
   const Json& material(std::size_t primitive_number) const {
@@ -274,6 +291,48 @@ TEST(Glb, ColoursByATextureAndUndefinedTrianglesGrey) {
   EXPECT_NEAR(grey["baseColorFactor"][0], 0.21404, 1e-5);
   const Json& limits = glb.json["accessors"][glb.primitive(0)["attributes"]["POSITION"].get<int>()];
   EXPECT_EQ(limits["max"][0], 1.5);  // about the centre of 0 to 3
+}
+
+TEST(Glb, HasTheTextureOverTheRangesVFromAbove) {
+  Image image(2, 1);
+  image.rgba = {255, 0, 0, 255, 0, 0, 255, 255};
+  std::ostringstream png;
+  write_png(png, image);
+  Scene scene = scene_of_surface();  // u and v: -1 to 1
+  Texture& texture = scene.surfaces[0].texture;
+  texture.picture = std::make_shared<TexturePicture>(TexturePicture{image, png.str()});
+  texture.wrap = Texture::Wrap::Mirror;
+  texture.filter = Texture::Filter::Nearest;
+  texture.repeat = {4, 2};
+  scene.surfaces[0].back = scene.surfaces[0].front;
+  scene.surfaces[0].back.diffuse = {0, 1, 0};  // the picture is on both sides
+  const Glb glb = glb_of(open_square(), scene);
+  EXPECT_EQ(glb.json["meshes"][0]["primitives"].size(), 1U);
+  EXPECT_EQ(glb.picture(0).rgba, image.rgba);
+  EXPECT_EQ(glb.json["textures"], Json::parse(R"([{"sampler": 0, "source": 0}])"));
+  EXPECT_EQ(glb.json["samplers"], Json::parse(R"([{"magFilter": 9728, "minFilter": 9728,
+                                                   "wrapS": 33648, "wrapT": 33648}])"));
+  const Json& look = glb.material(0)["pbrMetallicRoughness"];
+  EXPECT_EQ(look["baseColorTexture"]["index"], 0);
+  EXPECT_EQ(look["baseColorFactor"], Json::parse("[1.0, 1.0, 1.0, 1.0]"));
+  // A corner's (u, v) is (0, 0), (1, 0), (0, 1), (1, 1).
+  EXPECT_EQ(glb.pairs(glb.primitive(0)["attributes"]["TEXCOORD_0"]),
+            (std::vector<dvec2>{{2, 0}, {4, 0}, {2, -1}, {4, -1}}));
+}
+
+TEST(Glb, HasAChequerboardOfEachSidesColour) {
+  Scene scene = scene_of_surface();
+  scene.surfaces[0].texture.name = kChecker;
+  scene.surfaces[0].grid_u = scene.surfaces[0].grid_v = 5;  // 4 cells
+  scene.surfaces[0].back.diffuse = {1, 0, 0};
+  const Glb glb = glb_of(open_square(), scene);
+  const Image back = glb.picture(glb.json["textures"][1]["source"]);
+  const auto red_at = [&](int x, int y) { return back.pixel(x, y)[0]; };
+  const int last = back.width - 1;
+  EXPECT_EQ((std::array{red_at(0, 0), red_at(last, 0), red_at(0, last), red_at(last, last)}),
+            (std::array<std::uint8_t, 4>{102, 255, 255, 102}));
+  EXPECT_EQ(back.pixel(0, 0)[1], 0);
+  EXPECT_EQ(glb.pairs(glb.primitive(0)["attributes"]["TEXCOORD_0"])[3], dvec2(2, -1));
 }
 
 TEST(Glb, HasThePicturesCamera) {

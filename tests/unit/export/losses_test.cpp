@@ -1,11 +1,11 @@
-#include "export/losses.h"
+#include "export/formats/losses.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "base/error.h"
-#include "export/scene_lines.h"
+#include "export/common/scene_lines.h"
 #include "exported.h"
 #include "scene/toml/scene_file.h"
 

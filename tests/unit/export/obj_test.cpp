@@ -1,4 +1,4 @@
-#include "export/obj.h"
+#include "export/meshes/obj.h"
 
 #include <gtest/gtest.h>
 

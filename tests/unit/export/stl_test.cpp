@@ -1,4 +1,4 @@
-#include "export/stl.h"
+#include "export/meshes/stl.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "export/threemf.h"
+#include "export/meshes/threemf.h"
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "base/random.h"
-#include "export/zip.h"
+#include "export/common/zip.h"
 #include "exported.h"
 
 namespace saddle {

@@ -1,5 +1,5 @@
 // Videos are read back with ffmpeg: colours, sizes, frames.
-#include "export/video.h"
+#include "export/pictures/video.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "export/formats.h"
+#include "export/formats/formats.h"
 #include "temporary_folder.h"
 
 namespace saddle {

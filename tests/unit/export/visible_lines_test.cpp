@@ -1,4 +1,4 @@
-#include "export/visible_lines.h"
+#include "export/figures/visible_lines.h"
 
 #include <gtest/gtest.h>
 
