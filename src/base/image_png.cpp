@@ -149,6 +149,8 @@ bool decode_header(Reader& reader, png_uint_32& width, png_uint_32& height) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_read_fn(png, &reader, on_read);
   png_set_user_limits(png, kLargestSide, kLargestSide);
+  // A text that has changed by accident is no other text.
+  png_set_crc_action(png, PNG_CRC_DEFAULT, PNG_CRC_ERROR_QUIT);
   png_set_chunk_cache_max(png, kMostTextChunks);
   png_set_chunk_malloc_max(png, kLargestChunk);
   png_read_info(png, info);

@@ -4,7 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "formula/language.h"
 #include "formula/parser.h"
@@ -59,7 +62,8 @@ struct Scope::Impl {
 
   Graph& graph;
   View view;
-  std::vector<Entry> entries;
+  std::vector<Entry> entries;  // none is moved once its name is known
+  std::map<std::pair<std::string_view, bool>, std::size_t> known_entries;  // by name, own or not
   std::vector<std::size_t> running;  // entries being parsed, outermost first
   std::unordered_map<Symbol, NodeId> parameter_values;
   /// A result of constant(): many numbers of a scene have the same text.
@@ -122,10 +126,16 @@ struct Scope::Impl {
   }
 
   Entry* find(std::string_view name, bool own) {
-    const auto found = std::ranges::find_if(entries, [&](const Entry& entry) {
-      return entry.definition.name == name && entry.definition.own == own;
-    });
-    return found == entries.end() ? nullptr : &*found;
+    const auto found = known_entries.find({name, own});
+    return found == known_entries.end() ? nullptr : &entries[found->second];
+  }
+
+  /// The entries have room for it. Throws Error (Input).
+  void add(Definition definition) {
+    check_name(definition);
+    entries.push_back({std::move(definition), Progress::Untouched, 0, {}});
+    const Definition& added = entries.back().definition;
+    known_entries.emplace(std::pair(std::string_view(added.name), added.own), entries.size() - 1);
   }
 
   /// The definition that a name means in a formula of the surface, or in a shared one; nullptr: it
@@ -279,10 +289,7 @@ struct Scope::Impl {
 Scope::Scope(Graph& graph, std::vector<Definition> definitions, View view)
     : impl_(std::make_unique<Impl>(graph, std::move(view))) {
   impl_->entries.reserve(definitions.size());
-  for (Definition& definition : definitions) {
-    impl_->check_name(definition);
-    impl_->entries.push_back({std::move(definition), Impl::Progress::Untouched, 0, {}});
-  }
+  for (Definition& definition : definitions) impl_->add(std::move(definition));
   for (Impl::Entry& entry : impl_->entries) {
     if (!impl_->view.lazy || is_of_surface(entry.definition)) impl_->resolve(entry);
   }

@@ -1,6 +1,7 @@
 #include "app/run/output_writer.h"
 
 #include <ostream>
+#include <utility>
 
 namespace saddle {
 namespace {
@@ -19,12 +20,21 @@ VideoOptions video_options(const Output& output, const Scene& scene) {
 
 }  // namespace
 
-OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads)
-    : outputs_(outputs), threads_(threads) {
+OutputWriter::OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads,
+                           bool holds_back)
+    : outputs_(outputs), threads_(threads), holds_back_(holds_back) {
+  if (holds_back_) allow_many_open_files();  // each has its lock
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Animation)) continue;
     films_.push_back({output.path, std::make_unique<Video>(video_options(output, scene))});
   }
+}
+
+void OutputWriter::put(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (!holds_back_) return write_to(path, write);
+  StagedFile file(path == "-" ? "/dev/stdout" : path, write);
+  const std::lock_guard lock(mutex_);
+  held_.push_back(std::move(file));
 }
 
 void OutputWriter::write_meshes_of(const Shot& shot, const Scene& scene,
@@ -32,7 +42,7 @@ void OutputWriter::write_meshes_of(const Shot& shot, const Scene& scene,
   const auto begin = Clock::now();
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Mesh) || !shot.is_for(output)) continue;
-    write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
+    put(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
       output.format->write_mesh(out, {meshes, scene});
     });
   }
@@ -47,7 +57,7 @@ void OutputWriter::start_writing(const Shot& shot, const Scene& scene, Image ima
 void OutputWriter::write_picture_of(const Shot& shot, const Scene& scene, const Image& image) {
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Picture) || !shot.is_for(output)) continue;
-    write_to(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
+    put(output.path_of(shot.frame.value_or(0)), [&](std::ostream& out) {
       output.format->write_picture(out, {image, scene, threads_});
     });
   }
@@ -58,6 +68,7 @@ void OutputWriter::write_picture_of(const Shot& shot, const Scene& scene, const 
 
 void OutputWriter::finish(const Scene& scene) {
   const auto begin = Clock::now();
+  for (StagedFile& file : held_) file.publish();
   for (const Output& output : outputs_) {
     if (!output.is(Format::Kind::Scene)) continue;
     write_to(output.path, [&](std::ostream& out) { output.format->write_scene(out, scene); });

@@ -2,8 +2,11 @@
 // next one, films when all of them are whole.
 #pragma once
 
+#include <functional>
 #include <future>
 #include <memory>
+#include <mutex>
+#include <ostream>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,6 +15,7 @@
 #include "app/report/clock.h"
 #include "app/run/outputs.h"
 #include "app/run/shots.h"
+#include "base/file.h"
 #include "base/image.h"
 #include "base/parallel.h"
 #include "export/video.h"
@@ -49,9 +53,10 @@ class WorkBehind {
 /// made of it.
 class OutputWriter {
  public:
-  /// `outputs` stay where they are. `threads` 0: all. Throws Error (Machine) for a film without
-  /// ffmpeg.
-  OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads);
+  /// `outputs` stay where they are. `threads` 0: all. `holds_back`: no file gets its name before
+  /// finish(). Throws Error (Machine) for a film without ffmpeg.
+  OutputWriter(std::span<const Output> outputs, const Scene& scene, unsigned threads,
+               bool holds_back);
 
   /// Into the files of meshes that show this moment.
   void write_meshes_of(const Shot& shot, const Scene& scene, std::span<const Mesh> meshes);
@@ -63,7 +68,7 @@ class OutputWriter {
   /// Until the last picture is written. Throws what that has thrown.
   void wait() { behind_.wait(); }
 
-  /// Writes scene files, then films. After wait().
+  /// Gives files that were held back their names, writes scene files, then films. After wait().
   void finish(const Scene& scene);
 
   /// Differences of the films from what was asked for.
@@ -80,9 +85,14 @@ class OutputWriter {
 
   void write_picture_of(const Shot& shot, const Scene& scene, const Image& image);
   void write_films();
+  /// Lets `write` write a file, which may be held back.
+  void put(const std::string& path, const std::function<void(std::ostream&)>& write);
 
   std::span<const Output> outputs_;
   unsigned threads_;
+  bool holds_back_;
+  std::mutex mutex_;              ///< of held_: meshes are written beside pictures
+  std::vector<StagedFile> held_;  ///< without their names
   std::vector<Film> films_;
   double milliseconds_ = 0;  ///< of writing that the caller waits for
   WorkBehind behind_;        // the last member: it ends before what it writes to

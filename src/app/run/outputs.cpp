@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <system_error>
+#include <unordered_map>
 
 #include "app/report/reference.h"
 #include "base/error.h"
@@ -120,35 +123,12 @@ void check_standard_output(const CommandLine& line) {
   }
 }
 
-/// Two paths name one file.
-bool clash(const std::string& a, const std::string& b) {
-  const auto full = [](const std::string& path) {
-    std::error_code ignored;  // a path that cannot be looked up is refused elsewhere
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  };
-  return a != "-" && !a.empty() && !b.empty() && full(a) == full(b);
-}
-
 /// A report in place of something that the run reads would be lost work.
 void check_report_replaces_no_input(const CommandLine& line) {
   if (!is_input(line, line.run.report)) return;
   throw Error(Status::Input, "the run reads this file",
               {"--report", line.run.report, {0, line.run.report.size()}},
               "give the report a name of its own");
-}
-
-/// Two results under one name: the later would replace the earlier.
-void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs) {
-  for (const Output& output : outputs) {
-    const auto other = [&](const Output& o) {
-      return o.format != output.format && clash(o.path, output.path);
-    };
-    const bool other_result = clash(line.run.report, output.path) ||
-                              clash(difference_path(line.run.reference), output.path);
-    if (!other_result && std::ranges::none_of(outputs, other)) continue;
-    throw Error(Status::Input, "two outputs of different kinds are called " + output.path, {},
-                "give each its own name");
-  }
 }
 
 }  // namespace
@@ -160,6 +140,67 @@ std::string Output::path_of(int frame) const {
   const std::size_t wanted = width.empty() ? 0 : std::stoul(width);
   if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), '0');
   return path.substr(0, number->begin) + digits + path.substr(number->end);
+}
+
+namespace {
+
+/// Each file that a run writes, under the name that it has when all links are followed.
+class WrittenFiles {
+ public:
+  /// Throws Error (Input) if something else has this name, too.
+  void add(const std::string& path, const void* what) {
+    const auto [place, is_new] = files_.emplace(full_path(path), what);
+    if (is_new || place->second == what) return;
+    throw Error(Status::Input, "two outputs are called " + path, {}, "give each its own name");
+  }
+
+ private:
+  /// Links are followed: of a folder once, and of a file where there is one.
+  std::string full_path(const std::string& path) {
+    std::error_code ignored;  // a path that cannot be looked up is refused elsewhere
+    const std::filesystem::path given(path);
+    const std::string parent = given.parent_path().string();
+    auto folder = folders_.find(parent);
+    if (folder == folders_.end()) {
+      const auto absolute = std::filesystem::absolute(parent.empty() ? "." : parent, ignored);
+      folder = folders_.emplace(parent, std::filesystem::weakly_canonical(absolute, ignored)).first;
+    }
+    const std::filesystem::path file = folder->second / given.filename();
+    if (!std::filesystem::is_symlink(file, ignored)) return file.string();
+    // The link may lead to a file that is not there yet.
+    const std::filesystem::path target = follow_links(file);
+    return target == file ? file.string() : full_path(target.string());
+  }
+
+  std::map<std::string, std::filesystem::path> folders_;
+  std::unordered_map<std::string, const void*> files_;
+};
+
+/// The first of the outputs with this one's content and name: the later ones add nothing.
+const Output* first_alike(const std::vector<Output>& outputs, const Output& output) {
+  return &*std::ranges::find_if(outputs, [&](const Output& other) {
+    return other.path == output.path && other.format == output.format;
+  });
+}
+
+}  // namespace
+
+void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs,
+                        std::span<const int> frames) {
+  WrittenFiles files;
+  for (const Output& output : outputs) {
+    if (output.path == "-") continue;
+    const Output* const what = first_alike(outputs, output);
+    if (!output.number) files.add(output.path, what);
+    for (std::size_t i = 0; output.number && i < frames.size(); ++i) {
+      files.add(output.path_of(frames[i]), what);
+    }
+  }
+  const std::string difference = difference_path(line.run.reference);
+  if (!difference.empty()) files.add(difference, &line.run.reference);
+  if (!line.run.report.empty() && line.run.report != "-") {
+    files.add(line.run.report, &line.run.report);
+  }
 }
 
 bool wants_viewer(const CommandLine& line) {
@@ -180,7 +221,6 @@ std::vector<Output> checked_outputs(const CommandLine& line) {
   }
   check_standard_output(line);
   check_report_replaces_no_input(line);
-  check_names_differ(line, outputs);
   for (const Output& output : outputs) {
     if (output.path != "-") check_writable(output.path_of(0));
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,11 @@ bool wants_viewer(const CommandLine& line);
 /// an unknown extension, a terminal, two things for standard output, a path with two numbers;
 /// Machine for a path that cannot be written, the report's included.
 std::vector<Output> checked_outputs(const CommandLine& line);
+
+/// Throws Error (Input) where two outputs, among them the report and the picture of differences,
+/// meet in one file. `frames`: the numbers that numbered outputs are written for.
+void check_names_differ(const CommandLine& line, const std::vector<Output>& outputs,
+                        std::span<const int> frames);
 
 /// Lets `write` write to the path, or to standard output for "-".
 void write_to(const std::string& path, const std::function<void(std::ostream&)>& write);

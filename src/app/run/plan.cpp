@@ -28,7 +28,13 @@ Plan::Plan(const CommandLine& line)
     : outputs(checked_outputs(line)),
       timeline(animated(build_scene(line), has_frames(line, outputs))),
       shots(shots_of(line, timeline.scene(), outputs)),
-      purpose(purpose_of(line, outputs)) {}
+      purpose(purpose_of(line, outputs)) {
+  std::vector<int> numbers;
+  for (const Shot& shot : shots) {
+    if (shot.frame) numbers.push_back(*shot.frame);
+  }
+  check_names_differ(line, outputs, numbers);
+}
 
 int Plan::frames() const {
   return static_cast<int>(

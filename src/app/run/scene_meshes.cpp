@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/report/run_report.h"
+#include "base/activity.h"
 #include "base/parallel.h"
 #include "scene/model/prepare.h"
 
@@ -33,6 +34,7 @@ std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::stri
   std::vector<std::promise<Tessellation>> made(updated.size());
   const unsigned threads = threads_ > 0 ? threads_ : available_threads();
   const bool side_by_side = updated.size() >= kSurfacesPerThread * threads;
+  Activity meshing("meshing", updated.size());
   parallel_chunks(updated.size(), 1, side_by_side ? threads : 1, [&](std::size_t k, std::size_t) {
     try {
       const SurfaceSpec& spec = scene.surfaces[updated[k]];
@@ -40,6 +42,7 @@ std::vector<std::size_t> SceneMeshes::update(const Scene& scene, const std::stri
     } catch (...) {
       made[k].set_exception(std::current_exception());
     }
+    meshing.advance();
   });
   for (std::size_t k = 0; k < updated.size(); ++k) {
     take(scene, updated[k], frame, made[k].get_future());

@@ -1,13 +1,12 @@
 #include "mesh/grid/cut_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "mesh/grid/corners.h"
 #include "mesh/grid/degenerate.h"
 #include "mesh/grid/lines.h"
@@ -27,11 +26,12 @@ constexpr std::size_t kFewCells = 1000;
 
 /// Throws if all triangles are thinner than rounding.
 [[noreturn]] void throw_too_long(int axis, double times, const Domain& domain) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.0e", times);
+  const std::string as_wide = "as long along " + std::string(1, "xyz"[axis]) + " as it is wide";
   throw Error(Status::Nothing,
-              "the surface is " + std::string(text.data()) + " times as long along " + "xyz"[axis] +
-                  " as it is wide: in double precision it is a line",
+              "the surface is " +
+                  (std::isfinite(times) ? formatted("%.0e times ", times) + as_wide
+                                        : "too many times " + as_wide + " for a number") +
+                  ": in double precision it is a line",
               {},
               std::string("scale ") + "xyz"[axis] + " down, or give ranges of " + domain.names[0] +
                   " and " + domain.names[1] + " in which x, y and z stay in proportion");
@@ -43,12 +43,10 @@ void require_doubles(const std::string& name, double first, double last) {
       std::numeric_limits<double>::epsilon() * std::max(std::fabs(first), std::fabs(last));
   const double count = std::fabs(last - first) / step;
   if (count > kFewDoubles) return;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), " = %.17g and %.17g", first, last);
+  const std::string text = formatted(" = %.17g and %.17g", first, last);
   throw Error(Status::Nothing, "the range of " + name + " is too short for double precision", {},
-              "between " + name + text.data() + " there are about " +
-                  std::to_string(std::lround(count)) + " numbers; " + name +
-                  " = 0 is where they are closest to each other");
+              "between " + name + text + " there are about " + std::to_string(std::lround(count)) +
+                  " numbers; " + name + " = 0 is where they are closest to each other");
 }
 
 /// Closes the gaps that cells of fewer than two triangles leave.

@@ -46,6 +46,7 @@ class GpuMesh {
   /// of them. Returns the share of corners that it trusts.
   double measure_trust(Program& program, std::span<const dvec2> uv);
   void draw_triangles() const;
+  std::size_t triangles() const { return static_cast<std::size_t>(triangle_indices_) / 3; }
   void draw_lines() const;
   /// Its level lines; the second attribute of a vertex is its place on the triangles.
   void draw_contours() const;
